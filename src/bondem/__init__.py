@@ -1,0 +1,47 @@
+"""bondem: bonded-particle discrete element method.
+
+`import bondem as bd` reaches every public name; each is loaded at its first use, so that importing the
+package costs nothing.
+"""
+
+import importlib
+from typing import Any
+
+__version__ = "0.1.0"
+
+_PUBLIC = {
+    "bondem.specimen.material": ("Material",),
+    "bondem.specimen.geometry": ("Ball", "Box", "Cell", "Cylinder"),
+    "bondem.specimen.particles": ("Particles",),
+    "bondem.specimen.lattice": ("Lattice", "carve"),
+    "bondem.specimen.bonding": ("connect",),
+    "bondem.specimen.regions": ("Everything", "Face", "Index", "Within"),
+    "bondem.specimen.fabric": ("fabric",),
+    "bondem.packing": ("pack",),
+    "bondem.laws.bonds": ("ContactBond", "EulerBernoulli", "Obermayr", "ParallelBond", "Timoshenko"),
+    "bondem.model.schedules": ("Constant", "Ramp", "Table"),
+    "bondem.model.boundary": ("Drive", "Fix", "Load"),
+    "bondem.model.gauges": ("Gauge",),
+    "bondem.model.model": ("Model",),
+    "bondem.solve.schemes": ("TchamwaWielgosz", "VelocityVerlet"),
+    "bondem.solve.events": ("AtRest",),
+    "bondem.run": ("resume", "solve_explicit", "solve_modes", "solve_static"),
+    "bondem.labtests.bulk": ("bulk_moduli",),
+    "bondem.calibration": ("calibrate",),
+}
+_MODULES = ("errors", "labtests")
+_HOME = {name: module for module, names in _PUBLIC.items() for name in names}
+
+__all__ = ["__version__", *sorted(_HOME), *_MODULES]  # noqa: PLE0604
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        return getattr(importlib.import_module(_HOME[name]), name)
+    if name in _MODULES:
+        return importlib.import_module(f"bondem.{name}")
+    raise AttributeError(f"module 'bondem' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    return __all__

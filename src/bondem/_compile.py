@@ -1,0 +1,96 @@
+"""The compiler boundary: how physics and loops become machine code.
+
+Two decorators are all the rest of the package sees. `device` compiles a scalar function that is always
+inlined into the loop that calls it: without forced inlining, and without the NumPy error model (which
+spares the test for division by zero), LLVM silently stops vectorising. `kernel` compiles a loop, with
+or without threads. Only contraction (fused multiply-add) is allowed of the fast-math flags, because the
+full set deletes tests for NaN.
+
+Compiled code is cached on disk. Numba notices an edit of the cached function, but not of the functions
+it calls, and would run old physics; the cache directory is therefore named after a hash of every source
+that can enter a kernel. It is set only while our own functions are decorated, so that other packages in
+the same process keep theirs.
+"""
+
+import hashlib
+import os
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+from numba import config, njit, prange
+
+__all__ = ["cache_directory", "device", "kernel", "prange", "threads"]
+
+F = TypeVar("F", bound=Callable[..., Any])
+_PACKAGE = Path(__file__).parent
+
+
+def _source_hash() -> str:
+    digest = hashlib.sha256(numba.__version__.encode())
+    sources = [Path(__file__), *sorted(_PACKAGE.glob("laws/*.py")), *sorted(_PACKAGE.glob("kernels/*.py"))]
+    for source in sources:
+        digest.update(source.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _cache_root() -> Path:
+    root = Path(os.environ.get("BONDEM_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    try:
+        (root / "bondem").mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=root / "bondem"):
+            return root / "bondem"
+    except OSError:
+        return Path(tempfile.gettempdir()) / f"bondem-{os.getuid() if hasattr(os, 'getuid') else 'cache'}"
+
+
+cache_directory = _cache_root() / _source_hash()
+
+# OpenMP has the cheapest launch; numba falls back by itself where libgomp is missing.
+if "NUMBA_THREADING_LAYER" not in os.environ and "NUMBA_THREADING_LAYER_PRIORITY" not in os.environ:
+    config.THREADING_LAYER_PRIORITY = ["omp", "tbb", "workqueue"]
+
+
+@contextmanager
+def _own_cache() -> Iterator[None]:
+    saved = config.CACHE_DIR
+    config.CACHE_DIR = str(cache_directory)
+    try:
+        yield
+    finally:
+        config.CACHE_DIR = saved
+
+
+_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
+
+
+def device(function: F) -> F:
+    """Compile a scalar function, inlined wherever it is called."""
+    return njit(forceinline=True, **_FLAGS)(function)
+
+
+def kernel(*, parallel: bool) -> Callable[[F], F]:
+    """Compile a loop over arrays, cached on disk; `parallel=True` runs its `prange` on all threads."""
+
+    def decorate(function: F) -> F:
+        with _own_cache():
+            return njit(parallel=parallel, cache=True, nogil=True, **_FLAGS)(function)
+
+    return decorate
+
+
+@contextmanager
+def threads(count: int | None) -> Iterator[None]:
+    """Run kernels on `count` threads within the block (None: leave as it is)."""
+    if count is None:
+        yield
+        return
+    saved = numba.get_num_threads()
+    numba.set_num_threads(count)
+    try:
+        yield
+    finally:
+        numba.set_num_threads(saved)

@@ -1,0 +1,32 @@
+"""Array aliases that carry shape: n elements, m bonds, s samples."""
+
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+PerElement = Annotated[Floats, "(n,)"]
+PerElement3 = Annotated[Floats, "(n, 3)"]
+PerElement6 = Annotated[Floats, "(n, 6)"]
+PerBond = Annotated[Floats, "(m,)"]
+PerBond3 = Annotated[Floats, "(m, 3)"]
+Pairs = Annotated[Ints, "(m, 2)"]
+Vector = Annotated[Floats, "(3,)"]
+
+__all__ = [
+    "ArrayLike",
+    "Floats",
+    "Ints",
+    "Mask",
+    "Pairs",
+    "PerBond",
+    "PerBond3",
+    "PerElement",
+    "PerElement3",
+    "PerElement6",
+    "Vector",
+]

@@ -1,0 +1,41 @@
+"""Everything bondem raises: one family, and every message ends with what to do."""
+
+
+class BondemError(Exception):
+    """Base of all errors raised on purpose by bondem."""
+
+
+class InputError(BondemError, ValueError):
+    """A value the user gave cannot be used."""
+
+
+class EmptyRegionError(InputError):
+    """A region selects no connected element."""
+
+
+class DisconnectedError(InputError):
+    """The bonded specimen falls into more than one large piece."""
+
+
+class PackingError(BondemError):
+    """A packing did not reach what was asked for."""
+
+
+class UnreachableTargetError(BondemError):
+    """A calibration target lies outside what the bond law can reach on this lattice."""
+
+
+class ConvergenceError(BondemError):
+    """An iterative solver stopped before its tolerance."""
+
+
+class UnstableStepError(InputError):
+    """A time step above the stability limit of the assembled lattice was asked for."""
+
+
+class StudyError(InputError):
+    """A study file names something unknown or leaves out something needed."""
+
+
+class RunFileError(BondemError):
+    """A run file cannot be written, read or resumed."""

@@ -1,0 +1,48 @@
+"""Which elements become bonded: by gap, by reach, or over all pairs one names oneself."""
+
+import math
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from bondem.errors import InputError
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.particles import Particles
+
+# Contacts of a packing touch to rounding only: what overlaps by less than this share of R̄ still touches.
+_TOUCH = 1e-9
+
+
+def connect(particles: Particles, *, tolerance: float | None = None, reach: float | None = None) -> Lattice:
+    """Bond neighbouring elements.
+
+    Args:
+        particles: the elements.
+        tolerance: bond where gap <= tolerance · R̄ [-], gap = L - (Ri + Rj); the default, with 0.
+        reach: bond where L <= reach · (Ri + Rj) [-], the contact-radius multiplier η_r of Chen et al. (2022).
+
+    Returns:
+        The lattice, its pairs sorted and with i < j.
+
+    Raises:
+        InputError: both or neither sensible, or no pair is near enough.
+        DisconnectedError: the specimen falls into two large pieces.
+    """
+    if tolerance is not None and reach is not None:
+        raise InputError("connect takes tolerance= or reach=, not both; leave one out")
+    value = reach if reach is not None else (0.0 if tolerance is None else tolerance)
+    if not math.isfinite(value) or (reach is not None and value <= 0.0):
+        raise InputError(f"connect: {value} is no bonding distance; give a finite tolerance= or positive reach=")
+    r = particles.radius
+    slack = (value if reach is None else 0.0) * particles.mean_radius + _TOUCH * particles.mean_radius
+    stretch = value if reach is not None else 1.0
+    farthest = stretch * 2.0 * r.max() + slack
+    if particles.period is not None and 2.0 * farthest >= particles.period.min():
+        raise InputError(f"bonds up to {farthest:.3g} m need a periodic cell of more than twice that; enlarge it")
+    near = cKDTree(particles.position, boxsize=particles.period).query_pairs(farthest, output_type="ndarray")
+    near = np.sort(near.astype(np.int64).reshape(-1, 2), axis=1)
+    gap = np.linalg.norm(particles.separation(near[:, 0], near[:, 1]), axis=1)
+    pairs = near[gap <= stretch * (r[near[:, 0]] + r[near[:, 1]]) + slack]
+    if len(pairs) == 0:
+        raise InputError("no two elements are near enough to bond; raise tolerance= or check the units (metres)")
+    return Lattice(particles, pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))])

@@ -1,0 +1,140 @@
+"""A lattice: elements and the bonds between them, made once in one reference configuration."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3
+from bondem.errors import DisconnectedError, InputError
+from bondem.specimen.geometry import Shape
+from bondem.specimen.particles import Particles, freeze
+
+
+@dataclass(frozen=True, eq=False)
+class Lattice:
+    """Elements and bonds, both in the user's order.
+
+    Pieces of fewer than max(10, 0.1 % of n) elements beside the largest one are rattlers: they stay in
+    `particles`, but take no part in matrices, loads, faces and fits.
+
+    Attributes:
+        particles: the elements.
+        pairs: elements i, j of each bond, shape (m, 2).
+
+    Raises:
+        InputError: an index out of range, a bond of an element to itself, a bond given twice, or bonded
+            centres that coincide.
+        DisconnectedError: a second large piece.
+    """
+
+    particles: Particles
+    pairs: Pairs
+
+    def __init__(self, particles: Particles, pairs: ArrayLike) -> None:
+        bonds = np.array(pairs, dtype=np.int64).reshape(-1, 2) if np.size(pairs) == 0 else np.array(pairs)
+        if bonds.ndim != 2 or bonds.shape[1] != 2:
+            raise InputError(f"pairs has shape {bonds.shape}; give element indices as an array of shape (m, 2)")
+        if not np.issubdtype(bonds.dtype, np.integer):
+            raise InputError(f"pairs holds {bonds.dtype}; give integer element indices")
+        bonds = bonds.astype(np.int64)
+        _check_pairs(bonds, len(particles))
+        object.__setattr__(self, "particles", particles)
+        object.__setattr__(self, "pairs", freeze(bonds))
+        if (self.length <= 0.0).any():
+            k = int(np.argmin(self.length))
+            raise InputError(f"bond {k} joins coincident centres {tuple(bonds[k])}; remove one of the elements")
+        self.connected  # noqa: B018  a second large piece is an error now, not at first use
+
+    @property
+    def bonds(self) -> "Lattice":
+        """The bonds: `lattice.bonds.pairs` is `lattice.pairs`."""
+        return self
+
+    @cached_property
+    def branch(self) -> PerBond3:
+        """Vectors from centre i to centre j in the reference configuration [m], shape (m, 3)."""
+        return freeze(self.particles.separation(self.pairs[:, 0], self.pairs[:, 1]))
+
+    @cached_property
+    def length(self) -> PerBond:
+        """Distance of the bonded centres [m], shape (m,)."""
+        return freeze(np.linalg.norm(self.branch, axis=1))
+
+    @cached_property
+    def pieces(self) -> Ints:
+        """Number of the connected piece of each element, shape (n,); piece 0 is the largest."""
+        n = len(self.particles)
+        i, j = self.pairs.T
+        graph = coo_matrix((np.ones(len(i), dtype=np.int8), (i, j)), shape=(n, n))
+        _, label = connected_components(graph, directed=False)
+        by_size = np.argsort(-np.bincount(label), kind="stable")
+        rank = np.empty_like(by_size)
+        rank[by_size] = np.arange(len(by_size))
+        return freeze(rank[label].astype(np.int64))
+
+    @cached_property
+    def connected(self) -> Mask:
+        """True for the elements of the specimen, False for rattlers, shape (n,)."""
+        size = np.bincount(self.pieces)
+        least = max(10.0, 0.001 * len(self.particles))
+        if len(size) > 1 and size[1] >= least:
+            raise DisconnectedError(
+                f"the bonded specimen falls into pieces of {size[0]} and {size[1]} elements;"
+                " bond over larger gaps (tolerance=, reach=) or model the pieces one by one"
+            )
+        return freeze(self.pieces == 0)
+
+    @property
+    def rattlers(self) -> int:
+        """Number of elements that are not part of the specimen."""
+        return int(len(self.particles) - self.connected.sum())
+
+    @property
+    def coordination_number(self) -> float:
+        """z = 2 m / n over all elements, rattlers included [-]."""
+        return 2.0 * len(self.pairs) / len(self.particles)
+
+
+def _check_pairs(pairs: Pairs, count: int) -> None:
+    outside = np.flatnonzero(((pairs < 0) | (pairs >= count)).any(axis=1))
+    if outside.size:
+        k = outside[0]
+        raise InputError(f"bond {k} joins {tuple(map(int, pairs[k]))}, but element indices run from 0 to {count - 1}")
+    itself = np.flatnonzero(pairs[:, 0] == pairs[:, 1])
+    if itself.size:
+        raise InputError(f"bond {itself[0]} joins element {pairs[itself[0], 0]} to itself; remove it")
+    key = np.sort(pairs, axis=1) @ np.array([count, 1])
+    first = np.unique(key, return_index=True)[1]
+    if len(first) < len(pairs):
+        k = int(np.setdiff1d(np.arange(len(pairs)), first)[0])
+        raise InputError(f"bond {k} joins {tuple(map(int, pairs[k]))} a second time; remove duplicate pairs")
+
+
+def carve(lattice: Lattice, shape: Shape) -> Lattice:
+    """The part of a lattice whose centres lie inside `shape`, which becomes its shape.
+
+    Args:
+        lattice: what to cut from.
+        shape: what to keep; its faces name the faces of the part.
+
+    Returns:
+        A lattice of the kept elements, in their old order, with the bonds between them.
+
+    Raises:
+        InputError: no element lies inside.
+        DisconnectedError: the part falls into two large pieces.
+    """
+    keep = shape.contains(lattice.particles.position)
+    if not keep.any():
+        raise InputError(f"no element lies inside {shape}; check its size and position (metres)")
+    number = np.cumsum(keep) - 1
+    inside = keep[lattice.pairs].all(axis=1)
+    periodic = lattice.particles.period if shape.period is not None else None
+    if lattice.particles.period is not None and periodic is None:
+        plain = lattice.particles.position[lattice.pairs[:, 1]] - lattice.particles.position[lattice.pairs[:, 0]]
+        inside &= np.isclose(plain, lattice.branch, atol=1e-9 * lattice.particles.mean_radius).all(axis=1)
+    part = Particles(lattice.particles.position[keep], lattice.particles.radius[keep], periodic, shape)
+    return Lattice(part, number[lattice.pairs[inside]])

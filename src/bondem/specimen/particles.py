@@ -1,0 +1,124 @@
+"""The discrete elements: spheres with a centre and a radius."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from bondem._types import ArrayLike, PerElement, PerElement3, Vector
+from bondem.errors import InputError
+from bondem.specimen.geometry import BoundingBox, Shape
+
+
+def freeze(array: np.ndarray) -> np.ndarray:
+    """The same array, read-only."""
+    array.setflags(write=False)
+    return array
+
+
+@dataclass(frozen=True, eq=False)
+class Particles:
+    """Spheres in the user's order.
+
+    Attributes:
+        position: centres [m], shape (n, 3).
+        radius: radii [m], shape (n,).
+        period: edge lengths of the periodic cell [m], (3,), or None; taken from `shape` where that is a Cell.
+        shape: the shape they fill, or None; faces and sections then use the bounding box of the spheres.
+
+    Raises:
+        InputError: wrong array shapes, a value that is not finite, a radius that is not positive, or two
+            spheres overlapping by more than half the smaller radius.
+    """
+
+    position: PerElement3
+    radius: PerElement
+    period: Vector | None = None
+    shape: Shape | None = None
+
+    def __init__(
+        self,
+        position: ArrayLike,
+        radius: ArrayLike,
+        period: ArrayLike | None = None,
+        shape: Shape | None = None,
+    ) -> None:
+        x = np.array(position, dtype=float, order="C")
+        r = np.array(radius, dtype=float)
+        if x.ndim != 2 or x.shape[1] != 3 or len(x) == 0:
+            raise InputError(f"position has shape {x.shape}; give centres as an array of shape (n, 3), n >= 1")
+        if r.ndim == 0:
+            r = np.full(len(x), float(r))
+        if r.shape != (len(x),):
+            raise InputError(f"radius has shape {r.shape} for {len(x)} centres; give shape ({len(x)},)")
+        _check_finite("position", x)
+        _check_finite("radius", r)
+        if (r <= 0.0).any():
+            worst = int(np.argmin(r))
+            raise InputError(f"radius[{worst}] = {r[worst]} m; every radius must be positive")
+        if period is None and shape is not None:
+            period = shape.period
+        if period is not None:
+            cell = np.array(period, dtype=float)
+            if cell.shape != (3,) or not (np.isfinite(cell) & (cell > 0.0)).all():
+                raise InputError(f"period = {period}; give three positive edge lengths in metres")
+            if cell.min() < 4.0 * r.max():
+                raise InputError(
+                    f"period {cell.min():.4g} m is below two diameters of the largest sphere; enlarge the cell"
+                )
+            x = np.mod(x, cell)
+            object.__setattr__(self, "period", freeze(cell))
+        else:
+            object.__setattr__(self, "period", None)
+        object.__setattr__(self, "position", freeze(x))
+        object.__setattr__(self, "radius", freeze(r))
+        object.__setattr__(self, "shape", shape)
+        self._check_overlap()
+
+    def _check_overlap(self) -> None:
+        tree = cKDTree(self.position, boxsize=self.period)
+        close = tree.query_pairs(1.5 * self.radius.max(), output_type="ndarray")
+        if len(close) == 0:
+            return
+        i, j = close.T
+        smaller = np.minimum(self.radius[i], self.radius[j])
+        overlap = self.radius[i] + self.radius[j] - np.linalg.norm(self.separation(i, j), axis=1)
+        bad = np.flatnonzero(overlap > 0.5 * smaller)
+        if bad.size:
+            a, b = sorted(close[bad[0]])
+            raise InputError(
+                f"elements {a} and {b} overlap by {overlap[bad[0]]:.3g} m, more than half the smaller radius"
+                f" ({bad.size} such pairs); remove doubled or coincident spheres"
+            )
+
+    def separation(self, i: np.ndarray, j: np.ndarray) -> np.ndarray:
+        """Vectors from centres i to centres j, over the nearest periodic image [m], shape (k, 3)."""
+        d = self.position[j] - self.position[i]
+        if self.period is not None:
+            d -= self.period * np.rint(d / self.period)
+        return d
+
+    def __len__(self) -> int:
+        return len(self.radius)
+
+    @property
+    def mean_radius(self) -> float:
+        """R̄, mean radius of all elements [m]."""
+        return float(self.radius.mean())
+
+    @property
+    def volume(self) -> PerElement:
+        """Sphere volumes [m³], shape (n,)."""
+        return 4.0 / 3.0 * np.pi * self.radius**3
+
+    @property
+    def envelope(self) -> Shape:
+        """The shape, or the bounding box of the spheres where none is known."""
+        return self.shape if self.shape is not None else BoundingBox.of(self.position, self.radius)
+
+
+def _check_finite(name: str, values: np.ndarray) -> None:
+    bad = np.argwhere(~np.isfinite(values))
+    if len(bad):
+        where = "".join(f"[{k}]" for k in bad[0])
+        raise InputError(f"{name}{where} is {values[tuple(bad[0])]}; every {name} must be a finite number of metres")
