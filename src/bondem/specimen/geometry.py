@@ -6,7 +6,7 @@ inwards [m], and everything else (containment, packing walls, face regions) foll
 
 import math
 from abc import ABC, abstractmethod
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -53,7 +53,7 @@ class Shape(ABC):
         return None
 
     @property
-    def length(self) -> float:
+    def extent(self) -> float:
         """Extent along x [m]."""
         lower, upper = self.bounds
         return float(upper[0] - lower[0])
@@ -106,7 +106,7 @@ class Cylinder(Shape):
     """
 
     radius: float
-    length: float = field()
+    length: float
 
     def __post_init__(self) -> None:
         _positive("Cylinder", radius=self.radius, length=self.length)
