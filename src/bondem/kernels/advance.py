@@ -1,0 +1,160 @@
+"""Many steps in one compiled call: bonds, elements, boundary and sampling."""
+
+import math
+
+import numpy as np
+
+from bondem._compile import device, kernel
+from bondem.kernels.bond_pass import bond_energies, bond_forces, bond_forces_serial, rotation_guard
+from bondem.kernels.boundary import apply_schedules
+from bondem.kernels.element_pass import close_step, close_step_serial, open_step, open_step_serial
+
+# Below this many bonds launching threads costs more than the loop.
+SERIAL_BONDS = 2000
+# Steps between two looks at the relative rotations, and for numbers that are not finite.
+GUARD_INTERVAL = 100
+# Columns of a record before the gauges.
+TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, WORK, LOSS, FIXED_COLUMNS = range(10)
+
+
+@device
+def rotation_component(w, x, y, z, d):
+    """Component d of the rotation vector of a unit quaternion [rad], of length at most π."""
+    sine = math.sqrt(x * x + y * y + z * z)
+    part = x if d == 0 else (y if d == 1 else z)
+    if sine < 1e-12:
+        return 2.0 * part
+    return 2.0 * math.atan2(sine, abs(w)) * part / sine * (1.0 if w >= 0.0 else -1.0)
+
+
+@kernel(parallel=False)
+def sample(
+    t, pose, motion, i, j, constants, shear, lever, integrity, period, output,
+    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed, row_reaction,
+    row_force, work, loss, record,
+):  # fmt: skip
+    """One row of the history: time, energies, work, and three components a gauge."""
+    record[0] = t
+    translation = 0.0
+    rotation = 0.0
+    for p in range(len(pose)):
+        v2 = motion[p, 0] ** 2 + motion[p, 1] ** 2 + motion[p, 2] ** 2
+        w2 = motion[p, 4] ** 2 + motion[p, 5] ** 2 + motion[p, 6] ** 2
+        translation += 0.5 * v2 / motion[p, 3]
+        rotation += 0.5 * w2 / motion[p, 7]
+    record[1] = translation
+    record[2] = rotation
+    bond_energies(pose, i, j, constants, shear, lever, integrity, period, output)
+    for part in range(4):
+        total = 0.0
+        for k in range(len(i)):
+            total += output[part, k]
+        record[3 + part] = total
+    total = 0.0
+    for r in range(len(work)):
+        total += work[r]
+    record[7] = total
+    total = 0.0
+    for p in range(len(loss)):
+        total += loss[p]
+    record[8] = total
+    for g in range(len(gauge_quantity)):
+        quantity, reduction = gauge_quantity[g], gauge_reduction[g]
+        first, last = gauge_start[g], gauge_start[g + 1]
+        for d in range(3):
+            value = -np.inf if reduction == 2 else 0.0
+            for e in range(first, last):
+                p = gauge_element[e]
+                if quantity == 0:
+                    x = pose[p, d] - rest[p, d]
+                elif quantity == 1:
+                    x = motion[p, d]
+                elif quantity == 2:
+                    x = rotation_component(pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7], d)
+                elif quantity == 3:
+                    x = motion[p, 4 + d]
+                else:
+                    r = row_of[p]
+                    x = 0.0 if r < 0 else (row_reaction[r, d] if row_fixed[r, d] else row_force[r, d])
+                value = max(value, abs(x)) if reduction == 2 else value + x
+            record[9 + 3 * g + d] = value / (last - first) if reduction == 0 else value
+
+
+@kernel(parallel=False)
+def advance(
+    step, steps, every, t0, dt, finish, begin, extra, gamma,
+    pose, motion, acceleration, i, j, constants, shear, lever, integrity, period, output,
+    out_start, in_start, in_bond,
+    times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
+    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
+    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, records,
+):  # fmt: skip
+    """Go from `step` to `step + steps`; write a record whenever the step number is a multiple of `every`.
+
+    `acceleration` holds that of the present state on entry and on return. Between samples the end of one
+    step and the start of the next are fused into one pass over the elements.
+
+    Returns:
+        (steps done, records written, bonds turned wide, bonds lost, whether a number was not finite).
+    """
+    threaded = len(i) >= SERIAL_BONDS
+    done = 0
+    written = 0
+    wide = 0
+    lost = 0
+    sick = False
+    paused = True
+    while done < steps:
+        if paused:
+            t = t0 + (step + done) * dt
+            apply_schedules(
+                t, dt, times, values, start, drive_row, drive_dof, drive_schedule, drive_rate,
+                load_row, load_schedule, load_value, row_force, row_half, row_full,
+            )  # fmt: skip
+            if threaded:
+                open_step(
+                    pose, motion, acceleration, row_of, row_fixed, row_force, row_half, row_reaction, work,
+                    dt, begin, extra,
+                )  # fmt: skip
+            else:
+                open_step_serial(
+                    pose, motion, acceleration, row_of, row_fixed, row_force, row_half, row_reaction, work,
+                    dt, begin, extra,
+                )  # fmt: skip
+        if threaded:
+            bond_forces(pose, i, j, constants, integrity, period, output)
+        else:
+            bond_forces_serial(pose, i, j, constants, integrity, period, output)
+        done += 1
+        now = step + done
+        t = t0 + now * dt
+        sampled = every > 0 and now % every == 0
+        paused = sampled or done == steps or now % GUARD_INTERVAL == 0
+        apply_schedules(
+            t, dt, times, values, start, drive_row, drive_dof, drive_schedule, drive_rate,
+            load_row, load_schedule, load_value, row_force, row_half, row_full,
+        )  # fmt: skip
+        if threaded:
+            close_step(
+                pose, motion, acceleration, output, out_start, in_start, in_bond,
+                row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+                dt, finish, begin, extra, gamma, loss, not paused,
+            )  # fmt: skip
+        else:
+            close_step_serial(
+                pose, motion, acceleration, output, out_start, in_start, in_bond,
+                row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+                dt, finish, begin, extra, gamma, loss, not paused,
+            )  # fmt: skip
+        if now % GUARD_INTERVAL == 0 or done == steps:
+            wide, lost, sick = rotation_guard(pose, i, j, constants, integrity, period)
+            if lost > 0 or sick:
+                break
+        if sampled:
+            sample(
+                t, pose, motion, i, j, constants, shear, lever, integrity, period, output,
+                rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed,
+                row_reaction, row_force, work, loss, records[written],
+            )  # fmt: skip
+            written += 1
+    return done, written, wide, lost, sick

@@ -1,0 +1,79 @@
+"""The stiffness matrix at rest, straight into block-sparse rows."""
+
+import numpy as np
+
+from bondem._compile import device, kernel, prange
+
+
+@device
+def _blocks(x, y, z, kn, ks, kb, kt, near, far, own, other):
+    """Diagonal block of one end and the off-diagonal block towards the other end, for bond direction (x, y, z).
+
+    With P = ks (1 - XX) + kn XX and S = [X]×, the slip at the contact point is δ = u_far - u_near +
+    S (near θ_near + far θ_far) and the relative rotation ρ = θ_far - θ_near; the energy is ½ δ·P δ plus
+    ½ ρ·(kt XX + kb (1 - XX)) ρ. X points from this end to the other.
+    """
+    for r in range(3):
+        for c in range(3):
+            xx = (x if r == 0 else (y if r == 1 else z)) * (x if c == 0 else (y if c == 1 else z))
+            unit = 1.0 if r == c else 0.0
+            P = ks * (unit - xx) + kn * xx
+            Q = kb * (unit - xx) + kt * xx
+            # ks S, as P S = ks S; and Sᵀ P S = ks (1 - XX)
+            S = 0.0
+            if r == 0 and c == 1:
+                S = -z
+            elif r == 0 and c == 2:
+                S = y
+            elif r == 1 and c == 0:
+                S = z
+            elif r == 1 and c == 2:
+                S = -x
+            elif r == 2 and c == 0:
+                S = -y
+            elif r == 2 and c == 1:
+                S = x
+            own[r, c] += P
+            own[r, 3 + c] -= ks * near * S
+            own[3 + r, c] += ks * near * S
+            own[3 + r, 3 + c] += ks * near * near * (unit - xx) + Q
+            other[r, c] = -P
+            other[r, 3 + c] = -ks * far * S
+            other[3 + r, c] = -ks * near * S
+            other[3 + r, 3 + c] = ks * near * far * (unit - xx) - Q
+
+
+@kernel(parallel=True)
+def assemble(i, j, constants, shear, bending, lever, out_start, in_start, in_bond, indptr, indices, data):
+    """Fill a block-sparse matrix of 6×6 blocks, degrees of freedom (u, θ) an element; rows own their blocks."""
+    for p in prange(len(out_start) - 1):
+        slot = indptr[p]
+        diagonal = slot + in_start[p + 1] - in_start[p]
+        indices[diagonal] = p
+        data[diagonal] = 0.0
+        for e in range(in_start[p], in_start[p + 1]):
+            k = in_bond[e]
+            indices[slot] = i[k]
+            _blocks(
+                -constants[0, k], -constants[1, k], -constants[2, k], constants[4, k], shear[k], bending[k],
+                constants[8, k], constants[3, k] - lever[k], lever[k], data[diagonal], data[slot],
+            )  # fmt: skip
+            slot += 1
+        slot += 1
+        for k in range(out_start[p], out_start[p + 1]):
+            indices[slot] = j[k]
+            _blocks(
+                constants[0, k], constants[1, k], constants[2, k], constants[4, k], shear[k], bending[k],
+                constants[8, k], lever[k], constants[3, k] - lever[k], data[diagonal], data[slot],
+            )  # fmt: skip
+            slot += 1
+
+
+def block_matrix_arrays(i, j, constants, shear, bending, lever, out_start, in_start, in_bond):
+    """Row pointers, column indices and blocks (…, 6, 6) of the stiffness matrix [N/m, N, N·m]."""
+    n = len(out_start) - 1
+    indptr = (in_start + out_start + np.arange(n + 1)).astype(np.int32)
+    indices = np.empty(indptr[-1], dtype=np.int32)
+    data = np.empty((indptr[-1], 6, 6))
+    assemble(i, j, constants, shear, bending, lever, out_start, in_start, in_bond, indptr, indices, data)
+    return indptr, indices, data

@@ -1,0 +1,180 @@
+"""Soft spheres between rigid walls, brought to mechanical equilibrium.
+
+Overlapping spheres repel with unit stiffness, walls let nothing through, and the energy is minimised by
+FIRE 2.0 (Guénolé et al., Comput. Mater. Sci. 175, 2020): inertial descent that is steered along the force
+and stopped whenever it runs uphill. Unit mass and stiffness make every time dimensionless.
+"""
+
+import math
+
+import numpy as np
+
+from bondem._compile import device, kernel, prange
+from bondem.kernels.cells import nearest_image
+
+# Partial sums over blocks of fixed size, added up in order: the result does not depend on the threads.
+_BLOCK = 128
+
+# Walls: a box (infinite where it has no wall) and a round wall about the axes whose weight is 1.
+# wall = lower (3), upper (3), weight (3), radius of the round wall.
+
+# What a call of `relax` ended with.
+CONVERGED, STALE, EXHAUSTED = 0, 1, 2
+
+# FIRE: longest step (the stiffest sphere stays stable to about 0.7), mixing, and when to trust the descent.
+DT_START, DT_MAX, ALPHA, PATIENCE = 0.15, 0.45, 0.25, 10
+
+
+@device
+def _round_distance(x, y, z, wall):
+    return math.sqrt(wall[6] * x * x + wall[7] * y * y + wall[8] * z * z)
+
+
+@kernel(parallel=True)
+def relax(sphere, velocity, force, period, wall, start, neighbour, listed, slack, fire, tolerance, steps, report):
+    """Minimise the overlap energy, as far as the neighbour list is valid.
+
+    Args:
+        sphere: centres and radii [m], shape (n, 4); centres are moved.
+        velocity: shape (n, 3), kept between calls.
+        force: overlap forces [m], shape (n, 3), less what walls bear.
+        period: periodic edge lengths [m], (3,), 0 where there is none.
+        wall: the walls, (10,).
+        start: where each sphere's neighbours begin, (n + 1,).
+        neighbour: neighbour lists.
+        listed: centres when the list was made [m], shape (n, 3).
+        slack: how far a centre may move before the list is stale [m].
+        fire: time step, mixing and number of steps downhill, (3,), kept between calls.
+        tolerance: converged when the rms force is below this share of the mean contact force [-].
+        steps: most steps to take.
+        report: filled with rms force [m], mean overlap [m], contacts, largest overlap [m], steps taken; (5,).
+
+    Returns:
+        CONVERGED, STALE (make a new list and call again) or EXHAUSTED.
+    """
+    n = sphere.shape[0]
+    blocks = (n + _BLOCK - 1) // _BLOCK
+    part = np.zeros((blocks, 8))
+    for step in range(steps + 1):
+        for b in prange(blocks):
+            power, ff, vv, overlap, contacts, deepest = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+            for i in range(b * _BLOCK, min((b + 1) * _BLOCK, n)):
+                x, y, z, r = sphere[i, 0], sphere[i, 1], sphere[i, 2], sphere[i, 3]
+                fx, fy, fz = 0.0, 0.0, 0.0
+                for k in range(start[i], start[i + 1]):
+                    j = neighbour[k]
+                    dx = nearest_image(sphere[j, 0] - x, period[0])
+                    dy = nearest_image(sphere[j, 1] - y, period[1])
+                    dz = nearest_image(sphere[j, 2] - z, period[2])
+                    touch = r + sphere[j, 3]
+                    d2 = dx * dx + dy * dy + dz * dz
+                    if d2 < touch * touch and d2 > 0.0:
+                        d = math.sqrt(d2)
+                        push = (touch - d) / d
+                        fx -= push * dx
+                        fy -= push * dy
+                        fz -= push * dz
+                        overlap += touch - d
+                        contacts += 1.0
+                        deepest = max(deepest, touch - d)
+                # Rigid walls bear what presses against them.
+                near = r * (1.0 + 1e-12)
+                if (x - wall[0] <= near and fx < 0.0) or (wall[3] - x <= near and fx > 0.0):
+                    fx = 0.0
+                if (y - wall[1] <= near and fy < 0.0) or (wall[4] - y <= near and fy > 0.0):
+                    fy = 0.0
+                if (z - wall[2] <= near and fz < 0.0) or (wall[5] - z <= near and fz > 0.0):
+                    fz = 0.0
+                rho = _round_distance(x, y, z, wall)
+                if wall[9] - rho <= near:
+                    nx, ny, nz = wall[6] * x / rho, wall[7] * y / rho, wall[8] * z / rho
+                    out = max(fx * nx + fy * ny + fz * nz, 0.0)
+                    fx -= out * nx
+                    fy -= out * ny
+                    fz -= out * nz
+                force[i, 0], force[i, 1], force[i, 2] = fx, fy, fz
+                vx, vy, vz = velocity[i, 0], velocity[i, 1], velocity[i, 2]
+                power += fx * vx + fy * vy + fz * vz
+                ff += fx * fx + fy * fy + fz * fz
+                vv += vx * vx + vy * vy + vz * vz
+            part[b, 0], part[b, 1], part[b, 2], part[b, 3] = power, ff, vv, overlap
+            part[b, 4], part[b, 5] = contacts, deepest
+
+        power, ff, vv, overlap, contacts, deepest = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        for b in range(blocks):
+            power += part[b, 0]
+            ff += part[b, 1]
+            vv += part[b, 2]
+            overlap += part[b, 3]
+            contacts += part[b, 4]
+            deepest = max(deepest, part[b, 5])
+        mean = overlap / max(contacts, 1.0)
+        report[0], report[1], report[2], report[3] = math.sqrt(ff / n), mean, 0.5 * contacts, deepest
+        report[4] = step
+        if math.sqrt(ff / n) <= tolerance * mean:
+            return CONVERGED
+        if step == steps:
+            return EXHAUSTED
+
+        back = 0.0
+        if power > 0.0:
+            fire[2] += 1.0
+            if fire[2] > PATIENCE:
+                fire[0] = min(1.1 * fire[0], DT_MAX)
+                fire[1] *= 0.99
+        else:
+            back = 0.5 * fire[0]
+            fire[0] = max(0.5 * fire[0], 0.02)
+            fire[1] = ALPHA
+            fire[2] = 0.0
+        dt = fire[0]
+        keep = 0.0 if back > 0.0 else 1.0 - fire[1]
+        steer = 0.0 if back > 0.0 else fire[1] * math.sqrt(vv / ff)
+
+        for b in prange(blocks):
+            farthest = 0.0
+            for i in range(b * _BLOCK, min((b + 1) * _BLOCK, n)):
+                r = sphere[i, 3]
+                fx, fy, fz = force[i, 0], force[i, 1], force[i, 2]
+                ux, uy, uz = velocity[i, 0], velocity[i, 1], velocity[i, 2]
+                vx = keep * ux + (steer + dt) * fx
+                vy = keep * uy + (steer + dt) * fy
+                vz = keep * uz + (steer + dt) * fz
+                x = sphere[i, 0] - back * ux + dt * vx
+                y = sphere[i, 1] - back * uy + dt * vy
+                z = sphere[i, 2] - back * uz + dt * vz
+                # A wall that is reached stops the sphere: its velocity along the normal is gone.
+                if x < wall[0] + r:
+                    x, vx = wall[0] + r, max(vx, 0.0)
+                if x > wall[3] - r:
+                    x, vx = wall[3] - r, min(vx, 0.0)
+                if y < wall[1] + r:
+                    y, vy = wall[1] + r, max(vy, 0.0)
+                if y > wall[4] - r:
+                    y, vy = wall[4] - r, min(vy, 0.0)
+                if z < wall[2] + r:
+                    z, vz = wall[2] + r, max(vz, 0.0)
+                if z > wall[5] - r:
+                    z, vz = wall[5] - r, min(vz, 0.0)
+                rho = _round_distance(x, y, z, wall)
+                if rho > wall[9] - r:
+                    nx, ny, nz = wall[6] * x / rho, wall[7] * y / rho, wall[8] * z / rho
+                    inward = rho - (wall[9] - r)
+                    out = max(vx * nx + vy * ny + vz * nz, 0.0)
+                    x -= inward * nx
+                    y -= inward * ny
+                    z -= inward * nz
+                    vx -= out * nx
+                    vy -= out * ny
+                    vz -= out * nz
+                sphere[i, 0], sphere[i, 1], sphere[i, 2] = x, y, z
+                velocity[i, 0], velocity[i, 1], velocity[i, 2] = vx, vy, vz
+                dx, dy, dz = x - listed[i, 0], y - listed[i, 1], z - listed[i, 2]
+                farthest = max(farthest, dx * dx + dy * dy + dz * dz)
+            part[b, 6] = farthest
+        farthest = 0.0
+        for b in range(blocks):
+            farthest = max(farthest, part[b, 6])
+        if farthest > slack * slack:
+            return STALE
+    return EXHAUSTED

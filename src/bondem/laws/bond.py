@@ -1,0 +1,162 @@
+"""What all linear bond laws share: a bond is a cylinder, and a law is four stiffnesses and a contact point.
+
+Chen et al. (2022) show that the parallel-bond, Euler–Bernoulli and Timoshenko models differ only in the
+normal, shear, bending and twisting stiffness of the bond and in where along it the contact point lies.
+A law is therefore data, computed once per bond; `bondem.laws.beam_energy` is the physics of them all.
+"""
+
+import math
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from bondem._types import PerBond
+from bondem.errors import InputError
+
+RADIUS_RULES = ("mean", "pair_min", "pair_mean")
+FORMULATIONS = ("total", "incremental")
+
+
+@dataclass(frozen=True)
+class BondGeometry:
+    """What a law may know of each bond, in the reference configuration.
+
+    Attributes:
+        length: distance of the centres [m], shape (m,).
+        radius_i, radius_j: element radii at the two ends [m], shape (m,).
+        mean_radius: R̄ of the lattice [m].
+    """
+
+    length: PerBond
+    radius_i: PerBond
+    radius_j: PerBond
+    mean_radius: float
+
+    def take(self, chosen: np.ndarray) -> "BondGeometry":
+        """The same for a subset of the bonds."""
+        return BondGeometry(
+            self.length[chosen], self.radius_i[chosen], self.radius_j[chosen], self.mean_radius
+        )
+
+
+@dataclass(frozen=True)
+class BondStiffness:
+    """A law evaluated on bonds: what the kernels need, each of shape (m,).
+
+    Attributes:
+        kn: normal stiffness [N/m].
+        ks: shear stiffness at the contact point [N/m].
+        kb: bending stiffness [N·m].
+        kt: twisting stiffness [N·m].
+        lever: distance of the contact point from centre i [m].
+        radius: bond radius [m].
+    """
+
+    kn: PerBond
+    ks: PerBond
+    kb: PerBond
+    kt: PerBond
+    lever: PerBond
+    radius: PerBond
+
+    def put(self, chosen: np.ndarray, other: "BondStiffness") -> None:
+        """Overwrite the chosen bonds with those of another law."""
+        for item in fields(self):
+            getattr(self, item.name)[chosen] = getattr(other, item.name)
+
+    @classmethod
+    def empty(cls, count: int) -> "BondStiffness":
+        """Room for `count` bonds, not yet set."""
+        return cls(**{item.name: np.full(count, np.nan) for item in fields(cls)})
+
+
+@dataclass(frozen=True, kw_only=True)
+class BondLaw(ABC):
+    """A linear elastic bond of circular section.
+
+    Attributes:
+        E: Young's modulus of the bond, E_μ [Pa].
+        nu: Poisson's ratio of the bond, ν_μ [-].
+        radius_ratio: bond radius over a mean radius, r̃ [-]; which mean is the `radius_rule`.
+        radius: bond radius [m], instead of `radius_ratio`.
+        radius_rule: "mean" (R̄ of the lattice, André), "pair_min" (smaller of the two elements, PFC) or
+            "pair_mean".
+        formulation: "total" (exact gradient of one energy) or "incremental" (rates integrated step by step,
+            as the papers do).
+
+    Raises:
+        InputError: a value outside its physical range, or both or neither of the two radii.
+    """
+
+    E: float
+    nu: float
+    radius_ratio: float | None = None
+    radius: float | None = None
+    radius_rule: str = "mean"
+    formulation: str = "total"
+
+    def __post_init__(self) -> None:
+        law = type(self).__name__
+        if not (math.isfinite(self.E) and self.E > 0.0):
+            raise InputError(f"{law}: E = {self.E} Pa; give a positive Young's modulus in Pa")
+        if not -1.0 < self.nu < 0.5:
+            raise InputError(f"{law}: nu = {self.nu}; give a Poisson's ratio in (-1, 0.5)")
+        if (self.radius_ratio is None) == (self.radius is None):
+            raise InputError(f"{law}: give either radius_ratio= [-] or radius= [m]")
+        for name in ("radius_ratio", "radius"):
+            value = getattr(self, name)
+            if value is not None and not (math.isfinite(value) and value > 0.0):
+                raise InputError(f"{law}: {name} = {value}; give a positive number")
+        if self.radius_rule not in RADIUS_RULES:
+            raise InputError(f"{law}: radius_rule = '{self.radius_rule}'; choose from {', '.join(RADIUS_RULES)}")
+        if self.formulation not in FORMULATIONS:
+            raise InputError(f"{law}: formulation = '{self.formulation}'; choose from {', '.join(FORMULATIONS)}")
+
+    @property
+    def G(self) -> float:
+        """Shear modulus of the bond [Pa]."""
+        return self.E / (2.0 * (1.0 + self.nu))
+
+    def bond_radius(self, bonds: BondGeometry) -> PerBond:
+        """Radius of each bond [m], shape (m,)."""
+        if self.radius is not None:
+            return np.full_like(bonds.length, self.radius)
+        assert self.radius_ratio is not None
+        if self.radius_rule == "mean":
+            base = np.full_like(bonds.length, bonds.mean_radius)
+        elif self.radius_rule == "pair_min":
+            base = np.minimum(bonds.radius_i, bonds.radius_j)
+        else:
+            base = 0.5 * (bonds.radius_i + bonds.radius_j)
+        return self.radius_ratio * base
+
+    @abstractmethod
+    def stiffness(self, bonds: BondGeometry) -> BondStiffness:
+        """The four stiffnesses and the contact point of each bond."""
+
+
+@dataclass(frozen=True)
+class Section:
+    """A full circular section of radius r: A = πr², I = πr⁴/4, J = 2I.
+
+    Attributes:
+        radius: radius [m], shape (m,).
+    """
+
+    radius: PerBond
+
+    @property
+    def area(self) -> PerBond:
+        """A [m²], shape (m,)."""
+        return np.pi * self.radius**2
+
+    @property
+    def second_moment(self) -> PerBond:
+        """I [m⁴], shape (m,)."""
+        return 0.25 * np.pi * self.radius**4
+
+    @property
+    def polar_moment(self) -> PerBond:
+        """J [m⁴], shape (m,)."""
+        return 0.5 * np.pi * self.radius**4

@@ -1,0 +1,25 @@
+"""Contact bond: a glued point that carries force but no moment."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem.laws.bond import BondGeometry, BondStiffness
+from bondem.laws.parallel_bond import ParallelBond
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactBond(ParallelBond):
+    """The parallel bond without its moments: the elements may roll on each other.
+
+        kn = E A / L    ks = kn / κ    kb = kt = 0    contact point at (L + Ri - Rj) / 2
+
+    Tension positive. Reference: Potyondy and Cundall (2004), contact bond.
+    """
+
+    def stiffness(self, bonds: BondGeometry) -> BondStiffness:
+        full = super().stiffness(bonds)
+        none = np.zeros_like(full.kn)
+        return BondStiffness(
+            kn=full.kn, ks=full.ks, kb=none, kt=none.copy(), lever=full.lever, radius=full.radius
+        )

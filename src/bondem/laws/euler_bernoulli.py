@@ -1,0 +1,29 @@
+"""Euler–Bernoulli beam bond (André et al. 2012)."""
+
+from dataclasses import dataclass
+
+from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness, Section
+
+
+@dataclass(frozen=True, kw_only=True)
+class EulerBernoulli(BondLaw):
+    """A cylindrical beam without shear deformation, clamped in both elements.
+
+        kn = E A / L    ks = 12 E I / L³    kb = E I / L    kt = G J / L    contact point at L/2
+
+    Nodally exact for loads at the elements. Tension positive. Reference: André et al. (2012) §2, signs of
+    eqs (1), (3), (4) corrected; Chen et al. (2022) eq (26).
+    """
+
+    def stiffness(self, bonds: BondGeometry) -> BondStiffness:
+        section = Section(self.bond_radius(bonds))
+        L = bonds.length
+        EI = self.E * section.second_moment
+        return BondStiffness(
+            kn=self.E * section.area / L,
+            ks=12.0 * EI / L**3,
+            kb=EI / L,
+            kt=self.G * section.polar_moment / L,
+            lever=0.5 * L,
+            radius=section.radius,
+        )

@@ -1,0 +1,40 @@
+"""Shear-flexible beam bond after Obermayr et al. (2013)."""
+
+import math
+from dataclasses import dataclass
+
+from bondem.errors import InputError
+from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness, Section
+
+
+@dataclass(frozen=True, kw_only=True)
+class Obermayr(BondLaw):
+    """A Timoshenko element with reduced integration of the shear strain.
+
+        kn = E A / L    ks = α_s G A / L    kb = E I / L    kt = G J / L    contact point at L/2
+
+    Attributes:
+        alpha_s: shear correction factor α_s [-]; 9/10 is the stubby limit of Timoshenko.
+
+    Not nodally exact: the bending part of the shear flexibility is missing and returns with refinement.
+    Tension positive. Reference: Chen et al. (2022) §4.3.
+    """
+
+    alpha_s: float = 0.9
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not (math.isfinite(self.alpha_s) and self.alpha_s > 0.0):
+            raise InputError(f"Obermayr: alpha_s = {self.alpha_s}; give a positive shear correction factor")
+
+    def stiffness(self, bonds: BondGeometry) -> BondStiffness:
+        section = Section(self.bond_radius(bonds))
+        L = bonds.length
+        return BondStiffness(
+            kn=self.E * section.area / L,
+            ks=self.alpha_s * self.G * section.area / L,
+            kb=self.E * section.second_moment / L,
+            kt=self.G * section.polar_moment / L,
+            lever=0.5 * L,
+            radius=section.radius,
+        )

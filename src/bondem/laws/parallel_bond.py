@@ -1,0 +1,41 @@
+"""Parallel bond (Potyondy and Cundall 2004, as in PFC3D)."""
+
+import math
+from dataclasses import dataclass
+
+from bondem.errors import InputError
+from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness, Section
+
+
+@dataclass(frozen=True, kw_only=True)
+class ParallelBond(BondLaw):
+    """Springs spread over a disc at the contact point between the two surfaces.
+
+        kn = E A / L    ks = kn / κ    kb = kn r² / 4    kt = ks r² / 2    contact point at (L + Ri - Rj) / 2
+
+    Attributes:
+        kappa: normal to shear stiffness ratio κ [-]; 2 (1 + ν) unless given.
+
+    Converges to a beam only as bonds become short against their radius. Tension positive. Reference:
+    Chen et al. (2022) Tables 1 and 9, eqs (2) and (8).
+    """
+
+    kappa: float | None = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.kappa is not None and not (math.isfinite(self.kappa) and self.kappa > 0.0):
+            raise InputError(f"ParallelBond: kappa = {self.kappa}; give a positive stiffness ratio or leave it out")
+
+    def stiffness(self, bonds: BondGeometry) -> BondStiffness:
+        section = Section(self.bond_radius(bonds))
+        kappa = self.kappa if self.kappa is not None else 2.0 * (1.0 + self.nu)
+        kn = self.E * section.area / bonds.length
+        return BondStiffness(
+            kn=kn,
+            ks=kn / kappa,
+            kb=0.25 * kn * section.radius**2,
+            kt=0.5 * kn / kappa * section.radius**2,
+            lever=0.5 * (bonds.length + bonds.radius_i - bonds.radius_j),
+            radius=section.radius,
+        )

@@ -1,0 +1,49 @@
+"""Which law holds which bond: one for all, or laws by region."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from bondem.errors import InputError
+from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Region
+
+BondAssignment = BondLaw | Mapping[Region | tuple[Region, Region], BondLaw]
+
+
+def bond_stiffness(lattice: Lattice, bond: BondAssignment) -> tuple[BondStiffness, str]:
+    """Stiffnesses of all bonds in the user's order, and the formulation.
+
+    With a mapping, the bonds within a region follow its law and those between two regions that of the pair;
+    later entries overrule earlier ones.
+
+    Raises:
+        InputError: a bond no entry covers, or laws of different formulations.
+    """
+    i, j = lattice.pairs.T
+    r = lattice.particles.radius
+    geometry = BondGeometry(lattice.length, r[i], r[j], lattice.particles.mean_radius)
+    if isinstance(bond, BondLaw):
+        return bond.stiffness(geometry), bond.formulation
+    if not isinstance(bond, Mapping) or not bond:
+        raise InputError("bond= takes a bond law, or a mapping {region: law, (region, region): law}")
+    formulations = {law.formulation for law in bond.values()}
+    if len(formulations) > 1:
+        raise InputError("all bond laws of one model must share a formulation; choose 'total' or 'incremental'")
+    table = BondStiffness.empty(len(lattice.pairs))
+    for where, law in bond.items():
+        first, second = where if isinstance(where, tuple) else (where, where)
+        a, b = np.zeros((2, len(lattice.particles)), dtype=bool)
+        a[first.select(lattice)] = True
+        b[second.select(lattice)] = True
+        chosen = np.flatnonzero((a[i] & b[j]) | (b[i] & a[j]))
+        table.put(chosen, law.stiffness(geometry.take(chosen)))
+    bare = np.flatnonzero(np.isnan(table.kn) & lattice.connected[i])
+    if bare.size:
+        raise InputError(
+            f"{bare.size} bonds follow no law, the first between elements {i[bare[0]]} and {j[bare[0]]};"
+            " add an entry for their region, or (region, region): law for bonds between two regions"
+        )
+    table.put(np.isnan(table.kn), BondStiffness(*(np.zeros(1) for _ in range(6))))
+    return table, formulations.pop()

@@ -1,0 +1,136 @@
+"""Boundary conditions: which elements are held, driven or loaded."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints, PerElement3, Vector
+from bondem.errors import InputError
+from bondem.model.schedules import Constant, Schedule, as_schedule
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Region
+
+_AXES = {"x": 0, "y": 1, "z": 2}
+
+
+def _components(owner: str, axes: str) -> tuple[int, ...]:
+    if any(axis not in _AXES for axis in axes):
+        raise InputError(f"{owner}: '{axes}' names no axes; give a subset of 'xyz', or '' for none")
+    return tuple(sorted({_AXES[axis] for axis in axes}))
+
+
+@dataclass(frozen=True)
+class Fix:
+    """Hold elements still.
+
+    Attributes:
+        region: who.
+        translation: axes along which the centres are held.
+        rotation: axes about which the orientations are held.
+    """
+
+    region: Region
+    translation: str = "xyz"
+    rotation: str = "xyz"
+
+    def __post_init__(self) -> None:
+        if not self.components:
+            raise InputError("Fix holds nothing; name axes in translation= or rotation=")
+
+    @property
+    def components(self) -> tuple[int, ...]:
+        """Degrees of freedom held: 0, 1, 2 translations, 3, 4, 5 rotations."""
+        turns = tuple(3 + axis for axis in _components("Fix", self.rotation))
+        return _components("Fix", self.translation) + turns
+
+
+@dataclass(frozen=True, init=False)
+class Drive:
+    """Prescribe the motion of elements; what is not named stays free.
+
+    `Drive(Face("x_max"), x=Ramp(0, 1e-4, 1e-3))` moves the face along x. Numbers are constant schedules.
+
+    Attributes:
+        region: who.
+        motion: (degree of freedom, schedule, whether it is a velocity) triples.
+
+    Args:
+        x, y, z: displacements [m].
+        vx, vy, vz: velocities [m/s].
+        rx, ry, rz: rotations of each element [rad].
+        wx, wy, wz: angular velocities [rad/s].
+    """
+
+    region: Region
+    motion: tuple[tuple[int, Schedule, bool], ...]
+
+    def __init__(self, region: Region, **components: float | Schedule) -> None:
+        names = {}
+        for k, axis in enumerate("xyz"):
+            names |= {axis: (k, False), "v" + axis: (k, True), "r" + axis: (3 + k, False), "w" + axis: (3 + k, True)}
+        unknown = sorted(set(components) - set(names))
+        if unknown:
+            raise InputError(f"Drive: unknown component '{unknown[0]}'; choose from {', '.join(names)}")
+        if not components:
+            raise InputError("Drive prescribes nothing; name a component, such as x= or vx=")
+        motion = tuple((names[key][0], as_schedule(value), names[key][1]) for key, value in components.items())
+        if len({dof for dof, _, _ in motion}) < len(motion):
+            raise InputError("Drive: give the displacement or the velocity of a component, not both")
+        object.__setattr__(self, "region", region)
+        object.__setattr__(self, "motion", motion)
+
+
+@dataclass(frozen=True)
+class Load:
+    """A total force and moment on a region, spread over its elements without a net moment of its own.
+
+    The nodal forces are the smallest (in the sum of squares) whose resultant is `force` through the region's
+    anchor (the centre of a face, else the centroid) and whose moment about it is `moment`. Where the elements
+    cannot carry a moment by forces (one element, or a row), they get torques for the rest.
+
+    Attributes:
+        region: who.
+        force: total force [N], (3,).
+        moment: total moment [N·m], (3,).
+        schedule: factor over time [-]; constant from t = 0 unless given.
+    """
+
+    region: Region
+    force: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    moment: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    schedule: Schedule = Constant(1.0)
+
+    def __post_init__(self) -> None:
+        for name in ("force", "moment"):
+            value = np.asarray(getattr(self, name), dtype=float)
+            if value.shape != (3,) or not np.isfinite(value).all():
+                raise InputError(f"Load: {name} = {getattr(self, name)}; give three finite components")
+            object.__setattr__(self, name, tuple(value.tolist()))
+
+    def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
+        """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
+        chosen = self.region.select(lattice)
+        arms = lattice.particles.position[chosen] - self.region.anchor(lattice)
+        values = np.zeros((len(chosen), 6))
+        values[:, :3] = balanced_forces(arms, np.array(self.force), np.array(self.moment))
+        rest = np.array(self.moment) - np.cross(arms, values[:, :3]).sum(axis=0)
+        values[:, 3:] = rest / len(chosen)
+        return chosen, values
+
+
+def balanced_forces(arms: PerElement3, force: Vector, moment: Vector) -> PerElement3:
+    """The smallest forces (k, 3) at `arms` (k, 3) with a given resultant, and its moment where they can."""
+    count = len(arms)
+    centre = arms.mean(axis=0)
+    spread = arms - centre
+    scale = np.sqrt((spread**2).sum() / count)
+    if scale <= 1e-12 * (1.0 + np.abs(centre).max()):
+        return np.tile(force / count, (count, 1))
+    # about the centroid the two problems decouple: an equal share each, and b × r for the moment
+    wanted = moment - np.cross(centre, force)
+    inertia = (spread**2).sum() * np.eye(3) - spread.T @ spread
+    turn = np.linalg.pinv(inertia, rcond=1e-9, hermitian=True) @ wanted
+    return force / count + np.cross(turn, spread)
+
+
+BoundaryCondition = Fix | Drive | Load

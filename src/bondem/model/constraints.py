@@ -1,0 +1,137 @@
+"""Boundary conditions resolved to arrays in the kernels' order: elements that are held or loaded own a row."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import InputError
+from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
+from bondem.model.layout import Layout
+from bondem.model.schedules import Schedule
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True, eq=False)
+class Constraints:
+    """Rows, schedules, drives and loads.
+
+    Attributes:
+        element: internal element of each row, shape (r,).
+        row_of: row of each element or -1, shape (n,).
+        fixed: degrees of freedom held or driven, uint8, shape (r, 6).
+        start, times, values: schedule s is times[start[s] : start[s + 1]] and values likewise.
+        drive_row, drive_dof, drive_schedule, drive_rate: one entry a driven degree of freedom; `drive_rate`
+            tells velocities (1) from displacements (0).
+        load_row, load_schedule, load_value: one entry a loaded element; values [N, N·m] are (…, 6).
+    """
+
+    element: np.ndarray
+    row_of: np.ndarray
+    fixed: np.ndarray
+    start: np.ndarray
+    times: Floats
+    values: Floats
+    drive_row: np.ndarray
+    drive_dof: np.ndarray
+    drive_schedule: np.ndarray
+    drive_rate: np.ndarray
+    load_row: np.ndarray
+    load_schedule: np.ndarray
+    load_value: Floats
+
+    @classmethod
+    def of(cls, lattice: Lattice, layout: Layout, boundary: Sequence[BoundaryCondition]) -> "Constraints":
+        """Resolve the boundary conditions of a model.
+
+        Raises:
+            InputError: a degree of freedom held or driven twice by different conditions.
+            EmptyRegionError: a region that selects nothing.
+        """
+        n = len(lattice.particles)
+        fixed = np.zeros((n, 6), dtype=np.uint8)
+        driven = np.zeros((n, 6), dtype=bool)
+        owns = np.zeros(n, dtype=bool)
+        schedules: list[Schedule] = []
+        drives: list[tuple[np.ndarray, int, int, bool]] = []
+        loads: list[tuple[np.ndarray, int, Floats]] = []
+        for condition in boundary:
+            match condition:
+                case Fix():
+                    chosen = layout.rank[condition.region.select(lattice)]
+                    fixed[np.ix_(chosen, condition.components)] = 1
+                case Drive():
+                    chosen = layout.rank[condition.region.select(lattice)]
+                    for dof, schedule, rate in condition.motion:
+                        if driven[chosen, dof].any():
+                            raise InputError(
+                                f"{condition.region} is driven twice in one component; take one Drive out"
+                            )
+                        driven[chosen, dof] = True
+                        drives.append((chosen, dof, len(schedules), rate))
+                        schedules.append(schedule)
+                case Load():
+                    chosen, nodal = condition.nodal(lattice)
+                    chosen = layout.rank[chosen]
+                    loads.append((chosen, len(schedules), nodal))
+                    schedules.append(condition.schedule)
+                case _:
+                    raise InputError(f"{condition!r} is no boundary condition; give Fix, Drive or Load")
+            owns[chosen] = True
+        if (fixed.astype(bool) & driven).any():
+            raise InputError("an element is both fixed and driven in one component; subtract the regions")
+        fixed |= driven.astype(np.uint8)
+        element = np.flatnonzero(owns)
+        row_of = np.full(n, -1, dtype=np.int64)
+        row_of[element] = np.arange(len(element))
+        tables = [schedule.table for schedule in schedules]
+        lengths = [len(times) for times, _ in tables]
+        return cls(
+            element=element,
+            row_of=row_of,
+            fixed=fixed[element],
+            start=np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64),
+            times=_joined([times for times, _ in tables]),
+            values=_joined([values for _, values in tables]),
+            drive_row=_joined_rows([row_of[chosen] for chosen, *_ in drives]),
+            drive_dof=_joined_rows([np.full(len(c), dof) for c, dof, _, _ in drives]),
+            drive_schedule=_joined_rows([np.full(len(c), s) for c, _, s, _ in drives]),
+            drive_rate=_joined_rows([np.full(len(c), rate) for c, _, _, rate in drives]).astype(np.uint8),
+            load_row=_joined_rows([row_of[chosen] for chosen, *_ in loads]),
+            load_schedule=_joined_rows([np.full(len(c), s) for c, s, _ in loads]),
+            load_value=np.concatenate([nodal for *_, nodal in loads]) if loads else np.zeros((0, 6)),
+        )
+
+    def final_load(self, n: int) -> Floats:
+        """Forces and torques at the end of all schedules [N, N·m], internal order, shape (n, 6)."""
+        load = np.zeros((n, 6))
+        last = self.values[self.start[self.load_schedule + 1] - 1]
+        np.add.at(load, self.element[self.load_row], last[:, None] * self.load_value)
+        return load
+
+    def final_motion(self, n: int) -> Floats:
+        """Prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).
+
+        Raises:
+            InputError: a velocity is prescribed, which has no static meaning.
+        """
+        if self.drive_rate.any():
+            raise InputError("a static solution needs displacements: replace vx= … wz= of Drive by x= … rz=")
+        motion = np.zeros((n, 6))
+        motion[self.element[self.drive_row], self.drive_dof] = self.values[self.start[self.drive_schedule + 1] - 1]
+        return motion
+
+    def held(self, n: int) -> np.ndarray:
+        """Whether each degree of freedom is held or driven, internal order, shape (n, 6)."""
+        held = np.zeros((n, 6), dtype=bool)
+        held[self.element] = self.fixed.astype(bool)
+        return held
+
+
+def _joined(parts: list[Floats]) -> Floats:
+    return np.concatenate(parts) if parts else np.zeros(0)
+
+
+def _joined_rows(parts: list[np.ndarray]) -> np.ndarray:
+    return np.concatenate(parts).astype(np.int64) if parts else np.zeros(0, dtype=np.int64)

@@ -1,0 +1,91 @@
+"""The order in which kernels see elements and bonds.
+
+Elements lie along a Morton curve, so that neighbours in space are neighbours in memory; bonds are sorted by
+their elements (i, j) with i < j in that order. Everything public stays in the user's order.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints
+from bondem.specimen.lattice import Lattice
+
+_BITS = 21
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """Permutations and adjacency.
+
+    Attributes:
+        order: user's number of internal element k, shape (n,).
+        rank: internal number of user's element, shape (n,).
+        bond_order: user's number of internal bond k, shape (m,).
+        flipped: whether internal bond k runs against the user's direction, shape (m,).
+        i, j: internal elements of each bond, i < j, uint32, shape (m,).
+        out_start: bonds out_start[p] … out_start[p+1] have i = p, shape (n + 1,).
+        in_start, in_bond: in_bond[in_start[p] : in_start[p+1]] are the bonds with j = p, ascending.
+    """
+
+    order: Ints
+    rank: Ints
+    bond_order: Ints
+    flipped: np.ndarray
+    i: np.ndarray
+    j: np.ndarray
+    out_start: Ints
+    in_start: Ints
+    in_bond: np.ndarray
+
+    @classmethod
+    def of(cls, lattice: Lattice) -> "Layout":
+        """The layout of a lattice."""
+        n = len(lattice.particles)
+        order = np.argsort(morton_code(lattice.particles.position), kind="stable")
+        rank = np.empty(n, dtype=np.int64)
+        rank[order] = np.arange(n)
+        ends = rank[lattice.pairs]
+        flipped = ends[:, 0] > ends[:, 1]
+        i, j = ends.min(axis=1), ends.max(axis=1)
+        bond_order = np.lexsort((j, i))
+        i, j = i[bond_order], j[bond_order]
+        in_bond = np.argsort(j, kind="stable")
+        return cls(
+            order=order,
+            rank=rank,
+            bond_order=bond_order,
+            flipped=flipped[bond_order],
+            i=i.astype(np.uint32),
+            j=j.astype(np.uint32),
+            out_start=_starts(i, n),
+            in_start=_starts(j, n),
+            in_bond=in_bond.astype(np.uint32),
+        )
+
+
+def _starts(ends: Ints, n: int) -> Ints:
+    return np.concatenate([[0], np.cumsum(np.bincount(ends, minlength=n))]).astype(np.int64)
+
+
+def morton_code(position: Floats) -> np.ndarray:
+    """Place of each point (n, 3) along the Z-order curve through its bounding cube, uint64, shape (n,)."""
+    lower = position.min(axis=0)
+    extent = float(np.ptp(position, axis=0).max()) or 1.0
+    cells = ((position - lower) / extent * (2**_BITS - 1)).astype(np.uint64)
+    code = np.zeros(len(position), dtype=np.uint64)
+    for axis in range(3):
+        code |= _spread_bits(cells[:, axis]) << np.uint64(axis)
+    return code
+
+
+def _spread_bits(x: np.ndarray) -> np.ndarray:
+    for shift, mask in (
+        (32, 0x1F00000000FFFF),
+        (16, 0x1F0000FF0000FF),
+        (8, 0x100F00F00F00F00F),
+        (4, 0x10C30C30C30C30C3),
+        (2, 0x1249249249249249),
+    ):
+        x = (x | (x << np.uint64(shift))) & np.uint64(mask)
+    return x

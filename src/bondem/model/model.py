@@ -1,0 +1,105 @@
+"""The model: everything that does not change while it is solved."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from bondem._types import ArrayLike, Floats, PerElement
+from bondem.errors import InputError
+from bondem.laws.bond import BondStiffness
+from bondem.model.assignment import BondAssignment, bond_stiffness
+from bondem.model.bond_table import BondTable
+from bondem.model.boundary import BoundaryCondition
+from bondem.model.constraints import Constraints
+from bondem.model.layout import Layout
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.particles import freeze
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A lattice with bonds, masses and boundary conditions.
+
+    Attributes:
+        lattice: elements and bonds.
+        bond: a bond law, or laws by region: {region: law, (region, region): law}.
+        density: of the elements themselves, ρ_μ [kg/m³]; a number or shape (n,).
+        boundary: what is fixed, driven and loaded.
+
+    Raises:
+        InputError: a density that is not positive, or boundary conditions that contradict each other.
+        EmptyRegionError: a region that selects no connected element.
+    """
+
+    lattice: Lattice
+    bond: BondAssignment
+    density: float | ArrayLike = 1000.0
+    boundary: Sequence[BoundaryCondition] = field(default=())
+
+    def __post_init__(self) -> None:
+        density = np.asarray(self.density, dtype=float)
+        if density.shape not in ((), (len(self.lattice.particles),)):
+            raise InputError(f"density has shape {density.shape}; give a number or one value an element")
+        if not (np.isfinite(density) & (density > 0.0)).all():
+            raise InputError("density must be positive [kg/m³] for every element")
+        object.__setattr__(self, "boundary", tuple(self.boundary))
+        self.constraints  # noqa: B018  regions and laws are checked when the model is made
+        self.stiffness  # noqa: B018
+
+    @cached_property
+    def layout(self) -> Layout:
+        """Order of elements and bonds in the kernels."""
+        return Layout.of(self.lattice)
+
+    @cached_property
+    def _assigned(self) -> tuple[BondStiffness, str]:
+        return bond_stiffness(self.lattice, self.bond)
+
+    @property
+    def stiffness(self) -> BondStiffness:
+        """Stiffnesses of the bonds, in the user's order."""
+        return self._assigned[0]
+
+    @property
+    def formulation(self) -> str:
+        """"total" or "incremental"."""
+        return self._assigned[1]
+
+    @cached_property
+    def bonds(self) -> BondTable:
+        """Constants of the bonds, in the kernels' order."""
+        return BondTable.of(self.lattice, self.layout, self.stiffness)
+
+    @cached_property
+    def constraints(self) -> Constraints:
+        """Boundary conditions resolved to elements."""
+        return Constraints.of(self.lattice, self.layout, self.boundary)
+
+    @cached_property
+    def mass(self) -> PerElement:
+        """m = ρ_μ 4/3 π R³ [kg], user's order, shape (n,)."""
+        return freeze(np.asarray(self.density, dtype=float) * self.lattice.particles.volume)
+
+    @cached_property
+    def inertia(self) -> PerElement:
+        """I = 2/5 m R² [kg·m²], user's order, shape (n,)."""
+        return freeze(0.4 * self.mass * self.lattice.particles.radius**2)
+
+    @property
+    def period(self) -> Floats:
+        """Edge lengths of the periodic cell and their inverses, zero where there is none, shape (6,)."""
+        edges = self.lattice.particles.period
+        return np.zeros(6) if edges is None else np.concatenate([edges, 1.0 / edges])
+
+    def with_boundary(self, boundary: Sequence[BoundaryCondition]) -> "Model":
+        """The same bonds and masses under other boundary conditions (nothing is computed twice)."""
+        other = Model.__new__(Model)
+        for name in ("lattice", "bond", "density"):
+            object.__setattr__(other, name, getattr(self, name))
+        object.__setattr__(other, "boundary", tuple(boundary))
+        for name in ("layout", "_assigned", "bonds", "mass", "inertia"):
+            other.__dict__[name] = getattr(self, name)
+        other.constraints  # noqa: B018
+        return other

@@ -1,0 +1,122 @@
+"""The state: the only arrays that change."""
+
+import numpy as np
+
+from bondem._types import PerBond, PerElement3
+from bondem.errors import InputError
+from bondem.model.model import Model
+
+
+class State:
+    """Where everything is, and how it moves; see docs/decisions/0001-state.md.
+
+    Internal arrays are in the kernels' order; the properties are in the user's.
+
+    Attributes:
+        pose: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
+        motion: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
+        acceleration: translational and rotational at the present pose, shape (n, 6).
+        integrity: 1 intact … 0 broken, shape (m,).
+        history: force and moment of each bond, (6, m); only for the incremental formulation, else (6, 0).
+        reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
+        work: of loads and drives on each row since the start [J], shape (r,).
+        loss: taken by damping from each element [J], shape (n,).
+        step: steps done.
+        time: [s].
+    """
+
+    def __init__(self, model: Model) -> None:
+        order = model.layout.order
+        n, m, rows = len(order), len(model.layout.i), len(model.constraints.element)
+        self.layout = model.layout
+        self.rest = np.zeros((n, 3))
+        self.rest[:] = model.lattice.particles.position[order]
+        self.pose = np.zeros((n, 8))
+        self.pose[:, :3] = self.rest
+        self.pose[:, 4] = 1.0
+        self.motion = np.zeros((n, 8))
+        self.motion[:, 3] = 1.0 / model.mass[order]
+        self.motion[:, 7] = 1.0 / model.inertia[order]
+        self.acceleration = np.zeros((n, 6))
+        self.integrity = np.ones(m)
+        self.history = np.zeros((6, m if model.formulation == "incremental" else 0))
+        self.reaction = np.zeros((rows, 6))
+        self.work = np.zeros(rows)
+        self.loss = np.zeros(n)
+        self.step = 0
+        self.time = 0.0
+
+    ARRAYS = ("pose", "motion", "acceleration", "integrity", "history", "reaction", "work", "loss")
+
+    def copy(self) -> "State":
+        """An independent copy."""
+        twin = State.__new__(State)
+        twin.__dict__.update(self.__dict__)
+        for name in self.ARRAYS:
+            setattr(twin, name, getattr(self, name).copy())
+        return twin
+
+    def _by_user(self, internal: np.ndarray) -> np.ndarray:
+        return internal[self.layout.rank]
+
+    @property
+    def position(self) -> PerElement3:
+        """Centres [m], shape (n, 3)."""
+        return self._by_user(self.pose[:, :3])
+
+    @property
+    def displacement(self) -> PerElement3:
+        """Centres minus their reference [m], shape (n, 3)."""
+        return self._by_user(self.pose[:, :3] - self.rest)
+
+    @property
+    def orientation(self) -> np.ndarray:
+        """Unit quaternions (w, x, y, z), shape (n, 4)."""
+        return self._by_user(self.pose[:, 4:])
+
+    @property
+    def velocity(self) -> PerElement3:
+        """[m/s], shape (n, 3)."""
+        return self._by_user(self.motion[:, :3])
+
+    @property
+    def angular_velocity(self) -> PerElement3:
+        """[rad/s], shape (n, 3)."""
+        return self._by_user(self.motion[:, 4:7])
+
+    @property
+    def bond_integrity(self) -> PerBond:
+        """1 intact … 0 broken, in the user's order of bonds, shape (m,)."""
+        values = np.empty_like(self.integrity)
+        values[self.layout.bond_order] = self.integrity
+        return values
+
+    def set_motion(
+        self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None
+    ) -> None:
+        """Give the elements velocities [m/s] or angular velocities [rad/s], user's order, shape (n, 3).
+
+        Raises:
+            InputError: a wrong shape or a value that is not finite.
+        """
+        for value, columns in ((velocity, slice(0, 3)), (angular_velocity, slice(4, 7))):
+            if value is None:
+                continue
+            array = np.asarray(value, dtype=float)
+            if array.shape != (len(self.pose), 3) or not np.isfinite(array).all():
+                raise InputError(f"velocities have shape {array.shape}; give finite ({len(self.pose)}, 3)")
+            self.motion[:, columns] = array[self.layout.order]
+
+    def set_pose(self, *, position: np.ndarray | None = None, orientation: np.ndarray | None = None) -> None:
+        """Move the elements to centres [m] (n, 3) and unit quaternions (n, 4), user's order.
+
+        Raises:
+            InputError: a wrong shape or a value that is not finite.
+        """
+        for value, columns in ((position, slice(0, 3)), (orientation, slice(4, 8))):
+            if value is None:
+                continue
+            array = np.asarray(value, dtype=float)
+            if array.shape != self.pose[:, columns].shape or not np.isfinite(array).all():
+                raise InputError(f"poses have shape {array.shape}; give finite {self.pose[:, columns].shape}")
+            self.pose[:, columns] = array[self.layout.order]
