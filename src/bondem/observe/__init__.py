@@ -1,0 +1,1 @@
+"""What is read off a model or a state: read, never write."""

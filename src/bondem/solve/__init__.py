@@ -1,0 +1,1 @@
+"""Equilibrium, natural modes and motion of a model."""

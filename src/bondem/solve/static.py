@@ -1,0 +1,80 @@
+"""Static equilibrium: where a model comes to rest under its final loads."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, PerElement3, PerElement6
+from bondem.errors import InputError
+from bondem.model.model import Model
+from bondem.observe.energy import EnergyParts, linear_energy
+from bondem.solve.linear import System, solve_linear
+
+
+@dataclass(frozen=True, eq=False)
+class StaticResult:
+    """An equilibrium, in the user's order; rattlers stay at 0.
+
+    Attributes:
+        displacement: of the centres [m], shape (n, 3).
+        rotation: rotation vectors [rad], shape (n, 3).
+        reaction: force and moment of the supports on each element [N, N·m], shape (n, 6); 0 where free.
+        energy: elastic energy of the bonds.
+    """
+
+    displacement: PerElement3
+    rotation: PerElement3
+    reaction: PerElement6
+    energy: EnergyParts
+
+
+def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult | None = None) -> StaticResult:
+    """Equilibrium under the loads and prescribed motions at the end of their schedules.
+
+    A specimen that its supports leave free to move rigidly must carry balanced loads; its rigid motion is
+    taken out of the result.
+
+    Args:
+        model: what is solved.
+        nonlinear: follow large rotations; else K u = f at the reference.
+        guess: a solution of a similar model, to start from.
+
+    Raises:
+        InputError: unbalanced loads on a specimen that is free to move, or a prescribed velocity.
+        ConvergenceError: a load that no bond resists.
+    """
+    if nonlinear:
+        raise InputError("nonlinear=True is not available yet; pass nonlinear=False, or use solve_explicit")
+    layout = model.layout
+    n = len(layout.order)
+    system = System.of(model)
+    motion = (model.constraints.final_motion(n)).ravel() / system.scale
+    load = (model.constraints.final_load(n)).ravel() * system.scale
+    drive = system.matrix @ motion if motion.any() else np.zeros(6 * n)
+    _check_balance(system, load)
+    right = (load - drive) * system.free
+    start = None
+    if guess is not None:
+        start = np.hstack([guess.displacement, guess.rotation])[layout.order].ravel() / system.scale
+    unknown = solve_linear(system, right, guess=start) + motion
+    reaction = (system.matrix @ unknown - load) * (1.0 - system.free) / system.scale
+    values = (unknown * system.scale).reshape(n, 6)[layout.rank]
+    displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
+    return StaticResult(
+        displacement=displacement,
+        rotation=rotation,
+        reaction=reaction.reshape(n, 6)[layout.rank],
+        energy=linear_energy(model, displacement, rotation),
+    )
+
+
+def _check_balance(system: System, load: Floats) -> None:
+    """A load may not drive a rigid motion that the supports permit."""
+    if system.loose.shape[1] == 0:
+        return
+    rest = np.abs(system.loose.T @ load).max()
+    if rest > 1e-8 * np.linalg.norm(load):
+        raise InputError(
+            "the loads have a resultant along a rigid motion that the supports leave free;"
+            " balance them with opposite Loads, or hold the specimen with Fix"
+        )
