@@ -1,5 +1,78 @@
-"""The public solvers."""
+"""The public solvers: they turn a path into a sink and choose the device."""
 
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from bondem.errors import InputError
+from bondem.io.runfile import RunFile
+from bondem.laws.damping import LocalDamping
+from bondem.model.gauges import Gauge
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.solve.events import Event
+from bondem.solve.explicit import ExplicitResult, Plan, integrate, settled
+from bondem.solve.schemes import Scheme, VelocityVerlet
 from bondem.solve.static import solve_static
 
-__all__ = ["solve_static"]
+__all__ = ["solve_explicit", "solve_static"]
+
+
+def solve_explicit(
+    model: Model,
+    *,
+    duration: float,
+    dt: float | None = None,
+    scheme: Scheme | None = None,
+    damping: LocalDamping | None = None,
+    gauges: Mapping[str, Gauge] | None = None,
+    every: int = 100,
+    save_every: int = 0,
+    until: tuple[Event, ...] = (),
+    safety: float = 0.9,
+    state: State | None = None,
+    device: str = "cpu",
+    out: str | Path | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> ExplicitResult:
+    """Explicit dynamics of a bonded specimen, from rest or from `state`.
+
+    Args:
+        model: what to run.
+        duration: physical time [s]; round(duration / dt) steps are taken.
+        dt: time step [s]; None for `safety` times the critical one of the assembled lattice.
+        scheme: time integration; velocity Verlet unless given.
+        damping: of the elements' motion; none unless asked.
+        gauges: what to record, by name.
+        every: steps between records; 0 for none.
+        save_every: steps between checkpoints; 0 for the last state only.
+        until: events that end the run early.
+        safety: share of the critical step to use when dt is None [-].
+        state: where to start; it is changed in place.
+        device: "cpu".
+        out: run file (HDF5) to write; nothing is written when None.
+        progress: called now and then with the share done, 0 … 1.
+
+    Returns:
+        status, state, history, dt, steps and a message; a run that became unstable says so in its status and
+        returns the last good state.
+
+    Raises:
+        UnstableStepError: dt above the critical step.
+        InputError: a bad value, or an output path that cannot be written.
+    """
+    if device != "cpu":
+        raise InputError(f"device = '{device}' is not available in this version; use device='cpu'")
+    plan = Plan(
+        duration=duration,
+        dt=dt,
+        scheme=scheme if scheme is not None else VelocityVerlet(),
+        damping=damping,
+        gauges=dict(gauges or {}),
+        every=every,
+        save_every=save_every,
+        until=until,
+        safety=safety,
+    )
+    plan = settled(model, plan)
+    sink = RunFile(out, model, plan) if out is not None else None
+    return integrate(model, plan, state=state, sink=sink, progress=progress)

@@ -8,6 +8,7 @@ from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import bond_energies, bond_forces, bond_forces_serial, rotation_guard
 from bondem.kernels.boundary import apply_schedules
 from bondem.kernels.element_pass import close_step, close_step_serial, open_step, open_step_serial
+from bondem.kernels.incremental import incremental_energies, incremental_forces
 
 # Below this many bonds launching threads costs more than the loop.
 SERIAL_BONDS = 2000
@@ -29,7 +30,7 @@ def rotation_component(w, x, y, z, d):
 
 @kernel(parallel=False)
 def sample(
-    t, pose, motion, i, j, constants, shear, lever, integrity, period, output,
+    t, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed, row_reaction,
     row_force, work, loss, record,
 ):  # fmt: skip
@@ -44,7 +45,10 @@ def sample(
         rotation += 0.5 * w2 / motion[p, 7]
     record[1] = translation
     record[2] = rotation
-    bond_energies(pose, i, j, constants, shear, lever, integrity, period, output)
+    if history.shape[1] > 0:
+        incremental_energies(pose, i, j, constants, shear, bending, integrity, history, period, output)
+    else:
+        bond_energies(pose, i, j, constants, shear, lever, integrity, period, output)
     for part in range(4):
         total = 0.0
         for k in range(len(i)):
@@ -81,9 +85,42 @@ def sample(
 
 
 @kernel(parallel=False)
+def evaluate(
+    step, t0, dt, gamma, stale,
+    pose, motion, acceleration, i, j, constants, shear, bending, lever, integrity, history, period, output,
+    out_start, in_start, in_bond,
+    times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
+    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
+    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, records,
+):  # fmt: skip
+    """Find the acceleration of the present state where it is stale, and record the state."""
+    apply_schedules(
+        t0 + step * dt, dt, times, values, start, drive_row, drive_dof, drive_schedule, drive_rate,
+        load_row, load_schedule, load_value, row_force, row_half, row_full,
+    )  # fmt: skip
+    if stale:
+        if history.shape[1] > 0:
+            incremental_forces(
+                pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, 0.0, output
+            )
+        else:
+            bond_forces_serial(pose, i, j, constants, integrity, period, output)
+        close_step_serial(
+            pose, motion, acceleration, output, out_start, in_start, in_bond,
+            row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+            0.0, 0.0, 0.0, 0.0, gamma, loss, False,
+        )  # fmt: skip
+    sample(
+        t0 + step * dt, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
+        rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed,
+        row_reaction, row_force, work, loss, records[0],
+    )  # fmt: skip
+
+
+@kernel(parallel=False)
 def advance(
     step, steps, every, t0, dt, finish, begin, extra, gamma,
-    pose, motion, acceleration, i, j, constants, shear, lever, integrity, period, output,
+    pose, motion, acceleration, i, j, constants, shear, bending, lever, integrity, history, period, output,
     out_start, in_start, in_bond,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
@@ -121,7 +158,11 @@ def advance(
                     pose, motion, acceleration, row_of, row_fixed, row_force, row_half, row_reaction, work,
                     dt, begin, extra,
                 )  # fmt: skip
-        if threaded:
+        if history.shape[1] > 0:
+            incremental_forces(
+                pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, dt, output
+            )
+        elif threaded:
             bond_forces(pose, i, j, constants, integrity, period, output)
         else:
             bond_forces_serial(pose, i, j, constants, integrity, period, output)
@@ -152,7 +193,7 @@ def advance(
                 break
         if sampled:
             sample(
-                t, pose, motion, i, j, constants, shear, lever, integrity, period, output,
+                t, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
                 rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed,
                 row_reaction, row_force, work, loss, records[written],
             )  # fmt: skip

@@ -60,7 +60,7 @@ class Constraints:
             match condition:
                 case Fix():
                     chosen = layout.rank[condition.region.select(lattice)]
-                    fixed[np.ix_(chosen, condition.components)] = 1
+                    fixed[chosen[:, None], list(condition.components)] = 1
                 case Drive():
                     chosen = layout.rank[condition.region.select(lattice)]
                     for dof, schedule, rate in condition.motion:

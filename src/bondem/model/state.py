@@ -23,6 +23,7 @@ class State:
         loss: taken by damping from each element [J], shape (n,).
         step: steps done.
         time: [s].
+        stale: whether the acceleration must be found anew before the next step.
     """
 
     def __init__(self, model: Model) -> None:
@@ -45,6 +46,7 @@ class State:
         self.loss = np.zeros(n)
         self.step = 0
         self.time = 0.0
+        self.stale = True
 
     ARRAYS = ("pose", "motion", "acceleration", "integrity", "history", "reaction", "work", "loss")
 
@@ -106,6 +108,7 @@ class State:
             if array.shape != (len(self.pose), 3) or not np.isfinite(array).all():
                 raise InputError(f"velocities have shape {array.shape}; give finite ({len(self.pose)}, 3)")
             self.motion[:, columns] = array[self.layout.order]
+            self.stale = True
 
     def set_pose(self, *, position: np.ndarray | None = None, orientation: np.ndarray | None = None) -> None:
         """Move the elements to centres [m] (n, 3) and unit quaternions (n, 4), user's order.
@@ -120,3 +123,4 @@ class State:
             if array.shape != self.pose[:, columns].shape or not np.isfinite(array).all():
                 raise InputError(f"poses have shape {array.shape}; give finite {self.pose[:, columns].shape}")
             self.pose[:, columns] = array[self.layout.order]
+            self.stale = True

@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from bondem.errors import InputError
 from bondem.specimen.lattice import Lattice
@@ -39,7 +39,7 @@ def connect(particles: Particles, *, tolerance: float | None = None, reach: floa
     farthest = stretch * 2.0 * r.max() + slack
     if particles.period is not None and 2.0 * farthest >= particles.period.min():
         raise InputError(f"bonds up to {farthest:.3g} m need a periodic cell of more than twice that; enlarge it")
-    near = cKDTree(particles.position, boxsize=particles.period).query_pairs(farthest, output_type="ndarray")
+    near = KDTree(particles.position, boxsize=particles.period).query_pairs(farthest, output_type="ndarray")
     near = np.sort(near.astype(np.int64).reshape(-1, 2), axis=1)
     gap = np.linalg.norm(particles.separation(near[:, 0], near[:, 1]), axis=1)
     pairs = near[gap <= stretch * (r[near[:, 0]] + r[near[:, 1]]) + slack]

@@ -275,7 +275,9 @@ class BoundingBox(Shape):
         """The smallest box around spheres at `position` (n, 3) with `radius` (n,) [m]."""
         lower = (position - radius[:, None]).min(axis=0)
         upper = (position + radius[:, None]).max(axis=0)
-        return cls(tuple(map(float, lower)), tuple(map(float, upper)))
+        a, b, c = map(float, lower)
+        d, e, f = map(float, upper)
+        return cls((a, b, c), (d, e, f))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:

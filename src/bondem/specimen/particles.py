@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from bondem._types import ArrayLike, PerElement, PerElement3, Vector
 from bondem.errors import InputError
@@ -46,7 +46,7 @@ class Particles:
         x = np.array(position, dtype=float, order="C")
         r = np.array(radius, dtype=float)
         if x.ndim != 2 or x.shape[1] != 3 or len(x) == 0:
-            raise InputError(f"position has shape {x.shape}; give centres as an array of shape (n, 3), n >= 1")
+            raise InputError(f"position has shape {x.shape}; give centres as an array of shape (n, 3)")
         if r.ndim == 0:
             r = np.full(len(x), float(r))
         if r.shape != (len(x),):
@@ -64,7 +64,7 @@ class Particles:
                 raise InputError(f"period = {period}; give three positive edge lengths in metres")
             if cell.min() < 4.0 * r.max():
                 raise InputError(
-                    f"period {cell.min():.4g} m is below two diameters of the largest sphere; enlarge the cell"
+                    f"period {cell.min():.4g} m is below two of the largest diameters; enlarge the cell"
                 )
             x = np.mod(x, cell)
             object.__setattr__(self, "period", freeze(cell))
@@ -76,7 +76,7 @@ class Particles:
         self._check_overlap()
 
     def _check_overlap(self) -> None:
-        tree = cKDTree(self.position, boxsize=self.period)
+        tree = KDTree(self.position, boxsize=self.period)
         close = tree.query_pairs(1.5 * self.radius.max(), output_type="ndarray")
         if len(close) == 0:
             return
@@ -121,4 +121,5 @@ def _check_finite(name: str, values: np.ndarray) -> None:
     bad = np.argwhere(~np.isfinite(values))
     if len(bad):
         where = "".join(f"[{k}]" for k in bad[0])
-        raise InputError(f"{name}{where} is {values[tuple(bad[0])]}; every {name} must be a finite number of metres")
+        value = values[tuple(bad[0])]
+        raise InputError(f"{name}{where} is {value}; every {name} must be a finite number of metres")

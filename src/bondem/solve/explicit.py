@@ -1,0 +1,221 @@
+"""Explicit dynamics: a plan, and the loop that carries it out."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from typing import cast
+
+import numpy as np
+
+from bondem.errors import InputError
+from bondem.kernels.advance import FIXED_COLUMNS, advance, evaluate
+from bondem.laws.damping import LocalDamping
+from bondem.model.gauges import QUANTITIES, REDUCTIONS, Gauge
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.solve.events import Event
+from bondem.solve.history import History
+from bondem.solve.saving import Sink
+from bondem.solve.schemes import Scheme, VelocityVerlet
+from bondem.solve.timestep import choose_step
+
+# Steps in one compiled call at most, so that progress and interrupts are not far away.
+_CHUNK = 10_000
+
+
+class Status(Enum):
+    """How a run ended."""
+
+    COMPLETED = "completed"
+    STOPPED = "stopped by an event"
+    UNSTABLE = "unstable"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plan:
+    """How a model is run.
+
+    Attributes:
+        duration: physical time [s]; the run takes round(duration / dt) steps.
+        dt: time step [s]; None for `safety` times the critical one.
+        scheme: time integration.
+        damping: of the elements' motion, or None.
+        gauges: what to record, by name.
+        every: steps between records; 0 for none.
+        save_every: steps between checkpoints; 0 for none but the last.
+        until: events that end the run.
+        safety: share of the critical time step to use when dt is None [-].
+    """
+
+    duration: float
+    dt: float | None = None
+    scheme: Scheme = field(default_factory=VelocityVerlet)
+    damping: LocalDamping | None = None
+    gauges: Mapping[str, Gauge] = field(default_factory=dict)
+    every: int = 100
+    save_every: int = 0
+    until: tuple[Event, ...] = ()
+    safety: float = 0.9
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.duration) and self.duration >= 0.0):
+            raise InputError(f"duration = {self.duration} s; give a time of zero or more")
+        if not 0.0 < self.safety <= 1.0:
+            raise InputError(f"safety = {self.safety}; give a share of the critical step in (0, 1]")
+        for name in ("every", "save_every"):
+            if getattr(self, name) < 0 or int(getattr(self, name)) != getattr(self, name):
+                raise InputError(f"{name} = {getattr(self, name)}; give a whole number of steps, 0 for never")
+        if self.until and not self.every:
+            raise InputError("events are looked at with each record: give every= at least 1 where there is until=")
+        object.__setattr__(self, "until", tuple(self.until))
+
+
+@dataclass(frozen=True, eq=False)
+class ExplicitResult:
+    """What came back.
+
+    Attributes:
+        status: how the run ended.
+        state: where everything is; after an unstable run, that of the last checkpoint or the start.
+        history: the records.
+        dt: time step used [s].
+        steps: steps done since the start of the model's time.
+        message: one line for people.
+    """
+
+    status: Status
+    state: State
+    history: History
+    dt: float
+    steps: int
+    message: str
+
+
+def settled(model: Model, plan: Plan) -> Plan:
+    """The same plan with its time step chosen, or checked where it is given.
+
+    Raises:
+        UnstableStepError: dt above the critical step of the lattice.
+    """
+    dt = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
+    return replace(plan, dt=dt)
+
+
+def integrate(
+    model: Model,
+    plan: Plan,
+    *,
+    state: State | None = None,
+    history: History | None = None,
+    sink: Sink | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> ExplicitResult:
+    """Carry out a plan, from rest or from where `state` and `history` of the same plan left off.
+
+    Args:
+        model: what to run; its geometry is the reference configuration.
+        plan: how.
+        state: where to start; it is changed in place.
+        history: the records so far.
+        sink: takes checkpoints, and the last state.
+        progress: called now and then with the share done, 0 … 1.
+
+    A given dt is taken as it is: `settled` checks it.
+    """
+    if plan.dt is None:
+        plan = settled(model, plan)
+    dt = cast(float, plan.dt)
+    names = tuple(plan.gauges)
+    history = History.empty(names) if history is None else history
+    state = State(model) if state is None else state
+    loop = _Loop(model, plan, state, dt)
+    if len(history) == 0 and plan.every:
+        history = history.extended(loop.look())
+    total = round(plan.duration / dt)
+    status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
+    good = state.copy()
+    while state.step < total:
+        goal = min(total, state.step + _CHUNK)
+        for interval in (plan.save_every, plan.every if plan.until else 0):
+            if interval:
+                goal = min(goal, (state.step // interval + 1) * interval)
+        records, wide, lost, sick = loop.run(goal - state.step)
+        history = history.extended(records)
+        if lost or sick:
+            cause = "a number is not finite" if sick else f"{lost} unbroken bonds are turned beyond 90 degrees"
+            status, state = Status.UNSTABLE, good
+            message = (
+                f"stopped at step {loop.state.step}: {cause}; the state is that of step {good.step}."
+                " Use a smaller dt, or load more gently"
+            )
+            break
+        if wide:
+            message = (
+                f"{wide} bonds are turned so far (c < 0.7) that the bond energy is no longer that of a beam;"
+                " use shorter bonds or lower loads"
+            )
+        if progress is not None:
+            progress(state.step / total)
+        saved = plan.save_every and state.step % plan.save_every == 0
+        if saved and sink is not None:
+            sink.checkpoint(state, history)
+        if saved:
+            good = state.copy()
+        if any(event.happened(state) for event in plan.until):
+            status, message = Status.STOPPED, f"stopped by an event at t = {state.time:.6g} s"
+            break
+    if sink is not None and status is not Status.UNSTABLE:
+        sink.checkpoint(state, history)
+    return ExplicitResult(status, state, history, dt, state.step, message)
+
+
+class _Loop:
+    """The arguments of the compiled loop, gathered once."""
+
+    def __init__(self, model: Model, plan: Plan, state: State, dt: float) -> None:
+        self.state = state
+        self.plan = plan
+        self.origin = state.time - state.step * dt
+        self.dt = dt
+        layout, bonds, held = model.layout, model.bonds, model.constraints
+        gauges = list(plan.gauges.values())
+        members = [np.sort(layout.rank[gauge.region.select(model.lattice)]) for gauge in gauges]
+        self.width = FIXED_COLUMNS + 3 * len(gauges)
+        rows = np.zeros((2, len(held.element), 6))
+        gamma = plan.damping.gamma if plan.damping is not None else 0.0
+        self.scheme = (*plan.scheme.coefficients(dt), gamma)
+        self.arrays = (
+            state.pose, state.motion, state.acceleration, layout.i, layout.j, bonds.constants, bonds.shear,
+            bonds.bending, bonds.lever, state.integrity, state.history, model.period,
+            np.empty((9, len(layout.i))), layout.out_start, layout.in_start, layout.in_bond,
+            held.times, held.values, held.start, held.drive_row, held.drive_dof, held.drive_schedule,
+            held.drive_rate, held.load_row, held.load_schedule, held.load_value,
+            held.row_of, held.fixed, np.zeros((len(held.element), 6)), rows[0], rows[1], state.reaction,
+            state.work, state.loss, state.rest,
+            np.concatenate([[0], np.cumsum([len(part) for part in members])]).astype(np.int64),
+            np.concatenate(members) if members else np.zeros(0, dtype=np.int64),
+            np.array([QUANTITIES.index(gauge.quantity) for gauge in gauges], dtype=np.int64),
+            np.array([REDUCTIONS.index(gauge.reduction) for gauge in gauges], dtype=np.int64),
+        )  # fmt: skip
+
+    def look(self) -> np.ndarray:
+        """Bring the acceleration up to date and record the present."""
+        records = np.empty((1, self.width))
+        evaluate(self.state.step, self.origin, self.dt, self.scheme[3], self.state.stale, *self.arrays, records)
+        self.state.stale = False
+        return records
+
+    def run(self, steps: int) -> tuple[np.ndarray, int, int, bool]:
+        """Go on; the records written, bonds turned wide, bonds lost, and whether a number was not finite."""
+        if self.state.stale:
+            self.look()
+        every = int(self.plan.every)
+        state = self.state
+        records = np.empty((steps // every + 1 if every else 0, self.width))
+        done, written, wide, lost, sick = advance(
+            state.step, steps, every, self.origin, self.dt, *self.scheme, *self.arrays, records
+        )
+        state.step += done
+        state.time = self.origin + state.step * self.dt
+        return records[:written], wide, lost, sick

@@ -1,0 +1,58 @@
+"""What was recorded while a run went on."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import InputError
+from bondem.kernels.advance import FIXED_COLUMNS
+
+_ENERGIES = ("translation", "rotation", "normal", "shear", "bending", "twisting", "work", "loss")
+
+
+@dataclass(frozen=True, eq=False)
+class History:
+    """Records in time; `history["name"]` is a gauge, (s, 3).
+
+    Attributes:
+        records: columns time [s], eight energies [J], three components a gauge, shape (s, 9 + 3 g).
+        gauges: names of the gauges, in the order of their columns.
+    """
+
+    records: Floats
+    gauges: tuple[str, ...] = ()
+
+    @classmethod
+    def empty(cls, gauges: tuple[str, ...]) -> "History":
+        """A history without records."""
+        return cls(np.zeros((0, FIXED_COLUMNS + 3 * len(gauges))), gauges)
+
+    def extended(self, records: Floats) -> "History":
+        """This history with more records."""
+        return History(np.concatenate([self.records, records]), self.gauges)
+
+    def __len__(self) -> int:
+        return len(self.records)
+
+    def __getitem__(self, name: str) -> Floats:
+        if name not in self.gauges:
+            raise InputError(f"no gauge '{name}' was recorded; there are: {', '.join(self.gauges) or 'none'}")
+        first = FIXED_COLUMNS + 3 * self.gauges.index(name)
+        return self.records[:, first : first + 3]
+
+    @property
+    def time(self) -> Floats:
+        """[s], shape (s,)."""
+        return self.records[:, 0]
+
+    @property
+    def energy(self) -> dict[str, Floats]:
+        """Ledger [J], each (s,): kinetic "translation", "rotation"; elastic "normal", "shear", "bending",
+        "twisting"; "work" of loads and drives; "loss" to damping; and "balance", which should vanish.
+
+        balance = kinetic + elastic + loss - work - its value in the first record.
+        """
+        ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
+        held = sum(ledger[name] for name in _ENERGIES[:6]) + ledger["loss"] - ledger["work"]
+        return ledger | {"balance": held - held[:1]}
