@@ -18,6 +18,7 @@ import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from types import FunctionType
 from typing import Any, TypeVar
 
 import numba
@@ -76,8 +77,12 @@ def kernel(*, parallel: bool) -> Callable[[F], F]:
     """Compile a loop over arrays, cached on disk; `parallel=True` runs its `prange` on all threads."""
 
     def decorate(function: F) -> F:
+        # the cache tells functions apart by name and line, not by flags: both kinds of one loop need two names
+        twin = FunctionType(function.__code__, function.__globals__, function.__name__)
+        twin.__doc__ = function.__doc__
+        twin.__qualname__ = function.__qualname__ + ("_threaded" if parallel else "")
         with _own_cache():
-            return njit(parallel=parallel, cache=True, nogil=True, **_FLAGS)(function)
+            return njit(parallel=parallel, cache=True, nogil=True, **_FLAGS)(twin)
 
     return decorate
 
