@@ -18,6 +18,8 @@ class State:
         acceleration: translational and rotational at the present pose, shape (n, 6).
         integrity: 1 intact … 0 broken, shape (m,).
         history: force and moment of each bond, (6, m); only for the incremental formulation, else (6, 0).
+        eigenstrain: stress-free strain ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,)
+            where none was set.
         reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
         work: of loads and drives on each row since the start [J], shape (r,).
         loss: taken by damping from each element [J], shape (n,).
@@ -41,6 +43,7 @@ class State:
         self.acceleration = np.zeros((n, 6))
         self.integrity = np.ones(m)
         self.history = np.zeros((6, m if model.formulation == "incremental" else 0))
+        self.eigenstrain = np.zeros(0)
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(rows)
         self.loss = np.zeros(n)
@@ -48,7 +51,7 @@ class State:
         self.time = 0.0
         self.stale = True
 
-    ARRAYS = ("pose", "motion", "acceleration", "integrity", "history", "reaction", "work", "loss")
+    ARRAYS = ("pose", "motion", "acceleration", "integrity", "history", "eigenstrain", "reaction", "work", "loss")
 
     def copy(self) -> "State":
         """An independent copy."""
@@ -109,6 +112,21 @@ class State:
                 raise InputError(f"velocities have shape {array.shape}; give finite ({len(self.pose)}, 3)")
             self.motion[:, columns] = array[self.layout.order]
             self.stale = True
+
+    def set_eigenstrain(self, strain: float | np.ndarray) -> None:
+        """Give the bonds a stress-free strain ε* [-] (heat, shrinkage, initial stress), user's order, (m,).
+
+        Raises:
+            InputError: a wrong shape, a value at or below -1, or a model of the incremental formulation.
+        """
+        if self.history.shape[1] > 0:
+            raise InputError("eigenstrain needs stored rest lengths: use formulation='total'")
+        count = len(self.integrity)
+        values = np.asarray(strain, dtype=float)
+        if values.shape not in ((), (count,)) or not (np.isfinite(values) & (values > -1.0)).all():
+            raise InputError(f"eigenstrain has shape {values.shape}; give finite values above -1, one a bond ({count})")
+        self.eigenstrain = np.broadcast_to(values, (count,))[self.layout.bond_order].copy()
+        self.stale = True
 
     def set_pose(self, *, position: np.ndarray | None = None, orientation: np.ndarray | None = None) -> None:
         """Move the elements to centres [m] (n, 3) and unit quaternions (n, 4), user's order.

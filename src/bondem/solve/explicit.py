@@ -11,6 +11,7 @@ import numpy as np
 from bondem.errors import InputError
 from bondem.kernels.advance import FIXED_COLUMNS, advance, evaluate
 from bondem.laws.damping import LocalDamping
+from bondem.model.bond_table import BondTable
 from bondem.model.gauges import QUANTITIES, REDUCTIONS, Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -170,6 +171,16 @@ def integrate(
     return ExplicitResult(status, state, history, dt, state.step, message)
 
 
+def _rested(bonds: BondTable, eigenstrain: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Constants, shear stiffness and lever with rest lengths L (1 + ε*); the moments' constants stay the same."""
+    if eigenstrain.size == 0:
+        return bonds.constants, bonds.shear, bonds.lever
+    stretch = 1.0 + eigenstrain
+    constants = bonds.constants.copy()
+    constants[3] *= stretch
+    return constants, bonds.shear / stretch**2, bonds.lever * stretch
+
+
 class _Loop:
     """The arguments of the compiled loop, gathered once."""
 
@@ -182,12 +193,13 @@ class _Loop:
         gauges = list(plan.gauges.values())
         members = [np.sort(layout.rank[gauge.region.select(model.lattice)]) for gauge in gauges]
         self.width = FIXED_COLUMNS + 3 * len(gauges)
+        constants, shear, lever = _rested(bonds, state.eigenstrain)
         rows = np.zeros((2, len(held.element), 6))
         gamma = plan.damping.gamma if plan.damping is not None else 0.0
         self.scheme = (*plan.scheme.coefficients(dt), gamma)
         self.arrays = (
-            state.pose, state.motion, state.acceleration, layout.i, layout.j, bonds.constants, bonds.shear,
-            bonds.bending, bonds.lever, state.integrity, state.history, model.period,
+            state.pose, state.motion, state.acceleration, layout.i, layout.j, constants, shear,
+            bonds.bending, lever, state.integrity, state.history, model.period,
             np.empty((9, len(layout.i))), layout.out_start, layout.in_start, layout.in_bond,
             held.times, held.values, held.start, held.drive_row, held.drive_dof, held.drive_schedule,
             held.drive_rate, held.load_row, held.load_schedule, held.load_value,

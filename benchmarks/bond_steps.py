@@ -1,0 +1,67 @@
+"""Bond-steps per second of the explicit solver: bonds, gather and integration, with peak memory an element.
+
+    python benchmarks/bond_steps.py [--elements 100000] [--threads 1 2] [--repeat 7]
+"""
+
+import argparse
+import json
+import resource
+import statistics
+import time
+
+import numpy as np
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.model.state import State
+from bondem.solve.explicit import Plan, integrate
+from bondem.solve.timestep import critical_step
+
+
+def peak_bytes() -> int:
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+
+
+def specimen(elements: int) -> bd.Lattice:
+    """A dense random packing in a periodic cell of 1 mm spheres, κ = 25 %, bonded at its contacts."""
+    edge = (elements * 4.0 / 3.0 * np.pi * 1e-9 / 0.64) ** (1.0 / 3.0)
+    return bd.connect(bd.pack(bd.Cell(size=(edge, edge, edge)), count=elements, spread=0.25, seed=1))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--elements", type=int, default=100_000)
+    parser.add_argument("--threads", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--repeat", type=int, default=7)
+    options = parser.parse_args()
+    lattice = specimen(options.elements)
+    bonds = len(lattice.pairs)
+    model = bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), 2500.0)
+    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    before = peak_bytes()
+    state = State(model)
+    state.set_motion(velocity=np.random.default_rng(0).standard_normal((len(lattice.particles), 3)))
+    steps = max(20, 20_000_000 // bonds)
+    result = {"elements": options.elements, "bonds": bonds, "steps": steps}
+    for count in options.threads:
+        with threads(count):
+            plan = Plan(duration=(state.step + 2) * dt, dt=dt, every=0)
+            integrate(model, plan, state=state)
+            times = []
+            for _ in range(options.repeat):
+                plan = Plan(duration=(state.step + steps) * dt, dt=dt, every=0)
+                start = time.perf_counter()
+                integrate(model, plan, state=state)
+                times.append(time.perf_counter() - start)
+        rate = [bonds * steps / t / 1e6 for t in times]
+        result[f"Mbond/s, {count} thread(s)"] = {
+            "best": round(max(rate), 1),
+            "median": round(statistics.median(rate), 1),
+        }
+    result["peak bytes/element, solver"] = round((peak_bytes() - before) / options.elements)
+    result["peak bytes/element, process"] = round(peak_bytes() / options.elements)
+    print(json.dumps(result, indent=2))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,40 @@
+"""Rules of the house that a machine can check."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCES = sorted((ROOT / "src").rglob("*.py"))
+ALL = SOURCES + [path for folder in ("tests", "examples", "benchmarks") for path in (ROOT / folder).rglob("*.py")]
+
+
+def test_no_file_is_longer_than_400_lines():
+    long = {str(path.relative_to(ROOT)): n for path in ALL if (n := len(path.read_text().splitlines())) > 400}
+    assert not long
+
+
+def test_examples_fit_on_a_screen():
+    long = [path.name for path in (ROOT / "examples").glob("*.py") if len(path.read_text().splitlines()) > 60]
+    assert not long
+
+
+def test_no_room_without_a_name():
+    attic = re.compile(r"^(utils?|helpers?|common|misc|tools|manager)$", re.IGNORECASE)
+    assert not [path for path in ALL if any(attic.match(part) for part in path.with_suffix("").parts[-3:])]
+
+
+def test_no_import_is_hidden_in_a_function_or_under_type_checking():
+    lazy = {ROOT / "src/bondem/__init__.py"}
+    pattern = re.compile(r"^\s+(import \w|from [\w.]+ import )", re.MULTILINE)
+    hidden = [str(path.relative_to(ROOT)) for path in SOURCES if path not in lazy and pattern.search(path.read_text())]
+    assert not hidden
+
+
+def test_importing_the_package_is_cheap_and_every_public_name_resolves():
+    code = (
+        "import sys, bondem; assert 'numba' not in sys.modules and 'scipy' not in sys.modules;"
+        "[getattr(bondem, name) for name in bondem.__all__]"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
