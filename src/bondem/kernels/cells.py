@@ -10,9 +10,18 @@ from bondem._compile import device, kernel, prange
 
 
 @device
-def nearest_image(d, period):
-    """Component of a separation over the nearest periodic image [m]; `period` 0 means none."""
-    return d - period * np.rint(d / period) if period > 0.0 else d
+def inverse_period(period):
+    """1 / period, or 0 where the axis is not periodic (period 0)."""
+    return 1.0 / period if period > 0.0 else 0.0
+
+
+@device
+def nearest_image(d, period, inverse):
+    """Component of a separation over the nearest periodic image [m]; as it is where `period` is 0.
+
+    Without a branch: in the inner loop one costs half as much again as the whole force.
+    """
+    return d - period * np.rint(d * inverse)
 
 
 @device
@@ -47,6 +56,8 @@ def neighbours(sphere, lower, upper, period, skin):
         neighbour: the lists one after the other, uint32.
     """
     n = sphere.shape[0]
+    px, py, pz = period[0], period[1], period[2]
+    qx, qy, qz = inverse_period(px), inverse_period(py), inverse_period(pz)
     reach = 0.0
     for i in range(n):
         reach = max(reach, sphere[i, 3])
@@ -92,9 +103,9 @@ def neighbours(sphere, lower, upper, period, skin):
                         c = (gx % cells[0] * cells[1] + gy % cells[1]) * cells[2] + gz % cells[2]
                         for p in range(first[c], first[c + 1]):
                             j = member[p]
-                            dx = nearest_image(sphere[j, 0] - x, period[0])
-                            dy = nearest_image(sphere[j, 1] - y, period[1])
-                            dz = nearest_image(sphere[j, 2] - z, period[2])
+                            dx = nearest_image(sphere[j, 0] - x, px, qx)
+                            dy = nearest_image(sphere[j, 1] - y, py, qy)
+                            dz = nearest_image(sphere[j, 2] - z, pz, qz)
                             near = r + sphere[j, 3] + skin
                             if dx * dx + dy * dy + dz * dz <= near * near and j != i:
                                 if sweep == 1:
