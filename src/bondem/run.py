@@ -4,17 +4,17 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from bondem.errors import InputError
-from bondem.io.runfile import RunFile
+from bondem.io.runfile import RunFile, read_run
 from bondem.laws.damping import LocalDamping
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.events import Event
-from bondem.solve.explicit import ExplicitResult, Plan, integrate, settled
+from bondem.solve.explicit import ExplicitResult, Plan, Status, integrate, settled
 from bondem.solve.schemes import Scheme, VelocityVerlet
 from bondem.solve.static import solve_static
 
-__all__ = ["solve_explicit", "solve_static"]
+__all__ = ["resume", "solve_explicit", "solve_static"]
 
 
 def solve_explicit(
@@ -76,3 +76,26 @@ def solve_explicit(
     plan = settled(model, plan)
     sink = RunFile(out, model, plan) if out is not None else None
     return integrate(model, plan, state=state, sink=sink, progress=progress)
+
+
+def resume(path: str | Path, *, progress: Callable[[float], None] | None = None) -> ExplicitResult:
+    """Go on with a run from the last checkpoint in its run file, to the bit as if it had never stopped.
+
+    Checkpoints go on into the same file. A run that had ended comes back as it is.
+
+    Args:
+        path: run file, from `solve_explicit(..., out=path, save_every=...)`.
+        progress: called now and then with the share done, 0 … 1.
+
+    Raises:
+        RunFileError: no such file, not a run file, damaged, or of a newer bondem.
+        InputError: the file cannot be written.
+    """
+    kept = read_run(path)
+    if kept.state.step and any(event.happened(kept.state) for event in kept.plan.until):
+        message = f"had been stopped by an event at t = {kept.state.time:.6g} s"
+        return ExplicitResult(Status.STOPPED, kept.state, kept.history, kept.plan.dt or 0.0, kept.state.step, message)
+    sink = RunFile(path, kept.model, kept.plan)
+    return integrate(
+        kept.model, kept.plan, state=kept.state, history=kept.history, sink=sink, progress=progress
+    )

@@ -1,0 +1,95 @@
+"""Frozen dataclasses as JSON and back, by an explicit list of types.
+
+`{"type": "Face", "name": "x_min", "depth": 0.02}` is what the object would have been made with; a type or a
+key that is not known raises, so that a file from a newer bondem is refused instead of half understood.
+Numbers keep every bit (JSON prints the shortest text that reads back the same).
+"""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+
+from bondem.errors import RunFileError
+from bondem.laws.contact_bond import ContactBond
+from bondem.laws.damping import LocalDamping
+from bondem.laws.euler_bernoulli import EulerBernoulli
+from bondem.laws.obermayr import Obermayr
+from bondem.laws.parallel_bond import ParallelBond
+from bondem.laws.timoshenko import Timoshenko
+from bondem.model.boundary import Drive, Fix, Load
+from bondem.model.gauges import Gauge
+from bondem.model.schedules import Constant, Ramp, Table
+from bondem.solve.events import AtRest
+from bondem.solve.explicit import Plan
+from bondem.solve.schemes import TchamwaWielgosz, VelocityVerlet
+from bondem.specimen.geometry import Ball, BoundingBox, Box, Cell, Cylinder
+from bondem.specimen.regions import Difference, Everything, Face, Index, Intersection, Union, Within
+
+_TYPES: dict[str, type] = {
+    cls.__name__: cls
+    for cls in (
+        ContactBond, EulerBernoulli, Obermayr, ParallelBond, Timoshenko,
+        LocalDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
+        Drive, Fix, Load, Gauge, Constant, Ramp, Table,
+        Ball, BoundingBox, Box, Cell, Cylinder,
+        Difference, Everything, Face, Index, Intersection, Union, Within,
+    )
+}  # fmt: skip
+
+
+def encode(value: Any) -> Any:
+    """What JSON can hold for a value made of known dataclasses, mappings, sequences, text and numbers.
+
+    Raises:
+        RunFileError: a type that is not in the list.
+    """
+    match value:
+        case None | bool() | int() | float() | str():
+            return value
+        case np.generic():
+            return encode(value.item())
+        case list() | tuple():
+            return [encode(item) for item in value]
+        case Mapping():
+            return {"type": "Mapping", "entries": [[encode(key), encode(item)] for key, item in value.items()]}
+    name = type(value).__name__
+    if _TYPES.get(name) is not type(value):
+        raise RunFileError(f"a {name} cannot be written to a run file; use bondem's own types")
+    return {"type": name} | {key: encode(item) for key, item in _arguments(value).items()}
+
+
+def _arguments(value: Any) -> dict[str, Any]:
+    if isinstance(value, Drive):
+        names = ("x", "y", "z", "rx", "ry", "rz"), ("vx", "vy", "vz", "wx", "wy", "wz")
+        return {"region": value.region} | {names[rate][dof]: schedule for dof, schedule, rate in value.motion}
+    return {item.name: getattr(value, item.name) for item in fields(value)}
+
+
+def decode(data: Any) -> Any:
+    """The value `encode` was given; sequences come back as tuples.
+
+    Raises:
+        RunFileError: a type or key that this version does not know.
+        InputError: a value the type itself refuses.
+    """
+    match data:
+        case list():
+            return tuple(decode(item) for item in data)
+        case {"type": "Mapping", "entries": entries}:
+            return {decode(key): decode(item) for key, item in entries}
+        case {"type": name, **given}:
+            return _rebuild(name, given)
+        case dict():
+            raise RunFileError(f"{sorted(data)} names no type; the file was not written by bondem")
+    return data
+
+
+def _rebuild(name: str, given: dict[str, Any]) -> Any:
+    if name not in _TYPES:
+        raise RunFileError(f"unknown type '{name}'; read the file with the bondem version that wrote it")
+    try:
+        return _TYPES[name](**{key: decode(item) for key, item in given.items()})
+    except TypeError as error:
+        raise RunFileError(f"{name}: {error}; read the file with the bondem version that wrote it") from error

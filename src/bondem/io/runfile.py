@@ -1,0 +1,167 @@
+"""The run file: output and restart in one HDF5 file.
+
+    /                attributes format, schema, bondem_version; texts plan and model (JSON)
+    /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
+    /bonds           pairs (m, 2)
+    /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale
+    /history         records (s, 9 + 3 g); attribute gauges
+
+What is derived (order, stiffnesses) is not kept but made again, by the same code. The file is
+written aside and moved into place, so that a kill leaves the checkpoint before.
+"""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from bondem import __version__
+from bondem.errors import RunFileError
+from bondem.io.atomic import replacing, require_writable
+from bondem.io.codec import decode, encode
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.solve.explicit import Plan
+from bondem.solve.history import History
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.particles import Particles
+
+FORMAT = "bondem run"
+SCHEMA = 1
+
+
+@dataclass(frozen=True, eq=False)
+class Checkpoint:
+    """All that is needed to go on.
+
+    Attributes:
+        model: what is run.
+        plan: how.
+        state: where it stands.
+        history: the records so far.
+    """
+
+    model: Model
+    plan: Plan
+    state: State
+    history: History
+
+
+class RunFile:
+    """Keeps the last checkpoint of a run in a file (a `Sink`).
+
+    Args:
+        path: the file; one that is there is replaced at the first checkpoint.
+        model: what is run.
+        plan: how, with its time step resolved, so that going on does not depend on finding it again.
+
+    Raises:
+        InputError: the file cannot be written.
+        RunFileError: the model holds something that a run file cannot.
+    """
+
+    def __init__(self, path: str | Path, model: Model, plan: Plan) -> None:
+        self.path = Path(path)
+        require_writable(self.path, "run file")
+        self._model = model
+        self._texts = {
+            "plan": json.dumps(encode(plan)),
+            "model": json.dumps({
+                "bond": encode(model.bond),
+                "boundary": encode(tuple(model.boundary)),
+                "shape": encode(model.lattice.particles.shape),
+            }),
+        }  # fmt: skip
+
+    def checkpoint(self, state: State, history: History) -> None:
+        """Write all that is needed to go on from here."""
+        particles = self._model.lattice.particles
+        with replacing(self.path) as aside, h5py.File(aside, "w") as file:
+            file.attrs["format"] = FORMAT
+            file.attrs["schema"] = SCHEMA
+            file.attrs["bondem_version"] = __version__
+            for name, text in self._texts.items():
+                file.create_dataset(name, data=text)
+            elements = file.create_group("elements")
+            elements["position"] = particles.position
+            elements["radius"] = particles.radius
+            elements["density"] = np.asarray(self._model.density, dtype=float)
+            if particles.period is not None:
+                elements["period"] = particles.period
+            file["bonds/pairs"] = self._model.lattice.pairs
+            kept = file.create_group("state")
+            for name in State.ARRAYS:
+                kept[name] = getattr(state, name)
+            kept.attrs.update(step=state.step, time=state.time, stale=state.stale)
+            file["history/records"] = history.records
+            file["history"].attrs["gauges"] = json.dumps(history.gauges)
+
+
+def read_run(path: str | Path) -> Checkpoint:
+    """Read a run file.
+
+    Raises:
+        RunFileError: no such file, not a run file, damaged, or of a newer bondem.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise RunFileError(f"there is no run file '{path}'; check the path")
+    try:
+        file = h5py.File(path, "r")
+    except OSError:
+        raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote") from None
+    with file:
+        head = _attributes(file)
+        if head.get("format") != FORMAT:
+            raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote")
+        if head["schema"] > SCHEMA:
+            raise RunFileError(
+                f"'{path}' was written by bondem {head['bondem_version']}, which is newer than this"
+                f" {__version__}; update bondem to read it"
+            )
+        try:
+            return _checkpoint(file)
+        except (KeyError, ValueError, OSError) as error:
+            raise RunFileError(f"'{path}' is damaged ({error}); start the run again") from error
+
+
+def _array(file: h5py.File, name: str) -> np.ndarray:
+    item = file[name]
+    assert isinstance(item, h5py.Dataset)
+    return np.asarray(item[()])
+
+
+def _attributes(item: Any) -> Any:
+    return item.attrs
+
+
+def _json(file: h5py.File, name: str) -> Any:
+    return json.loads(_array(file, name).item())
+
+
+def _checkpoint(file: h5py.File) -> Checkpoint:
+    made_of = {key: decode(value) for key, value in _json(file, "model").items()}
+    period = _array(file, "elements/period") if "elements/period" in file else None
+    particles = Particles(
+        _array(file, "elements/position"), _array(file, "elements/radius"), period, made_of["shape"]
+    )
+    density = _array(file, "elements/density")
+    model = Model(
+        Lattice(particles, _array(file, "bonds/pairs")),
+        bond=made_of["bond"],
+        density=float(density) if density.ndim == 0 else density,
+        boundary=made_of["boundary"],
+    )
+    state = State(model)
+    for name in State.ARRAYS:
+        values = np.ascontiguousarray(_array(file, f"state/{name}"))
+        if values.shape != getattr(state, name).shape:
+            raise ValueError(f"state/{name} has shape {values.shape}")
+        setattr(state, name, values)
+    kept = _attributes(file["state"])
+    state.step, state.time, state.stale = int(kept["step"]), float(kept["time"]), bool(kept["stale"])
+    history = History(_array(file, "history/records"), tuple(json.loads(_attributes(file["history"])["gauges"])))
+    return Checkpoint(model, decode(_json(file, "plan")), state, history)

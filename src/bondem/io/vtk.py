@@ -1,0 +1,77 @@
+"""Lattices for ParaView, as VTKHDF: elements are points, bonds are lines."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from bondem._types import ArrayLike
+from bondem.errors import InputError
+from bondem.io.atomic import replacing, require_writable
+from bondem.model.state import State
+from bondem.specimen.lattice import Lattice
+
+
+def write_vtkhdf(
+    path: str | Path,
+    lattice: Lattice,
+    *,
+    state: State | None = None,
+    elements: Mapping[str, ArrayLike] | None = None,
+    bonds: Mapping[str, ArrayLike] | None = None,
+) -> None:
+    """Write a lattice as VTKHDF PolyData, which ParaView 5.11 and later opens (glyph by `radius`).
+
+    Bonds that cross the border of a periodic cell are left out: as lines they would cross the whole cell.
+
+    Args:
+        path: file to write, by custom ending in .vtkhdf.
+        lattice: elements and bonds.
+        state: where they are; adds displacement, velocity, angular velocity and integrity.
+        elements: more fields by name, each (n,) or (n, k).
+        bonds: more fields by name, each (m,) or (m, k).
+
+    Raises:
+        InputError: the file cannot be written, or a field has the wrong length.
+    """
+    particles, pairs = lattice.particles, lattice.pairs
+    points = particles.position if state is None else particles.position + state.displacement
+    of_elements: dict[str, ArrayLike] = {"radius": particles.radius, "connected": lattice.connected.astype(np.int8)}
+    of_bonds: dict[str, ArrayLike] = {"length": lattice.length}
+    if state is not None:
+        of_elements |= {
+            "displacement": state.displacement,
+            "velocity": state.velocity,
+            "angular_velocity": state.angular_velocity,
+        }
+        of_bonds["integrity"] = state.bond_integrity
+    plain = particles.position[pairs[:, 1]] - particles.position[pairs[:, 0]]
+    drawn = np.abs(plain - lattice.branch).max(axis=1) < 1e-6 * particles.mean_radius
+    path = Path(path)
+    require_writable(path, "VTK file")
+    with replacing(path) as aside, h5py.File(aside, "w") as file:
+        root = file.create_group("VTKHDF")
+        root.attrs["Version"] = (2, 0)
+        root.attrs.create("Type", b"PolyData", dtype=h5py.string_dtype("ascii", 8))
+        root["NumberOfPoints"] = [len(points)]
+        root["Points"] = points
+        for kind in ("Vertices", "Lines", "Polygons", "Strips"):
+            cells = pairs[drawn] if kind == "Lines" else np.zeros((0, 2), dtype=np.int64)
+            group = root.create_group(kind)
+            group["NumberOfCells"] = [len(cells)]
+            group["NumberOfConnectivityIds"] = [cells.size]
+            group["Offsets"] = 2 * np.arange(len(cells) + 1)
+            group["Connectivity"] = cells.ravel()
+        _write_fields(root.create_group("PointData"), of_elements | dict(elements or {}), len(points))
+        _write_fields(root.create_group("CellData"), of_bonds | dict(bonds or {}), len(pairs), drawn)
+
+
+def _write_fields(
+    group: h5py.Group, fields: Mapping[str, ArrayLike], count: int, chosen: np.ndarray | None = None
+) -> None:
+    for name, field in fields.items():
+        values = np.asarray(field)
+        if len(values) != count:
+            raise InputError(f"field '{name}' has {len(values)} values; give {count}")
+        group[name] = values if chosen is None else values[chosen]
