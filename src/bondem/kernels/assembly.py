@@ -40,7 +40,7 @@ def _blocks(x, y, z, kn, ks, kb, kt, near, far, own, other):
             other[r, c] = -P
             other[r, 3 + c] = -ks * far * S
             other[3 + r, c] = -ks * near * S
-            other[3 + r, 3 + c] = ks * near * far * (unit - xx) - Q
+            other[3 + r, 3 + c] = ks * (near * far) * (unit - xx) - Q
 
 
 @kernel(parallel=True)
