@@ -1,168 +1,210 @@
-"""Large sparse symmetric systems of a lattice: supports, scaling, rigid motions, and how K u = f is solved.
+"""The linear system of a lattice, K u = f, six degrees of freedom (u, θ) an element, and how it is solved.
 
-Unknowns are scaled to lengths, (u, R̄ θ), so that residuals of forces and of torques over R̄ compare and the
-matrix is well conditioned. Held degrees of freedom keep their place with a unit row.
+Every element's unknowns are scaled by an inverse root S of its own diagonal block, restricted to what is free:
+Sᵀ K S has unit blocks on its diagonal, translations and rotations in one measure, and nothing at all where
+elements are held or rattle. Small lattices and chains are eliminated; else conjugate
+gradients, preconditioned by `Clumps`, run to a residual so small that it does not show.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse import bsr_array, csc_array
 from scipy.sparse.linalg import splu
 
-from bondem._types import Floats
+from bondem._types import Floats, Mask
 from bondem.errors import ConvergenceError
+from bondem.kernels.block_matvec import block_matvec
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
+from bondem.solve.clumps import Clumps, clump_motions, clump_of
 
-# Below this many elements, or in a lattice that is little more than a chain, elimination wins.
-_DIRECT_BELOW = 1500
+# Up to this many elements, or in a lattice that is little more than a chain, elimination wins.
+_DIRECT = 1500
 _CHAIN = 1.5
+_ROUNDS = 5000
+
+Solve = Callable[..., Floats]
 
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """The scaled matrix of a model and what its supports leave free, internal order.
+    """The matrix of a model and what its supports leave free, in the kernels' order.
 
     Attributes:
-        matrix: K of all degrees of freedom, scaled, without supports, (6 n, 6 n).
-        reduced: the same with a diagonal in place of held rows and columns.
-        scale: metres (1) or radians (1/R̄) per unit of each unknown, shape (6 n,).
-        free: 1 where a degree of freedom is free, 0 where it is held or a rattler's, shape (6 n,).
-        rigid: orthonormal rigid motions of the specimen, (6 n, 6); (6 n, 3) of a periodic one.
-        loose: orthonormal rigid motions that the supports permit, (6 n, k).
+        matrix: K of all degrees of freedom [N/m, N, N·m], (6 n, 6 n).
+        position: centres [m], shape (n, 3).
+        length: R̄, by which rotations become displacements [m].
+        free: degrees of freedom neither held nor a rattler's, shape (n, 6).
+        loose: rigid motions (u, θ) that the supports permit, orthonormal with u·u + R̄² θ·θ, shape (6 n, k).
     """
 
     matrix: bsr_array
-    reduced: bsr_array
-    scale: Floats
-    free: Floats
-    rigid: Floats
+    position: Floats
+    length: float
+    free: Mask
     loose: Floats
 
     @classmethod
     def of(cls, model: Model) -> "System":
-        """Assemble and reduce the matrix of a model."""
+        """The matrix and supports of a model."""
         lattice, order = model.lattice, model.layout.order
-        n = len(order)
-        scale = np.tile(np.repeat([1.0, 1.0 / lattice.particles.mean_radius], 3), n)
-        matrix = stiffness_matrix(model)
-        block = np.outer(scale[:6], scale[:6])
-        matrix = bsr_array((matrix.data * block, matrix.indices, matrix.indptr), shape=matrix.shape)
         connected = lattice.connected[order]
-        free = ~model.constraints.held(n) & connected[:, None]
-        rigid = rigid_motions(lattice.particles.position[order], lattice.particles.period is not None)
-        rigid = rigid * connected[:, None, None]
-        flat = np.linalg.qr(rigid.reshape(6 * n, -1) / scale[:, None])[0]
-        held = connected[:, None] & ~free
-        _, sizes, turns = np.linalg.svd(flat[held.ravel()], full_matrices=True)
-        rank = int((sizes > 1e-9 * np.sqrt(max(held.sum(), 1) / (6.0 * n))).sum())
-        loose = flat @ turns[rank:].T
-        return cls(matrix, _reduce(matrix, free), scale, free.ravel().astype(float), flat, loose)
+        position = lattice.particles.position[order]
+        held = model.constraints.held(len(order)) & connected[:, None]
+        metric = np.tile(np.repeat([1.0, lattice.particles.mean_radius], 3), len(order))
+        loose = rigid_motions(position, lattice.particles.period is not None) * connected[:, None, None]
+        loose = np.linalg.qr(loose.reshape(len(metric), -1) * metric[:, None])[0]
+        if held.any():
+            grip = np.linalg.qr(loose[held.ravel()], mode="r")
+            _, size, turn = np.linalg.svd(grip)
+            gripped = int((size > 1e-9 * size[0]).sum())
+            loose = loose @ turn[gripped:].T
+        return cls(
+            matrix=stiffness_matrix(model),
+            position=position,
+            length=lattice.particles.mean_radius,
+            free=connected[:, None] & ~held,
+            loose=loose / metric[:, None],
+        )
+
+    def without_rigid_motion(self, motion: Floats) -> Floats:
+        """A motion (6 n,) without its part along `loose`."""
+        if self.loose.shape[1] == 0:
+            return motion
+        weight = np.tile(np.repeat([1.0, self.length**2], 3), len(self.free))
+        return motion - self.loose @ (self.loose.T @ (weight * motion))
 
 
 def rigid_motions(position: Floats, periodic: bool) -> Floats:
-    """Translations along and rotations about the axes through the centroid, as (u, θ), shape (n, 6, 6 or 3)."""
-    arm = position - position.mean(axis=0)
-    motions = np.zeros((len(position), 6, 3 if periodic else 6))
-    motions[:, range(3), range(3)] = 1.0
-    if not periodic:
-        for axis in range(3):
-            motions[:, :3, 3 + axis] = np.cross(np.eye(3)[axis], arm)
-            motions[:, 3 + axis, 3 + axis] = 1.0
-    return motions
+    """Translations along and rotations about the axes through the centroid as (u, θ), shape (n, 6, 6 or 3)."""
+    motions = clump_motions(position, np.zeros(len(position), dtype=np.int64))
+    return motions[:, :, :3] if periodic else motions
 
 
-def _reduce(matrix: bsr_array, free: np.ndarray) -> bsr_array:
-    """The matrix with held rows and columns emptied but for the mean of the free diagonal."""
-    n = len(free)
-    row = np.repeat(np.arange(n), np.diff(matrix.indptr))
-    keep = free.astype(float)
-    data = matrix.data * keep[row][:, :, None] * keep[matrix.indices][:, None, :]
-    diagonal = np.flatnonzero(matrix.indices == row)
-    typical = matrix.data[diagonal][:, range(6), range(6)][free]
-    data[diagonal[:, None], range(6), range(6)] += (1.0 - keep) * (typical.mean() if typical.size else 1.0)
-    return bsr_array((data, matrix.indices, matrix.indptr), shape=matrix.shape)
+def solver(system: System) -> Solve:
+    """What solves K u = f for one system and many right-hand sides.
 
-
-def solve_linear(system: System, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
-    """Solution of the reduced, scaled system, without the motions the supports permit.
-
-    Args:
-        system: matrix and supports.
-        load: right-hand side, zero where held and balanced with respect to `system.loose`, shape (6 n,).
-        guess: where to start.
-        rtol: residual over load.
+    Returns:
+        solve(load, *, guess=None, rtol=1e-10): u (6 n,) for a load (6 n,), zero where held and without rigid
+        motion. `load` must do no work on `system.loose`; what acts on held degrees of freedom is ignored.
 
     Raises:
-        ConvergenceError: the residual does not fall below `rtol`.
+        ConvergenceError: (on solving) no bond resists the load.
     """
-    size = np.sqrt(_dot(load, load))
-    if size == 0.0:
-        return np.zeros_like(load)
-    n = len(load) // 6
-    bonds = (len(system.reduced.indices) - n) // 2
-    if system.loose.shape[1] == 0 and (n <= _DIRECT_BELOW or bonds <= _CHAIN * n):
-        return _eliminate(system, load, rtol)
-    return _conjugate_gradients(system, load, guess, rtol)
+    n = len(system.free)
+    bonds = (len(system.matrix.indices) - n) // 2
+    if n <= _DIRECT or bonds <= _CHAIN * n:
+        return _eliminating(system)
+    return _iterating(system)
 
 
-def _eliminate(system: System, load: Floats, rtol: float) -> Floats:
+def _eliminating(system: System) -> Solve:
+    """LU of what is free; where the specimen is free to move, one degree of freedom a motion is grounded."""
+    free = system.free.ravel().copy()
+    loose = system.loose * np.tile(np.repeat([1.0, system.length], 3), len(system.free))[:, None]
+    for _ in range(loose.shape[1]):
+        grip = np.argmax((loose**2).sum(axis=1) * free)
+        free[grip] = False
+        turn = np.linalg.svd(loose[grip][None])[2]
+        loose = loose @ turn[1:].T
+    live = np.flatnonzero(free)
+    matrix = csc_array(system.matrix.tocsc())[:, live][live]
+    scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))
+    matrix = csc_array(matrix.multiply(scale[:, None]).multiply(scale))
     try:
         factors = splu(
-            csc_array(system.reduced), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
-            options={"SymmetricMode": True},
-        )  # fmt: skip
-    except RuntimeError:  # singular: a mechanism, which iteration tells from a load it cannot carry
-        return _conjugate_gradients(system, load, None, rtol)
-    solution = factors.solve(load)
-    solution += factors.solve(load - system.reduced @ solution)
-    if not np.isfinite(solution).all():
-        return _conjugate_gradients(system, load, None, rtol)
-    return solution
+            matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+        )
+    except RuntimeError:  # singular: a mechanism, on which the load need not work
+        return _iterating(system)
+    iterate: list[Solve] = []
+
+    def solve(load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
+        right = scale * load[live]
+        x = factors.solve(right)
+        x += factors.solve(right - matrix @ x)
+        if not np.linalg.norm(right - matrix @ x) <= 1e-6 * np.linalg.norm(right):
+            iterate or iterate.append(_iterating(system))
+            return iterate[0](load, guess=guess, rtol=rtol)
+        solution = np.zeros_like(load)
+        solution[live] = scale * x
+        return system.without_rigid_motion(solution)
+
+    return solve
 
 
-def _dot(a: Floats, b: Floats) -> float:
-    """a·b in an order that does not depend on the number of threads, as BLAS's does."""
-    return float(np.einsum("i,i->", a, b))
+def _iterating(system: System) -> Solve:
+    """Conjugate gradients on Sᵀ K S with the coarse correction of clumps."""
+    K = system.matrix
+    root, back = element_roots(K, system.free)
+    row = np.repeat(np.arange(len(root)), np.diff(K.indptr))
+    turned = np.ascontiguousarray(np.swapaxes(root, 1, 2))
+    scaled = bsr_array((turned[row] @ K.data @ root[K.indices], K.indices, K.indptr), shape=K.shape)
+    clump = clump_of(system.position)
+    coarse = Clumps(scaled, back @ clump_motions(system.position, clump), clump)
+
+    def by_element(blocks: Floats, values: Floats) -> Floats:
+        return np.einsum("nij,nj->ni", blocks, values.reshape(-1, 6)).ravel()
+
+    def solve(load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
+        start = np.zeros_like(load) if guess is None else np.where(system.free.ravel(), guess, 0.0)
+        right = by_element(turned, load)
+        residual = right if guess is None else right - by_element(turned, K @ start)
+        x = conjugate_gradients(scaled, lambda r: r + coarse(r), residual, rtol * np.sqrt(dot(right, right)))
+        return system.without_rigid_motion(start + by_element(root, x))
+
+    return solve
 
 
-def block_inverse(matrix: bsr_array) -> Floats:
-    """Pseudo-inverses of the diagonal blocks, shape (n, 6, 6)."""
-    row = np.repeat(np.arange(matrix.shape[0] // 6), np.diff(matrix.indptr))
-    return np.linalg.pinv(matrix.data[matrix.indices == row], rcond=1e-12, hermitian=True)
+def element_roots(matrix: bsr_array, free: Mask) -> tuple[Floats, Floats]:
+    """S with Sᵀ K_ee S = 1 on the free part of every diagonal block, zero elsewhere, and its pseudo-inverse.
+
+    Each (n, 6, 6). Motions of an element that its block does not resist are left out.
+    """
+    row = np.repeat(np.arange(len(free)), np.diff(matrix.indptr))
+    blocks = matrix.data[matrix.indices == row] * (free[:, :, None] & free[:, None, :])
+    size = np.sqrt(np.einsum("nii->ni", blocks))
+    size[size == 0.0] = 1.0
+    value, vector = np.linalg.eigh(blocks / size[:, :, None] / size[:, None, :])
+    vector *= free[:, :, None]
+    length = np.sqrt(np.where(value > 1e-12, value, 0.0))
+    inverse = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0.0)
+    return (
+        vector * inverse[:, None, :] / size[:, :, None],
+        np.swapaxes(vector * length[:, None, :] * size[:, :, None], 1, 2).copy(),
+    )
 
 
-def _conjugate_gradients(system: System, load: Floats, guess: Floats | None, rtol: float) -> Floats:
-    inverse = block_inverse(system.reduced)
-
-    def precondition(r: Floats) -> Floats:
-        return np.einsum("nij,nj->ni", inverse, r.reshape(-1, 6)).ravel()
-
-    def project(v: Floats) -> Floats:
-        return v - system.loose @ (system.loose.T @ v)
-
-    K = system.reduced
-    x = np.zeros_like(load) if guess is None else guess * system.free
-    r = project(load - K @ x)
-    stop = rtol * np.sqrt(_dot(load, load))
-    z = project(precondition(r))
-    p = z
-    rho = _dot(r, z)
-    for _ in range(20 * len(load)):
-        if np.sqrt(_dot(r, r)) <= stop:
-            return project(x)
-        Kp = K @ p
-        curvature = _dot(p, Kp)
+def conjugate_gradients(
+    matrix: bsr_array, precondition: Callable[[Floats], Floats], residual: Floats, stop: float
+) -> Floats:
+    """x with |residual - K x| <= stop."""
+    x = np.zeros_like(residual)
+    r = residual.copy()
+    p = np.zeros_like(r)
+    Kp = np.empty_like(r)
+    rho = 1.0
+    for _ in range(_ROUNDS):
+        if np.sqrt(dot(r, r)) <= stop:
+            return x
+        z = precondition(r)
+        rho, old = dot(r, z), rho
+        p *= rho / old
+        p += z
+        block_matvec(matrix.indptr, matrix.indices, matrix.data, p.reshape(-1, 6), Kp.reshape(-1, 6))
+        curvature = dot(p, Kp)
         if not curvature > 0.0:
             break
-        alpha = rho / curvature
-        x = x + alpha * p
-        r = r - alpha * Kp
-        z = project(precondition(r))
-        rho, old = _dot(r, z), rho
-        p = z + (rho / old) * p
+        x += (rho / curvature) * p
+        r -= (rho / curvature) * Kp
     raise ConvergenceError(
         "the static solution did not converge: the load moves a mechanism that no bond resists (elements"
         " free to roll under bonds without moments, or too few bonds); fix more, or choose a law with moments"
     )
+
+
+def dot(a: Floats, b: Floats) -> float:
+    """a·b summed in one order whatever the number of threads, as BLAS does not."""
+    return float(np.einsum("i,i->", a, b))

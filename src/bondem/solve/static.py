@@ -8,7 +8,7 @@ from bondem._types import Floats, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.observe.energy import EnergyParts, linear_energy
-from bondem.solve.linear import System, solve_linear
+from bondem.solve.linear import System, solver
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,36 +45,32 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     """
     if nonlinear:
         raise InputError("nonlinear=True is not available yet; pass nonlinear=False, or use solve_explicit")
-    layout = model.layout
+    layout, constraints = model.layout, model.constraints
     n = len(layout.order)
     system = System.of(model)
-    motion = (model.constraints.final_motion(n)).ravel() / system.scale
-    load = (model.constraints.final_load(n)).ravel() * system.scale
-    drive = system.matrix @ motion if motion.any() else np.zeros(6 * n)
+    motion, load = constraints.final_motion(n).ravel(), constraints.final_load(n).ravel()
     _check_balance(system, load)
-    right = (load - drive) * system.free
+    right = load - system.matrix @ motion if motion.any() else load
     start = None
     if guess is not None:
-        start = np.hstack([guess.displacement, guess.rotation])[layout.order].ravel() / system.scale
-    unknown = solve_linear(system, right, guess=start) + motion
-    reaction = (system.matrix @ unknown - load) * (1.0 - system.free) / system.scale
-    values = (unknown * system.scale).reshape(n, 6)[layout.rank]
+        start = np.hstack([guess.displacement, guess.rotation])[layout.order].ravel()
+    solution = motion + solver(system)(right, guess=start)
+    reaction = np.where(constraints.held(n), (system.matrix @ solution - load).reshape(n, 6), 0.0)
+    values = solution.reshape(n, 6)[layout.rank]
     displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
     return StaticResult(
         displacement=displacement,
         rotation=rotation,
-        reaction=reaction.reshape(n, 6)[layout.rank],
+        reaction=reaction[layout.rank],
         energy=linear_energy(model, displacement, rotation),
     )
 
 
 def _check_balance(system: System, load: Floats) -> None:
     """A load may not drive a rigid motion that the supports permit."""
-    if system.loose.shape[1] == 0:
-        return
-    rest = np.abs(system.loose.T @ load).max()
-    if rest > 1e-8 * np.linalg.norm(load):
+    forces = load.reshape(-1, 6) / np.repeat([1.0, system.length], 3)
+    if np.abs(system.loose.T @ load).max(initial=0.0) > 1e-8 * np.linalg.norm(forces):
         raise InputError(
-            "the loads have a resultant along a rigid motion that the supports leave free;"
-            " balance them with opposite Loads, or hold the specimen with Fix"
+            "the loads drive a rigid motion that the supports leave free; balance them with an opposite Load,"
+            " or hold the specimen with Fix"
         )

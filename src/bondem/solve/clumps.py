@@ -1,0 +1,79 @@
+"""A coarse twin of a lattice: elements gathered in clumps that move as rigid bodies.
+
+What an element and its neighbours cannot see, the slow bending and stretching of the whole, the clumps carry
+at once: their own stiffness is the lattice's, restricted to motions rigid clump by clump, and so small that
+it is eliminated. Together with the elements' own blocks this preconditions conjugate gradients (two-level
+additive Schwarz with a Nicolaides coarse space): the number of iterations hardly grows with the lattice.
+"""
+
+import math
+
+import numpy as np
+from scipy.sparse import bsr_array, csc_array, dia_array
+from scipy.sparse.linalg import splu
+
+from bondem._types import Floats, Ints, PerElement3
+
+# Elements a clump at 10 000 elements; it grows with the root of n, so that elimination stays a small part.
+_CLUMP = 25.0
+# Keeps the coarse matrix regular where a clump has fewer than six motions of its own.
+_REGULAR = 1e-9
+
+
+def clump_of(position: PerElement3) -> Ints:
+    """The clump of each element: cubes of a grid that hold about the same number each, shape (n,)."""
+    n = len(position)
+    lower = position.min(axis=0)
+    extent = np.maximum(np.ptp(position, axis=0), 1e-300)
+    clumps = max(n / (_CLUMP * math.sqrt(max(n, 100) / 1e4)), 1.0)
+    # the edge for which a grid over the bounding box, thin directions rounded up, has that many cubes
+    edge = float(extent.max())
+    for _ in range(60):
+        if np.maximum(extent / edge, 1.0).prod() >= clumps:
+            break
+        edge *= 0.9
+    cells = np.maximum(np.rint(extent / edge), 1.0)
+    cell = np.minimum(((position - lower) / extent * cells).astype(np.int64), cells.astype(np.int64) - 1)
+    return np.unique(np.ravel_multi_index(tuple(cell.T), tuple(cells.astype(int))), return_inverse=True)[1]
+
+
+def clump_motions(position: PerElement3, clump: Ints) -> Floats:
+    """Motion (u, R θ) of each element per motion of its clump about the clump's centre, shape (n, 6, 6).
+
+    Rotations of a clump are scaled by the root mean square R of its arms, so that all six are displacements.
+    """
+    count = np.bincount(clump)
+    centre = np.stack([np.bincount(clump, weights=x) / count for x in position.T], axis=1)
+    arm = position - centre[clump]
+    motions = np.zeros((len(position), 6, 6))
+    motions[:, range(6), range(6)] = 1.0
+    motions[:, [1, 2, 0], [5, 3, 4]] = arm[:, [0, 1, 2]]
+    motions[:, [2, 0, 1], [4, 5, 3]] = -arm[:, [0, 1, 2]]
+    return motions
+
+
+class Clumps:
+    """The coarse correction P (Pᵀ K P)⁻¹ Pᵀ.
+
+    Args:
+        matrix: symmetric, positive (semi-)definite, 6×6 blocks.
+        basis: motion of each element per motion of its clump, in the matrix' unknowns, shape (n, 6, 6).
+        clump: shape (n,).
+    """
+
+    def __init__(self, matrix: bsr_array, basis: Floats, clump: Ints) -> None:
+        n, count = len(clump), int(clump.max()) + 1
+        self.prolongation = bsr_array((basis, clump, np.arange(n + 1)), shape=(6 * n, 6 * count))
+        self.restriction = self.prolongation.T.tobsr((6, 6))
+        self.matrix = csc_array((self.restriction @ (matrix @ self.prolongation)).tocsc())
+        diagonal = self.matrix.diagonal()
+        # motions that do not exist (all held) get a number of their own
+        extra = np.where(diagonal > 1e-12 * diagonal.max(), _REGULAR * diagonal, diagonal.max())
+        regular = csc_array(self.matrix + dia_array((extra[None], [0]), shape=self.matrix.shape))
+        self._factors = splu(
+            regular, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+        )
+
+    def __call__(self, residual: Floats) -> Floats:
+        """The correction for a residual, shape (6 n,) or (6 n, k)."""
+        return self.prolongation @ self._factors.solve(self.restriction @ residual)
