@@ -19,7 +19,7 @@ _BLOCK = 128
 # wall = lower (3), upper (3), weight (3), radius of the round wall.
 
 # What a call of `relax` ended with.
-CONVERGED, STALE, EXHAUSTED = 0, 1, 2
+CONVERGED, STALE, EXHAUSTED, LOOSE = 0, 1, 2, 3
 
 # FIRE: longest step (the stiffest sphere stays stable to about 0.7), mixing, and when to trust the descent.
 DT_START, DT_MAX, ALPHA, PATIENCE = 0.15, 0.45, 0.25, 10
@@ -31,7 +31,9 @@ def _round_distance(x, y, z, wall):
 
 
 @kernel(parallel=True)
-def relax(sphere, velocity, force, period, wall, start, neighbour, listed, slack, fire, tolerance, steps, report):
+def relax(
+    sphere, velocity, force, period, wall, start, neighbour, listed, slack, fire, tolerance, loose, steps, report
+):
     """Minimise the overlap energy, as far as the neighbour list is valid.
 
     Args:
@@ -46,11 +48,12 @@ def relax(sphere, velocity, force, period, wall, start, neighbour, listed, slack
         slack: how far a centre may move before the list is stale [m].
         fire: time step, mixing and number of steps downhill, (3,), kept between calls.
         tolerance: converged when the rms force is below this share of the mean contact force [-].
+        loose: spheres with a mean overlap below this do not press on each other [m].
         steps: most steps to take.
         report: filled with rms force [m], mean overlap [m], contacts, largest overlap [m], steps taken; (5,).
 
     Returns:
-        CONVERGED, STALE (make a new list and call again) or EXHAUSTED.
+        CONVERGED, LOOSE, STALE (make a new list and call again) or EXHAUSTED.
     """
     n = sphere.shape[0]
     blocks = (n + _BLOCK - 1) // _BLOCK
@@ -115,6 +118,8 @@ def relax(sphere, velocity, force, period, wall, start, neighbour, listed, slack
         report[4] = step
         if math.sqrt(ff / n) <= tolerance * mean:
             return CONVERGED
+        if mean < loose:
+            return LOOSE
         if step == steps:
             return EXHAUSTED
 

@@ -29,4 +29,4 @@ def walls(shape: Shape) -> Floats:
             return np.concatenate([none, everywhere, np.ones(3), [shape.radius]])
         case Cell():
             return np.concatenate([none, everywhere, np.zeros(3), [np.inf]])
-    raise InputError(f"pack knows Cylinder, Box, Ball and Cell, not {shape!r}; pack one of them and bd.carve the rest")
+    raise InputError(f"pack knows Cylinder, Box, Ball and Cell, not {shape!r}; pack one and bd.carve the rest")
