@@ -50,10 +50,11 @@ bond_forces = kernel(parallel=True)(_forces)
 bond_forces_serial = kernel(parallel=False)(_forces)
 
 
-@kernel(parallel=True)
+@kernel(parallel=False)
 def bond_energies(pose, i, j, constants, shear, lever, integrity, period, output):
     """Normal, shear, bending and twisting energy of every bond [J] into rows 0 … 3 of `output` (≥ 4, m)."""
-    for k in prange(len(i)):
+    # without threads: it runs once a record, often on a few bonds, where launching them costs far more
+    for k in range(len(i)):
         a = i[k]
         b = j[k]
         dx = pose[b, 0] - pose[a, 0]
