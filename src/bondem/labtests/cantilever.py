@@ -1,0 +1,221 @@
+"""Static tension, bending and torsion of a clamped specimen against strength of materials.
+
+As in André et al. (2012): the elements at x_min are held, those at x_max loaded, and the mean motion of the
+loaded elements is compared with theory.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints
+from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, rigid_motion, twist_rate
+from bondem.labtests.outcome import Outcome
+from bondem.labtests.tension import paper_length
+from bondem.model.assignment import BondAssignment
+from bondem.model.boundary import Fix, Load
+from bondem.model.model import Model
+from bondem.solve.static import solve_static
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face
+
+
+@dataclass(frozen=True, eq=False)
+class Cantilever:
+    """A specimen as a bar: its face sets, and the two lengths one may give it.
+
+    Attributes:
+        lattice: the specimen.
+        held: elements at x_min, (k,).
+        loaded: elements at x_max, (k,).
+        paper: the bar with L_M of eq (12), from wall to wall.
+        refined: the bar between the mean centres of the two sets, for statics.
+        moving: the bar from the mean centre of the held set to the face x_max, for dynamics: the elements at
+            x_max move with all their mass.
+        overhang: distance of the face x_max, through whose centre loads act, beyond the loaded centres [m].
+    """
+
+    lattice: Lattice
+    held: Ints
+    loaded: Ints
+    paper: Bar
+    refined: Bar
+    moving: Bar
+    overhang: float
+
+    @classmethod
+    def of(
+        cls,
+        lattice: Lattice,
+        *,
+        E: float,
+        nu: float,
+        rho: float = 1.0,
+        gyration: Floats | None = None,
+        depth: float = 0.02,
+    ) -> "Cantilever":
+        """The bar of a specimen whose macroscopic moduli are E [Pa] and ν.
+
+        With `gyration`, that of its `Tension`, the refined bars have the section the axial force fills.
+
+        Raises:
+            EmptyRegionError: no connected element at a face.
+            InputError: the specimen is no Cylinder or Box.
+        """
+        envelope = lattice.particles.envelope
+        section = CrossSection.of(envelope)
+        filled = section if gyration is None else section.filled(gyration)
+        x = lattice.particles.position[:, 0]
+        held, loaded = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))
+        face = float(envelope.face_centre("x_max")[0])
+        span = float(x[loaded].mean() - x[held].mean())
+        return cls(
+            lattice=lattice,
+            held=held,
+            loaded=loaded,
+            paper=Bar(paper_length(lattice, depth), section, E, nu, rho),
+            refined=Bar(span, filled, E, nu, rho),
+            moving=Bar(face - float(x[held].mean()), filled, E, nu, rho),
+            overhang=face - float(x[loaded].mean()),
+        )
+
+    def respond(
+        self, law: BondAssignment, depth: float, *, force: tuple[float, ...] = (0, 0, 0), moment: float = 0.0
+    ) -> Floats:
+        """Displacements [m], (n, 3), under a force on x_max and a moment about x."""
+        model = Model(
+            self.lattice,
+            law,
+            boundary=[
+                Fix(Face("x_min", depth)),
+                Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0)),
+            ],
+        )
+        return solve_static(model).displacement
+
+    def profile(self, displacement: Floats, component: int) -> dict[str, Floats]:
+        """One component of the rigid motion of the cross-sections along x, for figures."""
+        chosen = self.lattice.connected
+        x, motion = profile(self.lattice.particles.position[chosen], displacement[chosen])
+        return {"x": x, "profile": motion[:, component]}
+
+
+def clamped_tension(
+    lattice: Lattice,
+    law: BondAssignment,
+    *,
+    E: float,
+    nu: float,
+    gyration: Floats | None = None,
+    stress: float = 1e6,
+    depth: float = 0.02,
+) -> Outcome:
+    """Mean displacement along x of the face x_max under an axial force, against F L / (E S).
+
+    Args:
+        lattice: the specimen.
+        law: its bonds.
+        E: its own Young's modulus, as `static_tension` measures it [Pa].
+        nu: its own Poisson's ratio, likewise [-].
+        gyration: `Tension.gyration`, for the refined theory.
+        stress: F / S [Pa].
+        depth: of the two faces, in mean radii [-].
+    """
+    bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
+    force = stress * bar.paper.section.area
+    u = bar.respond(law, depth, force=(force, 0.0, 0.0))
+    chosen = middle_half(lattice)
+    strain = AffineField.fit(lattice.particles.position[chosen], u[chosen]).strain[0, 0]
+    return Outcome(
+        name="static_tension",
+        measured=float(u[bar.loaded, 0].mean()),
+        theory=bar.paper.extension(force),
+        theory_refined=bar.refined.extension(force),
+        unit="m",
+        curves=bar.profile(u, 0) | {"gauge_error": np.array(strain * E / stress - 1.0)},
+    )
+
+
+def static_bending(
+    lattice: Lattice,
+    law: BondAssignment,
+    *,
+    E: float,
+    nu: float,
+    gyration: Floats | None = None,
+    stress: float = 1e6,
+    depth: float = 0.02,
+) -> Outcome:
+    """Mean deflection along y of the face x_max under a transverse force.
+
+    Theory is F L³ / (3 E I), and with shear F L / (k G S) more. The refined theory is Timoshenko's, with the
+    force at the face x_max, where it acts, and the deflection where it is measured.
+
+    Args:
+        lattice: the specimen.
+        law: its bonds.
+        E: its own Young's modulus [Pa].
+        nu: its own Poisson's ratio [-].
+        gyration: `Tension.gyration`, for the refined theory.
+        stress: mean shear stress F / S [Pa].
+        depth: of the two faces, in mean radii [-].
+    """
+    bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
+    force = stress * bar.paper.section.area
+    u = bar.respond(law, depth, force=(0.0, force, 0.0))
+    chosen = middle_half(lattice)
+    middle, face = (lattice.particles.envelope.face_centre(name)[0] for name in ("x_min", "x_max"))
+    middle = 0.5 * (middle + face)
+    bent = curvature(lattice.particles.position[chosen], u[chosen], middle)
+    return Outcome(
+        name="static_bending",
+        measured=float(u[bar.loaded, 1].mean()),
+        theory=bar.paper.deflection(force),
+        theory_timoshenko=bar.paper.deflection(force, shear=True),
+        theory_refined=bar.refined.deflection(force, overhang=bar.overhang, shear=True),
+        unit="m",
+        curves=bar.profile(u, 1)
+        | {"gauge_error": np.array(bent * bar.paper.EI / (force * (face - middle)) - 1.0)},
+    )
+
+
+def static_torsion(
+    lattice: Lattice,
+    law: BondAssignment,
+    *,
+    E: float,
+    nu: float,
+    gyration: Floats | None = None,
+    stress: float = 1e6,
+    depth: float = 0.02,
+) -> Outcome:
+    """Rotation about x of the face x_max under a moment about x, against T L / (G J).
+
+    The rotation of the face is the rigid rotation closest to the displacements of its elements.
+
+    Args:
+        lattice: the specimen.
+        law: its bonds.
+        E: its own Young's modulus [Pa].
+        nu: its own Poisson's ratio [-].
+        gyration: `Tension.gyration`, for the refined theory.
+        stress: T √S / J [Pa], about the largest shear stress.
+        depth: of the two faces, in mean radii [-].
+    """
+    bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
+    section = bar.paper.section
+    moment = stress * section.torsion_constant / section.area**0.5
+    u = bar.respond(law, depth, moment=moment)
+    chosen = middle_half(lattice)
+    position = lattice.particles.position
+    rate = twist_rate(position[chosen], u[chosen])
+    return Outcome(
+        name="static_torsion",
+        measured=float(rigid_motion(position[bar.loaded], u[bar.loaded])[3]),
+        theory=bar.paper.twist(moment),
+        theory_refined=bar.refined.twist(moment),
+        unit="rad",
+        curves=bar.profile(u, 3)
+        | {"gauge_error": np.array(rate * bar.paper.G * section.torsion_constant / moment - 1.0)},
+    )

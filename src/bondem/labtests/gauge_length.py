@@ -1,0 +1,122 @@
+"""What a specimen does between its grips, read off the displacements by least squares.
+
+The ends of a specimen, where it is held and loaded, deform in their own way. Its middle half does what
+strength of materials says, so that is where material numbers come from.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints, PerElement3
+from bondem.errors import InputError
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True, eq=False)
+class AffineField:
+    """The affine field closest to given displacements: u(x) = shift + gradient (x - centre).
+
+    Attributes:
+        centre: centroid of the points [m], (3,).
+        shift: mean displacement [m], (3,).
+        gradient: ∂u_i/∂x_j [-], (3, 3).
+    """
+
+    centre: Floats
+    shift: Floats
+    gradient: Floats
+
+    @classmethod
+    def fit(cls, position: PerElement3, displacement: PerElement3) -> "AffineField":
+        """Least squares over all points with equal weight; rigid motion ends up in shift and spin."""
+        centre, shift = position.mean(axis=0), displacement.mean(axis=0)
+        gradient = np.linalg.lstsq(position - centre, displacement - shift, rcond=None)[0].T
+        return cls(centre, shift, gradient)
+
+    @property
+    def strain(self) -> Floats:
+        """Symmetric part of the gradient [-], (3, 3)."""
+        return 0.5 * (self.gradient + self.gradient.T)
+
+    @property
+    def spin(self) -> Floats:
+        """Rotation vector of the antisymmetric part [rad], (3,)."""
+        W = 0.5 * (self.gradient - self.gradient.T)
+        return np.array([W[2, 1], W[0, 2], W[1, 0]])
+
+    def without_rigid_motion(self, position: PerElement3, displacement: PerElement3) -> PerElement3:
+        """Displacements less the shift and the spin of the field [m], (n, 3)."""
+        return displacement - self.shift - np.cross(self.spin, position - self.centre)
+
+
+def middle_half(lattice: Lattice) -> Ints:
+    """Connected elements whose centres lie in the middle half of the length, in the user's order.
+
+    Raises:
+        InputError: too few for a fit.
+    """
+    particles = lattice.particles
+    lower, upper = particles.envelope.bounds
+    x = particles.position[:, 0]
+    inside = np.abs(x - 0.5 * (lower[0] + upper[0])) <= 0.25 * (upper[0] - lower[0])
+    chosen = np.flatnonzero(inside & lattice.connected)
+    if len(chosen) < 12:
+        raise InputError(
+            f"only {len(chosen)} connected elements lie in the middle half of the specimen;"
+            " measuring strain there takes at least 12: use a longer or finer specimen along x"
+        )
+    return chosen
+
+
+def curvature(position: PerElement3, displacement: PerElement3, at: float) -> float:
+    """Rate of turning about z along x at x = `at` [rad/m], from u_x alone.
+
+    A section that turns by θ about z displaces by u_x = -y θ; θ is a parabola under a transverse force.
+    """
+    x, y, z = position.T
+    s = (x - at) / np.ptp(x)
+    basis = np.stack([np.ones_like(s), s, y, y * s, y * s * s, z, z * s, z * s * s], axis=1)
+    fitted = np.linalg.lstsq(basis, displacement[:, 0], rcond=None)[0]
+    return float(-fitted[3] / np.ptp(x))
+
+
+def twist_rate(position: PerElement3, displacement: PerElement3) -> float:
+    """Rate of turning about x along x [rad/m], from u_y and u_z."""
+    x, y, z = position.T
+    s = (x - x.mean()) / np.ptp(x)
+    one, none = np.ones_like(s), np.zeros_like(s)
+    shift = np.stack([one, s], axis=1)
+    turn_y, turn_z = np.stack([-z, -z * s], axis=1), np.stack([y, y * s], axis=1)
+    rest = np.stack([none, none], axis=1)
+    basis = np.block([[shift, rest, turn_y], [rest, shift, turn_z]])
+    fitted = np.linalg.lstsq(basis, np.concatenate([displacement[:, 1], displacement[:, 2]]), rcond=None)[0]
+    return float(fitted[5] / np.ptp(x))
+
+
+def profile(position: PerElement3, displacement: PerElement3, *, slices: int = 24) -> tuple[Floats, Floats]:
+    """Motion of the cross-sections along x.
+
+    Returns:
+        Mean x of each slice [m], (slices,), and its mean displacement and rotation about x, y and z as the
+        closest rigid motion [m, rad], (slices, 6).
+    """
+    x = position[:, 0]
+    edges = np.linspace(x.min(), x.max(), slices + 1)
+    number = np.clip(np.searchsorted(edges, x, side="right") - 1, 0, slices - 1)
+    places, motions = [], []
+    for k in range(slices):
+        part = number == k
+        if part.sum() >= 6:
+            places.append(x[part].mean())
+            motions.append(rigid_motion(position[part], displacement[part]))
+    return np.array(places), np.array(motions).reshape(-1, 6)
+
+
+def rigid_motion(position: PerElement3, displacement: PerElement3) -> Floats:
+    """Mean displacement and least-squares rotation vector of a few elements [m, rad], (6,)."""
+    arm = position - position.mean(axis=0)
+    moved = displacement - displacement.mean(axis=0)
+    inertia = (arm**2).sum() * np.eye(3) - arm.T @ arm
+    turn = np.linalg.pinv(inertia, rcond=1e-9, hermitian=True) @ np.cross(arm, moved).sum(axis=0)
+    return np.concatenate([displacement.mean(axis=0), turn])

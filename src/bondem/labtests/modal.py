@@ -1,0 +1,84 @@
+"""Natural frequencies of a clamped specimen, from its modes."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import InputError
+from bondem.model.assignment import BondAssignment
+from bondem.model.boundary import Fix
+from bondem.model.model import Model
+from bondem.solve.modes import Modes, solve_modes
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face
+
+
+@dataclass(frozen=True, eq=False)
+class NaturalFrequencies:
+    """First natural frequencies of a specimen clamped at x_min.
+
+    Attributes:
+        tension, bending, torsion: [Hz].
+        modes: the modes they were found among.
+        mass_share: effective mass of each mode along x, y, z and about x, as shares of the whole, (count, 4).
+    """
+
+    tension: float
+    bending: float
+    torsion: float
+    modes: Modes
+    mass_share: Floats
+
+
+def natural_frequencies(
+    lattice: Lattice, law: BondAssignment, *, density: float, count: int = 8, depth: float = 0.02
+) -> NaturalFrequencies:
+    """First axial, bending and torsional frequency by `solve_modes`.
+
+    Modes are told apart by effective mass: the first axial and torsional mode carry 81 %, the first pair of
+    bending modes 61 % of all mass. The bending frequency along y is the mean of the pair, weighted with the
+    effective mass along y.
+
+    Args:
+        lattice: the specimen.
+        law: its bonds.
+        density: of the elements, ρ_μ [kg/m³].
+        count: how many modes to look through.
+        depth: of the held face, in mean radii [-].
+
+    Raises:
+        InputError: no mode of a kind among those computed.
+    """
+    model = Model(lattice, law, density=density, boundary=[Fix(Face("x_min", depth))])
+    modes = solve_modes(model, count=count)
+    share = _effective_mass(model, modes.shape)
+
+    def strongest(column: int, name: str) -> float:
+        best = int(np.argmax(share[:, column]))
+        if share[best, column] < 0.4:
+            raise InputError(f"no {name} mode is among the first {count}; pass a larger count=")
+        return float(modes.frequency[best])
+
+    lateral = share[:, 1] + share[:, 2]
+    pair = np.flatnonzero(lateral >= 0.4)
+    if not len(pair) or not share[pair, 1].sum() > 0.0:
+        raise InputError(f"no bending mode is among the first {count}; pass a larger count=")
+    bending = math.sqrt(np.average(modes.frequency[pair] ** 2, weights=share[pair, 1]))
+    return NaturalFrequencies(strongest(0, "axial"), bending, strongest(3, "torsional"), modes, share)
+
+
+def _effective_mass(model: Model, shape: Floats) -> Floats:
+    """(φ·M r)² / (φ·M φ · r·M r) for rigid motions r along x, y, z and about x, shape (count, 4)."""
+    lattice = model.lattice
+    moving = lattice.connected
+    y, z = (lattice.particles.position - lattice.particles.position[moving].mean(axis=0))[:, 1:].T
+    rigid = np.zeros((4, len(y), 6))
+    rigid[range(3), :, range(3)] = 1.0
+    rigid[3, :, 1], rigid[3, :, 2], rigid[3, :, 3] = -z, y, 1.0
+    mass = np.repeat(np.stack([model.mass, model.inertia], axis=1), 3, axis=1) * moving[:, None]
+    crossed = np.einsum("knc,nc,rnc->kr", shape, mass, rigid)
+    own = np.einsum("knc,nc,knc->k", shape, mass, shape)
+    whole = np.einsum("rnc,nc,rnc->r", rigid, mass, rigid)
+    return crossed**2 / (own[:, None] * whole)

@@ -1,0 +1,149 @@
+"""Uniaxial tension of a free specimen: where E and ν of a specimen come from."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.labtests.gauge_length import AffineField, middle_half
+from bondem.model.assignment import BondAssignment
+from bondem.model.boundary import Load
+from bondem.model.model import Model
+from bondem.solve.static import StaticResult, solve_static
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face
+
+
+@dataclass(frozen=True, eq=False)
+class Tension:
+    """Result of a tension test along x.
+
+    Attributes:
+        E: F / (S ε_xx), S the section of the shape and ε_xx of the affine fit [Pa].
+        nu: -(ε_yy + ε_zz) / (2 ε_xx) of the affine fit [-].
+        E_paper: eq (14) of André et al. (2012), with L_M of eq (12) and R_M of eq (13) [Pa].
+        nu_paper: eq (15), or None for a shape without a face "side".
+        stress: F / S [Pa].
+        strain: of the affine fit [-], (3, 3).
+        gyration: ⟨y²⟩ and ⟨z²⟩ of the section as the axial force fills it [m²], (2,); see `force_gyration`.
+        solution: the equilibrium it was read from.
+    """
+
+    E: float
+    nu: float
+    E_paper: float
+    nu_paper: float | None
+    stress: float
+    strain: Floats
+    gyration: Floats
+    solution: StaticResult
+
+
+def static_tension(
+    lattice: Lattice,
+    law: BondAssignment,
+    *,
+    stress: float = 1e6,
+    depth: float = 0.02,
+    guess: StaticResult | None = None,
+) -> Tension:
+    """Pull a free specimen along x by equal and opposite forces on its faces x_min and x_max.
+
+    Strain is the affine least-squares fit of the displacements of all connected elements in the middle half
+    of the length; rigid motion drops out of it.
+
+    Args:
+        lattice: the specimen.
+        law: its bonds.
+        stress: F / S [Pa]; the result does not depend on it, the solution is linear.
+        depth: of the loaded faces, in mean radii [-].
+        guess: equilibrium of a similar specimen, to start the solver from.
+
+    Raises:
+        EmptyRegionError: no connected element at a face.
+        InputError: too few elements in the middle half.
+    """
+    section = lattice.particles.envelope.section()
+    force = stress * section
+    model = Model(
+        lattice,
+        law,
+        boundary=[
+            Load(Face("x_max", depth), force=(force, 0.0, 0.0)),
+            Load(Face("x_min", depth), force=(-force, 0.0, 0.0)),
+        ],
+    )
+    solution = solve_static(model, guess=guess)
+    chosen = middle_half(lattice)
+    position = lattice.particles.position
+    field = AffineField.fit(position[chosen], solution.displacement[chosen])
+    axial, *lateral = np.diag(field.strain)
+    moved = field.without_rigid_motion(position, solution.displacement)
+    E_paper, nu_paper = _paper_moduli(lattice, moved, force, depth)
+    return Tension(
+        E=stress / axial,
+        nu=-0.5 * sum(lateral) / axial,
+        E_paper=E_paper,
+        nu_paper=nu_paper,
+        stress=stress,
+        strain=field.strain,
+        gyration=force_gyration(model, solution),
+        solution=solution,
+    )
+
+
+def force_gyration(model: Model, solution: StaticResult) -> Floats:
+    """Where in the section the axial force of a tension test runs: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
+
+    The mean over the middle half of the length, each bond weighted with its axial force times its extent along
+    x. A homogeneous section gives I/S; one whose skin is soft gives less, and bends that much more easily.
+    """
+    lattice = model.lattice
+    i, j = lattice.pairs.T
+    position = lattice.particles.position
+    lower, upper = lattice.particles.envelope.bounds
+    x = 0.5 * (position[i, 0] + position[j, 0])
+    chosen = np.abs(x - 0.5 * (lower[0] + upper[0])) <= 0.25 * (upper[0] - lower[0])
+    weight = (bond_forces(model, solution)[:, 0] * lattice.branch[:, 0])[chosen]
+    a, b = position[i[chosen], 1:], position[j[chosen], 1:]
+    centre = weight @ (0.5 * (a + b)) / weight.sum()
+    return weight @ ((a * a + a * b + b * b) / 3.0) / weight.sum() - centre**2
+
+
+def bond_forces(model: Model, solution: StaticResult) -> Floats:
+    """Force of each bond on its element i in a linear equilibrium, tension pointing to j [N], (m, 3)."""
+    lattice, k = model.lattice, model.stiffness
+    i, j = lattice.pairs.T
+    direction = lattice.branch / lattice.length[:, None]
+    a = k.lever[:, None]
+    b = lattice.length[:, None] - a
+    u, turn = solution.displacement, solution.rotation
+    slip = u[j] - u[i] + np.cross(direction, a * turn[i] + b * turn[j])
+    along = (slip * direction).sum(axis=1)[:, None] * direction
+    return k.kn[:, None] * along + k.ks[:, None] * (slip - along)
+
+
+def paper_length(lattice: Lattice, depth: float = 0.02) -> float:
+    """L_M of eq (12), its sign corrected: 2 R̄ + ⟨x⟩ of face x_max - ⟨x⟩ of face x_min [m]."""
+    x = lattice.particles.position[:, 0]
+    ends = [x[Face(name, depth).select(lattice)].mean() for name in ("x_min", "x_max")]
+    return float(2.0 * lattice.particles.mean_radius + ends[1] - ends[0])
+
+
+def _paper_moduli(
+    lattice: Lattice, displacement: Floats, force: float, depth: float
+) -> tuple[float, float | None]:
+    """E_M and ν_M of eqs (12)-(15), from displacements without rigid motion."""
+    position, envelope = lattice.particles.position, lattice.particles.envelope
+    first, last = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))
+    stretch = displacement[last, 0].mean() - displacement[first, 0].mean()
+    strain = float(stretch / paper_length(lattice, depth))
+    if "side" not in envelope.faces:
+        return force / envelope.section() / strain, None
+    side = Face("side", depth).select(lattice)
+    y, z = position[side, 1:].T
+    distance = np.hypot(y, z)
+    radius = float(lattice.particles.mean_radius + distance.mean())
+    swell = float(((y * displacement[side, 1] + z * displacement[side, 2]) / distance).mean())
+    return force / (math.pi * radius**2) / strain, -swell / radius / strain
