@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 from scipy.sparse import bsr_array, csc_array, dia_array
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from bondem._types import Floats, Ints, PerElement3
 
@@ -76,4 +76,16 @@ class Clumps:
 
     def __call__(self, residual: Floats) -> Floats:
         """The correction for a residual, shape (6 n,) or (6 n, k)."""
-        return self.prolongation @ self._factors.solve(self.restriction @ residual)
+        coarse = self.restriction @ residual
+        if coarse.ndim == 1:
+            return self.prolongation @ self._factors.solve(coarse)
+        # one by one: SuperLU hands several columns to threaded BLAS, which is slower
+        return self.prolongation @ np.stack([self._factors.solve(column) for column in coarse.T.copy()], axis=1)
+
+    def modes(self, mass: bsr_array, count: int) -> Floats:
+        """Lowest modes of the pencil (matrix, mass) among the motions of the clumps, shape (6 n, count)."""
+        inverse = LinearOperator(self.matrix.shape, matvec=self._factors.solve, dtype=float)
+        coarse = csc_array((self.restriction @ (mass @ self.prolongation)).tocsc())
+        start = coarse @ np.random.default_rng(0).standard_normal(coarse.shape[0])
+        vectors = eigsh(self.matrix, k=count, M=coarse, sigma=0.0, OPinv=inverse, v0=start, tol=1e-3)[1]
+        return self.prolongation @ vectors

@@ -8,6 +8,7 @@ gradients, preconditioned by `Clumps`, run to a residual so small that it does n
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from scipy.sparse import bsr_array, csc_array
@@ -19,13 +20,12 @@ from bondem.kernels.block_matvec import block_matvec
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.solve.clumps import Clumps, clump_motions, clump_of
+from bondem.solve.tall import combine, dot, gram
 
 # Up to this many elements, or in a lattice that is little more than a chain, elimination wins.
 _DIRECT = 1500
 _CHAIN = 1.5
 _ROUNDS = 5000
-
-Solve = Callable[..., Floats]
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,12 +55,11 @@ class System:
         held = model.constraints.held(len(order)) & connected[:, None]
         metric = np.tile(np.repeat([1.0, lattice.particles.mean_radius], 3), len(order))
         loose = rigid_motions(position, lattice.particles.period is not None) * connected[:, None, None]
-        loose = np.linalg.qr(loose.reshape(len(metric), -1) * metric[:, None])[0]
+        loose = orthonormal(loose.reshape(len(metric), -1) * metric[:, None])
         if held.any():
-            grip = np.linalg.qr(loose[held.ravel()], mode="r")
-            _, size, turn = np.linalg.svd(grip)
-            gripped = int((size > 1e-9 * size[0]).sum())
-            loose = loose @ turn[gripped:].T
+            grip = loose[held.ravel()]
+            size, turn = np.linalg.eigh(gram(grip, grip))
+            loose = combine(loose, turn[:, size <= 1e-12 * size[-1]])
         return cls(
             matrix=stiffness_matrix(model),
             position=position,
@@ -74,7 +73,16 @@ class System:
         if self.loose.shape[1] == 0:
             return motion
         weight = np.tile(np.repeat([1.0, self.length**2], 3), len(self.free))
-        return motion - self.loose @ (self.loose.T @ (weight * motion))
+        part = gram(self.loose, (weight * motion)[:, None])
+        return motion - combine(self.loose, part)[:, 0]
+
+
+def orthonormal(vectors: Floats) -> Floats:
+    """Vectors (rows, k) of the same span, orthonormal."""
+    for _ in range(2):
+        vectors = vectors / np.sqrt(np.einsum("nk,nk->k", vectors, vectors))
+        vectors = combine(vectors, np.linalg.inv(np.linalg.cholesky(gram(vectors, vectors))).T)
+    return vectors
 
 
 def rigid_motions(position: Floats, periodic: bool) -> Floats:
@@ -83,79 +91,117 @@ def rigid_motions(position: Floats, periodic: bool) -> Floats:
     return motions[:, :, :3] if periodic else motions
 
 
-def solver(system: System) -> Solve:
-    """What solves K u = f for one system and many right-hand sides.
+class Solver(Protocol):
+    """Solves K u = f for one system and many right-hand sides."""
 
-    Returns:
-        solve(load, *, guess=None, rtol=1e-10): u (6 n,) for a load (6 n,), zero where held and without rigid
-        motion. `load` must do no work on `system.loose`; what acts on held degrees of freedom is ignored.
+    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
+        """Displacements and rotations u (6 n,), zero where held and without rigid motion.
 
-    Raises:
-        ConvergenceError: (on solving) no bond resists the load.
-    """
+        Args:
+            load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where held.
+            guess: where an iteration starts.
+            rtol: when it ends, residual over load.
+
+        Raises:
+            ConvergenceError: no bond resists the load.
+        """
+        ...
+
+
+def solver(system: System) -> Solver:
+    """The faster of elimination and iteration."""
+    return Elimination(system) if prefers_elimination(system) else Iteration(system)
+
+
+def prefers_elimination(system: System) -> bool:
+    """Whether a lattice is so small, or so nearly a chain, that elimination wins."""
     n = len(system.free)
     bonds = (len(system.matrix.indices) - n) // 2
-    if n <= _DIRECT or bonds <= _CHAIN * n:
-        return _eliminating(system)
-    return _iterating(system)
+    return n <= _DIRECT or bonds <= _CHAIN * n
 
 
-def _eliminating(system: System) -> Solve:
+class Elimination:
     """LU of what is free; where the specimen is free to move, one degree of freedom a motion is grounded."""
-    free = system.free.ravel().copy()
-    loose = system.loose * np.tile(np.repeat([1.0, system.length], 3), len(system.free))[:, None]
-    for _ in range(loose.shape[1]):
-        grip = np.argmax((loose**2).sum(axis=1) * free)
-        free[grip] = False
-        turn = np.linalg.svd(loose[grip][None])[2]
-        loose = loose @ turn[1:].T
-    live = np.flatnonzero(free)
-    matrix = csc_array(system.matrix.tocsc())[:, live][live]
-    scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))
-    matrix = csc_array(matrix.multiply(scale[:, None]).multiply(scale))
-    try:
-        factors = splu(
-            matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-        )
-    except RuntimeError:  # singular: a mechanism, on which the load need not work
-        return _iterating(system)
-    iterate: list[Solve] = []
 
-    def solve(load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
-        right = scale * load[live]
-        x = factors.solve(right)
-        x += factors.solve(right - matrix @ x)
-        if not np.linalg.norm(right - matrix @ x) <= 1e-6 * np.linalg.norm(right):
-            iterate or iterate.append(_iterating(system))
-            return iterate[0](load, guess=guess, rtol=rtol)
-        solution = np.zeros_like(load)
-        solution[live] = scale * x
-        return system.without_rigid_motion(solution)
+    def __init__(self, system: System) -> None:
+        self._system = system
+        self._iteration: Iteration | None = None
+        free = system.free.ravel().copy()
+        loose = system.loose * np.tile(np.repeat([1.0, system.length], 3), len(system.free))[:, None]
+        for _ in range(loose.shape[1]):
+            grip = np.argmax((loose**2).sum(axis=1) * free)
+            free[grip] = False
+            loose = loose @ np.linalg.svd(loose[grip][None])[2][1:].T
+        self._live = np.flatnonzero(free)
+        matrix = csc_array(system.matrix.tocsc())[:, self._live][self._live]
+        self._scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))
+        self._matrix = csc_array(matrix.multiply(self._scale[:, None]).multiply(self._scale))
+        try:
+            self._factors = splu(
+                self._matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
+            )  # fmt: skip
+        except RuntimeError:  # singular: a mechanism, on which a load need not work
+            self._iteration = Iteration(system)
 
-    return solve
+    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
+        """See `Solver`."""
+        if self._iteration is None:
+            right = self._scale * load[self._live]
+            x = self._factors.solve(right)
+            x += self._factors.solve(right - self._matrix @ x)
+            if np.linalg.norm(right - self._matrix @ x) <= 1e-8 * np.linalg.norm(right):
+                solution = np.zeros_like(load)
+                solution[self._live] = self._scale * x
+                return self._system.without_rigid_motion(solution)
+            self._iteration = Iteration(self._system)
+        return self._iteration.solve(load, guess=guess, rtol=rtol)
 
 
-def _iterating(system: System) -> Solve:
-    """Conjugate gradients on Sᵀ K S with the coarse correction of clumps."""
-    K = system.matrix
-    root, back = element_roots(K, system.free)
-    row = np.repeat(np.arange(len(root)), np.diff(K.indptr))
-    turned = np.ascontiguousarray(np.swapaxes(root, 1, 2))
-    scaled = bsr_array((turned[row] @ K.data @ root[K.indices], K.indices, K.indptr), shape=K.shape)
-    clump = clump_of(system.position)
-    coarse = Clumps(scaled, back @ clump_motions(system.position, clump), clump)
+class Iteration:
+    """Conjugate gradients on Sᵀ K S with the coarse correction of clumps.
 
-    def by_element(blocks: Floats, values: Floats) -> Floats:
-        return np.einsum("nij,nj->ni", blocks, values.reshape(-1, 6)).ravel()
+    Attributes:
+        root: S of each element, shape (n, 6, 6).
+        scaled: Sᵀ K S.
+        coarse: its coarse correction.
+    """
 
-    def solve(load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
+    def __init__(self, system: System) -> None:
+        self._system = system
+        K = system.matrix
+        self.root, self._back = element_roots(K, system.free)
+        self._turned = np.ascontiguousarray(np.swapaxes(self.root, 1, 2))
+        row = np.repeat(np.arange(len(self.root)), np.diff(K.indptr))
+        data = self._turned[row] @ K.data @ self.root[K.indices]
+        self.scaled = bsr_array((data, K.indices, K.indptr), shape=K.shape)
+        clump = clump_of(system.position)
+        self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
+
+    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
+        """See `Solver`."""
+        system = self._system
         start = np.zeros_like(load) if guess is None else np.where(system.free.ravel(), guess, 0.0)
-        right = by_element(turned, load)
-        residual = right if guess is None else right - by_element(turned, K @ start)
-        x = conjugate_gradients(scaled, lambda r: r + coarse(r), residual, rtol * np.sqrt(dot(right, right)))
-        return system.without_rigid_motion(start + by_element(root, x))
+        right = _by_element(self._turned, load)
+        residual = right if guess is None else right - _by_element(self._turned, system.matrix @ start)
+        x = conjugate_gradients(self.scaled, self.approximate, residual, rtol * np.sqrt(dot(right, right)))
+        return system.without_rigid_motion(start + _by_element(self.root, x))
 
-    return solve
+    def approximate(self, residual: Floats) -> Floats:
+        """Roughly (Sᵀ K S)⁻¹ times residuals of shape (6 n,) or (6 n, k)."""
+        return residual + self.coarse(residual)
+
+    def displacement(self, unknowns: Floats) -> Floats:
+        """S x for every column of (6 n, k)."""
+        return _by_element(self.root, unknowns)
+
+    def unscaled(self, displacement: Floats) -> Floats:
+        """S⁻¹ u for every column of (6 n, k)."""
+        return _by_element(self._back, displacement)
+
+
+def _by_element(blocks: Floats, values: Floats) -> Floats:
+    return np.matmul(blocks, values.reshape(len(blocks), 6, -1)).reshape(values.shape)
 
 
 def element_roots(matrix: bsr_array, free: Mask) -> tuple[Floats, Floats]:
@@ -203,8 +249,3 @@ def conjugate_gradients(
         "the static solution did not converge: the load moves a mechanism that no bond resists (elements"
         " free to roll under bonds without moments, or too few bonds); fix more, or choose a law with moments"
     )
-
-
-def dot(a: Floats, b: Floats) -> float:
-    """a·b summed in one order whatever the number of threads, as BLAS does not."""
-    return float(np.einsum("i,i->", a, b))

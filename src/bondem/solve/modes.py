@@ -1,0 +1,138 @@
+"""Natural modes of a model: K φ = ω² M φ."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import eigh
+from scipy.sparse import bsr_array, csc_array, diags_array
+from scipy.sparse.linalg import LinearOperator, eigsh
+
+from bondem._types import Floats
+from bondem.errors import ConvergenceError, InputError
+from bondem.model.matrices import mass_diagonal
+from bondem.model.model import Model
+from bondem.solve.linear import Elimination, Iteration, System, orthonormal, prefers_elimination
+from bondem.solve.tall import combine, gram
+
+# Vectors iterated beside the wanted ones, so that a wanted pair is not cut in two.
+_GUARD = 4
+# Error of ω² at which the iteration stops, as a share of ω².
+_TOLERANCE = 1e-9
+_ROUNDS = 300
+
+
+@dataclass(frozen=True, eq=False)
+class Modes:
+    """The lowest natural modes; a motion the supports leave free is no mode.
+
+    Attributes:
+        frequency: ω / 2π, ascending [Hz], shape (count,).
+        shape: φ of each mode, translations and rotations (u, θ) in the user's order, normalised to
+            φᵀ M φ = 1 kg·m², largest component positive, shape (count, n, 6).
+    """
+
+    frequency: Floats
+    shape: Floats
+
+
+def solve_modes(model: Model, *, count: int = 8) -> Modes:
+    """Lowest natural frequencies and modes, without damping.
+
+    What is fixed or driven is held; rigid motions that the supports permit are left out, as are rattlers.
+
+    Raises:
+        InputError: more modes than the model has.
+        ConvergenceError: the iteration stopped before the tolerance of 1e-6 on frequencies.
+    """
+    system, mass = System.of(model), mass_diagonal(model)
+    available = int(system.free.sum()) - system.loose.shape[1]
+    if not 1 <= count <= available:
+        raise InputError(f"count = {count}; the model has {available} modes, ask for 1 to {available}")
+    if available <= max(200, 4 * count):
+        square, shape = _dense(system, mass, count)
+    elif prefers_elimination(system):
+        square, shape = _inverse_lanczos(system, mass, count)
+    else:
+        square, shape = _block_gradients(system, mass, count)
+    shape /= np.sqrt((mass[:, None] * shape**2).sum(axis=0))
+    shape *= np.sign(shape[np.abs(shape).argmax(axis=0), np.arange(count)])
+    frequency = np.sqrt(np.maximum(square, 0.0)) / (2.0 * np.pi)
+    return Modes(frequency, shape.T.reshape(count, -1, 6)[:, model.layout.rank].copy())
+
+
+def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats]:
+    live = np.flatnonzero(system.free)
+    matrix = csc_array(system.matrix.tocsc())[:, live][live].toarray()
+    scale = 1.0 / np.sqrt(mass[live])
+    none = system.loose.shape[1]
+    square, vector = eigh(matrix * scale[:, None] * scale, subset_by_index=[none, none + count - 1])
+    shape = np.zeros((len(mass), count))
+    shape[live] = scale[:, None] * vector
+    return square, shape
+
+
+def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, Floats]:
+    root = np.sqrt(mass)
+    rigid = orthonormal(root[:, None] * system.loose)
+    elimination = Elimination(system)
+
+    def free(v: Floats) -> Floats:
+        return v - combine(rigid, gram(rigid, v[:, None]))[:, 0]
+
+    def inverse(v: Floats) -> Floats:
+        return free(root * elimination.solve(root * free(v * alive)))
+
+    alive = system.free.ravel().astype(float)
+    scale = diags_array(1.0 / root)
+    size = (len(mass), len(mass))
+    start = free(alive * np.random.default_rng(0).standard_normal(len(mass)))
+    square, vector = eigsh(
+        csc_array(scale @ system.matrix @ scale), k=count, sigma=0.0, v0=start, tol=1e-12,
+        OPinv=LinearOperator(size, matvec=inverse, dtype=float),
+    )  # fmt: skip
+    order = np.argsort(square)
+    return square[order], vector[:, order] / root[:, None]
+
+
+def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats]:
+    """Locally optimal block preconditioned conjugate gradients (Knyazev 2001), begun with the clumps' modes."""
+    iteration = Iteration(system)
+    n, none = len(iteration.root), system.loose.shape[1]
+    root = iteration.root
+    blocks = np.swapaxes(root, 1, 2) @ (mass.reshape(n, 6, 1) * root)
+    K, M = iteration.scaled, bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=iteration.scaled.shape)
+    width = min(count + _GUARD, int(system.free.sum()) - none)
+    rigid = iteration.unscaled(system.loose)
+    rigid = combine(rigid, np.linalg.inv(np.linalg.cholesky(gram(rigid, M @ rigid))).T)
+    M_rigid = M @ rigid
+    S = iteration.coarse.modes(M, width + none)
+    S -= combine(rigid, gram(M_rigid, S))
+    KS, MS = K @ S, M @ S
+    last = 0
+    for _ in range(_ROUNDS):
+        square, turn = _ritz(gram(S, KS), gram(S, MS), width)
+        X, KX, MX = combine(S, turn), combine(KS, turn), combine(MS, turn)
+        R = KX - MX * square
+        W = iteration.approximate(R)
+        # bounds the error of each ω², but for the quality of the preconditioner
+        error = np.einsum("nk,nk->k", R, W)
+        if (error[:count] <= _TOLERANCE * square[:count]).all():
+            return square[:count], iteration.displacement(X[:, :count])
+        W -= combine(rigid, gram(M_rigid, W))
+        turn[:last] = 0.0
+        last = width
+        S, KS, MS = (
+            np.hstack([new, fresh, combine(old, turn)])
+            for new, fresh, old in ((X, W, S), (KX, K @ W, KS), (MX, M @ W, MS))
+        )
+    raise ConvergenceError(f"the first {count} modes did not converge; ask for fewer with count=")
+
+
+def _ritz(K: Floats, M: Floats, count: int) -> tuple[Floats, Floats]:
+    """Lowest eigenvalues and vectors of a small pencil whose vectors may nearly depend on each other."""
+    scale = 1.0 / np.sqrt(M.diagonal())
+    size, vector = np.linalg.eigh(M * scale[:, None] * scale)
+    keep = size > 1e-12 * size[-1]
+    basis = scale[:, None] * vector[:, keep] / np.sqrt(size[keep])
+    square, turn = np.linalg.eigh(basis.T @ K @ basis)
+    return square[:count], basis @ turn[:, :count]
