@@ -11,10 +11,11 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.events import Event
 from bondem.solve.explicit import ExplicitResult, Plan, Status, integrate, settled
+from bondem.solve.modes import solve_modes
 from bondem.solve.schemes import Scheme, VelocityVerlet
 from bondem.solve.static import solve_static
 
-__all__ = ["resume", "solve_explicit", "solve_static"]
+__all__ = ["resume", "solve_explicit", "solve_modes", "solve_static"]
 
 
 def solve_explicit(

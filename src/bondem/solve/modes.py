@@ -17,7 +17,7 @@ from bondem.solve.tall import combine, gram
 # Vectors iterated beside the wanted ones, so that a wanted pair is not cut in two.
 _GUARD = 4
 # Error of ω² at which the iteration stops, as a share of ω².
-_TOLERANCE = 1e-9
+_TOLERANCE = 1e-8
 _ROUNDS = 300
 
 

@@ -54,7 +54,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     start = None
     if guess is not None:
         start = np.hstack([guess.displacement, guess.rotation])[layout.order].ravel()
-    solution = motion + solver(system)(right, guess=start)
+    solution = motion + solver(system).solve(right, guess=start)
     reaction = np.where(constraints.held(n), (system.matrix @ solution - load).reshape(n, 6), 0.0)
     values = solution.reshape(n, 6)[layout.rank]
     displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
