@@ -48,7 +48,7 @@ def solve_explicit(
         save_every: steps between checkpoints; 0 for the last state only.
         until: events that end the run early.
         safety: share of the critical step to use when dt is None [-].
-        state: where to start; it is changed in place.
+        state: where to start, such as the end of another run; it is changed in place, and its time goes on.
         device: "cpu".
         out: run file (HDF5) to write; nothing is written when None.
         progress: called now and then with the share done, 0 … 1.
@@ -76,6 +76,8 @@ def solve_explicit(
     )
     plan = settled(model, plan)
     sink = RunFile(out, model, plan) if out is not None else None
+    if state is not None:
+        state.begin(model)
     return integrate(model, plan, state=state, sink=sink, progress=progress)
 
 

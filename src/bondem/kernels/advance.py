@@ -60,7 +60,7 @@ def sample(
     record[7] = total
     total = 0.0
     for p in range(len(loss)):
-        total += loss[p]
+        total += loss[p, 0]
     record[8] = total
     for g in range(len(gauge_quantity)):
         quantity, reduction = gauge_quantity[g], gauge_reduction[g]

@@ -8,8 +8,6 @@ Both schemes are one update with three coefficients (bondem.solve.schemes):
 Boundary conditions live on the few elements that own a row (`row_of[p] >= 0`); the others pay one test.
 """
 
-import math
-
 from bondem._compile import device, kernel, prange
 from bondem.laws.damping import local_damping
 from bondem.laws.rotations import turn
@@ -135,11 +133,14 @@ def _close(
             t0 += row_force[r, 3]
             t1 += row_force[r, 4]
             t2 += row_force[r, 5]
+            f0 = 0.0 if row_fixed[r, 0] else f0
+            f1 = 0.0 if row_fixed[r, 1] else f1
+            f2 = 0.0 if row_fixed[r, 2] else f2
+            t0 = 0.0 if row_fixed[r, 3] else t0
+            t1 = 0.0 if row_fixed[r, 4] else t1
+            t2 = 0.0 if row_fixed[r, 5] else t2
+        g0, g1, g2, h0, h1, h2 = f0, f1, f2, t0, t1, t2
         if gamma > 0.0:
-            loss[p] += (gamma * dt) * (
-                math.fabs(f0 * vx) + math.fabs(f1 * vy) + math.fabs(f2 * vz)
-                + math.fabs(t0 * wx) + math.fabs(t1 * wy) + math.fabs(t2 * wz)
-            )  # fmt: skip
             f0 = local_damping(f0, vx, gamma)
             f1 = local_damping(f1, vy, gamma)
             f2 = local_damping(f2, vz, gamma)
@@ -150,13 +151,6 @@ def _close(
         u = motion[p, 7]
         ax, ay, az = m * f0, m * f1, m * f2
         bx, by, bz = u * t0, u * t1, u * t2
-        if r >= 0:
-            ax = 0.0 if row_fixed[r, 0] else ax
-            ay = 0.0 if row_fixed[r, 1] else ay
-            az = 0.0 if row_fixed[r, 2] else az
-            bx = 0.0 if row_fixed[r, 3] else bx
-            by = 0.0 if row_fixed[r, 4] else by
-            bz = 0.0 if row_fixed[r, 5] else bz
         # two kicks also where they could be one: the bits must not depend on where a run pauses
         vx += finish * ax
         vy += finish * ay
@@ -164,6 +158,13 @@ def _close(
         wx += finish * bx
         wy += finish * by
         wz += finish * bz
+        if gamma > 0.0:
+            # the velocity between the two kicks gives their work, and the trapezoidal rule a second-order ledger
+            power = (
+                (g0 - f0) * vx + (g1 - f1) * vy + (g2 - f2) * vz + (h0 - t0) * wx + (h1 - t1) * wy + (h2 - t2) * wz
+            )
+            loss[p, 0] += 0.5 * dt * (loss[p, 1] + power)
+            loss[p, 1] = power
         if r >= 0:
             work[r] += _switched(row_fixed, row_full, r, m, u, vx, vy, vz, wx, wy, wz)
             vx, vy, vz, wx, wy, wz = _prescribed(row_fixed, row_full, r, vx, vy, vz, wx, wy, wz)

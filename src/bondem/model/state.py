@@ -22,7 +22,7 @@ class State:
             where none was set.
         reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
         work: of loads and drives on each row since the start [J], shape (r,).
-        loss: taken by damping from each element [J], shape (n,).
+        loss: energy damping has taken from each element, and its present power [J, W], shape (n, 2).
         step: steps done.
         time: [s].
         stale: whether the acceleration must be found anew before the next step.
@@ -46,7 +46,7 @@ class State:
         self.eigenstrain = np.zeros(0)
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(rows)
-        self.loss = np.zeros(n)
+        self.loss = np.zeros((n, 2))
         self.step = 0
         self.time = 0.0
         self.stale = True
@@ -60,6 +60,23 @@ class State:
         for name in self.ARRAYS:
             setattr(twin, name, getattr(self, name).copy())
         return twin
+
+    def begin(self, model: Model) -> None:
+        """Make this the start of a new run of `model`, the same lattice under the same or other conditions.
+
+        Time, motion and bonds go on; steps, work and losses are counted from here.
+
+        Raises:
+            InputError: the state of another lattice.
+        """
+        if not np.array_equal(model.layout.order, self.layout.order) or len(model.layout.i) != len(self.integrity):
+            raise InputError("state belongs to another lattice; start from a state of this one, or leave state= out")
+        rows = len(model.constraints.element)
+        self.reaction = np.zeros((rows, 6))
+        self.work = np.zeros(rows)
+        self.loss[:] = 0.0
+        self.step = 0
+        self.stale = True
 
     def _by_user(self, internal: np.ndarray) -> np.ndarray:
         return internal[self.layout.rank]

@@ -1,0 +1,110 @@
+"""The same bits whatever the number of threads, and wherever a run pauses."""
+
+import numba
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.kernels.advance import SERIAL_BONDS
+from bondem.laws.damping import LocalDamping
+from bondem.model.state import State
+from bondem.solve.explicit import ExplicitResult, Plan, integrate
+from bondem.solve.history import History
+from bondem.solve.timestep import critical_step
+
+GAUGES = {
+    "end": bd.Gauge(bd.Face("x_max", depth=0.5), "displacement"),
+    "grip": bd.Gauge(bd.Face("x_min", depth=0.5), "force", "sum"),
+    "fastest": bd.Gauge(bd.Everything(), "velocity", "max_abs"),
+    "turned": bd.Gauge(bd.Everything(), "rotation"),
+}
+DAMPING = LocalDamping(0.1)
+
+
+def bar(shape: tuple[int, int, int], formulation: str = "total") -> bd.Model:
+    """A crooked bar, held at one end, loaded by a ramp at the other and driven in the middle."""
+    rng = np.random.default_rng(1)
+    grid = np.indices(shape).reshape(3, -1).T.astype(float)
+    radius = rng.uniform(0.3, 0.4, len(grid))
+    position = grid + rng.uniform(-0.1, 0.1, grid.shape)
+    lattice = bd.connect(bd.Particles(position, radius), reach=2.0)
+    law = bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6, formulation=formulation)
+    boundary = [
+        bd.Fix(bd.Face("x_min", depth=0.5)),
+        bd.Drive(bd.Index([len(grid) // 2]), vy=bd.Ramp(0.0, 0.4, 0.05), rx=bd.Ramp(0.0, 0.1, 0.03)),
+        bd.Load(bd.Face("x_max", depth=0.5), force=(3e4, -1e4, 2e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
+    ]
+    return bd.Model(lattice, law, density=rng.uniform(900.0, 1100.0, len(grid)), boundary=boundary)
+
+
+def state_of(model: bd.Model) -> State:
+    rng = np.random.default_rng(7)
+    state = State(model)
+    state.set_motion(velocity=rng.uniform(-0.5, 0.5, (len(state.pose), 3)))
+    return state
+
+
+def assert_same_bits(first: ExplicitResult, second: ExplicitResult) -> None:
+    assert first.status is second.status
+    assert first.state.step == second.state.step
+    for name in State.ARRAYS:
+        np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
+
+
+def test_one_and_two_threads_agree_to_the_bit() -> None:
+    if numba.config.NUMBA_NUM_THREADS < 2:
+        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    model = bar((12, 10, 10))
+    assert len(model.lattice.pairs) > 2 * SERIAL_BONDS
+    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    plan = Plan(duration=230 * dt, dt=dt, damping=DAMPING, gauges=GAUGES, every=20)
+    results = []
+    for count in (1, 2):
+        with threads(count):
+            results.append(integrate(model, plan, state=state_of(model)))
+    assert_same_bits(*results)
+    np.testing.assert_array_equal(results[0].history.records, results[1].history.records)
+    assert np.abs(results[0].history["end"][-1]).max() > 1e-3
+    assert results[0].history.energy["loss"][-1] > 0.0
+
+
+@pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz(1.2)], ids=["Verlet", "TW"])
+@pytest.mark.parametrize("formulation", ["total", "incremental"])
+def test_pausing_changes_no_bit(formulation: str, scheme) -> None:
+    model = bar((5, 2, 3), formulation)
+    dt = 0.8 * critical_step(model, scheme)
+
+    def run(steps: int, every: int, state: State, history: History | None = None, **options) -> ExplicitResult:
+        plan = Plan(
+            duration=steps * dt, dt=dt, scheme=scheme, damping=DAMPING, gauges=GAUGES, every=every, **options
+        )
+        return integrate(model, plan, state=state, history=history)
+
+    with threads(1):
+        whole = run(450, 30, state_of(model))
+        for every in (0, 1, 7, 450):
+            assert_same_bits(whole, run(450, every, state_of(model)))
+        saved = run(450, 30, state_of(model), save_every=37)
+        assert_same_bits(whole, saved)
+        np.testing.assert_array_equal(whole.history.records, saved.history.records)
+
+        part = run(173, 30, state_of(model))
+        rest = run(450, 30, part.state.copy(), part.history)
+        assert_same_bits(whole, rest)
+        np.testing.assert_array_equal(whole.history.records, rest.history.records)
+
+
+def test_a_second_stage_may_be_split_too() -> None:
+    """Time goes on where the first stage ended, with another step; the schedules must see the same times."""
+    model = bar((5, 2, 3))
+    dt = 0.8 * critical_step(model, bd.VelocityVerlet())
+    first = integrate(model, Plan(duration=101 * dt, dt=dt, every=0), state=state_of(model)).state
+    other = 0.37 * dt
+
+    def go_on(state: State, steps: int) -> ExplicitResult:
+        return integrate(model, Plan(duration=(101 + steps) * other, dt=other, every=0, damping=DAMPING), state=state)
+
+    whole = go_on(first.copy(), 300)
+    split = go_on(go_on(go_on(first.copy(), 33).state, 150).state, 300)
+    assert_same_bits(whole, split)

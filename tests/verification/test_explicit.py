@@ -1,0 +1,355 @@
+"""Explicit dynamics against closed forms and conservation laws; tolerances from the order of the schemes."""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.errors import InputError, UnstableStepError
+from bondem.laws.damping import LocalDamping
+from bondem.model.matrices import mass_diagonal, stiffness_matrix
+from bondem.model.state import State
+from bondem.solve.explicit import Plan, Status, integrate, settled
+from bondem.solve.schemes import Scheme
+from bondem.solve.timestep import critical_step, highest_frequency
+
+E, RHO = 2.0e6, 1200.0
+LAW = bd.Timoshenko(E=E, nu=0.25, radius_ratio=0.5)
+
+
+@pytest.fixture(autouse=True)
+def _one_thread() -> Iterator[None]:
+    with threads(1):
+        yield
+
+
+def rod(count: int, **options) -> bd.Model:
+    """A straight rod of touching elements along x, of unequal radii."""
+    radius = 0.5 * (1.0 + 0.2 * np.cos(np.arange(count)))
+    x = np.concatenate([[0.0], np.cumsum(radius[1:] + radius[:-1])])
+    position = np.column_stack([x, 0 * x, 0 * x])
+    pairs = np.column_stack([np.arange(count - 1), np.arange(1, count)])
+    return bd.Model(bd.Lattice(bd.Particles(position, radius), pairs), bond=LAW, density=RHO, **options)
+
+
+def block(**options) -> bd.Model:
+    """3 × 3 × 4 elements in rows pulled out of line, bonded to their neighbours."""
+    rng = np.random.default_rng(2)
+    grid = np.indices((4, 3, 3)).reshape(3, -1).T.astype(float)
+    position = grid + rng.uniform(-0.05, 0.05, grid.shape)
+    lattice = bd.connect(bd.Particles(position, np.full(len(grid), 0.5)), tolerance=0.3)
+    return bd.Model(lattice, bond=LAW, density=RHO, **options)
+
+
+def pair(**options) -> bd.Model:
+    """Two touching elements on the x axis."""
+    lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [1.0, 0, 0]], [0.5, 0.5]), [(0, 1)])
+    return bd.Model(lattice, bond=LAW, density=RHO, **options)
+
+
+def momenta(model: bd.Model, state: State) -> tuple[np.ndarray, np.ndarray]:
+    """Momentum and angular momentum about the origin."""
+    p = model.mass[:, None] * state.velocity
+    spin = model.inertia[:, None] * state.angular_velocity
+    return p.sum(axis=0), (np.cross(state.position, p) + spin).sum(axis=0)
+
+
+def total_energy(records) -> np.ndarray:
+    parts = records.energy
+    return sum(parts[k] for k in ("translation", "rotation", "normal", "shear", "bending", "twisting"))
+
+
+def tumbling_rod() -> tuple[bd.Model, State]:
+    """A free rod that spins, bends by tens of degrees between its ends, and twists."""
+    model = rod(8)
+    x = model.lattice.particles.position[:, 0]
+    s = (x - x.mean()) / x.max()
+    state = State(model)
+    velocity = np.column_stack([0 * s, 1.2 * s + 1.5 * np.cos(2 * np.pi * s), 0.5 * s**2])
+    spin = np.column_stack([0.6 * s, 0 * s, 0.3 + 0 * s])
+    state.set_motion(velocity=velocity, angular_velocity=spin)
+    return model, state
+
+
+def test_a_free_lattice_keeps_momentum_and_angular_momentum_to_rounding() -> None:
+    model = block()
+    state = State(model)
+    rng = np.random.default_rng(0)
+    shape = (len(model.lattice.particles), 3)
+    state.set_motion(velocity=rng.uniform(-1.0, 3.0, shape), angular_velocity=rng.uniform(-3.0, 4.0, shape))
+    p0, h0 = momenta(model, state)
+    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    result = integrate(model, Plan(duration=10_000 * dt, dt=dt, every=0), state=state)
+    assert result.status is Status.COMPLETED
+    assert result.steps == 10_000
+    p1, h1 = momenta(model, result.state)
+    speed = np.linalg.norm(result.state.velocity, axis=1)
+    travelled = np.linalg.norm(result.state.displacement, axis=1).min()
+    assert travelled > 10.0
+    arm = np.linalg.norm(result.state.position, axis=1)
+    np.testing.assert_allclose(p1, p0, rtol=0.0, atol=1e-12 * (model.mass * speed).sum())
+    np.testing.assert_allclose(h1, h0, rtol=0.0, atol=1e-12 * (model.mass * speed * arm).sum())
+
+
+def test_energy_error_of_a_tumbling_rod_is_second_order_and_does_not_drift() -> None:
+    model, start = tumbling_rod()
+    coarse = 0.8 * critical_step(model, bd.VelocityVerlet())
+    duration = 2000 * coarse
+    errors = []
+    for k in (2, 4, 8):
+        history = integrate(model, Plan(duration=duration, dt=coarse / k, every=k), state=start.copy()).history
+        total = total_energy(history)
+        errors.append(np.abs(total - total[0]).max() / total[0])
+    assert history.energy["bending"].max() > 0.01 * total[0]
+    rates = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert errors[-1] > 1e-9  # not rounding
+    np.testing.assert_allclose(rates, 2.0, atol=0.2)
+
+    # what the error does slowly is the flow of energy between modes; a drift would be many times as large
+    dt = 0.25 * coarse
+    history = integrate(model, Plan(duration=200_000 * dt, dt=dt, every=10), state=start.copy()).history
+    assert len(history) == 20_001
+    parts = np.array_split(total_energy(history) / total[0], 10)
+    means = np.array([part.mean() for part in parts])
+    assert np.ptp(means) < np.ptp(parts[0]) < 5e-4
+    assert np.ptp(parts[-1]) < 8.0 * np.ptp(parts[0])
+
+
+def test_a_run_goes_back_the_way_it_came() -> None:
+    model, start = tumbling_rod()
+    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    plan = Plan(duration=3000 * dt, dt=dt, every=0)
+    there = integrate(model, plan, state=start.copy()).state
+    assert np.abs(there.displacement).max() > 1.0
+    back = State(model)
+    back.set_pose(position=there.position, orientation=there.orientation)
+    back.set_motion(velocity=-there.velocity, angular_velocity=-there.angular_velocity)
+    back = integrate(model, plan, state=back).state
+    np.testing.assert_allclose(back.position, start.position, rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(back.velocity, -start.velocity, rtol=0.0, atol=1e-8 * np.abs(start.velocity).max())
+    np.testing.assert_allclose(back.orientation, start.orientation, rtol=0.0, atol=1e-9)
+
+
+def test_the_bond_turns_with_a_spinning_pair() -> None:
+    """A dumbbell that spins about its centre stretches to kn (ℓ - L) = m ω² ℓ/2 and nothing else."""
+    model = pair()
+    kn, m, omega = model.stiffness.kn[0], model.mass[0], 5.0
+    l = kn / (kn - 0.5 * m * omega**2)
+    state = State(model)
+    state.set_pose(position=np.array([[-0.5 * l, 0, 0], [0.5 * l, 0, 0]]))
+    state.set_motion(
+        velocity=np.array([[0, -0.5 * l * omega, 0], [0, 0.5 * l * omega, 0]]),
+        angular_velocity=np.full((2, 3), [0, 0, omega]),
+    )
+    dt = 0.02 * critical_step(model, bd.VelocityVerlet())
+    result = integrate(model, Plan(duration=20.0, dt=dt, every=200), state=state)
+    d = result.state.position[1] - result.state.position[0]
+    phase = omega * result.state.time
+    np.testing.assert_allclose(d, [l * math.cos(phase), l * math.sin(phase), 0.0], atol=1e-3)
+    energy = result.history.energy
+    np.testing.assert_allclose(energy["normal"], 0.5 * kn * (l - 1.0) ** 2, rtol=1e-2)
+    assert (energy["shear"] + energy["bending"]).max() < 1e-3 * energy["normal"][0]
+
+
+# ---- one oscillator: a held element, a bond and a free element that moves along the bond
+
+
+def oscillator() -> tuple[bd.Model, float]:
+    """The model and ω = √(kn/m)."""
+    model = pair(boundary=[bd.Fix(bd.Index([0]))])
+    return model, math.sqrt(model.stiffness.kn[0] / model.mass[1])
+
+
+def ring(scheme: Scheme, Omega: float, steps: int, x0: float, v0: float) -> tuple[np.ndarray, np.ndarray]:
+    """Elongation [m] and velocity over ω at every step, for ω dt = Omega."""
+    model, omega = oscillator()
+    state = State(model)
+    state.set_pose(position=np.array([[0.0, 0, 0], [1.0 + x0, 0, 0]]))
+    state.set_motion(velocity=np.array([[0.0, 0, 0], [v0 * omega, 0, 0]]))
+    dt = Omega / omega
+    gauges = {"x": bd.Gauge(bd.Index([1]), "displacement"), "v": bd.Gauge(bd.Index([1]), "velocity")}
+    plan = Plan(duration=steps * dt, dt=dt, scheme=scheme, gauges=gauges, every=1)
+    history = integrate(model, plan, state=state).history
+    assert len(history) == steps + 1
+    return history["x"][:, 0], history["v"][:, 0] / omega
+
+
+@pytest.mark.parametrize("phi", [1.0, 1.05, 1.3])
+@pytest.mark.parametrize("Omega", [0.1, 0.9, 1.5])
+def test_tchamwa_wielgosz_has_its_amplification_matrix(phi: float, Omega: float) -> None:
+    # x⁺ = x + dt v + φ dt² a, v⁺ = v + dt a, a = -ω² x; here for (x, v/ω)
+    if Omega >= 2.0 / math.sqrt(2.0 * phi - 1.0):
+        pytest.skip("not stable")
+    amplification = np.array([[1.0 - phi * Omega**2, Omega], [-Omega, 1.0]])
+    x, v = ring(bd.TchamwaWielgosz(phi), Omega, 60, 1e-3, 4e-4)
+    expected = np.array([np.linalg.matrix_power(amplification, n) @ [1e-3, 4e-4] for n in range(61)])
+    np.testing.assert_allclose(np.column_stack([x, v]), expected, rtol=0.0, atol=1e-13)
+
+
+def test_tchamwa_wielgosz_dissipates_high_frequencies_and_spares_low_ones() -> None:
+    # the determinant of its amplification matrix is 1 - (φ - 1) Ω²: damping over one period 2π/Ω
+    for Omega in (0.01, 0.1, 1.0):
+        periods = 3
+        steps = round(2.0 * math.pi * periods / Omega)
+        x, v = ring(bd.TchamwaWielgosz(1.3), Omega, steps, 0.0, 1e-3)
+        kept = np.hypot(x[-1], v[-1]) / 1e-3
+        assert kept == pytest.approx((1.0 - 0.3 * Omega**2) ** (0.5 * steps), rel=0.6 * Omega)
+    assert kept < 0.05
+
+
+def test_velocity_verlet_rings_at_its_own_frequency() -> None:
+    # ω_d = 2/dt · asin(ω dt/2), and no amplitude is lost: x_n = x0 cos(n ω_d dt)
+    for Omega in (0.1, 1.0, 1.9):
+        x, _ = ring(bd.VelocityVerlet(), Omega, 400, 1e-3, 0.0)
+        expected = 1e-3 * np.cos(np.arange(401) * 2.0 * math.asin(0.5 * Omega))
+        np.testing.assert_allclose(x, expected, rtol=0.0, atol=1e-11)
+
+
+@pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz(1.05), bd.TchamwaWielgosz(1.3)], ids=str)
+def test_oscillator_is_stable_up_to_the_critical_step_of_the_scheme(scheme: Scheme) -> None:
+    below, _ = ring(scheme, 0.999 * scheme.critical, 3000, 1e-9, 0.0)
+    above, _ = ring(scheme, 1.001 * scheme.critical, 250, 1e-11, 0.0)
+    assert np.abs(below[-100:]).max() < 2e-9
+    assert np.abs(above[-10:]).max() > 20e-11
+
+
+# ---- the critical time step of a lattice
+
+
+def test_highest_frequency_is_that_of_the_eigenvalue_problem() -> None:
+    for model in (rod(3), rod(30), block()):
+        K, m = stiffness_matrix(model).toarray(), mass_diagonal(model)
+        exact = math.sqrt(np.linalg.eigvalsh(K / np.sqrt(m[:, None] * m)).max())
+        assert exact <= highest_frequency(model) <= 1.003 * exact
+
+
+@pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz(1.3)], ids=["Verlet", "TW"])
+def test_lattice_is_stable_below_the_critical_step_and_not_above(scheme: Scheme) -> None:
+    model = rod(6)
+    K, m = stiffness_matrix(model).toarray(), mass_diagonal(model)
+    top = np.linalg.eigh(K / np.sqrt(m[:, None] * m))[1][:, -1] / np.sqrt(m)
+    top = 1e-9 * (top / np.abs(top).max()).reshape(-1, 6)[model.layout.rank]
+    growth = []
+    for share in (0.995, 1.005):
+        state = State(model)
+        state.set_motion(velocity=top[:, :3], angular_velocity=top[:, 3:])
+        dt = share * critical_step(model, scheme)
+        history = integrate(model, Plan(duration=400 * dt, dt=dt, scheme=scheme, every=1), state=state).history
+        total = total_energy(history)
+        growth.append(total[-50:].max() / total[0])
+    assert growth[0] < 300.0
+    assert growth[1] > 1e6
+
+
+def test_a_step_above_the_limit_is_refused_and_none_takes_nine_tenths() -> None:
+    model = rod(5)
+    for scheme in (bd.VelocityVerlet(), bd.TchamwaWielgosz(1.3)):
+        limit = critical_step(model, scheme)
+        assert limit == pytest.approx(scheme.critical / highest_frequency(model))
+        assert settled(model, Plan(duration=1.0, scheme=scheme)).dt == pytest.approx(0.9 * limit)
+        with pytest.raises(UnstableStepError, match=r"exceeds the critical .*pass dt=None"):
+            bd.solve_explicit(model, duration=1.0, dt=1.001 * limit, scheme=scheme)
+        with pytest.raises(UnstableStepError, match="positive"):
+            bd.solve_explicit(model, duration=1.0, dt=0.0, scheme=scheme)
+    run = bd.solve_explicit(model, duration=10.0 * critical_step(model, bd.VelocityVerlet()))
+    assert run.steps == 11
+    assert run.status is Status.COMPLETED
+
+
+def test_a_second_run_goes_on_where_the_first_ended_under_other_conditions() -> None:
+    model = rod(5, boundary=[bd.Fix(bd.Index([0])), bd.Load(bd.Index([4]), force=(0.0, 5.0, 0.0))])
+    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    whole = bd.solve_explicit(model, duration=200 * dt, dt=dt)
+    first = bd.solve_explicit(model, duration=120 * dt, dt=dt)
+    second = bd.solve_explicit(model, duration=80 * dt, dt=dt, state=first.state)
+    assert second.steps == 80
+    assert second.state.time == pytest.approx(200 * dt)
+    np.testing.assert_allclose(second.state.displacement, whole.state.displacement, rtol=1e-9, atol=1e-12)
+
+    free = model.with_boundary([])
+    third = bd.solve_explicit(free, duration=300 * dt, dt=dt, every=10, state=second.state)
+    total = total_energy(third.history)
+    assert third.history.energy["work"].max() == 0.0
+    np.testing.assert_allclose(total, total[0], rtol=1e-2)
+    assert total[0] == pytest.approx(whole.history.energy["work"][-1], rel=1e-2)
+    with pytest.raises(InputError, match="another lattice"):
+        bd.solve_explicit(rod(4), duration=dt, state=third.state)
+
+
+# ---- guards
+
+
+def spun_pair(spin: np.ndarray) -> tuple[bd.Model, State]:
+    model = pair()
+    state = State(model)
+    state.set_motion(angular_velocity=np.array([-spin, spin]))
+    return model, state
+
+
+@pytest.mark.parametrize("axis", [0, 2])
+def test_a_bond_turned_too_far_ends_the_run(axis: int) -> None:
+    # the ends may turn against each other while I ω² < the energy of the barrier, 2 kt (twist) or the like
+    model, _ = spun_pair(np.zeros(3))
+    k, I = model.stiffness, model.inertia[0]
+    barrier = 2.0 * k.kt[0] if axis == 0 else 0.5 * (k.ks[0] + 4.0 * k.kb[0])
+    dt = 0.2 * critical_step(model, bd.VelocityVerlet())
+    plan = Plan(duration=300 * dt, dt=dt, every=50)
+
+    gentle = integrate(model, plan, state=spun_pair(np.eye(3)[axis] * 0.05 * math.sqrt(barrier / I))[1])
+    assert gentle.status is Status.COMPLETED
+    assert "beam" not in gentle.message
+
+    violent = integrate(model, plan, state=spun_pair(np.eye(3)[axis] * 3.0 * math.sqrt(barrier / I))[1])
+    assert violent.status is Status.UNSTABLE
+    assert "unbroken bonds are turned" in violent.message
+    assert "smaller dt" in violent.message
+    assert violent.state.step == 0
+    assert np.isfinite(violent.state.pose).all()
+    assert violent.steps < 300
+
+
+def test_a_wide_bond_is_reported() -> None:
+    # w² < 0.75 from 60° of twist on
+    for degrees, wide in ((70.0, True), (50.0, False)):
+        twist = bd.Drive(bd.Index([1]), rx=bd.Ramp(0.0, math.radians(degrees), 1.0))
+        result = integrate(pair(boundary=[bd.Fix(bd.Index([0])), twist]), Plan(duration=1.0, every=0))
+        assert result.status is Status.COMPLETED
+        assert ("no longer that of a beam" in result.message) == wide
+
+
+def test_a_number_that_is_not_finite_ends_the_run() -> None:
+    model, state = tumbling_rod()
+    state.motion[3, 1] = math.nan
+    result = integrate(model, Plan(duration=1.0, every=0), state=state)
+    assert result.status is Status.UNSTABLE
+    assert "not finite" in result.message
+
+
+# ---- the ledger
+
+DRIVES = {
+    "load": (bd.Load(bd.Index([5]), force=(20.0, 60.0, -30.0), moment=(5.0, 0.0, 8.0), schedule=bd.Ramp(0, 1, 0.5)),),
+    "displacement": (bd.Drive(bd.Index([5]), x=bd.Ramp(0.0, 0.02, 0.5), y=bd.Ramp(0.0, -0.2, 0.5), rz=0.0),),
+    "velocity": (bd.Drive(bd.Index([5]), vx=0.1, vy=bd.Table((0.0, 0.25, 0.5), (0.0, 0.6, -0.4)), wx=0.5),),
+}
+
+
+@pytest.mark.parametrize("damping", [None, LocalDamping(0.3)], ids=["undamped", "damped"])
+@pytest.mark.parametrize("drive", DRIVES.values(), ids=DRIVES.keys())
+def test_the_energy_ledger_closes_to_second_order(drive: tuple, damping: LocalDamping | None) -> None:
+    model = rod(6, boundary=[bd.Fix(bd.Index([0])), *drive])
+    whole = 1.0 / 16.0  # kinks of the schedules fall on whole steps
+    assert whole / 8 < critical_step(model, bd.VelocityVerlet())
+    errors = []
+    for k in (8, 16, 32):
+        dt = whole / k
+        history = integrate(model, Plan(duration=0.75, dt=dt, damping=damping, every=k)).history
+        energy = history.energy
+        size = max(np.abs(energy["work"]).max(), 1e-30)
+        errors.append(np.abs(energy["balance"]).max() / size)
+    assert energy["work"][-1] > 0.0
+    rates = np.log2(np.array(errors[:-1]) / errors[1:])
+    np.testing.assert_allclose(rates, 2.0, atol=0.3)
