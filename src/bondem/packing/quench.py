@@ -66,8 +66,10 @@ def quench(
     n = len(relative_radius)
     solid = 4.0 / 3.0 * math.pi * float((relative_radius**3).sum())
     radius = relative_radius * (_START_FRACTION * shape.volume / solid) ** (1.0 / 3.0)
-    if shape.period is not None and shape.period.min() < 6.0 * radius.max():
-        raise InputError(f"{n} spheres are too large for the periodic {shape}; ask for more, or make its edges more alike")
+    if shape.period is not None and shape.period.min() < 5.2 * radius.max():
+        raise InputError(
+            f"{n} spheres are too large for the periodic {shape}; ask for more, or make its edges more alike"
+        )
     centre = random_centres(shape, radius, random)
     order = morton_order(centre, *shape.bounds)
     spheres = SoftSpheres(shape, centre[order], radius[order])
