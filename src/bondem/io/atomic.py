@@ -1,6 +1,7 @@
 """Files that are either whole or not there."""
 
 import os
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -38,38 +39,39 @@ def write_text(path: Path, text: str) -> None:
 
 
 def require_writable(path: Path, what: str) -> None:
-    """Make sure, before any work is done, that a file can be written at `path`.
+    """Make sure, before any work is done, that a file can be written at `path`, whose folder must exist.
 
     Args:
-        path: the file; its folder must exist.
+        path: the file.
         what: what the message calls it.
 
     Raises:
         InputError: it cannot, and why.
     """
-    probe = path.with_name(f".{path.name}.part")
-    try:
-        if path.is_dir():
-            raise IsADirectoryError(21, "it is a folder")
-        with open(probe, "wb"):
-            pass
-        probe.unlink()
-    except OSError as error:
-        raise InputError(
-            f"{what} '{path}' cannot be written ({error.strerror}); choose a place you may write to"
-        ) from None
+    if path.is_dir():
+        raise InputError(f"{what} '{path}' is a folder; give the name of a file")
+    _probe(path.parent, f"{what} '{path}'")
 
 
 def require_folder(path: Path, what: str) -> None:
-    """Make a folder, with its parents, and make sure that files can be written in it.
+    """Make sure, before any work is done, that a folder is there and can be written to, or can be made.
+
+    Nothing is made yet, so that work that fails leaves nothing behind.
 
     Raises:
-        InputError: it cannot be made or written to, and why.
+        InputError: it cannot, and why.
     """
+    if path.exists() and not path.is_dir():
+        raise InputError(f"{what} '{path}' is a file; give the name of a folder")
+    nearest = path
+    while not nearest.exists() and nearest != nearest.parent:
+        nearest = nearest.parent
+    _probe(nearest, f"{what} '{path}'")
+
+
+def _probe(folder: Path, whose: str) -> None:
     try:
-        path.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
     except OSError as error:
-        raise InputError(
-            f"{what} '{path}' cannot be made ({error.strerror}); choose a place you may write to"
-        ) from None
-    require_writable(path / "probe", what)
+        raise InputError(f"{whose} cannot be written ({error.strerror}); choose a place you may write to") from None

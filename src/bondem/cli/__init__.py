@@ -1,0 +1,61 @@
+"""The command `bondem`.
+
+Exit status 0 when all went well, 2 for a bad study or bad input (one line on stderr that says what to do),
+3 when a run became unstable. Each command is loaded when it is called, so that `bondem --version` is instant.
+"""
+
+import importlib
+import sys
+
+import click
+
+from bondem import __version__
+from bondem.errors import BondemError
+
+_COMMANDS = ("resume", "run")
+
+OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130
+
+
+class _Commands(click.Group):
+    """The commands, each in a file of its name under `bondem.cli`."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(_COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in _COMMANDS:
+            return None
+        return importlib.import_module(f"bondem.cli.{cmd_name}").command
+
+
+@click.group(
+    cls=_Commands, no_args_is_help=False, invoke_without_command=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)  # fmt: skip
+@click.version_option(__version__, prog_name="bondem")
+@click.pass_context
+def bondem(context: click.Context) -> None:
+    """Pack, bond, calibrate and break real materials with the discrete element method."""
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help())
+
+
+def main() -> None:
+    """Run the command line and leave with its exit status."""
+    try:
+        status = bondem.main(standalone_mode=False)
+    except click.exceptions.Exit as stop:
+        status = stop.exit_code
+    except click.Abort:
+        status = _complain("interrupted", INTERRUPTED)
+    except click.ClickException as error:
+        status = _complain(f"{error.format_message()} See 'bondem --help'.", BAD_INPUT)
+    except BondemError as error:
+        status = _complain(str(error), BAD_INPUT)
+    sys.exit(status or OK)
+
+
+def _complain(message: str, status: int) -> int:
+    click.echo(f"bondem: {' '.join(message.split())}", err=True)
+    return status

@@ -1,0 +1,75 @@
+"""What the commands print: progress on a terminal, and the table of results."""
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from bondem.report.numbers import percent, quantity, signed_percent
+from bondem.study.study import Study
+
+
+@contextmanager
+def progress_bars() -> Iterator[Callable[[str, float], None]]:
+    """A bar a stage on a terminal, nothing in a pipe; yields progress(stage, share done)."""
+    console = Console(stderr=True)
+    columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
+    with Progress(*columns, console=console, disable=not console.is_terminal) as bars:
+        tasks: dict[str, TaskID] = {}
+
+        def progress(stage: str, share: float) -> None:
+            if stage not in tasks:
+                tasks[stage] = bars.add_task(stage, total=1.0)
+            bars.update(tasks[stage], completed=share)
+
+        yield progress
+
+
+def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
+    """Print a finished study."""
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console.width = 120
+    micro, macro, specimen = results["micro"], results["macro"], results["specimen"]
+    spread = (
+        "" if macro["E_std"] is None else
+        f"  (over all packings ± {percent(macro['E_std'] / macro['E'])} of E,"
+        f" ± {percent(macro['nu_std'] / abs(macro['nu']))} of ν)"
+    )  # fmt: skip
+    lines = (
+        f"\n[bold]{study.name}[/bold], {study.packings} packings of {specimen['elements']} elements",
+        f"  z = {specimen['coordination_number']:.3f}, φ = {specimen['volume_fraction']:.4f}",
+        f"  {micro['law']}: E_μ = {quantity(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},"
+        f" ρ_μ = {quantity(micro['rho_mu'], 'kg/m³')}",
+        f"  E = {quantity(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, ρ = {quantity(macro['rho'], 'kg/m³')}{spread}\n",
+    )
+    for line in lines:
+        console.print(line, soft_wrap=True)
+    if results["tests"]:
+        console.print(_tests(study, results["tests"]), soft_wrap=True)
+    console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True)
+
+
+def _tests(study: Study, tests: Mapping[str, Mapping[str, Any]]) -> Table:
+    published = study.reference.errors if study.reference else {}
+    table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
+    table.add_column("  test", no_wrap=True)
+    for name in ("measured", "theory", "error", "± scatter", "Timoshenko", *(["paper"] if published else [])):
+        table.add_column(name, justify="right", no_wrap=True)
+    for name, row in tests.items():
+        against = row["theory_timoshenko"]
+        cells = [
+            quantity(row["measured"], row["unit"]),
+            quantity(row["theory"], row["unit"]),
+            signed_percent(row["error"]),
+            "–" if row["scatter"] is None else percent(row["scatter"]),
+            "" if against is None else signed_percent(row["measured"] / against - 1.0),
+        ]
+        if published:
+            cells.append(percent(published[name]) if name in published else "")
+        table.add_row(f"  {name}", *cells)
+    return table

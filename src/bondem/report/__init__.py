@@ -1,0 +1,1 @@
+"""Tables, figures and one HTML page: all plotting lives here."""

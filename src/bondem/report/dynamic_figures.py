@@ -1,0 +1,87 @@
+"""Mode shapes, free vibration and the wave of an impact."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+from matplotlib import colormaps
+
+from bondem.report.findings import Examined
+from bondem.report.numbers import quantity
+from bondem.report.spheres import View, render
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
+
+_KINDS = (
+    ("bending", "dynamic_bending", 1, GREEN),
+    ("torsion", "dynamic_torsion", 3, PURPLE),
+    ("tension", "dynamic_tension", 0, BLUE),
+)
+_VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
+
+
+def draw_modes(path: Path, specimen: Examined) -> None:
+    """First bending, torsional and axial mode, exaggerated and coloured by how far elements move."""
+    frequencies = specimen.frequencies
+    assert frequencies is not None
+    lattice = specimen.lattice
+    chosen = lattice.connected
+    position, radius = lattice.particles.position[chosen], lattice.particles.radius[chosen]
+    modes = frequencies.modes
+    titles, images = [], []
+    for kind, _, column, _ in _KINDS:
+        best = int(np.argmax(frequencies.mass_share[:, column]))
+        shape = modes.shape[best][chosen, :3]
+        moved = np.linalg.norm(shape, axis=1)
+        # so far that one sees it: along the bar a share of its length, about it of its radius
+        reach = 0.4 * np.ptp(position[:, 1]) if kind == "torsion" else 0.16 * np.ptp(position[:, 0])
+        colour = colormaps["viridis"](moved / moved.max())[:, :3]
+        images.append(render(position + reach / moved.max() * shape, radius, colour, view=_VIEW, width=520))
+        titles.append(f"{kind}: {quantity(float(modes.frequency[best]), 'Hz')}")
+    tallest = max(len(image) for image in images)
+    with sheet(path, 8.2, 8.2 / 3.0 * tallest / 520 + 0.3, 1, 3) as (_, axes):
+        for ax, title, image in zip(axes, titles, images, strict=True):
+            room = tallest - len(image)
+            padded = np.pad(image, ((room // 2, room - room // 2), (0, 0), (0, 0)))
+            ax.imshow(padded, interpolation="lanczos")
+            ax.set_title(title)
+            ax.axis("off")
+
+
+def draw_vibration(path: Path, specimen: Examined) -> None:
+    """Signals of the free vibration and their spectra, with the frequencies of theory."""
+    rows = [row for row in _KINDS if "signal" in getattr(specimen.outcomes.get(row[1]), "curves", {})]
+    with sheet(path, 8.2, 2.0 * len(rows) + 0.3, len(rows), 2, squeeze=False, width_ratios=(3, 2)) as (_, axes):
+        for (left, right), (kind, name, _, colour) in zip(axes, rows, strict=True):
+            outcome = specimen.outcomes[name]
+            curves = outcome.curves
+            signal = curves["signal"] / np.abs(curves["signal"]).max()
+            left.plot(curves["time"] * 1e6, signal, color=colour, linewidth=1.0)
+            left.set(title=kind, xlabel="time [µs]", ylabel="end / largest [-]", ylim=(-1.15, 1.15))
+            frequency, amplitude = curves["frequency"] / 1e3, curves["amplitude"] / curves["amplitude"].max()
+            right.plot(frequency, amplitude, color=colour, linewidth=1.2, label="spectrum")
+            right.axvline(outcome.measured / 1e3, color=ORANGE, linewidth=1.2, label="mode")
+            right.axvline(outcome.theory / 1e3, color=INK, linestyle=(0, (4, 3)), linewidth=1.1, label="theory")
+            if outcome.theory_timoshenko is not None:
+                right.axvline(outcome.theory_timoshenko / 1e3, color=GREY, linestyle=(0, (1, 1.5)), linewidth=1.6,
+                              label="Timoshenko")  # fmt: skip
+            right.set(xlabel="frequency [kHz]", ylabel="amplitude [-]", xlim=(0.0, 2.9 * outcome.theory / 1e3))
+            right.legend(loc="upper right")
+
+
+def draw_wave(path: Path, specimen: Examined) -> None:
+    """Velocities of the struck and of the far face, and when the wave arrives."""
+    outcome = specimen.outcomes["impact"]
+    curves = outcome.curves
+    time = curves["time"] * 1e6
+    arrival, plateau = float(curves["arrival"]) * 1e6, float(curves["plateau"])
+    expected = arrival * outcome.measured / outcome.theory
+    with sheet(path, 8.2, 3.1) as (_, ax):
+        ax.plot(time, curves["near"], color=GREY, label="struck face, held")
+        ax.plot(time, curves["far"], color=BLUE, label="far face")
+        ax.axhline(0.5 * plateau, color=PURPLE, linewidth=1.0, linestyle=(0, (1, 1.5)), label="half of the plateau")
+        ax.axvline(expected, color=INK, linewidth=1.0, linestyle=(0, (4, 3)),
+                   label=f"theory √(E/ρ): {quantity(outcome.theory, 'm/s')}")  # fmt: skip
+        ax.plot([arrival], [0.5 * plateau], "D", color=ORANGE, markersize=7,
+                label=f"arrival: {quantity(outcome.measured, 'm/s')}", zorder=5)  # fmt: skip
+        ax.set(xlabel="time [µs]", ylabel="mean velocity towards the far face [m/s]", xlim=(0.0, time[-1]))
+        ax.legend(loc="upper left")

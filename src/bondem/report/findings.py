@@ -1,0 +1,63 @@
+"""What a study found out, as the report takes it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from bondem.calibration.elastic import Calibration, Trial
+from bondem.labtests.modal import NaturalFrequencies
+from bondem.labtests.outcome import Outcome
+from bondem.labtests.tension import Tension
+from bondem.specimen.fabric import Fabric
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material
+
+
+@dataclass(frozen=True, eq=False)
+class Examined:
+    """One packing and what its tests gave.
+
+    Attributes:
+        seed: of the packing.
+        lattice: the specimen.
+        quality: its fabric.
+        tension: its own E and ν under the calibrated law.
+        rho: its own density, mass of the connected elements over the volume of the shape [kg/m³].
+        outcomes: of the tests, by name.
+        frequencies: natural frequencies, where a dynamic test was asked for.
+    """
+
+    seed: int
+    lattice: Lattice
+    quality: Fabric
+    tension: Tension
+    rho: float
+    outcomes: Mapping[str, Outcome] = field(default_factory=dict)
+    frequencies: NaturalFrequencies | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Findings:
+    """A finished study.
+
+    Attributes:
+        title: of the report.
+        material: the continuum that was to be reproduced.
+        fit: the calibration.
+        chart: trials over the range of the free parameter, for the calibration curve.
+        calibrating: how many packings, the first ones, the calibration used.
+        specimens: every packing.
+        results: what `results.json` holds.
+        citation: where `published` is from, or "".
+        published: errors of the tests in print, by name [-].
+    """
+
+    title: str
+    material: Material
+    fit: Calibration
+    chart: tuple[Trial, ...]
+    calibrating: int
+    specimens: tuple[Examined, ...]
+    results: Mapping[str, Any]
+    citation: str = ""
+    published: Mapping[str, float] = field(default_factory=dict)

@@ -1,0 +1,64 @@
+"""Numbers as people read them."""
+
+import math
+
+from bondem.specimen.geometry import Cylinder, Shape
+
+_PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m", -6: "µ", -9: "n"}
+# Units that take a prefix; the others (kg/m³) are printed in powers of ten where need be.
+_SCALED = ("Pa", "m", "s", "Hz", "m/s", "N", "J", "rad")
+
+
+def quantity(value: float | None, unit: str = "", digits: int = 4) -> str:
+    """A value with a unit: 72.5e9, "Pa" becomes 72.50 GPa."""
+    if value is None or not math.isfinite(value):
+        return "–"
+    if unit in ("-", ""):
+        return _significant(value, digits)
+    if unit not in _SCALED or value == 0.0:
+        return f"{_significant(value, digits)} {unit}"
+    exponent = 3 * math.floor(math.log10(abs(value)) / 3.0 + 1e-12)
+    exponent = min(max(exponent, -9), 9)
+    if unit == "m/s" and 0 <= exponent <= 3:
+        exponent = 0
+    return f"{_significant(value / 10.0**exponent, digits)} {_PREFIXES[exponent]}{unit}"
+
+
+def _significant(value: float, digits: int) -> str:
+    if value == 0.0:
+        return "0"
+    places = digits - 1 - math.floor(math.log10(abs(value)))
+    if -3 <= places <= digits + 2:
+        return f"{value:.{max(places, 0)}f}"
+    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    return f"{mantissa}·10{str(int(exponent)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+
+
+def percent(value: float) -> str:
+    """0.0663 becomes 6.63 %."""
+    return f"{100.0 * value:.2f} %"
+
+
+def signed_percent(value: float, digits: int = 2) -> str:
+    """0.0663 becomes +6.63 %, with a true minus sign."""
+    return f"{signed(100.0 * value, digits)} %"
+
+
+def signed(value: float, digits: int = 4) -> str:
+    """0.00012 becomes +0.0001; what rounds to zero has no sign."""
+    text = f"{value:+.{digits}f}"
+    return text[1:] if float(text) == 0.0 else text.replace("-", "−")
+
+
+def words(name: str) -> str:
+    """EulerBernoulli becomes Euler–Bernoulli, ParallelBond parallel."""
+    return {"EulerBernoulli": "Euler–Bernoulli", "ParallelBond": "parallel", "ContactBond": "contact"}.get(name, name)
+
+
+def measures(shape: Shape) -> str:
+    """A shape as engineers write it, such as Ø 10 × 40 mm."""
+    lower, upper = shape.bounds
+    edges = [f"{1e3 * edge:.4g}" for edge in upper - lower]
+    if isinstance(shape, Cylinder):
+        return f"Ø {edges[1]} × {edges[0]} mm"
+    return " × ".join(edges) + " mm"

@@ -1,0 +1,146 @@
+"""The report: one HTML page that holds everything it shows, and the figures beside it as PNG files."""
+
+import base64
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+
+from bondem.io.atomic import write_text
+from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
+from bondem.report.findings import Findings
+from bondem.report.numbers import measures, percent, quantity, signed, signed_percent, words
+from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
+from bondem.report.static_figures import draw_calibration, draw_profiles, draw_tension
+from bondem.report.summary_figures import draw_errors
+
+
+_CAPTIONS = {
+    "specimen": "The specimen: its elements, coloured by radius, on one half; its bonds alone on the other.",
+    "geode": """Directions of the bonds, counted on the 320 faces of a geode and divided by what an isotropic fabric
+        would have there. Inside, a good packing shows noise and no pattern; next to the walls elements line up.""",
+    "contacts": """Left: bonds of an element, with their mean, the coordination number z. Right: radii of the
+        elements.""",
+    "calibration": """Calibration: Poisson's ratio depends on one parameter of the bonds, and the modulus is
+        proportional to that of the bonds; so one root and one division do.""",
+    "tension": """Tension of the free specimen. Left: stress over strain along and across the pull, every packing.
+        Right: displacement of every element of the first; E and ν are read from the affine field (line) that fits
+        the middle half best.""",
+    "profiles": """Motion of the cross-sections of the clamped specimen under an axial force, a transverse force and
+        a torque, against Euler–Bernoulli theory.""",
+    "modes": "First natural modes of the clamped specimen, exaggerated; bright elements move farthest.",
+    "vibration": """Free vibration after release from a combined load: mean motion of the free end, and its spectrum
+        with the frequency of the mode and those of theory.""",
+    "wave": """Impact: one face is pushed at a held velocity; the wave has arrived when the far face, free and so
+        twice as fast, passes half of its plateau.""",
+    "errors": "All tests at a glance.",
+}
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure as the page embeds it: its caption and its PNG as base64."""
+
+    caption: str
+    data: str
+
+
+def write_report(
+    findings: Findings,
+    out: Path,
+    *,
+    figures: bool = True,
+    progress: Callable[[float], None] | None = None,
+) -> None:
+    """Write `report.html` and, where wanted, `figures/*.png` into a folder.
+
+    Args:
+        findings: what to report.
+        out: an existing folder.
+        figures: whether to draw.
+        progress: told the share done, 0 … 1.
+    """
+    drawings = drawings_of(findings) if figures else {}
+    pictures: dict[str, Picture] = {}
+    if drawings:
+        (out / "figures").mkdir(exist_ok=True)
+    for done, (name, draw) in enumerate(drawings.items()):
+        if progress is not None:
+            progress(done / len(drawings))
+        path = out / "figures" / f"{name}.png"
+        draw(path)
+        data = base64.b64encode(path.read_bytes()).decode("ascii")
+        pictures[name] = Picture(" ".join(_CAPTIONS[name].split()), data)
+    write_text(out / "report.html", page(findings, pictures))
+    if progress is not None:
+        progress(1.0)
+
+
+def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
+    """What draws each figure a study has the data for; the first packing stands for all."""
+    first = findings.specimens[0]
+    drawings: dict[str, Callable[[Path], None]] = {
+        "specimen": lambda path: draw_specimen(path, first.lattice),
+        "geode": lambda path: draw_geode(path, first.quality),
+        "contacts": lambda path: draw_contacts(path, first.lattice),
+        "calibration": lambda path: draw_calibration(path, findings),
+        "tension": lambda path: draw_tension(path, findings),
+    }
+    if any(name.startswith("static") for name in first.outcomes):
+        drawings["profiles"] = lambda path: draw_profiles(path, first)
+    if first.frequencies is not None:
+        drawings["modes"] = lambda path: draw_modes(path, first)
+        drawings["vibration"] = lambda path: draw_vibration(path, first)
+    if "impact" in first.outcomes:
+        drawings["wave"] = lambda path: draw_wave(path, first)
+    if findings.results["tests"]:
+        drawings["errors"] = lambda path: draw_errors(path, findings)
+    return drawings
+
+
+def page(findings: Findings, pictures: dict[str, Picture]) -> str:
+    """The HTML of the report."""
+    environment = Environment(
+        loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True,
+    )  # fmt: skip
+    environment.filters |= {
+        "quantity": quantity,
+        "percent": percent,
+        "signed": signed_percent,
+        "difference": signed,
+        "camel": words,
+    }
+    rows = rows_of(findings)
+    return environment.get_template("report.html").render(
+        findings=findings,
+        results=findings.results,
+        pictures=pictures,
+        rows=rows,
+        worst=max(rows, key=lambda row: abs(row["error"])) if rows else None,
+        shape=measures(findings.specimens[0].lattice.particles.envelope),
+        today=date.today().isoformat(),
+    )
+
+
+def rows_of(findings: Findings) -> list[dict[str, Any]]:
+    """Rows of the table of tests: the aggregate, the other theories and the published error."""
+    rows = []
+    for name, row in findings.results["tests"].items():
+        outcomes = [one.outcomes[name] for one in findings.specimens]
+        rows.append({
+            "name": name.replace("_", " "),
+            **row,
+            "error_timoshenko": _mean([one.error_timoshenko for one in outcomes]),
+            "error_refined": _mean([one.error_refined for one in outcomes]),
+            "published": findings.published.get(name),
+        })  # fmt: skip
+    return rows
+
+
+def _mean(values: list[float | None]) -> float | None:
+    known = [value for value in values if value is not None]
+    return sum(known) / len(known) if known else None

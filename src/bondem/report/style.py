@@ -1,0 +1,71 @@
+"""One look for every figure: colours that colour-blind readers can tell apart, units on every axis."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+
+INK = "#1f2933"
+GREY = "#8a96a3"
+PALE = "#e4e9ee"
+BLUE = "#0b6fa4"
+ORANGE = "#d55e00"
+GREEN = "#00896b"
+PURPLE = "#8a5a9c"
+#: Two-sided colour scale about a neutral value.
+DIVERGING = "RdBu_r"
+#: One-sided colour scale.
+SEQUENTIAL = "cividis"
+
+_SETTINGS: Any = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9.5,
+    "axes.titlesize": 10.5,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.titlepad": 8.0,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": GREY,
+    "axes.linewidth": 0.8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.formatter.use_mathtext": True,
+    "axes.formatter.limits": (-3, 4),
+    "grid.color": PALE,
+    "grid.linewidth": 0.8,
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.major.width": 0.8,
+    "ytick.major.width": 0.8,
+    "legend.frameon": False,
+    "legend.fontsize": 9.0,
+    "lines.linewidth": 1.6,
+    "figure.facecolor": "white",
+    "savefig.facecolor": "white",
+    "mathtext.fontset": "dejavusans",
+}
+_DOTS_PER_INCH = 160
+
+
+@contextmanager
+def sheet(
+    path: Path, width: float, height: float, rows: int = 1, columns: int = 1, **options: Any
+) -> Iterator[tuple[Figure, Any]]:
+    """A figure in the common style and its axes, saved to `path` after the block; no global state.
+
+    Args:
+        path: PNG to write.
+        width, height: [inch].
+        rows, columns: of the grid of axes; with 0 columns the figure starts without any.
+        options: for `Figure.subplots`.
+    """
+    with rc_context(_SETTINGS):
+        figure = Figure(figsize=(width, height), dpi=_DOTS_PER_INCH, layout="constrained")
+        yield figure, figure.subplots(rows, columns, **options) if columns else None
+        figure.savefig(path, dpi=_DOTS_PER_INCH)

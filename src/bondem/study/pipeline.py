@@ -1,0 +1,173 @@
+"""The pipeline behind `bondem run`: pack → check → connect → calibrate → test → report."""
+
+import json
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from bondem.calibration.elastic import Calibration, Trial, calibrate
+from bondem.io.atomic import require_folder, write_text
+from bondem.io.vtk import write_vtkhdf
+from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
+from bondem.labtests.celerity import impact
+from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
+from bondem.labtests.modal import natural_frequencies
+from bondem.labtests.outcome import Outcome
+from bondem.labtests.tension import static_tension
+from bondem.labtests.vibration import free_vibration
+from bondem.packing import pack
+from bondem.report.findings import Examined, Findings
+from bondem.report.page import write_report
+from bondem.specimen.bonding import connect
+from bondem.specimen.fabric import fabric
+from bondem.specimen.lattice import Lattice
+from bondem.study.results import collect
+from bondem.study.study import Study
+
+#: Told the name of a stage and the share of it that is done, 0 … 1.
+Progress = Callable[[str, float], None]
+
+_STATIC = {"static_tension": clamped_tension, "static_bending": static_bending, "static_torsion": static_torsion}
+_VIBRATION = {
+    "dynamic_tension": dynamic_tension,
+    "dynamic_bending": dynamic_bending,
+    "dynamic_torsion": dynamic_torsion,
+}
+
+
+def run_study(study: Study, out: str | Path, *, progress: Progress | None = None) -> dict[str, Any]:
+    """Carry out a study and leave `results.json`, `report.html` and `figures/` in a folder.
+
+    Args:
+        study: what to do.
+        out: folder for the results; made when there is something to put in it.
+        progress: told the stage and the share of it that is done.
+
+    Returns:
+        What `results.json` holds.
+
+    Raises:
+        InputError: the folder cannot be written to (found out before any work), or the study asks for
+            something impossible.
+        PackingError: a packing did not reach its target.
+        UnreachableTargetError: the bond law cannot give the material's Poisson's ratio.
+    """
+    out = Path(out)
+    require_folder(out, "output folder")
+    tell = progress or (lambda stage, share: None)
+    watch = _Watch()
+    lattices = tuple(packed(study, k, tell) for k in range(study.packings))
+    watch.lap("pack_s")
+    fit = calibrated(study, lattices, tell)
+    watch.lap("calibrate_s")
+    specimens = tuple(examined(study, k, lattice, fit, tell) for k, lattice in enumerate(lattices))
+    watch.lap("tests_s")
+    results = collect(study, fit, specimens, watch.laps)
+    findings = Findings(
+        title=study.name,
+        material=study.material,
+        fit=fit,
+        chart=calibration_chart(study, lattices[0], fit) if study.figures else (),
+        calibrating=study.calibrating,
+        specimens=specimens,
+        results=results,
+        citation=study.reference.citation if study.reference else "",
+        published=study.reference.errors if study.reference else {},
+    )
+    out.mkdir(parents=True, exist_ok=True)
+    write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
+    if study.vtk:
+        write_vtkhdf(out / "specimen.vtkhdf", lattices[0])
+    write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
+    return results
+
+
+def packed(study: Study, k: int, tell: Progress) -> Lattice:
+    """Packing k, bonded; a specimen in two pieces is refused here."""
+    plan, bond = study.specimen, study.bond
+    target = {} if plan.coordination_number is None else {"coordination_number": plan.coordination_number}
+    particles = pack(
+        plan.shape,
+        count=plan.count,
+        spread=plan.spread,
+        seed=study.seed + k,
+        progress=lambda share: tell(f"pack {k + 1} of {study.packings}", share),
+        **target,
+    )
+    return connect(particles, tolerance=bond.tolerance, reach=bond.reach)
+
+
+def calibrated(study: Study, lattices: tuple[Lattice, ...], tell: Progress) -> Calibration:
+    """The law with which the first packings have the material's E, ν and ρ."""
+    tell("calibrate", 0.0)
+    fit = calibrate(
+        lattices[: study.calibrating],
+        study.material,
+        law=study.bond.law,
+        nu_mu=study.bond.nu_mu,
+        radius_rule=study.bond.radius_rule,
+    )
+    tell("calibrate", 1.0)
+    return fit
+
+
+def examined(study: Study, k: int, lattice: Lattice, fit: Calibration, tell: Progress) -> Examined:
+    """Packing k under the calibrated law: its fabric, its own moduli and its tests."""
+    stage = f"test {k + 1} of {study.packings}"
+    tell(stage, 0.0)
+    tension = fit.tensions[k] if k < study.calibrating else static_tension(lattice, fit.law)
+    particles = lattice.particles
+    mass = fit.density * particles.volume[lattice.connected].sum()
+    specimen = Examined(
+        seed=study.seed + k,
+        lattice=lattice,
+        quality=fabric(lattice),
+        tension=tension,
+        rho=float(mass / particles.envelope.volume),
+    )
+    own: dict[str, Any] = {"E": tension.E, "nu": tension.nu}
+    moving: dict[str, Any] = own | {"density": fit.density, "rho": specimen.rho}
+    shared: dict[str, Any] = {}
+    if any(name in _VIBRATION for name in study.tests):
+        frequencies = natural_frequencies(lattice, fit.law, density=fit.density)
+        tell(stage, 0.3)
+        shared = {"modes": frequencies, "vibration": free_vibration(lattice, fit.law, **moving)}
+        specimen = replace(specimen, frequencies=frequencies)
+    outcomes: dict[str, Outcome] = {}
+    for done, name in enumerate(study.tests):
+        tell(stage, 0.6 + 0.4 * done / len(study.tests))
+        if name in _STATIC:
+            outcomes[name] = _STATIC[name](lattice, fit.law, **own)
+        elif name in _VIBRATION:
+            outcomes[name] = _VIBRATION[name](lattice, fit.law, **moving, **shared)
+        else:
+            outcomes[name] = impact(lattice, fit.law, **moving)
+    tell(stage, 1.0)
+    return replace(specimen, outcomes=outcomes)
+
+
+def calibration_chart(study: Study, lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
+    """E / E_μ and ν over the free parameter of the law on one packing, for the calibration curve."""
+    chosen = getattr(fit.law, fit.parameter)
+    trials = []
+    for share in (0.6, 0.8, 1.0, 1.2, 1.4):
+        law = replace(fit.law, **{fit.parameter: share * chosen})
+        tension = static_tension(lattice, law)
+        trials.append(Trial(share * chosen, tension.E / law.E, tension.nu))
+    return tuple(trials)
+
+
+class _Watch:
+    """Wall time between laps [s]."""
+
+    def __init__(self) -> None:
+        self.laps: dict[str, float] = {}
+        self._since = time.perf_counter()
+
+    def lap(self, name: str) -> None:
+        now = time.perf_counter()
+        self.laps[name] = round(now - self._since, 3)
+        self._since = now
+

@@ -1,0 +1,220 @@
+"""What a study file says, as frozen data."""
+
+import dataclasses
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from bondem.errors import StudyError
+from bondem.laws.bond import RADIUS_RULES, BondLaw
+from bondem.laws.euler_bernoulli import EulerBernoulli
+from bondem.laws.obermayr import Obermayr
+from bondem.laws.parallel_bond import ParallelBond
+from bondem.laws.timoshenko import Timoshenko
+from bondem.specimen.geometry import Box, Cylinder, Shape
+from bondem.specimen.material import Material
+from bondem.study.section import Section
+
+STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
+DYNAMIC_TESTS = ("dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact")
+TESTS = STATIC_TESTS + DYNAMIC_TESTS
+LAWS: dict[str, type[BondLaw]] = {
+    law.__name__: law for law in (EulerBernoulli, Timoshenko, ParallelBond, Obermayr)
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class SpecimenPlan:
+    """What to pack.
+
+    Attributes:
+        shape: what the elements fill.
+        count: number of elements.
+        spread: full range of the radii over their mean, κ [-].
+        coordination_number: target z [-], or None for the packing's own.
+    """
+
+    shape: Shape
+    count: int
+    spread: float = 0.25
+    coordination_number: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class BondPlan:
+    """Which bonds to make, and by which law.
+
+    Attributes:
+        law: class of the bond law.
+        nu_mu: Poisson's ratio of the bond [-].
+        tolerance: bond where gap <= tolerance · R̄ [-]; None when `reach` is given.
+        reach: bond where L <= reach (Ri + Rj) [-], or None.
+    """
+
+    law: type[BondLaw] = EulerBernoulli
+    nu_mu: float = 0.3
+    radius_rule: str = "mean"
+    tolerance: float | None = 0.0
+    reach: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reference:
+    """Published values to print beside ours.
+
+    Attributes:
+        citation: where they are from.
+        E_mu, r_mu_ratio: bond modulus [Pa] and radius ratio [-], or None.
+        errors: of each test, measured / theory - 1 [-].
+    """
+
+    citation: str
+    E_mu: float | None = None
+    r_mu_ratio: float | None = None
+    errors: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Study:
+    """Everything `bondem run` needs to know.
+
+    Attributes:
+        name: title of the report.
+        material: the continuum to reproduce.
+        specimen: what to pack.
+        bond: which bonds and law.
+        packings: number of specimens; packing k uses seed + k.
+        calibrating: how many of them, the first ones, the calibration uses.
+        tests: names of the tests each packing goes through.
+        seed: of the first packing.
+        figures: whether to draw figures.
+        vtk: whether to write the first packing for ParaView.
+        reference: published values, or None.
+    """
+
+    name: str
+    material: Material
+    specimen: SpecimenPlan
+    bond: BondPlan = BondPlan()
+    packings: int = 2
+    calibrating: int = 1
+    tests: tuple[str, ...] = TESTS
+    seed: int = 1
+    figures: bool = True
+    vtk: bool = False
+    reference: Reference | None = None
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.calibrating <= self.packings:
+            raise StudyError(
+                f"'calibration.packings' = {self.calibrating}, but there are {self.packings} packings;"
+                " calibrate on fewer, or raise 'packings'"
+            )
+
+    def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Study":
+        """The same study with what the command line overrules."""
+        given = {"packings": packings, "seed": seed}
+        return dataclasses.replace(self, **{key: value for key, value in given.items() if value is not None})
+
+
+def read_study(path: str | Path) -> Study:
+    """Read a study file.
+
+    Raises:
+        StudyError: no such file, not TOML, or a key that is unknown, missing or out of range.
+    """
+    path = Path(path)
+    try:
+        with open(path, "rb") as file:
+            data = tomllib.load(file)
+    except OSError as error:
+        raise StudyError(f"study '{path}' cannot be read ({error.strerror}); check the path") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise StudyError(f"study '{path}' is not valid TOML: {error}; mend it there") from None
+    return parse_study(data)
+
+
+def parse_study(data: Mapping[str, Any]) -> Study:
+    """The study a TOML document describes.
+
+    Raises:
+        StudyError: a key that is unknown, missing or out of range.
+    """
+    with Section(data) as top:
+        return Study(
+            name=top.text("name"),
+            seed=top.count("seed", default=1, least=0),
+            packings=top.count("packings", default=2),
+            material=_material(top.section("material")),
+            specimen=_specimen(top.section("specimen")),
+            bond=_bond(top.section("bond")),
+            calibrating=_calibrating(top.section("calibration")),
+            tests=top.texts("tests", choices=TESTS, default=TESTS),
+            **_output(top.section("output")),
+            reference=_reference(top.section("reference")) if top.has("reference") else None,
+        )
+
+
+def _material(table: Section) -> Material:
+    with table:
+        return Material(
+            table.text("name"),
+            E=table.number("E", "Pa", above=0.0),
+            nu=table.number("nu", "-", above=-1.0, below=0.5),
+            rho=table.number("rho", "kg/m³", above=0.0),
+        )
+
+
+def _specimen(table: Section) -> SpecimenPlan:
+    with table:
+        kind = table.text("shape", choices=("cylinder", "box"))
+        if kind == "cylinder":
+            shape: Shape = Cylinder(
+                radius=table.number("radius", "m", above=0.0), length=table.number("length", "m", above=0.0)
+            )
+        else:
+            shape = Box(table.lengths("size"))
+        return SpecimenPlan(
+            shape=shape,
+            count=table.count("count", least=100),
+            spread=table.number("spread", "-", default=0.25, above=-1e-12, below=2.0),
+            coordination_number=table.number("coordination_number", "-", default=None, above=0.0, below=12.0),
+        )
+
+
+def _bond(table: Section) -> BondPlan:
+    with table:
+        reach = table.number("reach", "-", default=None, above=0.0)
+        if reach is not None and table.has("tolerance"):
+            raise StudyError(f"give '{table.name('tolerance')}' or '{table.name('reach')}', not both")
+        return BondPlan(
+            law=LAWS[table.text("law", default="EulerBernoulli", choices=tuple(LAWS))],
+            nu_mu=table.number("nu_mu", "-", default=0.3, above=-1.0, below=0.5),
+            radius_rule=table.text("radius_rule", default="mean", choices=RADIUS_RULES),
+            tolerance=table.number("tolerance", "-", default=0.0) if reach is None else None,
+            reach=reach,
+        )
+
+
+def _calibrating(table: Section) -> int:
+    with table:
+        return table.count("packings", default=1)
+
+
+def _output(table: Section) -> dict[str, bool]:
+    with table:
+        return {"figures": table.flag("figures", default=True), "vtk": table.flag("vtk", default=False)}
+
+
+def _reference(table: Section) -> Reference:
+    with table:
+        with table.section("errors") as errors:
+            published = {name: errors.number(name, "-") for name in TESTS if errors.has(name)}
+        return Reference(
+            citation=table.text("citation"),
+            E_mu=table.number("E_mu", "Pa", default=None, above=0.0),
+            r_mu_ratio=table.number("r_mu_ratio", "-", default=None, above=0.0),
+            errors=published,
+        )
