@@ -24,7 +24,8 @@ _START_FRACTION = 0.75
 # Rms force over mean contact force at rest: to get near the target, and in the packing that is returned.
 _ROUGH, _FINE = 3e-2, 5e-3
 
-# Miss of the coordination number: near enough to relax finely, and in the packing that is returned.
+# Miss of the coordination number: near enough to relax finely, and in the packing that is returned (where one
+# contact more or less is not a larger step).
 _NEAR, _ACCEPTED = 0.25, 0.01
 
 # First guesses: z at jamming, rattlers included, and d(mean overlap / R̄)/d ln(scale).
@@ -86,7 +87,7 @@ def quench(
         )
         steps += rest.steps
         miss = abs(rest.coordination_number - coordination_number)
-        if rest.settled and tolerance == _FINE and miss <= max(_ACCEPTED, 1.0 / n):
+        if rest.settled and tolerance == _FINE and miss <= max(_ACCEPTED, 2.0 / n):
             break
         if steps > _ALL_STEPS:
             raise PackingError(
@@ -135,7 +136,7 @@ class _ScaleSearch:
         if self._below is not None and self._above is not None:
             (s0, e0), (s1, e1) = self._below, self._above
             self._size = s0 + min(max((self._wanted - e0) / (e1 - e0), 0.1), 0.9) * (s1 - s0)
-            if s1 - s0 < 1e-5:  # the packing rearranged on the way: the bracket is of another one
+            if s1 - s0 < 1e-4:  # the packing rearranged on the way: the bracket is of another one
                 self.forget()
         elif excess <= 0.0:
             self._size += _TIGHTEN

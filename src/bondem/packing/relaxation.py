@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._compile import threads
 from bondem._types import Floats
 from bondem.kernels import packing as kernels
 from bondem.kernels.cells import neighbours
@@ -13,6 +14,9 @@ from bondem.specimen.geometry import Shape
 
 # Gap up to which spheres enter the neighbour list, over the mean radius: wide while they still wander.
 _SKIN_WANDERING, _SKIN_SETTLED = 0.5, 0.15
+
+# Spheres from which on threads pay: a step of fewer is too short to wait for each other.
+_THREADED = 2000
 
 # Mean overlap below which spheres do not press on each other, over the mean radius.
 _LOOSE = 2e-5
@@ -77,17 +81,18 @@ class SoftSpheres:
         report = np.zeros(5)
         loose = _LOOSE * self.mean_radius
         taken = 0
-        while True:
-            start, neighbour = self._list()
-            slack = 0.499 * self._skin * self.mean_radius
-            status = kernels.relax(
-                self.sphere, self._velocity, self._force, self._period, self._wall, start, neighbour,
-                self.sphere[:, :3].copy(), slack, fire, tolerance, loose, steps - taken, report,
-            )  # fmt: skip
-            taken += int(report[4]) + (status == kernels.STALE)
-            progress(taken)
-            if status != kernels.STALE:
-                break
+        with threads(1 if len(self.sphere) < _THREADED else None):
+            while True:
+                start, neighbour = self._list()
+                slack = 0.499 * self._skin * self.mean_radius
+                status = kernels.relax(
+                    self.sphere, self._velocity, self._force, self._period, self._wall, start, neighbour,
+                    self.sphere[:, :3].copy(), slack, fire, tolerance, loose, steps - taken, report,
+                )  # fmt: skip
+                taken += int(report[4]) + (status == kernels.STALE)
+                progress(taken)
+                if status != kernels.STALE:
+                    break
         self._skin = _SKIN_SETTLED
         mean = self.mean_radius
         z = 2.0 * float(report[2]) / len(self.sphere)

@@ -38,8 +38,8 @@ class Fabric:
         isotropy_error: e of André et al. (2012), eq 11 [-]: mean square difference between the frequencies of bond
             directions on the 320 faces of the geode and 1/320. It is at most 319/320², so the limit of
             0.0032 in the paper excludes nothing.
-        chi2_per_dof: χ² over the 160 pairs of opposite faces, with their true solid angles, per degree of freedom [-];
-            1 ± 0.11 for a random isotropic fabric, and growing with the sample for any other.
+        chi2_per_dof: χ² over the 160 pairs of opposite faces, with their true solid angles, per degree of freedom:
+            1 ± 0.11 for a random isotropic fabric, and growing with the sample for any other [-].
         rms_excess: √((χ² - dof) / bonds) [-]: relative rms deviation of the directional density from isotropy,
             beyond chance; it does not depend on the size of the sample.
         face_counts: bond directions, both ways, on each face of `geode()`, shape (320,).

@@ -1,0 +1,156 @@
+"""Packings: on target, inside the walls, reproducible, and refused where they cannot be."""
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.errors import InputError, PackingError
+from bondem.kernels.cells import neighbours
+
+SHAPES = [
+    bd.Cylinder(radius=5e-3, length=20e-3),
+    bd.Box(size=(1.0, 0.8, 1.3)),
+    bd.Ball(radius=2.0),
+    bd.Cell(size=(1.0, 0.9, 1.2)),
+]
+
+
+@pytest.fixture(scope="module", params=SHAPES, ids=lambda shape: type(shape).__name__)
+def packed(request):
+    return bd.pack(request.param, count=1500, spread=0.25, seed=3)
+
+
+def test_contacts_are_on_target_and_every_sphere_is_there(packed):
+    lattice = bd.connect(packed)
+    assert len(packed) == 1500
+    assert abs(lattice.coordination_number - 6.2) <= 0.02
+    assert lattice.rattlers < 0.03 * len(packed)
+
+
+def test_spheres_lie_inside_the_walls_and_press_on_them(packed):
+    if packed.shape.period is not None:
+        np.testing.assert_array_equal(packed.period, packed.shape.period)
+        assert (packed.position >= 0.0).all()
+        assert (packed.position <= packed.period).all()
+        return
+    gap = (packed.shape.depth(packed.position) - packed.radius) / packed.mean_radius
+    assert gap.min() > -1e-12
+    assert (gap < 1e-9).mean() > 0.1
+
+
+def test_radii_follow_the_size_law(packed):
+    relative = packed.radius / packed.mean_radius
+    assert np.ptp(relative) == pytest.approx(0.25, rel=0.02)
+    # Uniform: standard deviation κ/√12, four sampling errors wide.
+    assert relative.std() == pytest.approx(0.25 / np.sqrt(12.0), rel=0.05)
+    neighbour_in_order = np.corrcoef(relative[1:], relative[:-1])[0, 1]
+    assert abs(neighbour_in_order) < 0.15
+
+
+def test_density_and_overlap_are_those_of_a_jammed_packing(packed):
+    quality = bd.fabric(bd.connect(packed))
+    periodic = packed.shape.period is not None
+    # Random close packing, 0.64, less what walls cost; spheres at walls lack neighbours, so that the same z
+    # takes more compression there.
+    assert 0.61 < quality.volume_fraction < 0.66
+    assert quality.largest_overlap < (0.03 if periodic else 0.15)
+
+
+def test_spheres_are_at_rest(packed):
+    lattice = bd.connect(packed)
+    i, j = lattice.pairs.T
+    deep = packed.radius[i] + packed.radius[j] - lattice.length
+    push = (deep / lattice.length)[:, None] * lattice.branch
+    force = np.zeros_like(packed.position)
+    np.add.at(force, j, push)
+    np.add.at(force, i, -push)
+    inside = packed.shape.depth(packed.position) > packed.radius * (1.0 + 1e-9)
+    residual = np.sqrt((force[inside] ** 2).sum(axis=1).mean())
+    assert residual < 0.006 * deep.mean()
+
+
+def test_monodisperse_cell_packs_at_random_close_density():
+    particles = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=1500, seed=1)
+    assert np.ptp(particles.radius) == 0.0
+    quality = bd.fabric(bd.connect(particles))
+    assert quality.volume_fraction == pytest.approx(0.642, abs=0.008)
+    assert quality.passed, quality.reasons
+
+
+def test_target_of_contacts_can_be_chosen():
+    shape = bd.Cell((1.0, 1.0, 1.0))
+    dense = bd.pack(shape, count=600, spread=0.2, coordination_number=7.5)
+    lattice = bd.connect(dense)
+    assert lattice.coordination_number == pytest.approx(7.5, abs=0.02)
+    usual = bd.pack(shape, count=600, spread=0.2)
+    assert bd.fabric(lattice).largest_overlap > bd.fabric(bd.connect(usual)).largest_overlap
+
+
+def test_same_seed_gives_same_bits_on_any_number_of_threads():
+    def packing(seed, count):
+        with threads(count):
+            return bd.pack(bd.Cylinder(1.0, 3.0), count=2500, spread=0.25, seed=seed)
+
+    one, two, other = packing(5, 1), packing(5, None), packing(6, None)
+    np.testing.assert_array_equal(one.position, two.position)
+    np.testing.assert_array_equal(one.radius, two.radius)
+    assert not np.allclose(one.position, other.position)
+
+
+def test_progress_rises_from_nothing_to_all():
+    shares = []
+    bd.pack(bd.Ball(1.0), count=200, spread=0.25, progress=shares.append)
+    assert shares[0] < 0.1
+    assert shares[-1] == 1.0
+    assert (np.diff(shares) >= 0.0).all()
+
+
+def test_near_neighbours_in_space_are_near_in_order(packed):
+    pairs = bd.connect(packed).pairs
+    shuffled = np.random.default_rng(0).permutation(len(packed))[pairs]
+    apart = np.median(np.abs(np.diff(pairs, axis=1)))
+    assert apart < 0.2 * np.median(np.abs(np.diff(shuffled, axis=1)))
+
+
+@pytest.mark.parametrize("edges", [(1.0, 1.0, 1.0), (0.75, 1.0, 3.0)])
+@pytest.mark.parametrize("periodic", [(True, True, True), (False, False, False), (True, False, True)])
+def test_neighbour_list_is_that_of_all_pairs(edges, periodic):
+    random = np.random.default_rng(1)
+    edges = np.array(edges)
+    sphere = np.column_stack([edges * random.random((300, 3)), random.uniform(0.05, 0.1, 300)])
+    period = np.where(periodic, edges, 0.0)
+    start, neighbour = neighbours(sphere, np.zeros(3), edges, period, 0.06)
+    d = sphere[None, :, :3] - sphere[:, None, :3]
+    d -= period * np.rint(d / edges)
+    near = np.linalg.norm(d, axis=2) <= sphere[:, None, 3] + sphere[None, :, 3] + 0.06
+    np.fill_diagonal(near, val=False)
+    for i in range(300):
+        assert sorted(neighbour[start[i] : start[i + 1]]) == np.flatnonzero(near[i]).tolist()
+
+
+@pytest.mark.parametrize(
+    ("error", "shape", "options", "says"),
+    [
+        (InputError, bd.Ball(1.0), {"count": 0}, "count = 0"),
+        (InputError, bd.Ball(1.0), {"count": 10.5}, "whole number"),
+        (InputError, bd.Ball(1.0), {"count": 100, "spread": 2.0}, "spread = 2"),
+        (InputError, bd.Ball(1.0), {"count": 100, "spread": -0.1}, "spread = -0.1"),
+        (InputError, bd.Ball(1.0), {"count": 100, "spread": float("nan")}, "spread = nan"),
+        (InputError, bd.Ball(1.0), {"count": 100, "seed": -1}, "seed = -1"),
+        (InputError, bd.Ball(1.0), {"count": 5}, "more spheres"),
+        (InputError, bd.Ball(1.0), {"count": 100, "coordination_number": 0.0}, "positive coordination_number="),
+        (InputError, bd.Box((1.0, 1.0, 0.01)), {"count": 100}, "do not fit"),
+        (InputError, bd.Cell((1.0, 1.0, 1.0)), {"count": 10}, "too large for the periodic"),
+        (PackingError, bd.Ball(1.0), {"count": 20}, "ask for more spheres"),
+    ],
+)
+def test_bad_requests_are_refused_with_advice(error, shape, options, says):
+    with pytest.raises(error, match=says):
+        bd.pack(shape, **options)
+
+
+def test_a_shape_without_walls_for_packing_is_refused():
+    box = bd.Particles(np.zeros((1, 3)), [1.0]).envelope
+    with pytest.raises(InputError, match="Cylinder, Box, Ball and Cell"):
+        bd.pack(box, count=100)
