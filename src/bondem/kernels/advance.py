@@ -132,7 +132,7 @@ def advance(
     step and the start of the next are fused into one pass over the elements.
 
     Returns:
-        (steps done, records written, bonds turned wide, bonds lost, whether a number was not finite).
+        (steps done, records written, bonds turned wide at most, bonds lost, whether a number was not finite).
     """
     threaded = len(i) >= SERIAL_BONDS
     done = 0
@@ -188,7 +188,8 @@ def advance(
                 dt, finish, begin, extra, gamma, loss, not paused,
             )  # fmt: skip
         if now % GUARD_INTERVAL == 0 or done == steps:
-            wide, lost, sick = rotation_guard(pose, i, j, constants, integrity, period)
+            turned, lost, sick = rotation_guard(pose, i, j, constants, integrity, period)
+            wide = max(wide, turned)
             if lost > 0 or sick:
                 break
         if sampled:

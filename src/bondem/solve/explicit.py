@@ -136,13 +136,14 @@ def integrate(
     total = round(plan.duration / dt)
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     good = state.copy()
+    fresh: list[np.ndarray] = []
     while state.step < total:
         goal = min(total, state.step + _CHUNK)
         for interval in (plan.save_every, plan.every if plan.until else 0):
             if interval:
                 goal = min(goal, (state.step // interval + 1) * interval)
         records, wide, lost, sick = loop.run(goal - state.step)
-        history = history.extended(records)
+        fresh.append(records)
         if lost or sick:
             cause = "a number is not finite" if sick else f"{lost} unbroken bonds are turned beyond 90 degrees"
             status, state = Status.UNSTABLE, good
@@ -160,12 +161,15 @@ def integrate(
             progress(state.step / total)
         saved = plan.save_every and state.step % plan.save_every == 0
         if saved and sink is not None:
+            history = history.extended(*fresh)
+            fresh.clear()
             sink.checkpoint(state, history)
         if saved:
             good = state.copy()
         if any(event.happened(state) for event in plan.until):
             status, message = Status.STOPPED, f"stopped by an event at t = {state.time:.6g} s"
             break
+    history = history.extended(*fresh)
     if sink is not None and status is not Status.UNSTABLE:
         sink.checkpoint(state, history)
     return ExplicitResult(status, state, history, dt, state.step, message)

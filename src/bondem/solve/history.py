@@ -28,9 +28,9 @@ class History:
         """A history without records."""
         return cls(np.zeros((0, FIXED_COLUMNS + 3 * len(gauges))), gauges)
 
-    def extended(self, records: Floats) -> "History":
+    def extended(self, *records: Floats) -> "History":
         """This history with more records."""
-        return History(np.concatenate([self.records, records]), self.gauges)
+        return History(np.concatenate([self.records, *records]), self.gauges)
 
     def __len__(self) -> int:
         return len(self.records)

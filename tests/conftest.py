@@ -1,0 +1,20 @@
+"""Options of the test suite: slow validation runs only when asked for, device tests only where there is one."""
+
+import pytest
+
+_OPTIONS = {"validate": "--validate", "gpu": "--gpu"}
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--validate", action="store_true", help="run the slow validation against published numbers too")
+    parser.addoption("--gpu", action="store_true", help="run the tests that need a CUDA device too")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    for marker, option in _OPTIONS.items():
+        if config.getoption(option):
+            continue
+        skip = pytest.mark.skip(reason=f"needs {option}")
+        for item in items:
+            if item.get_closest_marker(marker):
+                item.add_marker(skip)
