@@ -10,9 +10,10 @@ import math
 
 import numpy as np
 from scipy.sparse import bsr_array, csc_array, dia_array
-from scipy.sparse.linalg import LinearOperator, eigsh, splu
+from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints, PerElement3
+from bondem.solve.lanczos import lowest_modes
 
 # Elements a clump at 10 000 elements; it grows with the root of n, so that elimination stays a small part.
 _CLUMP = 25.0
@@ -63,7 +64,8 @@ class Clumps:
 
     def __init__(self, matrix: bsr_array, basis: Floats, clump: Ints) -> None:
         n, count = len(clump), int(clump.max()) + 1
-        self.prolongation = bsr_array((basis, clump, np.arange(n + 1)), shape=(6 * n, 6 * count))
+        self._size = 6 * count
+        self.prolongation = bsr_array((basis, clump, np.arange(n + 1)), shape=(6 * n, self._size))
         self.restriction = self.prolongation.T.tobsr((6, 6))
         self.matrix = csc_array((self.restriction @ (matrix @ self.prolongation)).tocsc())
         diagonal = self.matrix.diagonal()
@@ -76,16 +78,13 @@ class Clumps:
 
     def __call__(self, residual: Floats) -> Floats:
         """The correction for a residual, shape (6 n,) or (6 n, k)."""
-        coarse = self.restriction @ residual
-        if coarse.ndim == 1:
-            return self.prolongation @ self._factors.solve(coarse)
-        # one by one: SuperLU hands several columns to threaded BLAS, which is slower
-        return self.prolongation @ np.stack([self._factors.solve(column) for column in coarse.T.copy()], axis=1)
+        return self.prolongation @ self._factors.solve(np.asfortranarray(self.restriction @ residual))
 
     def modes(self, mass: bsr_array, count: int) -> Floats:
         """Lowest modes of the pencil (matrix, mass) among the motions of the clumps, shape (6 n, count)."""
-        inverse = LinearOperator(self.matrix.shape, matvec=self._factors.solve, dtype=float)
         coarse = csc_array((self.restriction @ (mass @ self.prolongation)).tocsc())
-        start = coarse @ np.random.default_rng(0).standard_normal(coarse.shape[0])
-        vectors = eigsh(self.matrix, k=count, M=coarse, sigma=0.0, OPinv=inverse, v0=start, tol=1e-3)[1]
-        return self.prolongation @ vectors
+        start = coarse @ np.random.default_rng(0).standard_normal(self._size)
+        solve = self._factors.solve
+        return self.prolongation @ lowest_modes(
+            self.matrix, solve, start, mass=coarse, count=count, tolerance=1e-3
+        )[1]

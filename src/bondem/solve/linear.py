@@ -20,11 +20,12 @@ from bondem.kernels.block_matvec import block_matvec
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.solve.clumps import Clumps, clump_motions, clump_of
-from bondem.solve.tall import combine, dot, gram
 
 # Up to this many elements, or in a lattice that is little more than a chain, elimination wins.
 _DIRECT = 1500
 _CHAIN = 1.5
+# A pivot below this, of a matrix with unit diagonal, belongs to a mechanism.
+_SINGULAR = 1e-13
 _ROUNDS = 5000
 
 
@@ -34,7 +35,7 @@ class System:
 
     Attributes:
         matrix: K of all degrees of freedom [N/m, N, N·m], (6 n, 6 n).
-        position: centres [m], shape (n, 3).
+        position: centres, rattlers put at the centroid [m], shape (n, 3).
         length: R̄, by which rotations become displacements [m].
         free: degrees of freedom neither held nor a rattler's, shape (n, 6).
         loose: rigid motions (u, θ) that the supports permit, orthonormal with u·u + R̄² θ·θ, shape (6 n, k).
@@ -52,14 +53,15 @@ class System:
         lattice, order = model.lattice, model.layout.order
         connected = lattice.connected[order]
         position = lattice.particles.position[order]
+        position[~connected] = position[connected].mean(axis=0)
         held = model.constraints.held(len(order)) & connected[:, None]
         metric = np.tile(np.repeat([1.0, lattice.particles.mean_radius], 3), len(order))
         loose = rigid_motions(position, lattice.particles.period is not None) * connected[:, None, None]
         loose = orthonormal(loose.reshape(len(metric), -1) * metric[:, None])
         if held.any():
             grip = loose[held.ravel()]
-            size, turn = np.linalg.eigh(gram(grip, grip))
-            loose = combine(loose, turn[:, size <= 1e-12 * size[-1]])
+            size, turn = np.linalg.eigh(grip.T @ grip)
+            loose = loose @ turn[:, size <= 1e-12 * size[-1]]
         return cls(
             matrix=stiffness_matrix(model),
             position=position,
@@ -72,17 +74,30 @@ class System:
         """A motion (6 n,) without its part along `loose`."""
         if self.loose.shape[1] == 0:
             return motion
-        weight = np.tile(np.repeat([1.0, self.length**2], 3), len(self.free))
-        part = gram(self.loose, (weight * motion)[:, None])
-        return motion - combine(self.loose, part)[:, 0]
+        return motion - self.loose @ (self.loose.T @ (self._weight * motion))
+
+    def balanced(self, load: Floats) -> Floats:
+        """A load (6 n,) without what rounding left of work on `loose`."""
+        if self.loose.shape[1] == 0:
+            return load
+        return load - self._weight * (self.loose @ (self.loose.T @ load))
+
+    @property
+    def _weight(self) -> Floats:
+        return np.tile(np.repeat([1.0, self.length**2], 3), len(self.free))
 
 
 def orthonormal(vectors: Floats) -> Floats:
     """Vectors (rows, k) of the same span, orthonormal."""
     for _ in range(2):
         vectors = vectors / np.sqrt(np.einsum("nk,nk->k", vectors, vectors))
-        vectors = combine(vectors, np.linalg.inv(np.linalg.cholesky(gram(vectors, vectors))).T)
+        vectors = vectors @ normalising(vectors.T @ vectors)
     return vectors
+
+
+def normalising(product: Floats) -> Floats:
+    """T with Tᵀ product T = 1."""
+    return np.asarray(np.linalg.inv(np.linalg.cholesky(product)).T, dtype=float)
 
 
 def rigid_motions(position: Floats, periodic: bool) -> Floats:
@@ -125,7 +140,6 @@ class Elimination:
 
     def __init__(self, system: System) -> None:
         self._system = system
-        self._iteration: Iteration | None = None
         free = system.free.ravel().copy()
         loose = system.loose * np.tile(np.repeat([1.0, system.length], 3), len(system.free))[:, None]
         for _ in range(loose.shape[1]):
@@ -141,21 +155,22 @@ class Elimination:
                 self._matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
                 options={"SymmetricMode": True},
             )  # fmt: skip
-        except RuntimeError:  # singular: a mechanism, on which a load need not work
-            self._iteration = Iteration(system)
+            singular = np.abs(self._factors.U.diagonal()).min(initial=1.0) < _SINGULAR
+        except RuntimeError:
+            singular = True
+        # on a mechanism a load need not work: iteration finds out
+        self._iteration = Iteration(system) if singular else None
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
         """See `Solver`."""
-        if self._iteration is None:
-            right = self._scale * load[self._live]
-            x = self._factors.solve(right)
-            x += self._factors.solve(right - self._matrix @ x)
-            if np.linalg.norm(right - self._matrix @ x) <= 1e-8 * np.linalg.norm(right):
-                solution = np.zeros_like(load)
-                solution[self._live] = self._scale * x
-                return self._system.without_rigid_motion(solution)
-            self._iteration = Iteration(self._system)
-        return self._iteration.solve(load, guess=guess, rtol=rtol)
+        if self._iteration is not None:
+            return self._iteration.solve(load, guess=guess, rtol=rtol)
+        right = self._scale * load[self._live]
+        x = self._factors.solve(right)
+        x += self._factors.solve(right - self._matrix @ x)
+        solution = np.zeros_like(load)
+        solution[self._live] = self._scale * x
+        return self._system.without_rigid_motion(solution)
 
 
 class Iteration:
@@ -182,9 +197,9 @@ class Iteration:
         """See `Solver`."""
         system = self._system
         start = np.zeros_like(load) if guess is None else np.where(system.free.ravel(), guess, 0.0)
-        right = _by_element(self._turned, load)
+        right = _by_element(self._turned, system.balanced(load))
         residual = right if guess is None else right - _by_element(self._turned, system.matrix @ start)
-        x = conjugate_gradients(self.scaled, self.approximate, residual, rtol * np.sqrt(dot(right, right)))
+        x = conjugate_gradients(self.scaled, self.approximate, residual, rtol * float(np.linalg.norm(right)))
         return system.without_rigid_motion(start + _by_element(self.root, x))
 
     def approximate(self, residual: Floats) -> Floats:
@@ -233,14 +248,14 @@ def conjugate_gradients(
     Kp = np.empty_like(r)
     rho = 1.0
     for _ in range(_ROUNDS):
-        if np.sqrt(dot(r, r)) <= stop:
+        if np.linalg.norm(r) <= stop:
             return x
         z = precondition(r)
-        rho, old = dot(r, z), rho
+        rho, old = r @ z, rho
         p *= rho / old
         p += z
         block_matvec(matrix.indptr, matrix.indices, matrix.data, p.reshape(-1, 6), Kp.reshape(-1, 6))
-        curvature = dot(p, Kp)
+        curvature = p @ Kp
         if not curvature > 0.0:
             break
         x += (rho / curvature) * p

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import eigh
 from scipy.sparse import bsr_array, csc_array, diags_array
-from scipy.sparse.linalg import LinearOperator, eigsh
 
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.matrices import mass_diagonal
 from bondem.model.model import Model
-from bondem.solve.linear import Elimination, Iteration, System, orthonormal, prefers_elimination
-from bondem.solve.tall import combine, gram
+from bondem.solve.lanczos import lowest_modes
+from bondem.solve.linear import Elimination, Iteration, System, normalising, orthonormal, prefers_elimination
+from bondem.solve.threads import one_blas_thread
 
 # Vectors iterated beside the wanted ones, so that a wanted pair is not cut in two.
 _GUARD = 4
@@ -35,6 +35,7 @@ class Modes:
     shape: Floats
 
 
+@one_blas_thread
 def solve_modes(model: Model, *, count: int = 8) -> Modes:
     """Lowest natural frequencies and modes, without damping.
 
@@ -77,21 +78,17 @@ def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, 
     elimination = Elimination(system)
 
     def free(v: Floats) -> Floats:
-        return v - combine(rigid, gram(rigid, v[:, None]))[:, 0]
+        return v - rigid @ (rigid.T @ v)
 
     def inverse(v: Floats) -> Floats:
         return free(root * elimination.solve(root * free(v * alive)))
 
     alive = system.free.ravel().astype(float)
     scale = diags_array(1.0 / root)
-    size = (len(mass), len(mass))
     start = free(alive * np.random.default_rng(0).standard_normal(len(mass)))
-    square, vector = eigsh(
-        csc_array(scale @ system.matrix @ scale), k=count, sigma=0.0, v0=start, tol=1e-12,
-        OPinv=LinearOperator(size, matvec=inverse, dtype=float),
-    )  # fmt: skip
-    order = np.argsort(square)
-    return square[order], vector[:, order] / root[:, None]
+    matrix = csc_array(scale @ system.matrix @ scale)
+    square, vector = lowest_modes(matrix, inverse, start, count=count, tolerance=1e-12)
+    return square, vector / root[:, None]
 
 
 def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats]:
@@ -103,26 +100,26 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
     K, M = iteration.scaled, bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=iteration.scaled.shape)
     width = min(count + _GUARD, int(system.free.sum()) - none)
     rigid = iteration.unscaled(system.loose)
-    rigid = combine(rigid, np.linalg.inv(np.linalg.cholesky(gram(rigid, M @ rigid))).T)
+    rigid = rigid @ normalising(rigid.T @ (M @ rigid))
     M_rigid = M @ rigid
     S = iteration.coarse.modes(M, width + none)
-    S -= combine(rigid, gram(M_rigid, S))
+    S -= rigid @ (M_rigid.T @ S)
     KS, MS = K @ S, M @ S
     last = 0
     for _ in range(_ROUNDS):
-        square, turn = _ritz(gram(S, KS), gram(S, MS), width)
-        X, KX, MX = combine(S, turn), combine(KS, turn), combine(MS, turn)
+        square, turn = _ritz(S.T @ KS, S.T @ MS, width)
+        X, KX, MX = S @ turn, KS @ turn, MS @ turn
         R = KX - MX * square
         W = iteration.approximate(R)
         # bounds the error of each ω², but for the quality of the preconditioner
         error = np.einsum("nk,nk->k", R, W)
         if (error[:count] <= _TOLERANCE * square[:count]).all():
             return square[:count], iteration.displacement(X[:, :count])
-        W -= combine(rigid, gram(M_rigid, W))
+        W -= rigid @ (M_rigid.T @ W)
         turn[:last] = 0.0
         last = width
         S, KS, MS = (
-            np.hstack([new, fresh, combine(old, turn)])
+            np.hstack([new, fresh, old @ turn])
             for new, fresh, old in ((X, W, S), (KX, K @ W, KS), (MX, M @ W, MS))
         )
     raise ConvergenceError(f"the first {count} modes did not converge; ask for fewer with count=")

@@ -9,6 +9,7 @@ from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.observe.energy import EnergyParts, linear_energy
 from bondem.solve.linear import System, solver
+from bondem.solve.threads import one_blas_thread
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +29,7 @@ class StaticResult:
     energy: EnergyParts
 
 
+@one_blas_thread
 def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult | None = None) -> StaticResult:
     """Equilibrium under the loads and prescribed motions at the end of their schedules.
 
