@@ -1,7 +1,7 @@
 """Elastic calibration: bond parameters with which a specimen has given E, ν and ρ."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,6 @@ from bondem.errors import InputError
 from bondem.labtests.tension import Tension, static_tension
 from bondem.laws.bond import BondLaw
 from bondem.laws.euler_bernoulli import EulerBernoulli
-from bondem.solve.static import StaticResult
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 
@@ -111,21 +110,16 @@ def calibrate(
     free = FreeParameter.of(law, search)
     fixed = _fixed_parameters(law, free, parameters) | {"nu": nu_mu}
     trials: list[Trial] = []
-    guesses: list[StaticResult | None] = [None] * len(lattices)
 
     def bonds(E: float, value: float) -> BondLaw:
         varied: dict[str, Any] = {"E": E, free.name: value}
         return law(**fixed, **varied)
 
     def measure(candidate: BondLaw) -> list[Tension]:
-        return [
-            static_tension(specimen, candidate, guess=guess)
-            for specimen, guess in zip(lattices, guesses, strict=True)
-        ]
+        return [static_tension(specimen, candidate) for specimen in lattices]
 
     def nu_of(value: float) -> float:
         tensions = measure(bonds(material.E, value))
-        guesses[:] = [tension.solution for tension in tensions]
         E, nu = (float(np.mean([getattr(t, name) for t in tensions])) for name in ("E", "nu"))
         trials.append(Trial(value, E / material.E, nu))
         return nu
@@ -133,7 +127,6 @@ def calibrate(
     value = free.solve(nu_of, material.nu, tolerance=tolerance, who=f"{law.__name__} bonds")
     ratio = next(trial.stiffness_ratio for trial in trials if trial.value == value)
     calibrated = bonds(material.E / ratio, value)
-    guesses[:] = [_scaled(guess, ratio) for guess in guesses if guess is not None]
     return Calibration(
         law=calibrated,
         density=element_density(lattices, material.rho),
@@ -156,10 +149,6 @@ def _fixed_parameters(law: type[BondLaw], free: FreeParameter, given: dict[str, 
     if free.name != "radius_ratio" and not {"radius_ratio", "radius"} & set(given):
         return {"radius_ratio": 1.0} | given
     return dict(given)
-
-
-def _scaled(solution: StaticResult, factor: float) -> StaticResult:
-    return replace(solution, displacement=factor * solution.displacement, rotation=factor * solution.rotation)
 
 
 def _deviation(values: list[float]) -> float:

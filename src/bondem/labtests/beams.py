@@ -21,18 +21,18 @@ class CrossSection:
 
     Attributes:
         area: S [m²].
-        second_moment: I for bending along y, ∫ y² dS [m⁴].
-        polar_moment: ∫ (y² + z²) dS [m⁴].
-        torsion_constant: J of Saint-Venant [m⁴]; the polar moment for a circle.
-        inertia: I for rotary inertia, which the mass decides and not the stiffness [m⁴].
+        second_moment: I for stiffness in bending along y, ∫ y² dS [m⁴].
+        torsion_constant: J of Saint-Venant for stiffness in torsion [m⁴]; the polar moment for a circle.
+        rotary_moment: I for inertia in bending [m⁴].
+        polar_moment: ∫ (y² + z²) dS for inertia in torsion [m⁴].
         circular: whether it is a circle; the shear coefficient depends on it.
     """
 
     area: float
     second_moment: float
-    polar_moment: float
     torsion_constant: float
-    inertia: float
+    rotary_moment: float
+    polar_moment: float
     circular: bool
 
     @classmethod
@@ -45,29 +45,33 @@ class CrossSection:
         match shape:
             case Cylinder():
                 I = 0.25 * math.pi * shape.radius**4
-                return cls(shape.section(), I, 2.0 * I, 2.0 * I, I, True)
+                return cls(shape.section(), I, 2.0 * I, I, 2.0 * I, True)
             case Box() | BoundingBox():
                 lower, upper = shape.bounds
                 _, b, c = upper - lower
                 area = shape.section()
                 polar = area * (b * b + c * c) / 12.0
                 I = c * b**3 / 12.0
-                return cls(area, I, polar, _torsion_of_rectangle(b, c), I, False)
+                return cls(area, I, _torsion_of_rectangle(b, c), I, polar, False)
             case _:
                 raise InputError(
                     f"a {type(shape).__name__} is no bar along x; test a Cylinder or a Box"
                 )
 
-    def filled(self, gyration: Floats) -> "CrossSection":
-        """The same area with ⟨y²⟩ and ⟨z²⟩ of the axial force, (2,) [m²], in place of its own.
+    def filled(self, stiffness: Floats, mass: Floats) -> "CrossSection":
+        """The same area, filled unevenly.
 
-        Shear is taken to fill the section as tension does.
+        Args:
+            stiffness: ⟨y²⟩ and ⟨z²⟩ of the axial force in tension [m²], (2,); shear is taken to fill the
+                section likewise.
+            mass: ⟨y²⟩ and ⟨z²⟩ of the mass [m²], (2,).
         """
-        polar = self.area * float(gyration.sum())
         return replace(
             self,
-            second_moment=self.area * float(gyration[0]),
-            torsion_constant=self.torsion_constant * polar / self.polar_moment,
+            second_moment=self.area * float(stiffness[0]),
+            torsion_constant=self.torsion_constant * self.area * float(stiffness.sum()) / self.polar_moment,
+            rotary_moment=self.area * float(mass[0]),
+            polar_moment=self.area * float(mass.sum()),
         )
 
     def shear_coefficient(self, nu: float) -> float:
@@ -171,7 +175,7 @@ class Bar:
         section, L = self.section, self.length
         # lengths in L and forces in EI/L² keep the numbers near one
         shear = self.EI / (self.kGS * L * L)
-        rotary = section.inertia / (section.area * L * L)
+        rotary = section.rotary_moment / (section.area * L * L)
 
         def free_end(share: float) -> float:
             w = (share * _BETA_1**2) ** 2

@@ -65,7 +65,7 @@ class Cantilever:
         """
         envelope = lattice.particles.envelope
         section = CrossSection.of(envelope)
-        filled = section if gyration is None else section.filled(gyration)
+        filled = section if gyration is None else section.filled(gyration, mass_gyration(lattice))
         x = lattice.particles.position[:, 0]
         held, loaded = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))
         face = float(envelope.face_centre("x_max")[0])
@@ -99,6 +99,16 @@ class Cantilever:
         chosen = self.lattice.connected
         x, motion = profile(self.lattice.particles.position[chosen], displacement[chosen])
         return {"x": x, "profile": motion[:, component]}
+
+
+def mass_gyration(lattice: Lattice) -> Floats:
+    """Where in the section the mass is: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,), spheres as solid balls."""
+    moving = lattice.connected
+    particles = lattice.particles
+    weight = particles.volume[moving] / particles.volume[moving].sum()
+    place = particles.position[moving, 1:]
+    own = 0.2 * weight @ particles.radius[moving] ** 2
+    return weight @ place**2 - (weight @ place) ** 2 + own
 
 
 def clamped_tension(

@@ -46,7 +46,6 @@ def static_tension(
     *,
     stress: float = 1e6,
     depth: float = 0.02,
-    guess: StaticResult | None = None,
 ) -> Tension:
     """Pull a free specimen along x by equal and opposite forces on its faces x_min and x_max.
 
@@ -58,7 +57,6 @@ def static_tension(
         law: its bonds.
         stress: F / S [Pa]; the result does not depend on it, the solution is linear.
         depth: of the loaded faces, in mean radii [-].
-        guess: equilibrium of a similar specimen, to start the solver from.
 
     Raises:
         EmptyRegionError: no connected element at a face.
@@ -74,7 +72,7 @@ def static_tension(
             Load(Face("x_min", depth), force=(-force, 0.0, 0.0)),
         ],
     )
-    solution = solve_static(model, guess=guess)
+    solution = solve_static(model)
     chosen = middle_half(lattice)
     position = lattice.particles.position
     field = AffineField.fit(position[chosen], solution.displacement[chosen])
@@ -145,5 +143,6 @@ def _paper_moduli(
     y, z = position[side, 1:].T
     distance = np.hypot(y, z)
     radius = float(lattice.particles.mean_radius + distance.mean())
-    swell = float(((y * displacement[side, 1] + z * displacement[side, 2]) / distance).mean())
+    outward = np.stack([y, z], axis=1) / np.where(distance > 0.0, distance, 1.0)[:, None]
+    swell = float((outward * displacement[side, 1:]).sum(axis=1).mean())
     return force / (math.pi * radius**2) / strain, -swell / radius / strain
