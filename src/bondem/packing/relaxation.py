@@ -64,9 +64,7 @@ class SoftSpheres:
         """R̄ at the present scale [m]."""
         return float(self.sphere[:, 3].mean())
 
-    def relax(
-        self, scale: float, *, tolerance: float, steps: int, progress: Callable[[int], None]
-    ) -> Rest:
+    def relax(self, scale: float, *, tolerance: float, steps: int, progress: Callable[[int], None]) -> Rest:
         """Bring the spheres to rest with their radii `scale` times the first ones.
 
         Args:
