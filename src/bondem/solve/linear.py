@@ -16,7 +16,6 @@ from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Mask
 from bondem.errors import ConvergenceError
-from bondem.kernels.block_matvec import block_matvec
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.solve.clumps import Clumps, clump_motions, clump_of
@@ -245,7 +244,6 @@ def conjugate_gradients(
     x = np.zeros_like(residual)
     r = residual.copy()
     p = np.zeros_like(r)
-    Kp = np.empty_like(r)
     rho = 1.0
     for _ in range(_ROUNDS):
         if np.linalg.norm(r) <= stop:
@@ -254,7 +252,7 @@ def conjugate_gradients(
         rho, old = r @ z, rho
         p *= rho / old
         p += z
-        block_matvec(matrix.indptr, matrix.indices, matrix.data, p.reshape(-1, 6), Kp.reshape(-1, 6))
+        Kp = matrix @ p
         curvature = p @ Kp
         if not curvature > 0.0:
             break
