@@ -24,7 +24,7 @@ from typing import Any, TypeVar
 import numba
 from numba import config, njit, prange
 
-__all__ = ["cache_directory", "device", "kernel", "prange", "threads"]
+__all__ = ["cache_directory", "device", "kernel", "most_threads", "prange", "threads"]
 
 F = TypeVar("F", bound=Callable[..., Any])
 _PACKAGE = Path(__file__).parent
@@ -53,6 +53,11 @@ cache_directory = _cache_root() / _source_hash()
 # OpenMP has the cheapest launch; numba falls back by itself where libgomp is missing.
 if "NUMBA_THREADING_LAYER" not in os.environ and "NUMBA_THREADING_LAYER_PRIORITY" not in os.environ:
     config.THREADING_LAYER_PRIORITY = ["omp", "tbb", "workqueue"]
+
+
+# Threads that spin while they wait cost a factor of four as soon as anything else wants a core, and waking
+# them costs a few µs a launch. libgomp reads this when the first threaded kernel loads it.
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 
 @contextmanager
@@ -85,6 +90,11 @@ def kernel(*, parallel: bool) -> Callable[[F], F]:
             return njit(parallel=parallel, cache=True, nogil=True, **_FLAGS)(twin)
 
     return decorate
+
+
+def most_threads() -> int:
+    """How many threads kernels can run on here."""
+    return int(vars(config)["NUMBA_NUM_THREADS"])
 
 
 @contextmanager
