@@ -4,8 +4,7 @@ from pathlib import Path
 
 import click
 
-from bondem._compile import threads
-from bondem.cli.terminal import progress_bars
+from bondem.cli.terminal import on_threads, progress_bars
 from bondem.run import resume
 from bondem.solve.explicit import Status
 
@@ -16,7 +15,7 @@ from bondem.solve.explicit import Status
 @click.pass_context
 def command(context: click.Context, run_file: Path, count: int | None) -> None:
     """Go on from the last checkpoint of a run, exactly as if it had never stopped."""
-    with threads(count), progress_bars() as progress:
+    with on_threads(count), progress_bars() as progress:
         result = resume(run_file, progress=lambda share: progress("run", share))
     click.echo(f"{result.status.value} at t = {result.state.time:.6g} s, step {result.steps}: {result.message}")
     if result.status is Status.UNSTABLE:

@@ -4,8 +4,7 @@ from pathlib import Path
 
 import click
 
-from bondem._compile import threads
-from bondem.cli.terminal import progress_bars, show_results
+from bondem.cli.terminal import on_threads, progress_bars, show_results
 from bondem.study.pipeline import run_study
 from bondem.study.study import read_study
 
@@ -19,6 +18,6 @@ from bondem.study.study import read_study
 def command(study_file: Path, out: Path, packings: int | None, seed: int | None, count: int | None) -> None:
     """Do everything a study names: pack, check, connect, calibrate, test, report."""
     study = read_study(study_file).changed(packings=packings, seed=seed)
-    with threads(count), progress_bars() as progress:
+    with on_threads(count), progress_bars() as progress:
         results = run_study(study, out, progress=progress)
     show_results(study, results, out)

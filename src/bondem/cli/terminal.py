@@ -1,4 +1,4 @@
-"""What the commands print: progress on a terminal, and the table of results."""
+"""What the commands share: threads, progress on a terminal, and the table of results."""
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -9,6 +9,8 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
+from bondem._compile import most_threads, threads
+from bondem.errors import InputError
 from bondem.report.numbers import percent, quantity, signed_percent
 from bondem.study.study import Study
 
@@ -27,6 +29,19 @@ def progress_bars() -> Iterator[Callable[[str, float], None]]:
             bars.update(tasks[stage], completed=share)
 
         yield progress
+
+
+@contextmanager
+def on_threads(count: int | None) -> Iterator[None]:
+    """Run on `count` threads, or on all there are.
+
+    Raises:
+        InputError: more than there are.
+    """
+    if count is not None and count > most_threads():
+        raise InputError(f"--threads {count}, but there are {most_threads()} here; ask for that many at most")
+    with threads(count):
+        yield
 
 
 def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
@@ -49,6 +64,9 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
     )
     for line in lines:
         console.print(line, soft_wrap=True)
+    for one in results["packings"]:
+        for reason in one["fabric_reasons"]:
+            console.print(f"  [yellow]packing of seed {one['seed']}: {reason}[/yellow]", soft_wrap=True)
     if results["tests"]:
         console.print(_tests(study, results["tests"]), soft_wrap=True)
     console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True)

@@ -27,6 +27,8 @@ def quantity(value: float | None, unit: str = "", digits: int = 4) -> str:
 def _significant(value: float, digits: int) -> str:
     if value == 0.0:
         return "0"
+    if value < 0.0:
+        return f"−{_significant(-value, digits)}"
     places = digits - 1 - math.floor(math.log10(abs(value)))
     if -3 <= places <= digits + 2:
         return f"{value:.{max(places, 0)}f}"

@@ -17,7 +17,6 @@ from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_speci
 from bondem.report.static_figures import draw_calibration, draw_profiles, draw_tension
 from bondem.report.summary_figures import draw_errors
 
-
 _CAPTIONS = {
     "specimen": "The specimen: its elements, coloured by radius, on one half; its bonds alone on the other.",
     "geode": """Directions of the bonds, counted on the 320 faces of a geode and divided by what an isotropic fabric

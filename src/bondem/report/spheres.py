@@ -124,7 +124,7 @@ def _shaded(depth: Floats, owner: Ints, centre: Floats, size: Floats, colour: Fl
         weight = gaussian_filter(drawn.astype(float), sigma=reach, truncate=2.5)[drawn]
         blurred = gaussian_filter(height, sigma=reach, truncate=2.5)[drawn] / weight
         hidden += np.clip(blurred - depth[drawn], 0.0, None) / reach
-    light = (0.50 + 0.55 * facing) * (0.25 + 0.75 * np.exp(-0.6 * hidden))
+    light = (0.50 + 0.55 * facing) * (0.35 + 0.65 * np.exp(-0.6 * hidden))
     shine = 0.18 * facing**24
     image = np.zeros((*depth.shape, 4))
     image[drawn, :3] = colour[who] * light[:, None] + shine[:, None]

@@ -77,10 +77,10 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         published=study.reference.errors if study.reference else {},
     )
     out.mkdir(parents=True, exist_ok=True)
+    write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:
         write_vtkhdf(out / "specimen.vtkhdf", lattices[0])
-    write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     return results
 
 

@@ -1,0 +1,129 @@
+"""The command: what it prints, writes and returns."""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.io.runfile import RunFile, read_run
+from bondem.model.state import State
+from bondem.solve.explicit import Plan, settled
+from bondem.solve.history import History
+
+EXAMPLE = Path(__file__).parents[1] / "examples" / "silica.toml"
+
+
+def command(*arguments, cwd):
+    return subprocess.run(
+        [sys.executable, "-m", "bondem", *map(str, arguments)], cwd=cwd, capture_output=True, text=True, timeout=300
+    )
+
+
+def model(force=1.0):
+    position = np.zeros((12, 3))
+    position[:, 0] = 1e-3 * np.arange(12)
+    lattice = bd.connect(bd.Particles(position, 0.5e-3))
+    law = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
+    load = bd.Load(bd.Index([11]), force=(0.0, -force, 0.0))
+    return bd.Model(lattice, law, density=2500.0, boundary=[bd.Fix(bd.Index([0])), load])
+
+
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory):
+    """The silica study, small enough for a test."""
+    folder = tmp_path_factory.mktemp("cli")
+    (folder / "study.toml").write_text(EXAMPLE.read_text().replace("count = 10_000", "count = 600"))
+    done = command("run", "study.toml", "--out", "out", "--seed", "3", "--threads", "1", cwd=folder)
+    return folder / "out", done
+
+
+def test_run_succeeds_and_is_silent_in_a_pipe_but_for_the_table(finished):
+    _, done = finished
+    assert done.returncode == 0
+    assert done.stderr == ""
+    lines = done.stdout.splitlines()
+    assert "\x1b" not in done.stdout
+    for name in ("static_bending", "dynamic_torsion", "impact"):
+        assert any(line.split()[:1] == [name] and "%" in line for line in lines)
+    assert "6.63 %" in done.stdout
+
+
+def test_run_leaves_results_report_and_figures(finished):
+    out, _ = finished
+    results = json.loads((out / "results.json").read_text())
+    assert results["seed"] == 3
+    assert results["specimen"]["elements"] == 600
+    assert set(results["tests"]) == {
+        "static_tension", "static_bending", "static_torsion",
+        "dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact",
+    }  # fmt: skip
+    assert results["macro"]["E"] == pytest.approx(72.5e9, rel=2e-3)
+    assert results["macro"]["nu"] == pytest.approx(0.17, abs=1e-3)
+    # a coarse specimen, so loosely: theory is met in kind
+    assert all(abs(row["error"]) < 0.25 for row in results["tests"].values())
+    names = {path.stem for path in (out / "figures").glob("*.png")}
+    assert names == {
+        "specimen", "geode", "contacts", "calibration", "tension", "profiles", "modes", "vibration", "wave", "errors",
+    }  # fmt: skip
+    assert sorted(path.name for path in out.iterdir()) == ["figures", "report.html", "results.json"]
+
+
+def test_the_report_holds_everything_it_shows(finished):
+    out, _ = finished
+    html = (out / "report.html").read_text()
+    assert html.count('src="data:image/png;base64,') == html.count("<img") == 10
+    assert "http" not in html.replace("https://www.w3.org", "")
+    for text in ("Fused silica cylinder", "static bending", "6.63 %", "André et al. (2012)", "seed 4"):
+        assert text in html
+
+
+def test_resume_goes_on_to_the_end(tmp_path):
+    # a checkpoint at rest, as a run killed at once leaves it
+    beam = model()
+    plan = settled(beam, Plan(duration=2e-5, gauges={"end": bd.Gauge(bd.Index([11]), "displacement")}, every=10))
+    RunFile(tmp_path / "run.h5", beam, plan).checkpoint(State(beam), History.empty(("end",)))
+    whole = bd.solve_explicit(beam, duration=2e-5, gauges=dict(plan.gauges), every=10)
+    done = command("resume", "run.h5", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    assert f"step {whole.steps}" in done.stdout
+    kept = read_run(tmp_path / "run.h5")
+    np.testing.assert_array_equal(kept.state.pose, whole.state.pose)
+    np.testing.assert_array_equal(kept.history.records, whole.history.records)
+
+
+def test_an_unstable_run_returns_three(tmp_path):
+    beam = model(force=1e6)
+    RunFile(tmp_path / "run.h5", beam, settled(beam, Plan(duration=1e-3))).checkpoint(State(beam), History.empty(()))
+    before = (tmp_path / "run.h5").read_bytes()
+    done = command("resume", "run.h5", cwd=tmp_path)
+    assert done.returncode == 3
+    assert "unstable" in done.stdout
+    assert (tmp_path / "run.h5").read_bytes() == before
+
+
+def test_version_is_instant_and_loads_nothing_heavy(tmp_path):
+    start = time.perf_counter()
+    done = command("--version", cwd=tmp_path)
+    assert done.stdout.split() == ["bondem,", "version", bd.__version__]
+    assert time.perf_counter() - start < 3.0
+    code = (
+        "import sys; sys.argv = ['bondem', '--version']\n"
+        "from bondem.cli import main\n"
+        "try: main()\n"
+        "except SystemExit: pass\n"
+        "assert not {'numpy', 'numba', 'scipy', 'matplotlib', 'rich'} & set(sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], cwd=tmp_path).returncode == 0
+
+
+@pytest.mark.parametrize("arguments", [[], ["--help"], ["run", "--help"], ["resume", "--help"]])
+def test_help(tmp_path, arguments):
+    done = command(*arguments, cwd=tmp_path)
+    assert done.returncode == 0
+    assert "Usage:" in done.stdout
