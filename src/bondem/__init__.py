@@ -19,6 +19,7 @@ _PUBLIC = {
     "bondem.specimen.fabric": ("fabric",),
     "bondem.packing": ("pack",),
     "bondem.laws.contact_bond": ("ContactBond",),
+    "bondem.laws.damping": ("LocalDamping",),
     "bondem.laws.euler_bernoulli": ("EulerBernoulli",),
     "bondem.laws.obermayr": ("Obermayr",),
     "bondem.laws.parallel_bond": ("ParallelBond",),

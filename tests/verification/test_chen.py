@@ -1,7 +1,9 @@
 """The cantilevers of Chen et al. (2022): all laws against exact beam theory, statically and by explicit dynamics."""
 
 import math
+import runpy
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,7 +13,6 @@ from scipy.optimize import brentq
 import bondem as bd
 from bondem._compile import threads
 from bondem.laws.bond import BondLaw
-from bondem.laws.damping import LocalDamping
 from bondem.solve.explicit import Status
 
 E, NU, RHO = 200e9, 0.3, 7800.0
@@ -152,7 +153,7 @@ def test_explicit_dynamics_comes_to_rest_at_the_static_solution(name: str, law: 
     run = bd.solve_explicit(
         cantilever(lattice, bond, 1e3, ramp=0.1),
         duration=60.0,
-        damping=LocalDamping(0.5),
+        damping=bd.LocalDamping(0.5),
         until=(bd.AtRest(1e-9, after=0.1),),
     )
     assert run.status is Status.STOPPED
@@ -168,7 +169,7 @@ def test_case_1_with_the_papers_ramp_damping_and_stop_rule(law: type[BondLaw]) -
     run = bd.solve_explicit(
         cantilever(lattice, bond, 1e3, ramp=1.0),
         duration=600.0,
-        damping=LocalDamping(0.001),
+        damping=bd.LocalDamping(0.001),
         until=(bd.AtRest(1e-9, after=1.0),),
     )
     assert run.status is Status.STOPPED
@@ -213,7 +214,7 @@ def test_large_rotations_converge_to_the_elastica(
         run = bd.solve_explicit(
             cantilever(row(4.0, np.full(n + 1, 2.0 / n)), law(E=E, nu=NU, radius=0.1), force, ramp=0.2),
             duration=100.0,
-            damping=LocalDamping(0.5),
+            damping=bd.LocalDamping(0.5),
             until=(bd.AtRest(1e-9, after=0.2),),
         )
         assert run.status is Status.STOPPED
@@ -226,3 +227,10 @@ def test_large_rotations_converge_to_the_elastica(
 def test_elastica_and_linear_theory_of_case_4_at_100_kN() -> None:
     assert 1e3 * reissner(1e5, 4.0, 0.1, shear=False) == pytest.approx(135.652, abs=1e-3)
     assert 1e3 * beam_theory(np.array([4.0]), 4.0, 0.1, shear=False)[0] == pytest.approx(135.812, abs=1e-3)
+
+
+def test_the_example_prints_table_4() -> None:
+    example = runpy.run_path(str(Path(__file__).parents[2] / "examples/chen_cantilever.py"))
+    found = example["main"]()
+    expected = {"Timoshenko": 8.534, "EulerBernoulli": 8.488, "ParallelBond": 8.508, "Timoshenko, explicit": 8.534}
+    assert {name: 1e3 * value for name, value in found.items()} == pytest.approx(expected, abs=1e-3)

@@ -7,7 +7,6 @@ import pytest
 import bondem as bd
 from bondem._compile import threads
 from bondem.kernels.advance import SERIAL_BONDS
-from bondem.laws.damping import LocalDamping
 from bondem.model.state import State
 from bondem.solve.explicit import ExplicitResult, Plan, integrate
 from bondem.solve.history import History
@@ -19,7 +18,7 @@ GAUGES = {
     "fastest": bd.Gauge(bd.Everything(), "velocity", "max_abs"),
     "turned": bd.Gauge(bd.Everything(), "rotation"),
 }
-DAMPING = LocalDamping(0.1)
+DAMPING = bd.LocalDamping(0.1)
 
 
 def bar(shape: tuple[int, int, int], formulation: str = "total") -> bd.Model:

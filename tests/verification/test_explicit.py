@@ -9,7 +9,6 @@ import pytest
 import bondem as bd
 from bondem._compile import threads
 from bondem.errors import InputError, UnstableStepError
-from bondem.laws.damping import LocalDamping
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
 from bondem.model.state import State
 from bondem.solve.explicit import Plan, Status, integrate, settled
@@ -337,9 +336,9 @@ DRIVES = {
 }
 
 
-@pytest.mark.parametrize("damping", [None, LocalDamping(0.3)], ids=["undamped", "damped"])
+@pytest.mark.parametrize("damping", [None, bd.LocalDamping(0.3)], ids=["undamped", "damped"])
 @pytest.mark.parametrize("drive", DRIVES.values(), ids=DRIVES.keys())
-def test_the_energy_ledger_closes_to_second_order(drive: tuple, damping: LocalDamping | None) -> None:
+def test_the_energy_ledger_closes_to_second_order(drive: tuple, damping: bd.LocalDamping | None) -> None:
     model = rod(6, boundary=[bd.Fix(bd.Index([0])), *drive])
     whole = 1.0 / 16.0  # kinks of the schedules fall on whole steps
     assert whole / 8 < critical_step(model, bd.VelocityVerlet())
