@@ -27,7 +27,7 @@ def test_no_room_without_a_name():
 
 def test_no_import_is_hidden_in_a_function_or_under_type_checking():
     lazy = {ROOT / "src/bondem/__init__.py"}
-    pattern = re.compile(r"^\s+(import \w|from [\w.]+ import )", re.MULTILINE)
+    pattern = re.compile(r"^[ \t]+(import \w|from [\w.]+ import )", re.MULTILINE)
     hidden = [str(path.relative_to(ROOT)) for path in SOURCES if path not in lazy and pattern.search(path.read_text())]
     assert not hidden
 
