@@ -191,6 +191,9 @@ class Iteration:
         self.scaled = bsr_array((data, K.indices, K.indptr), shape=K.shape)
         clump = clump_of(system.position)
         self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
+        self._rigid = self.unscaled(system.loose)
+        if self._rigid.shape[1]:
+            self._rigid = orthonormal(self._rigid)
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
         """See `Solver`."""
@@ -203,7 +206,10 @@ class Iteration:
 
     def approximate(self, residual: Floats) -> Floats:
         """Roughly (Sᵀ K S)⁻¹ times residuals of shape (6 n,) or (6 n, k)."""
-        return residual + self.coarse(residual)
+        z = residual + self.coarse(residual)
+        # the clumps nearly resist rigid motion only: what rounding leaves of it in a residual would grow a
+        # billionfold, and iterations on a free specimen stall or diverge near 1e-10
+        return z - self._rigid @ (self._rigid.T @ z)
 
     def displacement(self, unknowns: Floats) -> Floats:
         """S x for every column of (6 n, k)."""
