@@ -7,8 +7,9 @@ import numpy as np
 from bondem._types import Floats, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.model.model import Model
-from bondem.observe.energy import EnergyParts, linear_energy
+from bondem.observe.energy import EnergyParts, elastic_energy, linear_energy
 from bondem.solve.linear import System, solver
+from bondem.solve.nonlinear import follow
 from bondem.solve.threads import one_blas_thread
 
 
@@ -45,11 +46,15 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
         InputError: unbalanced loads on a specimen that is free to move, or a prescribed velocity.
         ConvergenceError: a load that no bond resists.
     """
-    if nonlinear:
-        raise InputError("nonlinear=True is not available yet; pass nonlinear=False, or use solve_explicit")
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
     system = System.of(model)
+    if nonlinear:
+        bent = follow(model, system)
+        values = bent.motion[layout.rank]
+        reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n), 0.0)
+        energy = elastic_energy(model, bent.state)
+        return StaticResult(values[:, :3].copy(), values[:, 3:].copy(), reaction[layout.rank], energy)
     motion, load = constraints.final_motion(n).ravel(), constraints.final_load(n).ravel()
     _check_balance(system, load)
     right = load - system.matrix @ motion if motion.any() else load

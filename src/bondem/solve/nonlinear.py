@@ -1,0 +1,184 @@
+"""Equilibrium at large rotations: the least energy of bonds and loads, found by Newton's method.
+
+The tangent is the second derivative of the bond energy in displacements and spins, each bond's by central
+differences of its exact gradient. Loads keep their direction. Load and prescribed motion grow together in
+steps that turn no element by more than a fraction of a radian, so that the path from rest is followed.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse import bsr_array
+
+from bondem._types import Floats
+from bondem.errors import ConvergenceError, InputError
+from bondem.kernels.bond_pass import bond_forces_serial, rotation_guard
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.solve.linear import System, solver
+
+# Largest rotation of an element in one step of the load [rad].
+_TURN = 0.3
+_ROUNDS = 20
+_TOLERANCE = 1e-9
+_SHORTEST = 1e-4
+# Central differences: error of the tangent h² from the step and ε/h from rounding.
+_DIFFERENCE = 1e-5
+
+
+@dataclass(frozen=True, eq=False)
+class Bent:
+    """An equilibrium at large rotations, internal order.
+
+    Attributes:
+        state: the poses.
+        motion: displacements and rotation vectors [m, rad], shape (n, 6).
+        force: what the bonds oppose to displacements and spins, K u for small ones [N, N·m], (n, 6).
+    """
+
+    state: State
+    motion: Floats
+    force: Floats
+
+
+def follow(model: Model, system: System) -> Bent:
+    """The equilibrium at the end of all schedules, by steps from rest.
+
+    Raises:
+        InputError: the supports leave a rigid motion free.
+        ConvergenceError: the load cannot be reached: it buckles or turns bonds beyond their range.
+    """
+    if system.loose.shape[1]:
+        raise InputError("nonlinear=True needs a specimen that is held; fix all six rigid motions with Fix")
+    n = len(system.free)
+    load, motion = model.constraints.final_load(n), model.constraints.final_motion(n)
+    state = State(model)
+    done, step = 0.0, 1.0
+    while done < 1.0:
+        step = min(step, 1.0 - done)
+        trial = _advance(model, system, state, load * (done + step), motion * step)
+        if isinstance(trial, State):
+            state, done, step = trial, done + step, 2.0 * step
+        else:
+            step *= trial
+            if step < _SHORTEST:
+                raise ConvergenceError(
+                    f"no equilibrium was found beyond {done:.4g} of the load: it buckles, or turns bonds too far;"
+                    " lower it, bond with more and shorter bonds, or use solve_explicit with damping"
+                )
+    turned = np.concatenate([state.pose[:, :3] - state.rest, _rotation_vector(state.pose[:, 4:])], axis=1)
+    return Bent(state, turned, _forces(model, state.pose))
+
+
+def _advance(model: Model, system: System, start: State, load: Floats, motion: Floats) -> State | float:
+    """The equilibrium under `load` after a prescribed `motion`, or by how much to shorten the step."""
+    state = start.copy()
+    metric = np.repeat([1.0, 1.0 / system.length], 3)
+    noise = 1e-14 * float((model.bonds.constants[4] * model.bonds.constants[3]).max()) * np.sqrt(len(load))
+    for k in range(_ROUNDS):
+        force = _forces(model, state.pose)
+        rest = np.where(system.free, load - force, 0.0) * metric
+        scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, 0.0, force) * metric)
+        if k and np.linalg.norm(rest) <= _TOLERANCE * scale + noise:
+            wide, _, sick = rotation_guard(
+                state.pose, model.layout.i, model.layout.j, model.bonds.constants, state.integrity, model.period
+            )
+            return 0.5 if wide or sick else state
+        tangent = replace(system, matrix=tangent_matrix(model, system.matrix, state.pose))
+        right = (load - force).ravel()
+        if k == 0 and motion.any():
+            right = right - tangent.matrix @ motion.ravel()
+        try:
+            change = solver(tangent).solve(right, rtol=1e-8).reshape(-1, 6)
+        except ConvergenceError:
+            return 0.5
+        if k == 0:
+            change += motion
+        turn = np.sqrt((change[:, 3:] ** 2).sum(axis=1).max())
+        if not turn <= 3.0 * _TURN:
+            return min(0.5, _TURN / turn) if np.isfinite(turn) else 0.5
+        if k == 0 and turn > 1.2 * _TURN:
+            return _TURN / turn
+        state.pose[:, :3] += change[:, :3]
+        state.pose[:, 4:] = _turned(state.pose[:, 4:], change[:, 3:])
+    return 0.5
+
+
+def _forces(model: Model, pose: Floats) -> Floats:
+    """Derivative of the bond energy by displacements and spins of the elements [N, N·m], shape (n, 6)."""
+    layout = model.layout
+    on_i, on_j = _bond_gradient(model, pose, layout.i, layout.j)
+    n = len(pose)
+    force = np.empty((n, 6))
+    for d in range(6):
+        force[:, d] = np.bincount(layout.i, weights=on_i[d], minlength=n)
+        force[:, d] += np.bincount(layout.j, weights=on_j[d], minlength=n)
+    return force
+
+
+def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
+    """Derivative of each bond's energy by the motion of its two ends, (6, m) each."""
+    m = len(i)
+    output = np.empty((9, m))
+    bond_forces_serial(pose, i, j, model.bonds.constants, np.ones(m), model.period, output)
+    force = output[:3]
+    return np.concatenate([force, -output[3:6]]), np.concatenate([-force, -output[6:9]])
+
+
+def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> bsr_array:
+    """Second derivative of the bond energy at a pose, (6 n, 6 n); `pattern` is that at rest.
+
+    Symmetric: its antisymmetric part, the torque on an element, is not a property of the energy but of
+    counting spins one after the other, and vanishes in equilibrium.
+    """
+    layout = model.layout
+    m = len(layout.i)
+    # every bond gets its own two elements, so that all can be moved at once
+    ends = np.concatenate([pose[layout.i], pose[layout.j]])
+    first = np.arange(m, dtype=layout.i.dtype)
+    second = first + np.asarray(m, dtype=layout.i.dtype)
+    length = model.bonds.constants[3]
+    H = np.empty((m, 12, 12))
+    for d in range(12):
+        side, dof = divmod(d, 6)
+        rows = slice(side * m, (side + 1) * m)
+        size = _DIFFERENCE * length if dof < 3 else np.full(m, _DIFFERENCE)
+        change = np.zeros((m, 6))
+        gradient = []
+        for sign in (1.0, -1.0):
+            change[:, dof] = sign * size
+            moved = ends.copy()
+            moved[rows, :3] += change[:, :3]
+            moved[rows, 4:] = _turned(moved[rows, 4:], change[:, 3:])
+            gradient.append(np.concatenate(_bond_gradient(model, moved, first, second)))
+        H[:, :, d] = ((gradient[0] - gradient[1]) / (2.0 * size)).T
+    H = 0.5 * (H + np.swapaxes(H, 1, 2))
+
+    start, inward = pattern.indptr, np.diff(layout.in_start)
+    diagonal = start[:-1] + inward
+    data = np.zeros_like(pattern.data)
+    np.add.at(data, diagonal[layout.i], H[:, :6, :6])
+    np.add.at(data, diagonal[layout.j], H[:, 6:, 6:])
+    place = np.arange(m)
+    data[diagonal[layout.i] + 1 + place - layout.out_start[layout.i]] = H[:, :6, 6:]
+    entering = layout.j[layout.in_bond]
+    data[start[entering] + place - layout.in_start[entering]] = H[layout.in_bond, 6:, :6]
+    return bsr_array((data, pattern.indices, start), shape=pattern.shape)
+
+
+def _turned(quaternion: Floats, rotation: Floats) -> Floats:
+    """Unit quaternions (n, 4), turned further by rotation vectors (n, 3)."""
+    half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
+    vector = 0.5 * rotation * np.sinc(half / np.pi)
+    w, v = quaternion[:, :1], quaternion[:, 1:]
+    scalar = np.cos(half) * w - (vector * v).sum(axis=1, keepdims=True)
+    product = np.concatenate([scalar, np.cos(half) * v + w * vector + np.cross(vector, v)], axis=1)
+    return product / np.linalg.norm(product, axis=1, keepdims=True)
+
+
+def _rotation_vector(quaternion: Floats) -> Floats:
+    """Rotation vectors of at most π of unit quaternions (n, 4), shape (n, 3)."""
+    q = np.where(quaternion[:, :1] < 0.0, -quaternion, quaternion)
+    sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
+    ratio = np.divide(2.0 * np.arctan2(sine, q[:, :1]), sine, out=np.full_like(sine, 2.0), where=sine > 1e-150)
+    return q[:, 1:] * ratio
