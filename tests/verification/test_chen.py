@@ -224,6 +224,19 @@ def test_large_rotations_converge_to_the_elastica(
     np.testing.assert_allclose(rates, 2.0, atol=0.15)
 
 
+def test_one_bond_bent_too_far_says_so() -> None:
+    # at 3 MN the bond is turned by more than 45°, and 43 % off
+    for force, wide in ((1e6, False), (3e6, True)):
+        run = bd.solve_explicit(
+            cantilever(row(4.0, np.full(2, 2.0)), bd.EulerBernoulli(E=E, nu=NU, radius=0.1), force, ramp=30.0),
+            duration=200.0,
+            damping=bd.LocalDamping(0.5),
+            until=(bd.AtRest(1e-9, after=30.0),),
+        )
+        assert run.status is Status.STOPPED
+        assert ("no longer that of a beam" in run.message) == wide
+
+
 def test_elastica_and_linear_theory_of_case_4_at_100_kN() -> None:
     assert 1e3 * reissner(1e5, 4.0, 0.1, shear=False) == pytest.approx(135.652, abs=1e-3)
     assert 1e3 * beam_theory(np.array([4.0]), 4.0, 0.1, shear=False)[0] == pytest.approx(135.812, abs=1e-3)

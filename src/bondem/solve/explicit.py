@@ -137,6 +137,7 @@ def integrate(
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     good = state.copy()
     fresh: list[np.ndarray] = []
+    warning = ""
     while state.step < total:
         goal = min(total, state.step + _CHUNK)
         for interval in (plan.save_every, plan.every if plan.until else 0):
@@ -153,9 +154,9 @@ def integrate(
             )
             break
         if wide:
-            message = (
-                f"{wide} bonds are turned so far (c < 0.7) that the bond energy is no longer that of a beam;"
-                " use shorter bonds or lower loads"
+            warning = (
+                f"; {wide} bonds were turned so far (c < 0.7 or w² < 0.75) that the bond energy is no longer that of"
+                " a beam: use shorter bonds or lower loads"
             )
         if progress is not None:
             progress(state.step / total)
@@ -172,7 +173,7 @@ def integrate(
     history = history.extended(*fresh)
     if sink is not None and status is not Status.UNSTABLE:
         sink.checkpoint(state, history)
-    return ExplicitResult(status, state, history, dt, state.step, message)
+    return ExplicitResult(status, state, history, dt, state.step, message + warning)
 
 
 def _rested(bonds: BondTable, eigenstrain: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
