@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.io.runfile import read_run
 from bondem.study.pipeline import run_study
 from bondem.study.results import deviation
 from bondem.study.study import TESTS, Study, parse_study, read_study
@@ -21,7 +22,7 @@ SMALL = {
     "tests": ["static_tension", "static_bending"],
     "material": {"name": "glass", "E": 70e9, "nu": 0.2, "rho": 2500.0},
     "specimen": {"shape": "cylinder", "radius": 5e-3, "length": 30e-3, "count": 500},
-    "output": {"figures": False, "vtk": True},
+    "output": {"figures": False, "vtk": True, "run_files": True},
 }
 
 
@@ -124,7 +125,18 @@ def test_stages_are_told_and_end_at_one(finished):
 
 def test_output_is_complete_and_nothing_else(finished):
     out, _, _ = finished
-    assert sorted(path.name for path in out.iterdir()) == ["report.html", "results.json", "specimen.vtkhdf"]
+    assert sorted(path.name for path in out.iterdir()) == [
+        "report.html", "results.json", "specimen.vtkhdf", "specimen_7.h5", "specimen_8.h5",
+    ]  # fmt: skip
+
+
+def test_a_kept_specimen_is_the_calibrated_one(finished):
+    out, results, _ = finished
+    model = read_run(out / "specimen_8.h5").model
+    tension = bd.labtests.static_tension(model.lattice, model.bond)
+    assert pytest.approx(results["packings"][1]["E"], rel=1e-9) == tension.E
+    assert model.density == results["micro"]["rho_mu"]
+    assert bd.resume(out / "specimen_8.h5").steps == 0
 
 
 def test_a_single_packing_has_no_scatter(tmp_path):

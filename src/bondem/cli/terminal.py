@@ -56,7 +56,7 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
         f" ± {percent(macro['nu_std'] / abs(macro['nu']))} of ν)"
     )  # fmt: skip
     lines = (
-        f"\n[bold]{study.name}[/bold], {study.packings} packings of {specimen['elements']} elements",
+        f"\n[bold]{study.name}[/bold], packings: {study.packings} of {specimen['elements']} elements",
         f"  z = {specimen['coordination_number']:.3f}, φ = {specimen['volume_fraction']:.4f}",
         f"  {micro['law']}: E_μ = {quantity(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},"
         f" ρ_μ = {quantity(micro['rho_mu'], 'kg/m³')}",

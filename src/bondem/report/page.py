@@ -7,6 +7,7 @@ from datetime import date
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from bondem.io.atomic import write_text
@@ -35,7 +36,7 @@ _CAPTIONS = {
         with the frequency of the mode and those of theory.""",
     "wave": """Impact: one face is pushed at a held velocity; the wave has arrived when the far face, free and so
         twice as fast, passes half of its plateau.""",
-    "errors": "All tests at a glance.",
+    "errors": "All tests at a glance: means over the packings with their scatter, and what is in print (unsigned).",
 }
 
 
@@ -135,9 +136,14 @@ def rows_of(findings: Findings) -> list[dict[str, Any]]:
             **row,
             "error_timoshenko": _mean([one.error_timoshenko for one in outcomes]),
             "error_refined": _mean([one.error_refined for one in outcomes]),
+            "free_vibration": _mean([_number(one.curves.get("free_vibration")) for one in outcomes]),
             "published": findings.published.get(name),
         })  # fmt: skip
     return rows
+
+
+def _number(value: object) -> float | None:
+    return None if value is None else float(np.asarray(value))
 
 
 def _mean(values: list[float | None]) -> float | None:

@@ -121,8 +121,7 @@ def _shaded(depth: Floats, owner: Ints, centre: Floats, size: Floats, colour: Fl
     height = np.where(drawn, depth, 0.0)
     hidden = np.zeros(len(who))
     for reach in (0.5 * coarse, 1.5 * coarse):
-        weight = gaussian_filter(drawn.astype(float), sigma=reach, truncate=2.5)[drawn]
-        blurred = gaussian_filter(height, sigma=reach, truncate=2.5)[drawn] / weight
+        blurred = _blurred(height, reach)[drawn] / _blurred(drawn.astype(float), reach)[drawn]
         hidden += np.clip(blurred - depth[drawn], 0.0, None) / reach
     light = (0.50 + 0.55 * facing) * (0.35 + 0.65 * np.exp(-0.6 * hidden))
     shine = 0.18 * facing**24
@@ -130,3 +129,13 @@ def _shaded(depth: Floats, owner: Ints, centre: Floats, size: Floats, colour: Fl
     image[drawn, :3] = colour[who] * light[:, None] + shine[:, None]
     image[drawn, 3] = 1.0
     return image
+
+
+def _blurred(field: Floats, reach: float) -> Floats:
+    """Gaussian blur over `reach` pixels, of block means where they are fine enough."""
+    block = max(1, int(0.25 * reach))
+    rows, columns = field.shape
+    padded = np.pad(field, ((0, -rows % block), (0, -columns % block)))
+    means = padded.reshape(len(padded) // block, block, -1, block).mean(axis=(1, 3))
+    smooth = gaussian_filter(means, sigma=reach / block, truncate=2.5, mode="constant")
+    return np.repeat(np.repeat(smooth, block, axis=0), block, axis=1)[:rows, :columns]

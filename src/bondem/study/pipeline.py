@@ -9,6 +9,7 @@ from typing import Any
 
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.io.atomic import require_folder, write_text
+from bondem.io.runfile import RunFile
 from bondem.io.vtk import write_vtkhdf
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
@@ -17,9 +18,13 @@ from bondem.labtests.modal import natural_frequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import static_tension
 from bondem.labtests.vibration import free_vibration
+from bondem.model.model import Model
+from bondem.model.state import State
 from bondem.packing import pack
 from bondem.report.findings import Examined, Findings
 from bondem.report.page import write_report
+from bondem.solve.explicit import Plan, settled
+from bondem.solve.history import History
 from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import fabric
 from bondem.specimen.lattice import Lattice
@@ -81,6 +86,9 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
     write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:
         write_vtkhdf(out / "specimen.vtkhdf", lattices[0])
+    if study.run_files:
+        for one in specimens:
+            keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, fit)
     return results
 
 
@@ -157,6 +165,12 @@ def calibration_chart(study: Study, lattice: Lattice, fit: Calibration) -> tuple
         tension = static_tension(lattice, law)
         trials.append(Trial(share * chosen, tension.E / law.E, tension.nu))
     return tuple(trials)
+
+
+def keep_specimen(path: Path, lattice: Lattice, fit: Calibration) -> None:
+    """Write a calibrated specimen, free and at rest, as a run file: model and state to go on from."""
+    model = Model(lattice, fit.law, density=fit.density)
+    RunFile(path, model, settled(model, Plan(duration=0.0))).checkpoint(State(model), History.empty(()))
 
 
 class _Watch:

@@ -91,6 +91,7 @@ class Study:
         seed: of the first packing.
         figures: whether to draw figures.
         vtk: whether to write the first packing for ParaView.
+        run_files: whether to write every calibrated specimen, at rest, as a run file to go on from.
         reference: published values, or None.
     """
 
@@ -104,6 +105,7 @@ class Study:
     seed: int = 1
     figures: bool = True
     vtk: bool = False
+    run_files: bool = False
     reference: Reference | None = None
 
     def __post_init__(self) -> None:
@@ -205,7 +207,8 @@ def _calibrating(table: Section) -> int:
 
 def _output(table: Section) -> dict[str, bool]:
     with table:
-        return {"figures": table.flag("figures", default=True), "vtk": table.flag("vtk", default=False)}
+        defaults = {"figures": True, "vtk": False, "run_files": False}
+        return {name: table.flag(name, default=default) for name, default in defaults.items()}
 
 
 def _reference(table: Section) -> Reference:
