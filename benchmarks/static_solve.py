@@ -1,6 +1,6 @@
 """Time of the static, modal and non-linear solvers on a jittered cylinder of length 8 radii, z = 6.2.
 
-    python benchmarks/static_solve.py [elements ...]
+python benchmarks/static_solve.py [elements ...]
 """
 
 import sys

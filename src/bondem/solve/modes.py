@@ -48,7 +48,7 @@ def solve_modes(model: Model, *, count: int = 8) -> Modes:
     system, mass = System.of(model), mass_diagonal(model)
     available = int(system.free.sum()) - system.loose.shape[1]
     if not 1 <= count <= available:
-        raise InputError(f"count = {count}; the model has {available} modes, ask for 1 to {available}")
+        raise InputError(f"count = {count}, but the model has {available} modes; ask for at least one, and no more")
     if available <= max(200, 4 * count):
         square, shape = _dense(system, mass, count)
     elif prefers_elimination(system):
@@ -122,7 +122,10 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
             np.hstack([new, fresh, old @ turn])
             for new, fresh, old in ((X, W, S), (KX, K @ W, KS), (MX, M @ W, MS))
         )
-    raise ConvergenceError(f"the first {count} modes did not converge; ask for fewer with count=")
+    raise ConvergenceError(
+        f"the first {count} modes did not converge; ask for fewer with count=, and for bonds with moments where"
+        " elements can roll freely"
+    )
 
 
 def _ritz(K: Floats, M: Floats, count: int) -> tuple[Floats, Floats]:
