@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.cli import main
+from bondem.errors import UnstableRunError
 from bondem.io.runfile import RunFile, read_run
 from bondem.model.state import State
 from bondem.solve.explicit import Plan, settled
@@ -127,3 +129,22 @@ def test_help(tmp_path, arguments):
     done = command(*arguments, cwd=tmp_path)
     assert done.returncode == 0
     assert "Usage:" in done.stdout
+
+
+def test_a_study_that_becomes_unstable_returns_three(monkeypatch, capsys):
+    def unstable(*_args, **_options):
+        raise UnstableRunError("stopped at step 7: a number is not finite")
+
+    monkeypatch.setattr("bondem.cli.bondem.main", unstable)
+    with pytest.raises(SystemExit) as stopped:
+        main()
+    assert stopped.value.code == 3
+    assert capsys.readouterr().err == "bondem: stopped at step 7: a number is not finite\n"
+
+
+def test_a_test_of_a_specimen_refuses_an_unstable_run():
+    # so fast a push turns bonds beyond what a bond can bear
+    lattice = bd.connect(bd.pack(bd.Cylinder(5e-3, 30e-3), count=400, spread=0.25, seed=1))
+    law = bd.EulerBernoulli(E=200e9, nu=0.3, radius_ratio=0.7)
+    with pytest.raises(UnstableRunError, match="turned beyond 90 degrees"):
+        bd.labtests.impact(lattice, law, density=3500.0, E=60e9, nu=0.17, rho=2200.0, velocity=2e4)

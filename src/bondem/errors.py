@@ -33,6 +33,10 @@ class UnstableStepError(InputError):
     """A time step above the stability limit of the assembled lattice was asked for."""
 
 
+class UnstableRunError(BondemError):
+    """A run on which a result depends became unstable."""
+
+
 class StudyError(InputError):
     """A study file names something unknown or leaves out something needed."""
 

@@ -10,7 +10,7 @@ import sys
 import click
 
 from bondem import __version__
-from bondem.errors import BondemError
+from bondem.errors import BondemError, UnstableRunError
 
 _COMMANDS = ("resume", "run")
 
@@ -51,6 +51,8 @@ def main() -> None:
         status = _complain("interrupted", INTERRUPTED)
     except click.ClickException as error:
         status = _complain(f"{error.format_message()} See 'bondem --help'.", BAD_INPUT)
+    except UnstableRunError as error:
+        status = _complain(str(error), UNSTABLE)
     except BondemError as error:
         status = _complain(str(error), BAD_INPUT)
     sys.exit(status or OK)

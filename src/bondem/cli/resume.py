@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from bondem.cli import UNSTABLE
 from bondem.cli.terminal import on_threads, progress_bars
 from bondem.run import resume
 from bondem.solve.explicit import Status
@@ -19,4 +20,4 @@ def command(context: click.Context, run_file: Path, count: int | None) -> None:
         result = resume(run_file, progress=lambda share: progress("run", share))
     click.echo(f"{result.status.value} at t = {result.state.time:.6g} s, step {result.steps}: {result.message}")
     if result.status is Status.UNSTABLE:
-        context.exit(3)
+        context.exit(UNSTABLE)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem.errors import InputError
+from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.outcome import Outcome
 from bondem.model.assignment import BondAssignment
@@ -10,6 +10,7 @@ from bondem.model.boundary import Drive
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.run import solve_explicit
+from bondem.solve.explicit import Status
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -55,6 +56,8 @@ def impact(
         gauges={"near": Gauge(near, "velocity"), "far": Gauge(far, "velocity")},
         every=1,
     )
+    if run.status is Status.UNSTABLE:
+        raise UnstableRunError(run.message)
     time = run.history.time
     v = -run.history["far"][:, 0]
     plateau = v[time >= 1.4 * expected].mean()

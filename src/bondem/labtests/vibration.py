@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats
+from bondem.errors import UnstableRunError
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import dominant_frequency
 from bondem.model.assignment import BondAssignment
@@ -14,6 +15,7 @@ from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.run import solve_explicit
+from bondem.solve.explicit import Status
 from bondem.solve.static import solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -95,6 +97,8 @@ def free_vibration(
         every=_EVERY,
         state=state,
     )
+    if run.status is Status.UNSTABLE:
+        raise UnstableRunError(run.message)
     history = run.history
     whole = slice(0, run.steps // _EVERY + 1)  # the last record of a run may come early
     shift, turn = history["shift"][whole], history["turn"][whole]
