@@ -157,7 +157,7 @@ def test_unknown_types_and_keys_are_refused():
         decode({"type": "Warp", "factor": 9})
     with pytest.raises(RunFileError, match="colour"):
         decode({"type": "Face", "name": "x_min", "colour": "red"})
-    with pytest.raises(RunFileError, match="cannot be written|is a folder"):
+    with pytest.raises(RunFileError, match=r"cannot be written|is a folder"):
         encode(object())
 
 
@@ -209,7 +209,7 @@ def test_newer_and_damaged_files_are_refused(tmp_path):
 def test_the_place_is_checked_before_the_run(tmp_path):
     (tmp_path / "file").write_text("")
     for place in (tmp_path / "missing" / "run.h5", tmp_path / "file" / "run.h5", tmp_path):
-        with pytest.raises(InputError, match="cannot be written|is a folder"):
+        with pytest.raises(InputError, match=r"cannot be written|is a folder"):
             bd.solve_explicit(cantilever(), duration=1e-6, out=place)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file"]
 

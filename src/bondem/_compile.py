@@ -19,13 +19,16 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import FunctionType
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import numba
-from numba import config, njit, prange
+import numba.core.config
+from numba import njit, prange
 
 __all__ = ["cache_directory", "device", "kernel", "most_threads", "prange", "threads"]
 
+# set by numba at import, so that type checkers do not know its attributes
+config: Any = numba.core.config
 F = TypeVar("F", bound=Callable[..., Any])
 _PACKAGE = Path(__file__).parent
 
@@ -75,7 +78,7 @@ _FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
 
 def device(function: F) -> F:
     """Compile a scalar function, inlined wherever it is called."""
-    return njit(forceinline=True, **_FLAGS)(function)
+    return cast(F, njit(forceinline=True, **_FLAGS)(function))
 
 
 def kernel(*, parallel: bool) -> Callable[[F], F]:
@@ -87,7 +90,7 @@ def kernel(*, parallel: bool) -> Callable[[F], F]:
         twin.__doc__ = function.__doc__
         twin.__qualname__ = function.__qualname__ + ("_threaded" if parallel else "")
         with _own_cache():
-            return njit(parallel=parallel, cache=True, nogil=True, **_FLAGS)(twin)
+            return cast(F, njit(parallel=parallel, cache=True, nogil=True, **_FLAGS)(twin))
 
     return decorate
 

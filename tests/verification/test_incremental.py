@@ -13,13 +13,13 @@ from bondem.solve.explicit import Plan, integrate
 def crooked_chain(count: int = 8) -> bd.Lattice:
     rng = np.random.default_rng(0)
     x = np.arange(count)[:, None] * np.array([0.4, 0.0, 0.0]) + rng.uniform(-0.05, 0.05, (count, 3))
-    return bd.Lattice(bd.Particles(x, rng.uniform(0.15, 0.2, count)), np.c_[np.arange(1, count), np.arange(count - 1)])
+    pairs = np.c_[np.arange(1, count), np.arange(count - 1)]
+    return bd.Lattice(bd.Particles(x, rng.uniform(0.15, 0.2, count)), pairs)
 
 
 def tip_loaded(law, count: int = 8) -> bd.Model:
-    load = bd.Load(
-        bd.Index([count - 1]), force=(300.0, 200.0, 1000.0), moment=(1000.0, 0.0, 0.0), schedule=bd.Ramp(0.0, 1.0, 0.01)
-    )
+    ramp = bd.Ramp(0.0, 1.0, 0.01)
+    load = bd.Load(bd.Index([count - 1]), force=(300.0, 200.0, 1000.0), moment=(1000.0, 0.0, 0.0), schedule=ramp)
     return bd.Model(crooked_chain(count), law, 7800.0, boundary=[bd.Fix(bd.Index([0])), load])
 
 
@@ -81,5 +81,6 @@ def test_clamped_bar_bears_minus_E_times_eigenstrain():
 def test_bad_eigenstrain_is_refused():
     with pytest.raises(InputError, match="above -1"):
         State(straight_bar()).set_eigenstrain(-1.0)
+    law = bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.2, formulation="incremental")
     with pytest.raises(InputError, match="total"):
-        State(tip_loaded(bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.2, formulation="incremental"))).set_eigenstrain(0.0)
+        State(tip_loaded(law)).set_eigenstrain(0.0)

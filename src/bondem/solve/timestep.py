@@ -1,6 +1,7 @@
 """The stable time step, from the highest frequency of the assembled lattice."""
 
 import math
+from typing import Any
 
 import numpy as np
 from scipy.sparse import diags_array
@@ -29,7 +30,8 @@ def highest_frequency(model: Model) -> float:
         return math.sqrt(np.linalg.eigvalsh(dense)[-1])
     operator = aslinearoperator(diags_array(scale)) @ aslinearoperator(K) @ aslinearoperator(diags_array(scale))
     start = np.random.default_rng(0).standard_normal(n)
-    top = eigsh(operator, k=1, which="LM", v0=start, tol=_TOLERANCE, return_eigenvectors=False)
+    tolerance: Any = _TOLERANCE  # the stubs of SciPy take it for an integer
+    top = eigsh(operator, k=1, which="LM", v0=start, tol=tolerance, return_eigenvectors=False)
     return math.sqrt((1.0 + 2.0 * _TOLERANCE) * float(top[0]))
 
 
