@@ -1,6 +1,6 @@
 """Bond-steps per second of the explicit solver: bonds, gather and integration, with peak memory an element.
 
-    python benchmarks/bond_steps.py [--elements 100000] [--threads 1 2] [--repeat 7]
+python benchmarks/bond_steps.py [--elements 100000] [--threads 1 2] [--repeat 7]
 """
 
 import argparse

@@ -141,7 +141,7 @@ class State:
         count = len(self.integrity)
         values = np.asarray(strain, dtype=float)
         if values.shape not in ((), (count,)) or not (np.isfinite(values) & (values > -1.0)).all():
-            raise InputError(f"eigenstrain: give a finite value above -1, or one a bond ({count}), not {values.shape}")
+            raise InputError(f"eigenstrain: give finite values above -1, one or ({count},), not {values.shape}")
         self.eigenstrain = np.broadcast_to(values, (count,))[self.layout.bond_order].copy()
         self.stale = True
 
