@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation
 import bondem as bd
 from bondem.kernels.bond_pass import bond_energies, bond_forces_serial, rotation_guard
 from bondem.laws.bond import BondLaw
+from bondem.laws.rotations import rotate, turn
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.state import State
 
@@ -115,6 +116,19 @@ def derivative(function, pose: np.ndarray, dof: int, step: float = 2e-3):
     return total / (60.0 * step)
 
 
+@pytest.mark.parametrize("angle", [1e-9, 1e-3, 0.199, 0.399, 0.401, 1.0, 3.0])
+def test_quaternions_turn_and_rotate_as_they_should(angle: float) -> None:
+    rng = np.random.default_rng(2)
+    start, vector = Rotation.from_rotvec(rng.standard_normal(3)), rng.standard_normal(3)
+    axis = rng.standard_normal(3)
+    by = angle * axis / np.linalg.norm(axis)
+    expected = Rotation.from_rotvec(by) * start
+    turned = np.array(turn(*start.as_quat(scalar_first=True), *by))
+    assert np.linalg.norm(turned) == pytest.approx(1.0, abs=1e-15)
+    assert abs(turned @ expected.as_quat(scalar_first=True)) == pytest.approx(1.0, abs=1e-15)
+    np.testing.assert_allclose(rotate(*turned, *vector), expected.apply(vector), rtol=0.0, atol=1e-14)
+
+
 @every_law
 def test_force_is_the_gradient_of_the_energy(law: BondLaw) -> None:
     model = bd.Model(cluster(), bond=law)
@@ -166,9 +180,9 @@ def test_a_twist_is_twisting_and_a_bend_is_bending(axis: tuple[float, float, flo
     model = bd.Model(lattice, bond=LAWS["Timoshenko"])
     k = model.stiffness
     angle = 0.3
-    for turn, row, stiffness in ((X, 3, k.kt[0]), (across, 2, k.kb[0])):
+    for around, row, stiffness in ((X, 3, k.kt[0]), (across, 2, k.kb[0])):
         state = State(model)
-        both = Rotation.from_rotvec([-0.5 * angle * turn, 0.5 * angle * turn])
+        both = Rotation.from_rotvec([-0.5 * angle * around, 0.5 * angle * around])
         state.set_pose(orientation=both.as_quat(scalar_first=True))
         parts = energies(model, state.pose)[:, 0]
         # ends turned by ± θ/2: 2 kt sin²(θ/2) of twist, and the same of bending with the rest k' of sin²(θ/2) · 2

@@ -327,6 +327,26 @@ def test_a_number_that_is_not_finite_ends_the_run() -> None:
     assert "not finite" in result.message
 
 
+# ---- prescribed motion
+
+
+def test_a_driven_element_is_where_and_as_fast_as_its_schedule_says() -> None:
+    path = bd.Ramp(0.0, -0.2, duration=0.5, begin=0.125)
+    speed = bd.Table((0.0, 0.25, 0.75), (0.0, 0.6, -0.4))
+    drive = bd.Drive(bd.Index([5]), x=path, vy=speed, rx=bd.Ramp(0.0, 0.9, 0.5), ry=0.0, rz=0.0)
+    model = rod(6, boundary=[bd.Fix(bd.Index([0])), drive])
+    gauges = {name: bd.Gauge(bd.Index([5]), name) for name in ("displacement", "velocity", "rotation")}
+    run = integrate(model, Plan(duration=1.0, dt=1.0 / 512, gauges=gauges, every=16))
+    t = run.history.time
+    x, y, _ = run.history["displacement"].T
+    v = np.interp(t, speed.times, speed.values)
+    travelled = np.concatenate([[0.0], np.cumsum(0.5 * (v[1:] + v[:-1]) * np.diff(t))])  # kinks lie on records
+    np.testing.assert_allclose(x, np.interp(t, [0.125, 0.625], [0.0, -0.2]), rtol=0.0, atol=1e-13)
+    np.testing.assert_allclose(y, travelled, rtol=0.0, atol=1e-13)
+    np.testing.assert_allclose(run.history["velocity"][:, 1], v, rtol=0.0, atol=1e-13)
+    np.testing.assert_allclose(run.history["rotation"][:, 0], np.minimum(1.8 * t, 0.9), rtol=0.0, atol=1e-12)
+
+
 # ---- the ledger
 
 DRIVES = {
