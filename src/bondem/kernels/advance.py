@@ -88,7 +88,7 @@ def sample(
 def evaluate(
     step, t0, dt, gamma, stale,
     pose, motion, acceleration, i, j, constants, shear, bending, lever, integrity, history, period, output,
-    out_start, in_start, in_bond,
+    in_start, out_start, out_bond,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, records,
@@ -106,7 +106,7 @@ def evaluate(
         else:
             bond_forces_serial(pose, i, j, constants, integrity, period, output)
         close_step_serial(
-            pose, motion, acceleration, output, out_start, in_start, in_bond,
+            pose, motion, acceleration, output, in_start, out_start, out_bond,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
             0.0, 0.0, 0.0, 0.0, gamma, loss, False,
         )  # fmt: skip
@@ -121,7 +121,7 @@ def evaluate(
 def advance(
     step, steps, every, t0, dt, finish, begin, extra, gamma,
     pose, motion, acceleration, i, j, constants, shear, bending, lever, integrity, history, period, output,
-    out_start, in_start, in_bond,
+    in_start, out_start, out_bond,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, records,
@@ -177,13 +177,13 @@ def advance(
         )  # fmt: skip
         if threaded:
             close_step(
-                pose, motion, acceleration, output, out_start, in_start, in_bond,
+                pose, motion, acceleration, output, in_start, out_start, out_bond,
                 row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
                 dt, finish, begin, extra, gamma, loss, not paused,
             )  # fmt: skip
         else:
             close_step_serial(
-                pose, motion, acceleration, output, out_start, in_start, in_bond,
+                pose, motion, acceleration, output, in_start, out_start, out_bond,
                 row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
                 dt, finish, begin, extra, gamma, loss, not paused,
             )  # fmt: skip

@@ -44,15 +44,14 @@ def _blocks(x, y, z, kn, ks, kb, kt, near, far, own, other):
 
 
 @kernel(parallel=True)
-def assemble(i, j, constants, shear, bending, lever, out_start, in_start, in_bond, indptr, indices, data):
+def assemble(i, j, constants, shear, bending, lever, in_start, out_start, out_bond, indptr, indices, data):
     """Fill a block-sparse matrix of 6×6 blocks, degrees of freedom (u, θ) an element; rows own their blocks."""
     for p in prange(len(out_start) - 1):
         slot = indptr[p]
         diagonal = slot + in_start[p + 1] - in_start[p]
         indices[diagonal] = p
         data[diagonal] = 0.0
-        for e in range(in_start[p], in_start[p + 1]):
-            k = in_bond[e]
+        for k in range(in_start[p], in_start[p + 1]):
             indices[slot] = i[k]
             _blocks(
                 -constants[0, k], -constants[1, k], -constants[2, k], constants[4, k], shear[k], bending[k],
@@ -60,7 +59,8 @@ def assemble(i, j, constants, shear, bending, lever, out_start, in_start, in_bon
             )  # fmt: skip
             slot += 1
         slot += 1
-        for k in range(out_start[p], out_start[p + 1]):
+        for e in range(out_start[p], out_start[p + 1]):
+            k = out_bond[e]
             indices[slot] = j[k]
             _blocks(
                 constants[0, k], constants[1, k], constants[2, k], constants[4, k], shear[k], bending[k],
@@ -69,11 +69,11 @@ def assemble(i, j, constants, shear, bending, lever, out_start, in_start, in_bon
             slot += 1
 
 
-def block_matrix_arrays(i, j, constants, shear, bending, lever, out_start, in_start, in_bond):
+def block_matrix_arrays(i, j, constants, shear, bending, lever, in_start, out_start, out_bond):
     """Row pointers, column indices and blocks (…, 6, 6) of the stiffness matrix [N/m, N, N·m]."""
     n = len(out_start) - 1
     indptr = (in_start + out_start + np.arange(n + 1)).astype(np.int32)
     indices = np.empty(indptr[-1], dtype=np.int32)
     data = np.empty((indptr[-1], 6, 6))
-    assemble(i, j, constants, shear, bending, lever, out_start, in_start, in_bond, indptr, indices, data)
+    assemble(i, j, constants, shear, bending, lever, in_start, out_start, out_bond, indptr, indices, data)
     return indptr, indices, data

@@ -96,30 +96,33 @@ def _open(
 
 
 def _close(
-    pose, motion, acceleration, output, out_start, in_start, in_bond,
+    pose, motion, acceleration, output, in_start, out_start, out_bond,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
     dt, finish, begin, extra, gamma, loss, go_on,
 ):  # fmt: skip
     fx, fy, fz = output[0], output[1], output[2]
     tx, ty, tz = output[3], output[4], output[5]
     sx, sy, sz = output[6], output[7], output[8]
-    for p in prange(len(pose)):
+    last = len(pose) - 1
+    for back in prange(len(pose)):
+        # from the end, where the bond pass has just been: what it wrote last is still in the cache
+        p = last - back
         f0 = f1 = f2 = t0 = t1 = t2 = 0.0
-        for k in range(out_start[p], out_start[p + 1]):
-            f0 -= fx[k]
-            f1 -= fy[k]
-            f2 -= fz[k]
-            t0 += tx[k]
-            t1 += ty[k]
-            t2 += tz[k]
-        for e in range(in_start[p], in_start[p + 1]):
-            k = in_bond[e]
+        for k in range(in_start[p], in_start[p + 1]):
             f0 += fx[k]
             f1 += fy[k]
             f2 += fz[k]
             t0 += sx[k]
             t1 += sy[k]
             t2 += sz[k]
+        for e in range(out_start[p], out_start[p + 1]):
+            k = out_bond[e]
+            f0 -= fx[k]
+            f1 -= fy[k]
+            f2 -= fz[k]
+            t0 += tx[k]
+            t1 += ty[k]
+            t2 += tz[k]
         vx, vy, vz = motion[p, 0], motion[p, 1], motion[p, 2]
         wx, wy, wz = motion[p, 4], motion[p, 5], motion[p, 6]
         r = row_of[p]

@@ -1,7 +1,9 @@
 """The order in which kernels see elements and bonds.
 
 Elements lie along a Morton curve, so that neighbours in space are neighbours in memory; bonds are sorted by
-their elements (i, j) with i < j in that order. Everything public stays in the user's order.
+their farther element j > i, then by i: a pass over the bonds then streams along the elements j and looks back
+at elements i it has just seen, instead of ahead at elements that are not in the cache yet, which costs twice
+the time at 100 000 elements. Everything public stays in the user's order.
 """
 
 from dataclasses import dataclass
@@ -24,8 +26,8 @@ class Layout:
         bond_order: user's number of internal bond k, shape (m,).
         flipped: whether internal bond k runs against the user's direction, shape (m,).
         i, j: internal elements of each bond, i < j, uint32, shape (m,).
-        out_start: bonds out_start[p] … out_start[p+1] have i = p, shape (n + 1,).
-        in_start, in_bond: in_bond[in_start[p] : in_start[p+1]] are the bonds with j = p, ascending.
+        in_start: bonds in_start[p] … in_start[p+1] have j = p, shape (n + 1,).
+        out_start, out_bond: out_bond[out_start[p] : out_start[p+1]] are the bonds with i = p, ascending.
     """
 
     order: Ints
@@ -34,9 +36,9 @@ class Layout:
     flipped: np.ndarray
     i: np.ndarray
     j: np.ndarray
-    out_start: Ints
     in_start: Ints
-    in_bond: np.ndarray
+    out_start: Ints
+    out_bond: np.ndarray
 
     @classmethod
     def of(cls, lattice: Lattice) -> "Layout":
@@ -48,9 +50,9 @@ class Layout:
         ends = rank[lattice.pairs]
         flipped = ends[:, 0] > ends[:, 1]
         i, j = ends.min(axis=1), ends.max(axis=1)
-        bond_order = np.lexsort((j, i))
+        bond_order = np.lexsort((i, j))
         i, j = i[bond_order], j[bond_order]
-        in_bond = np.argsort(j, kind="stable")
+        out_bond = np.argsort(i, kind="stable")
         return cls(
             order=order,
             rank=rank,
@@ -58,9 +60,9 @@ class Layout:
             flipped=flipped[bond_order],
             i=i.astype(np.uint32),
             j=j.astype(np.uint32),
-            out_start=_starts(i, n),
             in_start=_starts(j, n),
-            in_bond=in_bond.astype(np.uint32),
+            out_start=_starts(i, n),
+            out_bond=out_bond.astype(np.uint32),
         )
 
 

@@ -16,7 +16,7 @@ def stiffness_matrix(model: Model) -> bsr_array:
     layout, bonds = model.layout, model.bonds
     indptr, indices, data = block_matrix_arrays(
         layout.i, layout.j, bonds.constants, bonds.shear, bonds.bending, bonds.lever,
-        layout.out_start, layout.in_start, layout.in_bond,
+        layout.in_start, layout.out_start, layout.out_bond,
     )  # fmt: skip
     size = 6 * len(layout.order)
     return bsr_array((data, indices, indptr), shape=(size, size))

@@ -205,7 +205,7 @@ class _Loop:
         self.arrays = (
             state.pose, state.motion, state.acceleration, layout.i, layout.j, constants, shear,
             bonds.bending, lever, state.integrity, state.history, model.period,
-            np.empty((9, len(layout.i))), layout.out_start, layout.in_start, layout.in_bond,
+            np.empty((9, len(layout.i))), layout.in_start, layout.out_start, layout.out_bond,
             held.times, held.values, held.start, held.drive_row, held.drive_dof, held.drive_schedule,
             held.drive_rate, held.load_row, held.load_schedule, held.load_value,
             held.row_of, held.fixed, np.zeros((len(held.element), 6)), rows[0], rows[1], state.reaction,

@@ -160,9 +160,9 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> bsr_array:
     np.add.at(data, diagonal[layout.i], H[:, :6, :6])
     np.add.at(data, diagonal[layout.j], H[:, 6:, 6:])
     place = np.arange(m)
-    data[diagonal[layout.i] + 1 + place - layout.out_start[layout.i]] = H[:, :6, 6:]
-    entering = layout.j[layout.in_bond]
-    data[start[entering] + place - layout.in_start[entering]] = H[layout.in_bond, 6:, :6]
+    data[start[layout.j] + place - layout.in_start[layout.j]] = H[:, 6:, :6]
+    leaving = layout.i[layout.out_bond]
+    data[diagonal[leaving] + 1 + place - layout.out_start[leaving]] = H[layout.out_bond, :6, 6:]
     return bsr_array((data, pattern.indices, start), shape=pattern.shape)
 
 
