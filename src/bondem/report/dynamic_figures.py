@@ -29,11 +29,15 @@ def draw_modes(path: Path, specimen: Examined) -> None:
     modes = frequencies.modes
     titles, images = [], []
     for kind, _, column, _ in _KINDS:
-        best = int(np.argmax(frequencies.mass_share[:, column]))
+        # of the two bending modes the one that bends upwards, across the line of sight
+        seen = 2 if kind == "bending" else column
+        best = int(np.argmax(frequencies.mass_share[:, seen]))
         shape = modes.shape[best][chosen, :3]
+        if kind == "bending":
+            shape = shape * np.sign(shape[np.argmax(np.abs(shape[:, 2])), 2])
         moved = np.linalg.norm(shape, axis=1)
         # so far that one sees it: along the bar a share of its length, about it of its radius
-        reach = 0.4 * np.ptp(position[:, 1]) if kind == "torsion" else 0.16 * np.ptp(position[:, 0])
+        reach = 0.4 * np.ptp(position[:, 1]) if kind == "torsion" else 0.2 * np.ptp(position[:, 0])
         colour = colormaps["viridis"](moved / moved.max())[:, :3]
         images.append(render(position + reach / moved.max() * shape, radius, colour, view=_VIEW, width=520))
         titles.append(f"{kind}: {quantity(float(modes.frequency[best]), 'Hz')}")

@@ -147,9 +147,9 @@ def examined(study: Study, k: int, lattice: Lattice, fit: Calibration, tell: Pro
     for done, name in enumerate(study.tests):
         tell(stage, 0.6 + 0.4 * done / len(study.tests))
         if name in _STATIC:
-            outcomes[name] = _STATIC[name](lattice, fit.law, **own)
+            outcomes[name] = _STATIC[name](lattice, fit.law, **own, gyration=tension.gyration)
         elif name in _VIBRATION:
-            outcomes[name] = _VIBRATION[name](lattice, fit.law, **moving, **shared)
+            outcomes[name] = _VIBRATION[name](lattice, fit.law, **moving, **shared, gyration=tension.gyration)
         else:
             outcomes[name] = impact(lattice, fit.law, **moving)
     tell(stage, 1.0)
