@@ -150,7 +150,7 @@ def test_bad_requests_are_refused_with_advice(error, shape, options, says):
         bd.pack(shape, **options)
 
 
-def test_a_shape_without_walls_for_packing_is_refused():
-    box = bd.Particles(np.zeros((1, 3)), [1.0]).envelope
-    with pytest.raises(InputError, match="Cylinder, Box, Ball and Cell"):
-        bd.pack(box, count=100)
+def test_a_shape_with_too_many_spheres_for_its_walls_is_refused():
+    box = bd.Box(size=(1.0, 1.0, 1.0)).moved((1.0, 0.0, 0.0))
+    with pytest.raises(InputError, match="carve"):
+        bd.pack(box, count=1_000_000)

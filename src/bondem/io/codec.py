@@ -26,6 +26,8 @@ from bondem.solve.explicit import Plan
 from bondem.solve.schemes import TchamwaWielgosz, VelocityVerlet
 from bondem.specimen.geometry import Ball, BoundingBox, Box, Cell, Cylinder
 from bondem.specimen.regions import Difference, Everything, Face, Index, Intersection, Union, Within
+from bondem.specimen.shape import Cut, Joined, Overlap, Placed
+from bondem.specimen.surface import Surface
 
 _TYPES: dict[str, type] = {
     cls.__name__: cls
@@ -33,7 +35,7 @@ _TYPES: dict[str, type] = {
         ContactBond, EulerBernoulli, Obermayr, ParallelBond, Timoshenko,
         LocalDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
         Drive, Fix, Load, Gauge, Constant, Ramp, Table,
-        Ball, BoundingBox, Box, Cell, Cylinder,
+        Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
         Difference, Everything, Face, Index, Intersection, Union, Within,
     )
 }  # fmt: skip
@@ -50,6 +52,8 @@ def encode(value: Any) -> Any:
             return value
         case np.generic():
             return encode(value.item())
+        case np.ndarray():
+            return encode(value.tolist())
         case list() | tuple():
             return [encode(item) for item in value]
         case Mapping():

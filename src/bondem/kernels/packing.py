@@ -16,7 +16,12 @@ from bondem.kernels.cells import inverse_period, nearest_image
 _BLOCK = 128
 
 # Walls: a box (infinite where it has no wall) and a round wall about the axes whose weight is 1.
-# wall = lower (3), upper (3), weight (3), radius of the round wall.
+# wall = lower (3), upper (3), weight (3), radius of the round wall. Any other shape appends its depth on a
+# grid: lower corner (3), spacing, counts (3), and the depths, the last axis fastest.
+_PLAIN, _GRID = 10, 17
+
+# A sphere this near a wall of the grid, over its radius, touches it.
+_TOUCH = 1e-6
 
 # What a call of `relax` ended with.
 CONVERGED, STALE, EXHAUSTED, LOOSE = 0, 1, 2, 3
@@ -24,10 +29,53 @@ CONVERGED, STALE, EXHAUSTED, LOOSE = 0, 1, 2, 3
 # FIRE: longest step (the stiffest sphere stays stable to about 0.7), mixing, and when to trust the descent.
 DT_START, DT_MAX, ALPHA, PATIENCE = 0.15, 0.45, 0.25, 10
 
+# Longest step between walls on a grid: a sphere pressed into a rounded edge swings fast.
+_DT_MAX_GRID = 0.25
+
 
 @device
 def _round_distance(x, y, z, wall):
     return math.sqrt(wall[6] * x * x + wall[7] * y * y + wall[8] * z * z)
+
+
+@device
+def _grid_depth(x, y, z, wall, enough):
+    """Depth at a point and its gradient, smooth over the grid; some depth above `enough` where it is more."""
+    h = wall[13]
+    nx, ny, nz = int(wall[14]), int(wall[15]), int(wall[16])
+    u, v, w = (x - wall[10]) / h, (y - wall[11]) / h, (z - wall[12]) / h
+    i = min(max(int(u + 0.5), 1), nx - 2)
+    j = min(max(int(v + 0.5), 1), ny - 2)
+    k = min(max(int(w + 0.5), 1), nz - 2)
+    depth = wall[_GRID + (i * ny + j) * nz + k]
+    gx, gy, gz = 0.0, 0.0, 0.0
+    if depth <= enough + 2.0 * h:
+        # Quadratic B-splines: without a jump in the gradient no sphere is driven to and fro between two normals.
+        u, v, w = min(max(u - i, -0.5), 0.5), min(max(v - j, -0.5), 0.5), min(max(w - k, -0.5), 0.5)
+        depth = 0.0
+        for a in range(3):
+            fa, da = _spline(a, u)
+            for b in range(3):
+                fb, db = _spline(b, v)
+                for c in range(3):
+                    fc, dc = _spline(c, w)
+                    value = wall[_GRID + ((i + a - 1) * ny + j + b - 1) * nz + k + c - 1]
+                    depth += fa * fb * fc * value
+                    gx += da * fb * fc * value
+                    gy += fa * db * fc * value
+                    gz += fa * fb * dc * value
+        gx, gy, gz = gx / h, gy / h, gz / h
+    return depth, gx, gy, gz
+
+
+@device
+def _spline(which, t):
+    """Weight of the node before, at or after the nearest one, t in -0.5 … 0.5 from it, and its slope."""
+    if which == 0:
+        return 0.5 * (0.5 - t) * (0.5 - t), t - 0.5
+    if which == 1:
+        return 0.75 - t * t, -2.0 * t
+    return 0.5 * (0.5 + t) * (0.5 + t), t + 0.5
 
 
 @kernel(parallel=True)
@@ -41,7 +89,7 @@ def relax(
         velocity: shape (n, 3), kept between calls.
         force: overlap forces [m], shape (n, 3), less what walls bear.
         period: periodic edge lengths [m], (3,), 0 where there is none.
-        wall: the walls, (10,).
+        wall: the walls, (10,), or with a grid of depths.
         start: where each sphere's neighbours begin, (n + 1,).
         neighbour: neighbour lists.
         listed: centres when the list was made [m], shape (n, 3).
@@ -60,6 +108,7 @@ def relax(
     part = np.zeros((blocks, 8))
     px, py, pz = period[0], period[1], period[2]
     qx, qy, qz = inverse_period(px), inverse_period(py), inverse_period(pz)
+    longest = DT_MAX if wall.size == _PLAIN else _DT_MAX_GRID
     for step in range(steps + 1):
         for b in prange(blocks):
             power, ff, vv, overlap, contacts, deepest = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -97,6 +146,14 @@ def relax(
                     fx -= out * nx
                     fy -= out * ny
                     fz -= out * nz
+                if wall.size > _PLAIN:
+                    d, nx, ny, nz = _grid_depth(x, y, z, wall, r)
+                    if d <= r * (1.0 + _TOUCH):
+                        steep = max(nx * nx + ny * ny + nz * nz, 0.01)
+                        out = min(fx * nx + fy * ny + fz * nz, 0.0) / steep
+                        fx -= out * nx
+                        fy -= out * ny
+                        fz -= out * nz
                 force[i, 0], force[i, 1], force[i, 2] = fx, fy, fz
                 vx, vy, vz = velocity[i, 0], velocity[i, 1], velocity[i, 2]
                 power += fx * vx + fy * vy + fz * vz
@@ -127,7 +184,7 @@ def relax(
         if power > 0.0:
             fire[2] += 1.0
             if fire[2] > PATIENCE:
-                fire[0] = min(1.1 * fire[0], DT_MAX)
+                fire[0] = min(1.1 * fire[0], longest)
                 fire[1] *= 0.99
         else:
             back = 0.5 * fire[0]
@@ -174,6 +231,22 @@ def relax(
                     vx -= out * nx
                     vy -= out * ny
                     vz -= out * nz
+                if wall.size > _PLAIN:
+                    beyond, steep = False, 1.0
+                    for _ in range(3):  # Newton's steps back to the wall, where need be from either side
+                        d, nx, ny, nz = _grid_depth(x, y, z, wall, r)
+                        beyond = beyond or d < r
+                        if not beyond:
+                            break
+                        steep = max(nx * nx + ny * ny + nz * nz, 0.01)
+                        x += (r - d) * nx / steep
+                        y += (r - d) * ny / steep
+                        z += (r - d) * nz / steep
+                    if beyond:
+                        out = min(vx * nx + vy * ny + vz * nz, 0.0) / steep
+                        vx -= out * nx
+                        vy -= out * ny
+                        vz -= out * nz
                 sphere[i, 0], sphere[i, 1], sphere[i, 2] = x, y, z
                 velocity[i, 0], velocity[i, 1], velocity[i, 2] = vx, vy, vz
                 dx, dy, dz = x - listed[i, 0], y - listed[i, 1], z - listed[i, 2]

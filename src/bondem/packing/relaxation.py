@@ -56,7 +56,7 @@ class SoftSpheres:
         self._force = np.zeros((len(radius), 3))
         self._lower, self._upper = shape.bounds
         self._period = np.zeros(3) if shape.period is None else shape.period.copy()
-        self._wall = walls(shape)
+        self._wall = walls(shape, radius)
         self._skin = _SKIN_WANDERING
 
     @property

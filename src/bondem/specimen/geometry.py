@@ -1,87 +1,15 @@
-"""Shapes a specimen can have.
-
-A shape knows its walls: `face_depth(name, points)` is the distance of points from a named face, measured
-inwards [m], and everything else (containment, packing walls, face regions) follows from it.
-"""
+"""The plain shapes a specimen can have: cylinder, box, periodic cell, ball."""
 
 import math
-from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
 
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
+from bondem.specimen.shape import BOX_FACES, Shape
 
-_BOX_FACES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
-
-
-class Shape(ABC):
-    """A region of space with named faces."""
-
-    @property
-    @abstractmethod
-    def bounds(self) -> tuple[Vector, Vector]:
-        """Lower and upper corner of the bounding box [m], each (3,)."""
-
-    @property
-    @abstractmethod
-    def volume(self) -> float:
-        """Volume [m³]."""
-
-    @property
-    @abstractmethod
-    def area(self) -> float:
-        """Area of all walls [m²]; 0 for a periodic cell."""
-
-    @property
-    @abstractmethod
-    def faces(self) -> tuple[str, ...]:
-        """Names of the faces."""
-
-    @abstractmethod
-    def face_depth(self, face: str, points: PerElement3) -> PerElement:
-        """Distance of `points` (n, 3) from a face, positive inside [m], shape (n,)."""
-
-    @abstractmethod
-    def section(self) -> float:
-        """Area of the cross-section normal to x [m²] (at mid-length)."""
-
-    @property
-    def period(self) -> Vector | None:
-        """Edge lengths of the periodic cell [m], (3,), or None."""
-        return None
-
-    @property
-    def extent(self) -> float:
-        """Extent along x [m]."""
-        lower, upper = self.bounds
-        return float(upper[0] - lower[0])
-
-    def face_centre(self, face: str) -> Vector:
-        """Centroid of a face [m], (3,): the point through which a load on the face acts."""
-        lower, upper = self.bounds
-        centre = 0.5 * (lower + upper)
-        if face in _BOX_FACES:
-            axis = "xyz".index(face[0])
-            centre[axis] = upper[axis] if face.endswith("max") else lower[axis]
-        return centre
-
-    def depth(self, points: PerElement3) -> PerElement:
-        """Distance to the nearest wall [m], positive inside, shape (n,); infinite without walls."""
-        points = np.atleast_2d(points)
-        if not self.faces:
-            return np.full(len(points), np.inf)
-        return np.min([self.face_depth(face, points) for face in self.faces], axis=0)
-
-    def contains(self, points: PerElement3) -> np.ndarray:
-        """Whether points lie inside or on the wall, shape (n,)."""
-        return self.depth(points) >= 0.0
-
-    def _check_face(self, face: str) -> None:
-        if face not in self.faces:
-            known = ", ".join(self.faces) or "none (it is periodic)"
-            raise InputError(f"{type(self).__name__} has no face '{face}'; its faces are: {known}")
+__all__ = ["Ball", "BoundingBox", "Box", "Cell", "Cylinder", "Shape"]
 
 
 def _positive(owner: str, **lengths: float) -> None:
@@ -170,7 +98,7 @@ class Box(Shape):
 
     @property
     def faces(self) -> tuple[str, ...]:
-        return _BOX_FACES
+        return BOX_FACES
 
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
@@ -298,7 +226,7 @@ class BoundingBox(Shape):
 
     @property
     def faces(self) -> tuple[str, ...]:
-        return _BOX_FACES
+        return BOX_FACES
 
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)

@@ -1,0 +1,72 @@
+"""Volume and surface of a region known by its depth, by refinement of the cells the surface runs through.
+
+A depth changes no faster than distance: a cell whose centre is deeper than half its diagonal is all inside,
+and only cells at the surface are halved further. The work grows with the surface, not with the volume.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import PerElement, PerElement3, Vector
+
+_CELLS = 8  # along the longest edge, to begin with
+_HALVINGS = {1: 7, 2: 7, 3: 4}  # by dimension: to 128 cells along the longest edge, 1024 of a flat region
+
+
+@dataclass(frozen=True)
+class Content:
+    """What a region holds.
+
+    Attributes:
+        volume: [m³]; of a flat one its area [m²].
+        area: of the surface [m²]; of a flat one its outline [m].
+    """
+
+    volume: float
+    area: float
+
+
+def content(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Vector) -> Content:
+    """Measure the region where `depth` is positive, within a box.
+
+    Args:
+        depth: distance of points (n, 3) to the surface, positive inside [m]; too small a value does no harm.
+        lower: lower corner of the box [m], (3,).
+        upper: upper corner [m], (3,); axes on which both agree are left out (a flat region).
+
+    Returns:
+        Volume, exact to about 1e-3 for plain shapes, and area, to about 1e-2.
+    """
+    axes = np.flatnonzero(upper > lower)
+    count = np.ones(3, dtype=int)
+    # Cells a little off a cube are as good; the box is filled exactly, so that its own walls are too.
+    count[axes] = np.maximum(1, np.ceil(_CELLS * (upper - lower)[axes] / (upper - lower).max())).astype(int)
+    edge = (upper - lower) / count
+    index = np.indices(tuple(map(int, count))).reshape(3, -1).T
+    inside = area = 0.0
+    halvings = _HALVINGS[len(axes)]
+    finest = edge.max() / 2**halvings
+    for level in range(halvings + 1):
+        centre = lower + (index + 0.5) * edge
+        d = depth(centre)
+        size, half = float(np.prod(edge[axes])), 0.5 * float(np.linalg.norm(edge))
+        width = size ** (1.0 / len(axes))
+        if level == halvings:
+            inside += size * float(np.clip(0.5 + d / width, 0.0, 1.0).sum())
+            area += size / width * float(np.maximum(0.0, 1.0 - np.abs(d) / width).sum())
+            break
+        cut = np.abs(d) < half + finest
+        inside += size * float((d[~cut] > 0.0).sum())
+        index, edge = _halved(index[cut], axes), 0.5 * edge
+    return Content(inside, area)
+
+
+def _halved(index: np.ndarray, axes: np.ndarray) -> np.ndarray:
+    for axis in axes:
+        step = np.zeros(3, dtype=int)
+        step[axis] = 1
+        index = index * np.where(step, 2, 1)
+        index = np.concatenate([index, index + step])
+    return index

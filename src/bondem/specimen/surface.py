@@ -1,0 +1,210 @@
+"""Shapes bounded by a closed triangulated surface, from a file or from arrays."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+import trimesh
+
+from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
+from bondem.errors import InputError
+from bondem.specimen.shape import BOX_FACES, Shape
+from bondem.specimen.triangles import Triangles
+
+_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": 0.0254}
+_SUFFIXES = (".stl", ".ply")
+
+# Longest specimen taken for metres without being told so [m].
+_PLAUSIBLE = 10.0
+
+# How far from a side of the bounding box a facet may lie to be part of that face, over the size of the box;
+# STL files keep seven digits.
+_FLUSH = 1e-6
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Surface(Shape):
+    """What a closed triangulated surface encloses: `Surface("part.stl", unit="mm")`.
+
+    Facets in a side of the bounding box are the faces "x_min" … "z_max", all others "side".
+
+    Attributes:
+        vertices: corners [m], (v, 3).
+        triangles: the corners of each triangle, counter-clockwise seen from outside, (t, 3).
+
+    Raises:
+        InputError: no such file, another format, a size that cannot be metres, or a surface that is not closed.
+    """
+
+    vertices: Floats
+    triangles: Ints
+
+    def __init__(
+        self,
+        file: str | Path | None = None,
+        *,
+        unit: str | None = None,
+        vertices: ArrayLike | None = None,
+        triangles: ArrayLike | None = None,
+    ) -> None:
+        """Read a file, or take arrays.
+
+        Args:
+            file: STL or PLY.
+            unit: of its numbers, "m", "cm", "mm", "um" or "in"; None takes metres if that is plausible.
+            vertices: instead of a file, corners (v, 3) in `unit`.
+            triangles: and the triangles, (t, 3).
+        """
+        if unit is not None and unit not in _UNITS:
+            raise InputError(f"Surface: unit = {unit!r}; give one of {', '.join(_UNITS)}")
+        if file is not None:
+            x, t = _read(Path(file))
+        elif vertices is not None and triangles is not None:
+            x, t = np.array(vertices, dtype=float), np.array(triangles, dtype=np.int64)
+        else:
+            raise InputError("Surface needs a file, or both vertices= and triangles=")
+        name = "the surface" if file is None else str(file)
+        t = _checked(name, x, t)
+        size = float(np.ptp(x, axis=0).max())
+        if file is not None and unit is None and size > _PLAUSIBLE:
+            raise InputError(
+                f"{name} is {size:.4g} long, and its unit is not known; give unit='mm', or unit='m' if it is metres"
+            )
+        x *= _UNITS[unit or "m"]
+        for key, array in (("vertices", x), ("triangles", t)):
+            array.setflags(write=False)
+            object.__setattr__(self, key, array)
+
+    def __repr__(self) -> str:
+        a, b, c = np.ptp(self.vertices, axis=0)
+        return f"Surface({len(self.triangles)} triangles, {a:.4g} x {b:.4g} x {c:.4g} m)"
+
+    @cached_property
+    def _corner(self) -> Floats:
+        return self.vertices[self.triangles]
+
+    @cached_property
+    def _facet(self) -> Floats:
+        """Area of each triangle times its outward normal [m²], (t, 3)."""
+        a, b, c = np.moveaxis(self._corner, 1, 0)
+        return 0.5 * np.cross(b - a, c - a)
+
+    @cached_property
+    def _all(self) -> Triangles:
+        return Triangles(self.vertices, self.triangles)
+
+    @cached_property
+    def _on_face(self) -> dict[str, Ints]:
+        """The triangles of each face."""
+        lower, upper = self.bounds
+        flush = _FLUSH * float((upper - lower).max())
+        on_face, rest = {}, np.ones(len(self.triangles), dtype=bool)
+        for face in BOX_FACES:
+            axis, plane = "xyz".index(face[0]), upper if face.endswith("max") else lower
+            flat = (np.abs(self._corner[:, :, axis] - plane[axis]) <= flush).all(axis=1)
+            if flat.any():
+                on_face[face] = np.flatnonzero(flat)
+                rest &= ~flat
+        if rest.any():
+            on_face["side"] = np.flatnonzero(rest)
+        return on_face
+
+    @cached_property
+    def _side(self) -> Triangles:
+        return Triangles(self.vertices, self.triangles[self._on_face["side"]])
+
+    @property
+    def bounds(self) -> tuple[Vector, Vector]:
+        return self.vertices.min(axis=0), self.vertices.max(axis=0)
+
+    @property
+    def volume(self) -> float:
+        # Gauss: the flux of x/3 through the surface, about a point near it against cancellation
+        middle = self.vertices.mean(axis=0)
+        return float(((self._corner.mean(axis=1) - middle) * self._facet).sum() / 3.0)
+
+    @property
+    def area(self) -> float:
+        return float(np.linalg.norm(self._facet, axis=1).sum())
+
+    @property
+    def faces(self) -> tuple[str, ...]:
+        return tuple(self._on_face)
+
+    def face_depth(self, face: str, points: PerElement3) -> PerElement:
+        self._check_face(face)
+        points = np.atleast_2d(points)
+        if face == "side":
+            depth = self.depth(points)
+            return np.copysign(self._side.distance(points), depth)
+        lower, upper = self.bounds
+        axis = "xyz".index(face[0])
+        return upper[axis] - points[:, axis] if face.endswith("max") else points[:, axis] - lower[axis]
+
+    def depth(self, points: PerElement3) -> PerElement:
+        return self._all.signed_distance(np.atleast_2d(np.asarray(points, dtype=float)))
+
+    def face_centre(self, face: str) -> Vector:
+        self._check_face(face)
+        chosen = self._on_face[face]
+        weight = np.linalg.norm(self._facet[chosen], axis=1)
+        return weight @ self._corner[chosen].mean(axis=1) / weight.sum()
+
+    def section(self) -> float:
+        lower, upper = self.bounds
+        return _section(self._corner, 0.5 * float(lower[0] + upper[0]))
+
+
+def _section(corner: Floats, x: float) -> float:
+    """Area of the section of a closed surface at x [m²]: its outline is where triangles cross the plane."""
+    above = corner[:, :, 0] >= x
+    area = 0.0
+    for lone in range(3):
+        a, b, c = (corner[:, (lone + k) % 3] for k in range(3))
+        up = above[:, lone]
+        crossed = (up != above[:, lone - 2]) & (up != above[:, lone - 1])
+        a, b, c, up = a[crossed], b[crossed], c[crossed], up[crossed]
+        p, q = (a + ((x - a[:, :1]) / (e[:, :1] - a[:, :1])) * (e - a) for e in (b, c))
+        turn = p[:, 1] * q[:, 2] - p[:, 2] * q[:, 1]
+        area += 0.5 * float(np.where(up, turn, -turn).sum())
+    return abs(area)
+
+
+def _read(file: Path) -> tuple[Floats, Ints]:
+    if file.suffix.lower() not in _SUFFIXES:
+        raise InputError(f"{file}: Surface reads STL and PLY files; export the part as one of these")
+    if not file.is_file():
+        raise InputError(f"{file}: there is no such file; check the path")
+    try:
+        mesh = trimesh.load_mesh(file)
+        return np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)
+    except Exception as error:  # whatever a parser trips over
+        raise InputError(f"{file} cannot be read as {file.suffix[1:].upper()} ({error}); export it again") from error
+
+
+def _checked(name: str, vertices: Floats, triangles: Ints) -> Ints:
+    """The triangles, without those that have no area, all facing outwards."""
+    if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
+        raise InputError(f"{name}: vertices {vertices.shape} and triangles {triangles.shape} are no (v, 3), (t, 3)")
+    if not np.isfinite(vertices).all():
+        raise InputError(f"{name} has a vertex that is not finite; export it again")
+    if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
+        raise InputError(f"{name}: triangles name vertices that are not there; count them from 0")
+    triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    if len(triangles) < 4:
+        raise InputError(f"{name} has {len(triangles)} triangles; a closed surface has at least four")
+    edge = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+    there = np.unique(edge, axis=0, return_counts=True)
+    back = np.unique(edge[:, ::-1], axis=0)
+    if there[1].max() > 1 or not np.array_equal(there[0], back):
+        ends = np.unique(np.sort(edge, axis=1), axis=0, return_counts=True)[1]
+        wrong = int((ends % 2 == 1).sum())
+        if wrong:
+            raise InputError(f"{name} is not watertight: {wrong} edges have one triangle only; close the surface")
+        raise InputError(f"{name}: its triangles do not all face the same way; repair the normals and export again")
+    a, b, c = np.moveaxis(vertices[triangles] - vertices.mean(axis=0), 1, 0)
+    volume = float(np.einsum("ni,ni->", a, np.cross(b, c))) / 6.0
+    if abs(volume) <= 1e-12 * float(np.ptp(vertices, axis=0).max()) ** 3:
+        raise InputError(f"{name} encloses no volume; close the surface")
+    return triangles if volume > 0.0 else np.ascontiguousarray(triangles[:, ::-1])

@@ -1,0 +1,203 @@
+"""Exact signed distance of points to a closed set of triangles.
+
+Triangles are cut into pieces of even size, and the pieces put into a tree of boxes; each point walks down the
+tree, the nearer branch first, and leaves out what is farther than the nearest triangle so far. Inside and
+outside follow from the normal at the nearest point; at edges and corners from the mean of the adjacent
+normals, weighted by angle (Bærentzen & Aanæs, IEEE Trans. Vis. Comput. Graph. 11, 2005), which is never wrong.
+"""
+
+import numpy as np
+
+from bondem._compile import device, kernel, prange
+from bondem._types import Floats, Ints, PerElement, PerElement3
+
+_PIECES = 10_000  # more pieces: tighter boxes, more levels
+
+
+@device
+def _to_box(x, y, z, low, high):
+    """Square of the distance of a point to a box [m²]."""
+    dx = max(low[0] - x, x - high[0], 0.0)
+    dy = max(low[1] - y, y - high[1], 0.0)
+    dz = max(low[2] - z, z - high[2], 0.0)
+    return dx * dx + dy * dy + dz * dz
+
+
+@device
+def _to_triangle(x, y, z, corner, side, normal):
+    """Square of the distance of a point to a triangle [m²]."""
+    nearest, within = np.inf, True
+    for k in range(3):
+        px, py, pz = x - corner[k, 0], y - corner[k, 1], z - corner[k, 2]
+        ex, ey, ez = side[k, 0], side[k, 1], side[k, 2]
+        t = (px * ex + py * ey + pz * ez) / max(ex * ex + ey * ey + ez * ez, 1e-300)
+        t = min(max(t, 0.0), 1.0)
+        dx, dy, dz = px - t * ex, py - t * ey, pz - t * ez
+        nearest = min(nearest, dx * dx + dy * dy + dz * dz)
+        inward = (
+            (normal[1] * ez - normal[2] * ey) * px
+            + (normal[2] * ex - normal[0] * ez) * py
+            + (normal[0] * ey - normal[1] * ex) * pz
+        )
+        within = within and inward > 0.0
+    if within:
+        height = (
+            normal[0] * (x - corner[0, 0]) + normal[1] * (y - corner[0, 1]) + normal[2] * (z - corner[0, 2])
+        )
+        nearest = height * height
+    return nearest
+
+
+@kernel(parallel=True)
+def _nearest(points, lower, upper, owner, corner, side, normal, triangle):
+    """Find the nearest triangle of each point.
+
+    Args:
+        points: (n, 3) [m].
+        lower: lower corners of the boxes, (2 p, 3) [m]: box 1 holds all, box b boxes 2 b and 2 b + 1, and
+            the last p boxes one piece each.
+        upper: upper corners, (2 p, 3) [m].
+        owner: which triangle each piece is of, (p,).
+        corner: of the triangles, (t, 3, 3) [m].
+        side: from each corner to the next, (t, 3, 3) [m].
+        normal: unit normals, (t, 3), 0 where there is none.
+        triangle: filled with the nearest, (n,).
+    """
+    pieces = owner.size
+    for i in prange(points.shape[0]):
+        x, y, z = points[i, 0], points[i, 1], points[i, 2]
+        waiting = np.empty(64, np.int64)
+        waiting[0], count = 1, 1
+        best, found = np.inf, owner[0]
+        while count > 0:
+            count -= 1
+            box = waiting[count]
+            if _to_box(x, y, z, lower[box], upper[box]) >= best:
+                continue
+            if box >= pieces:
+                t = owner[box - pieces]
+                d = _to_triangle(x, y, z, corner[t], side[t], normal[t])
+                if d < best:
+                    best, found = d, t
+                continue
+            a, b = 2 * box, 2 * box + 1
+            if _to_box(x, y, z, lower[a], upper[a]) < _to_box(x, y, z, lower[b], upper[b]):
+                a, b = b, a
+            waiting[count], waiting[count + 1] = a, b
+            count += 2
+        triangle[i] = found
+
+
+class Triangles:
+    """Triangles one can ask for distances."""
+
+    def __init__(self, vertices: Floats, triangles: Ints) -> None:
+        """Prepare the search.
+
+        Args:
+            vertices: corners [m], (v, 3).
+            triangles: three corners each, counter-clockwise seen from outside, (t, 3).
+        """
+        self._corner = vertices[triangles]
+        self._side = np.roll(self._corner, -1, axis=1) - self._corner
+        normal = np.cross(self._side[:, 0], self._side[:, 1])
+        size = np.linalg.norm(normal, axis=1)
+        self._normal = normal / np.where(size > 0.0, size, 1.0)[:, None]
+        self._length2 = np.maximum((self._side**2).sum(axis=2), 1e-300)
+        self._outward = self._outward_normals(triangles, len(vertices))
+        piece, self._owner = _in_order(*_pieces(self._corner, 0.5 * float(size.sum())))
+        self._lower, self._upper = _boxes(piece)
+
+    def _outward_normals(self, triangles: Ints, vertices: int) -> Floats:
+        """Normals on the inside of each triangle, its three sides and its three corners, (t, 7, 3)."""
+        before = -np.roll(self._side, 1, axis=1)
+        cosine = (before * self._side).sum(axis=2) / np.sqrt(self._length2 * np.roll(self._length2, 1, axis=1))
+        angle = np.arccos(np.clip(cosine, -1.0, 1.0))
+        corner = np.zeros((vertices, 3))
+        np.add.at(corner, triangles, angle[:, :, None] * self._normal[:, None])
+        ends = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2), axis=2)
+        _, edge = np.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
+        edge = edge.reshape(-1, 3)
+        side = np.zeros((edge.max() + 1, 3))
+        np.add.at(side, edge, self._normal[:, None])
+        return np.concatenate([self._normal[:, None], side[edge], corner[triangles]], axis=1)
+
+    def distance(self, points: PerElement3) -> PerElement:
+        """Distance to the nearest triangle [m], without sign, (n,)."""
+        return self._closest(points, self._nearest(points))[0]
+
+    def signed_distance(self, points: PerElement3) -> PerElement:
+        """Distance to the nearest triangle [m], positive inside the surface and negative outside, (n,)."""
+        triangle = self._nearest(points)
+        distance, feature, offset = self._closest(points, triangle)
+        outward = self._outward[triangle, feature]
+        return np.where((offset * outward).sum(axis=1) > 0.0, -distance, distance)
+
+    def _nearest(self, points: PerElement3) -> Ints:
+        triangle = np.empty(len(points), dtype=np.int64)
+        _nearest(
+            np.ascontiguousarray(points), self._lower, self._upper, self._owner, self._corner, self._side,
+            self._normal, triangle,
+        )  # fmt: skip
+        return triangle
+
+    def _closest(self, points: PerElement3, triangle: Ints) -> tuple[PerElement, Ints, PerElement3]:
+        """Nearest point of one triangle per point: distance, where on it (inside, side, corner), and the offset."""
+        from_corner = points[:, None] - self._corner[triangle]
+        side, normal = self._side[triangle], self._normal[triangle]
+        along = np.einsum("nij,nij->ni", from_corner, side) / self._length2[triangle]
+        clipped = np.clip(along, 0.0, 1.0)
+        to_side = from_corner - clipped[:, :, None] * side
+        d2 = np.einsum("nij,nij->ni", to_side, to_side)
+        each = np.arange(len(points))
+        s = d2.argmin(axis=1)
+        t = clipped[each, s]
+        feature = np.where(t <= 0.0, 4 + s, np.where(t >= 1.0, 4 + (s + 1) % 3, 1 + s))
+        height = np.einsum("nj,nj->n", from_corner[:, 0], normal)
+        within = (np.einsum("nij,nij->ni", np.cross(normal[:, None], side), from_corner) > 0.0).all(axis=1)
+        offset = np.where(within[:, None], height[:, None] * normal, to_side[each, s])
+        distance = np.where(within, np.abs(height), np.sqrt(d2[each, s]))
+        return distance, np.where(within, 0, feature), offset
+
+
+def _pieces(corner: Floats, area: float) -> tuple[Floats, Ints]:
+    """Triangles (t, 3, 3) halved until none is long, and which triangle each is of."""
+    longest = 1.5 * (area / _PIECES) ** 0.5
+    piece, owner = corner, np.arange(len(corner))
+    while True:
+        length = np.linalg.norm(np.roll(piece, -1, axis=1) - piece, axis=2)
+        long = length.max(axis=1) > longest
+        if not long.any():
+            return piece, owner
+        whole, number = piece[long], owner[long]
+        turn = (length[long].argmax(axis=1)[:, None] + np.arange(3)) % 3
+        a, b, c = np.moveaxis(np.take_along_axis(whole, turn[:, :, None], axis=1), 1, 0)
+        middle = 0.5 * (a + b)
+        halves = [np.stack([a, middle, c], axis=1), np.stack([middle, b, c], axis=1)]
+        piece = np.concatenate([piece[~long], *halves])
+        owner = np.concatenate([owner[~long], number, number])
+
+
+def _in_order(piece: Floats, owner: Ints) -> tuple[Floats, Ints]:
+    """The pieces, filled up to a power of two, so that each half, quarter, ... of them is a compact part of space."""
+    fill = np.resize(np.arange(len(piece)), 1 << (len(piece) - 1).bit_length())
+    centre = piece.mean(axis=1)[fill]
+    order = np.arange(len(fill))[None]
+    while order.shape[1] > 1:
+        there = centre[order]
+        axis = np.ptp(there, axis=1).argmax(axis=1)
+        along = np.take_along_axis(there, axis[:, None, None], axis=2)[:, :, 0]
+        order = np.take_along_axis(order, np.argsort(along, axis=1, kind="stable"), axis=1)
+        order = order.reshape(2 * len(order), -1)
+    chosen = fill[order.ravel()]
+    return piece[chosen], owner[chosen]
+
+
+def _boxes(piece: Floats) -> tuple[Floats, Floats]:
+    """Lower and upper corners of the boxes of the tree, as `_nearest` wants them."""
+    lower, upper = [piece.min(axis=1)], [piece.max(axis=1)]
+    while len(lower[0]) > 1:
+        lower.insert(0, np.minimum(lower[0][::2], lower[0][1::2]))
+        upper.insert(0, np.maximum(upper[0][::2], upper[0][1::2]))
+    unused = np.zeros((1, 3))
+    return np.concatenate([unused, *lower]), np.concatenate([unused, *upper])
