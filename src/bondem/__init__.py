@@ -12,6 +12,7 @@ __version__ = "0.1.0"
 _PUBLIC = {
     "bondem.specimen.material": ("Material",),
     "bondem.specimen.geometry": ("Ball", "Box", "Cell", "Cylinder"),
+    "bondem.specimen.surface": ("Surface",),
     "bondem.specimen.particles": ("Particles",),
     "bondem.specimen.lattice": ("Lattice", "carve"),
     "bondem.specimen.bonding": ("connect",),
