@@ -1,0 +1,144 @@
+"""Spheres from any file: which reader it needs, and what all of them have in common."""
+
+import importlib
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from bondem._types import ArrayLike
+from bondem.errors import InputError
+from bondem.io.lammps import read_lammps
+from bondem.io.particles_file import load_bonded
+from bondem.io.sphere_tables import RawSpheres, read_csv, read_yade
+from bondem.io.vtkhdf_spheres import read_vtkhdf_spheres
+from bondem.specimen.geometry import Shape
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.particles import Particles
+
+_OWN = (".h5", ".hdf5")
+_LAMMPS = (".data", ".lmp", ".lammps")
+_VTK = (".vtk", ".vtp", ".vtu")
+_FORMATS = ".h5 (bondem), .csv, .txt (Yade), .data or .lmp (LAMMPS), .vtk, .vtp, .vtu, .vtkhdf"
+
+
+def read_particles(
+    path: str | Path,
+    *,
+    unit: float = 1.0,
+    shape: Shape | None = None,
+    period: ArrayLike | None = None,
+    columns: Sequence[str | int] | None = None,
+    radius: str | None = None,
+    periodic: bool = False,
+) -> Particles:
+    """Read spheres from a file, in the format its suffix stands for.
+
+    `.h5` is our own (`bd.save_particles`); `.csv` has a header, or columns x, y, z, radius; `.txt` is Yade's;
+    `.data`, `.lmp` and `data.*` are LAMMPS data files of atom_style sphere or bpm/sphere; `.vtk`, `.vtp` and `.vtu`
+    have points with an array of radii and need VTK (`pip install bondem[view]`); `.vtkhdf` does without.
+
+    Args:
+        path: the file.
+        unit: the file's unit of length [m]: 1e-3 for millimetres.
+        shape: the shape the spheres fill [m], where the file does not say.
+        period: edge lengths of the periodic cell [m], (3,), where the file does not say; its corner is the origin.
+        columns: CSV: which columns hold x, y, z and radius, by name or by number from 0.
+        radius: VTK: name of the array of radii.
+        periodic: LAMMPS: take the box for a periodic cell, moved to the origin.
+
+    Returns:
+        The spheres in the file's order (LAMMPS: that of the ids).
+
+    Raises:
+        InputError: no such file, an unknown format, or spheres that cannot be used; names the file and, of a text,
+            the line.
+    """
+    path = _existing(path)
+    if path.suffix.lower() in _OWN:
+        return load_bonded(path)[0]
+    return _particles(path, _read(path, columns, radius, periodic), unit, shape, period)
+
+
+def read_lattice(
+    path: str | Path,
+    *,
+    unit: float = 1.0,
+    shape: Shape | None = None,
+    period: ArrayLike | None = None,
+    radius: str | None = None,
+    periodic: bool = False,
+) -> Lattice:
+    """Read spheres and their bonds from a file: ours, a LAMMPS data file with bonds, or VTKHDF with lines.
+
+    Args:
+        path: the file.
+        unit: as for `read_particles`, like all the rest.
+        shape: the same.
+        period: the same.
+        radius: the same.
+        periodic: the same.
+
+    Raises:
+        InputError: as `read_particles`, or there are no bonds in the file.
+        DisconnectedError: the specimen falls into two large pieces.
+    """
+    path = _existing(path)
+    if path.suffix.lower() in _OWN:
+        particles, pairs = load_bonded(path)
+    else:
+        raw = _read(path, None, radius, periodic)
+        particles, pairs = _particles(path, raw, unit, shape, period), raw.pairs
+    if pairs is None:
+        raise InputError(f"'{path}' holds no bonds; read it with bd.read_particles and bond with bd.connect")
+    lattice = Lattice(particles, pairs)
+    far = 0.5 * np.ptp(particles.position, axis=0) + 4.0 * particles.radius.max()
+    across = np.flatnonzero((np.abs(lattice.branch) > far).any(axis=1))
+    if particles.period is None and across.size:
+        raise InputError(
+            f"'{path}': bond {across[0]} reaches across half the specimen ({len(across)} such bonds): bonds over the"
+            " border of a periodic cell? Pass periodic=True (LAMMPS) or period="
+        )
+    return lattice
+
+
+def _existing(path: str | Path) -> Path:
+    path = Path(path)
+    if not path.is_file():
+        raise InputError(f"there is no file '{path}'; check the path")
+    return path
+
+
+def _read(path: Path, columns: Sequence[str | int] | None, radius: str | None, periodic: bool) -> RawSpheres:
+    suffix = path.suffix.lower()
+    if suffix in _LAMMPS or path.name.startswith("data."):
+        return read_lammps(path, periodic=periodic)
+    if suffix == ".csv":
+        return read_csv(path, columns)
+    if suffix == ".txt":
+        return read_yade(path)
+    if suffix == ".vtkhdf":
+        return read_vtkhdf_spheres(path, radius)
+    if suffix in _VTK:
+        try:
+            reader = importlib.import_module("bondem.io.vtk_spheres")
+        except ModuleNotFoundError as error:
+            raise InputError(
+                f"'{path}' needs VTK, which is not installed ({error.name}); pip install 'bondem[view]', or write"
+                " the spheres as CSV"
+            ) from error
+        return reader.read_vtk(path, radius)
+    raise InputError(f"'{path}': spheres are not read from '{suffix or path.name}' files; known are {_FORMATS}")
+
+
+def _particles(
+    path: Path, raw: RawSpheres, unit: float, shape: Shape | None, period: ArrayLike | None
+) -> Particles:
+    if not (np.isfinite(unit) and unit > 0.0):
+        raise InputError(f"unit = {unit}; give the file's unit of length in metres, 1e-3 for millimetres")
+    if period is None and raw.period is not None and (shape is None or shape.period is None):
+        period = unit * raw.period
+    try:
+        return Particles(unit * raw.position, unit * raw.radius, period, shape)
+    except InputError as error:
+        raise InputError(f"'{path}': {error}") from error

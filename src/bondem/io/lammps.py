@@ -1,0 +1,115 @@
+"""Spheres and bonds from a LAMMPS data file (`read_data`, `write_data`)."""
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+import numpy as np
+
+from bondem._types import Pairs
+from bondem.errors import InputError
+from bondem.io.sphere_tables import RawSpheres, numbered_lines, numbers
+
+# Column of the diameter and of x; behind z there may be three image flags.
+_STYLES = {"sphere": (2, 4), "bpm/sphere": (3, 5)}
+_SECTION = re.compile(r"[A-Z][A-Za-z]*( [A-Z][A-Za-z]*)*$")
+_Lines = list[tuple[int, str]]
+
+
+def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
+    """Spheres, and bonds where there are any, in the order of their ids.
+
+    Args:
+        path: a data file of atom_style sphere or bpm/sphere.
+        periodic: take the box for a periodic cell, moved to the origin. The file does not say: in LAMMPS the
+            command `boundary` does.
+
+    Raises:
+        InputError: another style, or a line that does not fit, naming file and line.
+    """
+    head, sections = _sections(path)
+    atoms = sections.get("Atoms")
+    if atoms is None:
+        raise InputError(f"'{path}' has no section Atoms; give a LAMMPS data file (write_data)")
+    place, hint, lines = atoms
+    if not lines:
+        raise InputError(f"'{path}', line {place}: the section Atoms is empty; write the data file again")
+    size, first = _style(path, place, hint, lines)
+    ids, rows = [], []
+    for line, text in lines:
+        words = text.split()
+        if len(words) < first + 3:
+            raise InputError(f"'{path}', line {line}: {len(words)} columns where {first + 3} are needed; complete it")
+        row = numbers(path, line, [words[0], *words[first : first + 3], words[size]])
+        if row[-1] <= 0.0:
+            raise InputError(f"'{path}', line {line}: diameter {row[-1]:g}; elements need a positive one")
+        ids.append(int(row[0]))
+        rows.append(row[1:])
+    order = np.argsort(ids, kind="stable")
+    table, known = np.array(rows)[order], np.array(ids)[order]
+    twice = np.flatnonzero(np.diff(known) == 0)
+    if twice.size:
+        raise InputError(f"'{path}' has two atoms of id {known[twice[0]]}; number them anew (reset_atoms id)")
+    lower, period = _box(path, head) if periodic else (np.zeros(3), None)
+    pairs = _bonds(path, sections["Bonds"][2], known) if "Bonds" in sections else None
+    return RawSpheres(table[:, :3] - lower, 0.5 * table[:, 3], period, pairs)
+
+
+def _sections(path: Path) -> tuple[_Lines, dict[str, tuple[int, str, _Lines]]]:
+    """The header, and by name the line each section begins on, the comment behind its name, and its lines."""
+    head: _Lines = []
+    sections: dict[str, tuple[int, str, _Lines]] = {}
+    current = head
+    for line, text in numbered_lines(path):
+        plain, _, comment = text.partition("#")
+        plain = plain.strip()
+        if line > 1 and _SECTION.match(plain):
+            current = []
+            sections[plain] = (line, comment.strip(), current)
+        elif plain and line > 1:
+            current.append((line, plain))
+    return head, sections
+
+
+def _style(path: Path, place: int, hint: str, lines: _Lines) -> tuple[int, int]:
+    if hint in _STYLES:
+        return _STYLES[hint]
+    if not hint:
+        # Without the comment that LAMMPS itself writes, the number of columns decides, image flags or not.
+        count = len(lines[0][1].split())
+        for columns in _STYLES.values():
+            if count in (columns[1] + 3, columns[1] + 6):
+                return columns
+    raise InputError(
+        f"'{path}', line {place}: atom style '{hint or 'unknown'}' has no diameters we know the place of; write the"
+        " file with atom_style sphere or bpm/sphere ('Atoms # sphere')"
+    )
+
+
+def _box(path: Path, head: _Lines) -> tuple[np.ndarray, np.ndarray]:
+    lower, upper = np.zeros(3), np.full(3, np.nan)
+    for line, text in head:
+        words = text.split()
+        for k, axis in enumerate("xyz"):
+            if words[2:] == [f"{axis}lo", f"{axis}hi"]:
+                lower[k], upper[k] = numbers(path, line, words[:2])
+        if words[3:] == ["xy", "xz", "yz"] and any(numbers(path, line, words[:3])):
+            raise InputError(f"'{path}', line {line}: the box is tilted; a periodic cell here has right angles")
+    if np.isnan(upper).any():
+        raise InputError(f"'{path}' does not give xlo xhi, ylo yhi and zlo zhi; leave out periodic=True or add them")
+    return lower, upper - lower
+
+
+def _bonds(path: Path, lines: Iterable[tuple[int, str]], known: np.ndarray) -> Pairs:
+    pairs = []
+    for line, text in lines:
+        words = text.split()
+        if len(words) < 4:
+            raise InputError(f"'{path}', line {line}: a bond is given by id, type and two atoms; complete it")
+        ends = np.array([int(one) for one in numbers(path, line, words[2:4])])
+        at = np.searchsorted(known, ends)
+        missing = ends[(at >= len(known)) | (known[np.minimum(at, len(known) - 1)] != ends)]
+        if missing.size:
+            raise InputError(f"'{path}', line {line}: there is no atom {missing[0]} to bond; remove the bond")
+        pairs.append(at)
+    return np.array(pairs, dtype=np.int64).reshape(-1, 2)

@@ -1,0 +1,123 @@
+"""Packings kept on disk, so that the same request is not packed twice.
+
+They lie in the folder `packings` of bondem's cache: `$BONDEM_CACHE_DIR/bondem`, or `$XDG_CACHE_HOME/bondem`, or
+`~/.cache/bondem`, each in a file named after its request. The folder may be deleted at any time.
+"""
+
+import hashlib
+import json
+import os
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scipy
+
+import bondem
+from bondem._compile import cache_directory
+from bondem.errors import BondemError
+from bondem.io.codec import encode
+from bondem.io.particles_file import load_particles, save_particles
+from bondem.specimen.particles import Particles
+
+_MOST_BYTES = 2 << 30
+# What decides the bits of a packing. Read as text: the rooms above this one may not be imported here.
+_ROOMS = ("specimen", "laws", "kernels", "model", "solve", "packing")
+
+
+def key(request: Mapping[str, Any]) -> str:
+    """Name of a request for a packing: a hash of all that decides its bits.
+
+    Args:
+        request: the arguments by name, all of them, defaults written out: what JSON can hold and shapes.
+
+    Returns:
+        40 hexadecimal digits, the same in any order of the arguments; other ones for another version of bondem,
+        of NumPy, SciPy or Numba, or after any edit of a source that packs.
+
+    Raises:
+        RunFileError: an argument that cannot be written down.
+    """
+    text = json.dumps({name: encode(value) for name, value in request.items()}, sort_keys=True)
+    return hashlib.sha256(f"{_program()}\n{text}".encode()).hexdigest()[:40]
+
+
+@cache
+def _program() -> str:
+    # The name of the compiled cache is a hash of all kernel sources and of Numba's version.
+    versions = (bondem.__version__, np.__version__, scipy.__version__, cache_directory.name)
+    digest = hashlib.sha256(" ".join(versions).encode())
+    package = Path(bondem.__file__).parent
+    for source in sorted(path for room in _ROOMS for path in package.joinpath(room).rglob("*.py")):
+        digest.update(source.read_bytes())
+    return digest.hexdigest()
+
+
+class PackingCache:
+    """A folder of packings by key.
+
+    Whatever goes wrong with it (no room, a damaged file, no right to write) costs time and nothing else: it is
+    as if the packing had not been kept.
+
+    Args:
+        folder: where; the default is told above.
+        most_bytes: what the files may take together [bytes]; those not used for longest go first.
+    """
+
+    def __init__(self, folder: str | Path | None = None, *, most_bytes: int = _MOST_BYTES) -> None:
+        self.folder = Path(folder) if folder is not None else cache_directory.parent / "packings"
+        self._most = most_bytes
+
+    def get(self, name: str) -> Particles | None:
+        """The packing kept under a key, or None."""
+        path = self._path(name)
+        try:
+            particles = load_particles(path)
+            os.utime(path)
+        except (BondemError, OSError):
+            return None
+        return particles
+
+    def put(self, name: str, particles: Particles, *, provenance: Mapping[str, Any] | None = None) -> None:
+        """Keep a packing under a key; what was there is replaced, in one move."""
+        path = self._path(name)
+        # Processes that pack the same at once must not write to one file.
+        aside = path.with_name(f"{path.stem}.{os.getpid()}.new")
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            save_particles(aside, particles, provenance=provenance)
+            os.replace(aside, path)
+            self._shrink(path)
+        except (BondemError, OSError):
+            with suppress(OSError):
+                aside.unlink(missing_ok=True)
+
+    def remembered(self, request: Mapping[str, Any], make: Callable[[], Particles]) -> Particles:
+        """The packing of a request: the one kept, or else made now and kept.
+
+        Args:
+            request: as for `key`.
+            make: packs it.
+        """
+        name = key(request)
+        kept = self.get(name)
+        if kept is not None:
+            return kept
+        particles = make()
+        self.put(name, particles, provenance=request)
+        return particles
+
+    def _path(self, name: str) -> Path:
+        return self.folder / f"{name}.h5"
+
+    def _shrink(self, newest: Path) -> None:
+        found = [(path.stat(), path) for path in self.folder.glob("*.h5") if path != newest]
+        room = self._most - newest.stat().st_size - sum(stat.st_size for stat, _ in found)
+        for stat, path in sorted(found, key=lambda one: one[0].st_mtime_ns):
+            if room >= 0:
+                return
+            path.unlink(missing_ok=True)
+            room += stat.st_size

@@ -1,0 +1,119 @@
+"""Particles, and a lattice where there are bonds, in one HDF5 file with where they come from.
+
+    /                attributes format, schema, bondem_version; texts shape and provenance (JSON)
+    /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one
+    /bonds           pairs (m, 2), where a lattice was saved
+
+Arrays are kept to the bit.
+"""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from bondem import __version__
+from bondem.errors import InputError
+from bondem.io.atomic import replacing, require_writable
+from bondem.io.codec import decode, encode
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.particles import Particles
+
+FORMAT = "bondem particles"
+SCHEMA = 1
+
+
+def save_particles(
+    path: str | Path, particles: Particles | Lattice, *, provenance: Mapping[str, Any] | None = None
+) -> None:
+    """Write particles, or a lattice, to an HDF5 file.
+
+    Args:
+        path: the file, by custom ending in .h5; one that is there is replaced, in one move.
+        particles: the elements; a Lattice brings its bonds along.
+        provenance: how they came about, say method, seed and target, by names: what JSON can hold, and bondem's
+            own dataclasses. The version of bondem is added.
+
+    Raises:
+        InputError: the file cannot be written.
+        RunFileError: the shape or the provenance holds something that a file cannot.
+    """
+    lattice = particles if isinstance(particles, Lattice) else None
+    elements = lattice.particles if lattice is not None else particles
+    assert isinstance(elements, Particles)
+    texts = {
+        "shape": json.dumps(encode(elements.shape)),
+        "provenance": json.dumps({str(key): encode(value) for key, value in dict(provenance or {}).items()}),
+    }
+    path = Path(path)
+    require_writable(path, "particle file")
+    with replacing(path) as aside, h5py.File(aside, "w") as file:
+        file.attrs["format"] = FORMAT
+        file.attrs["schema"] = SCHEMA
+        file.attrs["bondem_version"] = __version__
+        for name, text in texts.items():
+            file.create_dataset(name, data=text)
+        file["elements/position"] = elements.position
+        file["elements/radius"] = elements.radius
+        if elements.period is not None:
+            file["elements/period"] = elements.period
+        if lattice is not None:
+            file["bonds/pairs"] = lattice.pairs
+
+
+def load_particles(path: str | Path) -> Particles:
+    """The particles that `save_particles` wrote, to the bit, with their shape.
+
+    Raises:
+        InputError: no such file, not a particle file, damaged, or of a newer bondem.
+    """
+    particles, _, _ = _read(Path(path))
+    return particles
+
+
+def load_bonded(path: str | Path) -> tuple[Particles, np.ndarray | None]:
+    """Particles and the pairs (m, 2) of their bonds, None where none were saved."""
+    particles, pairs, _ = _read(Path(path))
+    return particles, pairs
+
+
+def read_provenance(path: str | Path) -> dict[str, Any]:
+    """How the particles of a file came about: what `save_particles` was told, and `bondem_version`."""
+    return _read(Path(path))[2]
+
+
+def _read(path: Path) -> tuple[Particles, np.ndarray | None, dict[str, Any]]:
+    if not path.is_file():
+        raise InputError(f"there is no particle file '{path}'; check the path")
+    try:
+        file = h5py.File(path, "r")
+    except OSError:
+        raise InputError(f"'{path}' is not a particle file of bondem; give a file of bd.save_particles") from None
+    with file:
+        head: Any = file.attrs
+        if head.get("format") != FORMAT:
+            raise InputError(f"'{path}' is not a particle file of bondem; give a file of bd.save_particles")
+        if head["schema"] > SCHEMA:
+            raise InputError(
+                f"'{path}' was written by bondem {head['bondem_version']}, which is newer than this"
+                f" {__version__}; update bondem to read it"
+            )
+        version = str(head["bondem_version"])
+        try:
+            period = _array(file, "elements/period") if "elements/period" in file else None
+            shape = decode(json.loads(_array(file, "shape").item()))
+            particles = Particles(_array(file, "elements/position"), _array(file, "elements/radius"), period, shape)
+            pairs = _array(file, "bonds/pairs") if "bonds/pairs" in file else None
+            told = json.loads(_array(file, "provenance").item())
+        except (KeyError, ValueError, OSError) as error:
+            raise InputError(f"'{path}' is damaged ({error}); make it again") from error
+    return particles, pairs, {"bondem_version": version} | {key: decode(value) for key, value in told.items()}
+
+
+def _array(file: h5py.File, name: str) -> np.ndarray:
+    item = file[name]
+    assert isinstance(item, h5py.Dataset)
+    return np.asarray(item[()])

@@ -1,0 +1,79 @@
+"""Layers that walls order spheres into: solid fraction against the distance from each wall."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.specimen.core import region, solid
+from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.quasirandom import points_inside
+
+_SAMPLES = 1 << 18
+_ASIDE = 1.5  # mean diameters from the other walls, where there is room
+_FEW = 100  # points to a bin
+
+
+@dataclass(frozen=True, eq=False)
+class Layering:
+    """What one wall does to the packing before it.
+
+    Attributes:
+        distance: from the wall, middle of each bin, over the mean diameter 2R̄ [-], shape (b,).
+        volume_fraction: of what lies at that distance [-], shape (b,); NaN where there is none.
+        amplitude: rms deviation of it from its mean, over the mean, from two to four mean diameters from the wall
+            [-]: 0.04 for a random packing, whose layers die out, 0.1 for equal spheres ordered by the wall, and
+            0.1 by chance before a wall that a hundred spheres cover; NaN where there is no room.
+    """
+
+    distance: Floats
+    volume_fraction: Floats
+    amplitude: float
+
+
+def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter: int = 20) -> Mapping[str, Layering]:
+    """Solid fraction against the distance from each wall.
+
+    Only what lies 1.5 mean diameters or more from all other walls counts, where there is such a place. Spheres and
+    space are counted by evenly spread points, the same every time.
+
+    Args:
+        particles: the spheres; without a shape, the walls are those of their bounding box.
+        reach: how far from the wall, in mean diameters [-].
+        bins_per_diameter: how fine.
+
+    Returns:
+        Face by face; empty for a periodic cell.
+    """
+    shape, diameter = region(particles), 2.0 * particles.mean_radius
+    spheres = solid(particles)
+    space, share = points_inside(shape, _SAMPLES, 0.0)
+    edge = np.linspace(0.0, reach, max(round(reach * bins_per_diameter), 1) + 1)
+    found = {}
+    for face in shape.faces:
+        others = [other for other in shape.faces if other != face]
+
+        def clear(points: Floats, others: list[str] = others) -> np.ndarray:
+            far = np.ones(len(points), dtype=bool)
+            for other in others:
+                far &= shape.face_depth(other, points) >= _ASIDE * diameter
+            return far
+
+        free, full = clear(space), clear(spheres.position)
+        if np.count_nonzero(free) < _FEW * len(edge):
+            free, full = np.ones(len(space), dtype=bool), np.ones(len(spheres.position), dtype=bool)
+        room, _ = np.histogram(shape.face_depth(face, space[free]) / diameter, edge)
+        held, _ = np.histogram(
+            shape.face_depth(face, spheres.position[full]) / diameter, edge, weights=spheres.volume[full]
+        )
+        fraction = np.where(room >= _FEW, held / (share * np.maximum(room, 1)), np.nan)
+        middle = 0.5 * (edge[1:] + edge[:-1])
+        judged = fraction[(middle > 2.0) & (middle < 4.0)]
+        found[face] = Layering(freeze(middle), freeze(fraction), _amplitude(judged))
+    return found
+
+
+def _amplitude(fraction: Floats) -> float:
+    known = fraction[np.isfinite(fraction)]
+    return float(known.std() / known.mean()) if len(known) and known.mean() > 0.0 else float("nan")

@@ -1,0 +1,89 @@
+"""How often centres lie at a distance from each other, against spheres without order."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._types import Floats
+from bondem.errors import InputError
+from bondem.specimen.core import core_volume, region
+from bondem.specimen.geometry import Shape
+from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.quasirandom import points_inside, spread_directions
+
+_CORE_DEPTH = 3.0  # mean radii from wall to centre
+_SAMPLES = 1 << 15
+_CENTRES = 20_000
+
+
+@dataclass(frozen=True, eq=False)
+class RadialDistribution:
+    """The radial distribution function.
+
+    Attributes:
+        distance: middle of each shell, over the mean diameter 2R̄ [-], shape (b,).
+        density: g, number density of centres in the shell around a centre, over the mean number density [-],
+            shape (b,): 1 without order, and towards 1 at large distances in a random packing.
+    """
+
+    distance: Floats
+    density: Floats
+
+
+def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int = 80) -> RadialDistribution:
+    """g(r / 2R̄) of the centres three mean radii or more from every wall.
+
+    In a periodic cell every pair counts over its nearest image. Between walls pairs are counted inside the core
+    and divided by what centres without order in the same core would have: its set covariance, found by 32 768 evenly
+    spread points and directions (Ohser's edge correction), right to 1 %. What is left of the layers along walls adds
+    to g at all distances: 7 % in a cylinder of 3000 elements four diameters long, 5 % in one of 10 000. Above
+    20 000 centres, pairs of every k-th one with all.
+
+    Args:
+        particles: the spheres.
+        reach: largest distance, in mean diameters [-]; less where the specimen is smaller.
+        bins: number of shells.
+
+    Returns:
+        Distances and g.
+
+    Raises:
+        InputError: no room for it away from the walls.
+    """
+    if bins < 1 or reach <= 0.0:
+        raise InputError(f"radial_distribution: reach = {reach}, bins = {bins}; give positive ones")
+    shape, diameter = region(particles), 2.0 * particles.mean_radius
+    depth = _CORE_DEPTH * particles.mean_radius
+    centre = particles.position[shape.depth(particles.position) >= depth]
+    lower, upper = shape.bounds
+    if particles.period is not None:
+        farthest = 0.5 * (1.0 - 1e-9) * float(particles.period.min())
+    else:
+        farthest = 0.5 * float((upper - lower).max()) - depth
+    farthest = min(reach * diameter, farthest)
+    if len(centre) < 2 or farthest <= diameter:
+        raise InputError(
+            f"{len(centre)} centres lie three mean radii from every wall: too few for a radial distribution;"
+            " take more elements"
+        )
+    edge = np.linspace(0.0, farthest, bins + 1)
+    some = centre[:: -(-len(centre) // _CENTRES)]
+    tree = KDTree(centre, boxsize=particles.period)
+    # Counts are cumulative from distance 0, where every centre finds itself.
+    pairs = np.diff(KDTree(some, boxsize=particles.period).count_neighbors(tree, edge).astype(float))
+    density = len(centre) / core_volume(shape, depth)
+    shell = 4.0 / 3.0 * np.pi * np.diff(edge**3)
+    middle = 0.5 * (edge[1:] + edge[:-1])
+    expected = len(some) * density * shell * _covariance(shape, depth, middle)
+    g = np.divide(pairs, expected, out=np.full(bins, np.nan), where=expected > 0.0)
+    return RadialDistribution(freeze(middle / diameter), freeze(g))
+
+
+def _covariance(shape: Shape, depth: float, distance: Floats) -> Floats:
+    """Chance that a point at each distance from a point of the core, in any direction, lies in the core too."""
+    if not shape.faces:
+        return np.ones(len(distance))
+    points, _ = points_inside(shape, _SAMPLES, depth)
+    direction = spread_directions(len(points))
+    return np.array([(shape.depth(points + r * direction) >= depth).mean() for r in distance])

@@ -1,0 +1,284 @@
+"""Particle files: exact round trips, what others write, messages that name file and line, and the packing cache."""
+
+import os
+import sys
+
+import h5py
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.errors import InputError, RunFileError
+from bondem.io import packing_cache
+from bondem.io.packing_cache import PackingCache, key
+
+CENTRE = np.array([[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.0, 0.0, 0.25], [3.0, -1.0 / 3.0, 0.0]])
+RADIUS = np.array([0.5, 0.4, 0.5, 0.45])
+PAIRS = np.array([[0, 1], [1, 2], [2, 3]])
+
+
+def same(particles, centre=CENTRE, radius=RADIUS):
+    np.testing.assert_array_equal(particles.position, centre)
+    np.testing.assert_array_equal(particles.radius, radius)
+    return True
+
+
+@pytest.fixture
+def write(tmp_path):
+    def to(name, text):
+        path = tmp_path / name
+        path.write_text(text)
+        return path
+
+    return to
+
+
+def table(separator=" "):
+    return "".join(separator.join(map(repr, map(float, (*x, r)))) + "\n" for x, r in zip(CENTRE, RADIUS, strict=True))
+
+
+@pytest.mark.parametrize("shape", [None, bd.Cylinder(2.0, 4.0), bd.Cell((4.0, 5.0, 6.0))], ids=repr)
+def test_what_is_saved_comes_back_to_the_bit(tmp_path, shape):
+    particles = bd.Particles(CENTRE + 0.1, RADIUS, shape=shape)
+    path = tmp_path / "packing.h5"
+    bd.save_particles(path, particles, provenance={"method": "quench", "seed": 3, "shape": shape, "target": 6.2})
+    again = bd.load_particles(path)
+    assert same(again, particles.position, particles.radius)
+    assert again.shape == shape
+    assert (again.period is None) == (particles.period is None)
+    told = bd.read_provenance(path)
+    assert told == {"method": "quench", "seed": 3, "shape": shape, "target": 6.2, "bondem_version": bd.__version__}
+    assert same(bd.read_particles(path), particles.position, particles.radius)
+    with pytest.raises(InputError, match="holds no bonds"):
+        bd.read_lattice(path)
+
+
+def test_a_lattice_is_saved_with_its_bonds(tmp_path):
+    path = tmp_path / "lattice.h5"
+    bd.save_particles(path, bd.Lattice(bd.Particles(CENTRE, RADIUS), PAIRS[::-1]))
+    np.testing.assert_array_equal(bd.read_lattice(path).pairs, PAIRS[::-1])
+    assert same(bd.load_particles(path))
+
+
+def test_files_that_are_not_ours_or_damaged_are_refused(tmp_path, write):
+    with pytest.raises(InputError, match=r"there is no particle file .*check the path"):
+        bd.load_particles(tmp_path / "nowhere.h5")
+    with pytest.raises(InputError, match="not a particle file"):
+        bd.load_particles(write("text.h5", "x y z r"))
+    path = tmp_path / "good.h5"
+    bd.save_particles(path, bd.Particles(CENTRE, RADIUS))
+    with h5py.File(path, "a") as file:
+        del file["elements/radius"]
+    with pytest.raises(InputError, match="damaged"):
+        bd.load_particles(path)
+    with h5py.File(path, "a") as file:
+        file.attrs["schema"] = 99
+    with pytest.raises(InputError, match="update bondem"):
+        bd.load_particles(path)
+    with pytest.raises(InputError, match="folder"):
+        bd.save_particles(tmp_path, bd.Particles(CENTRE, RADIUS))
+    with pytest.raises(RunFileError, match="object cannot be written"):
+        bd.save_particles(path, bd.Particles(CENTRE, RADIUS), provenance={"by": object()})
+
+
+@pytest.mark.parametrize(
+    ("head", "separator"),
+    [
+        ("x,y,z,r\n", ","),
+        ("", ", "),
+        ("x y z radius\n", "  "),
+        ("# made by hand\nX [m];Y [m];Z [m];Radius (m)\n", ";"),
+        ('"x"\t"y"\t"z"\t"r"\n', "\t"),
+    ],
+)
+def test_csv_with_and_without_header(write, head, separator):
+    assert same(bd.read_particles(write("spheres.csv", head + table(separator))))
+
+
+def test_csv_columns_units_and_diameters(write):
+    path = write("mm.csv", "id,diameter,x,y,z\n7,2,0,0,0\n8,2,2,0,0\n")
+    assert same(bd.read_particles(path, unit=1e-3), np.array([[0, 0, 0], [2e-3, 0, 0]]), np.full(2, 1e-3))
+    path = write("odd.csv", "a,b,c,d,e\n7,0,0,0,2\n8,5,0,0,2\n")
+    expected = np.array([[0, 0, 0], [5, 0, 0]]), np.full(2, 2.0)
+    assert same(bd.read_particles(path, columns=("b", "c", "d", "e")), *expected)
+    assert same(bd.read_particles(path, columns=(1, 2, 3, 4)), *expected)
+    shape = bd.Box((1.0, 1.0, 1.0))
+    assert bd.read_particles(path, columns=(1, 2, 3, 4), unit=0.1, shape=shape).shape == shape
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("x,y,z,r\n0,0,0,1\n\n0,0,five,1\n", r"bad.csv', line 4: 'five' is not a number"),
+        ("x,y,z,r\n0,0,0,1\n0,0,nan,1\n", r"line 3: nan is not finite"),
+        ("x,y,z,r\n0,0,0\n", r"line 2: 3 columns where at least 4"),
+        ("x,y,z,r\n0,0,0,-1\n", r"line 2: -1 is no size"),
+        ("x,y,w,r\n0,0,0,1\n", r"line 1: no column 'z' among x, y, w, r; .*columns="),
+        ("# nothing\n", "holds no spheres"),
+        ("0 0 0 1\n0 0 0.1 1\n", r"bad.csv': elements 0 and 1 overlap"),
+    ],
+)
+def test_csv_errors_name_file_and_line(write, text, message):
+    with pytest.raises(InputError, match=message):
+        bd.read_particles(write("bad.csv", text))
+
+
+def test_yade_text_plain_and_periodic(write):
+    assert same(bd.read_particles(write("export.txt", "#format x_y_z_r\n" + table())))
+    assert same(bd.read_particles(write("ext.txt", "#format x_y_z_r_matId\n" + table().replace("\n", " 0\n"))))
+    rows = "1 1 1 0.5 -1\n2 1 1 0.5 -1\n"
+    periodic = bd.read_particles(write("pack.txt", "##PERIODIC:: 4 5 6\n" + rows))
+    np.testing.assert_array_equal(periodic.period, [4.0, 5.0, 6.0])
+    with pytest.raises(InputError, match="line 1: the format does not begin"):
+        bd.read_particles(write("bad.txt", "#format id_x_y_z_r\n"))
+
+
+def lammps(style, bonds=True, hint=True):
+    molecule = "1 " if style == "bpm/sphere" else ""
+    order = [2, 0, 3, 1]
+    atoms = "".join(
+        f"{10 + k} {molecule}1 {float(2.0 * RADIUS[k])!r} 2500 {' '.join(map(repr, map(float, CENTRE[k])))} 0 0 0\n"
+        for k in order
+    )
+    ends = "".join(f"{k + 1} 1 {10 + i} {10 + j} # bond\n" for k, (i, j) in enumerate(PAIRS))
+    return (
+        "LAMMPS data file\n\n4 atoms\n1 atom types\n3 bonds\n1 bond types\n\n"
+        "-1 5 xlo xhi\n-2 4 ylo yhi\n-3 3 zlo zhi\n"
+        f"\nAtoms{f' # {style}' if hint else ''}\n\n{atoms}\nVelocities\n\n10 0 0 0 0 0 0\n"
+        + (f"\nBonds\n\n{ends}" if bonds else "")
+    )
+
+
+@pytest.mark.parametrize("hint", [True, False])
+@pytest.mark.parametrize("style", ["sphere", "bpm/sphere"])
+def test_lammps_data_with_bonds(write, style, hint):
+    path = write("data.beam", lammps(style, hint=hint))
+    assert same(bd.read_particles(path))
+    lattice = bd.read_lattice(path)
+    np.testing.assert_array_equal(lattice.pairs, PAIRS)
+
+
+def test_lammps_box_as_a_periodic_cell(write):
+    path = write("cell.data", lammps("sphere"))
+    particles = bd.read_particles(path, periodic=True)
+    np.testing.assert_array_equal(particles.period, [6.0, 6.0, 6.0])
+    np.testing.assert_allclose(particles.position, CENTRE + np.array([1.0, 2.0, 3.0]))
+
+
+def test_lammps_bonds_over_the_border_need_the_periodic_cell(write):
+    atoms = "".join(f"{k + 1} 1 1.0 1 {0.5 + k} 0 0\n" for k in range(10))
+    ends = "".join(f"{k + 1} 1 {k + 1} {(k + 1) % 10 + 1}\n" for k in range(10))
+    text = f"\n\n0 10 xlo xhi\n-5 5 ylo yhi\n-5 5 zlo zhi\n\nAtoms # sphere\n\n{atoms}\nBonds\n\n{ends}"
+    path = write("ring.data", text)
+    with pytest.raises(InputError, match=r"bond 9 reaches across.*periodic=True"):
+        bd.read_lattice(path)
+    np.testing.assert_allclose(bd.read_lattice(path, periodic=True).length, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("edit", "message"),
+    [
+        (("# sphere", "# atomic"), r"line 12: atom style 'atomic' .* atom_style sphere"),
+        (("Atoms", "Ellipsoids"), "no section Atoms"),
+        (("12 1 1.0", "12 1 0.0"), "line 14: diameter 0"),
+        (("12 1 1.0 2500", "12 1 1.0 2500 oops"), "line 14: 'oops' is not a number"),
+        (("11 1 0.8", "10 1 0.8"), "two atoms of id 10"),
+        (("3 1 12 13", "3 1 12 99"), r"line 27: there is no atom 99"),
+    ],
+)
+def test_lammps_errors_name_file_and_line(write, edit, message):
+    path = write("bad.data", lammps("sphere").replace(*edit))
+    with pytest.raises(InputError, match=message) as caught:
+        bd.read_lattice(path)
+    assert "bad.data" in str(caught.value)
+
+
+def test_vtkhdf_of_our_own_comes_back_with_its_bonds(tmp_path):
+    path = tmp_path / "lattice.vtkhdf"
+    bd.write_vtkhdf(path, bd.Lattice(bd.Particles(CENTRE, RADIUS), PAIRS))
+    lattice = bd.read_lattice(path)
+    assert same(lattice.particles)
+    np.testing.assert_array_equal(lattice.pairs, PAIRS)
+
+
+@pytest.mark.parametrize("suffix", ["vtk", "vtp", "vtu"])
+def test_vtk_points_with_radii(tmp_path, suffix):
+    pv = pytest.importorskip("pyvista")
+    cloud = pv.PolyData(CENTRE) if suffix != "vtu" else pv.PolyData(CENTRE).cast_to_unstructured_grid()
+    cloud.point_data["Radius"] = RADIUS
+    path = tmp_path / f"spheres.{suffix}"
+    cloud.save(path)
+    assert same(bd.read_particles(path))
+    with pytest.raises(InputError, match=rf"spheres.{suffix}' has no point array 'size', but Radius"):
+        bd.read_particles(path, radius="size")
+
+
+def test_without_vtk_the_message_says_what_to_install(write, monkeypatch):
+    monkeypatch.delitem(sys.modules, "bondem.io.vtk_spheres", raising=False)
+    monkeypatch.setitem(sys.modules, "vtkmodules.util.numpy_support", None)
+    with pytest.raises(InputError, match=r"bondem\[view\]"):
+        bd.read_particles(write("spheres.vtp", ""))
+
+
+def test_an_unknown_suffix_lists_the_known_ones(write):
+    with pytest.raises(InputError, match=r"'.xyz' files; known are \.h5"):
+        bd.read_particles(write("spheres.xyz", ""))
+    with pytest.raises(InputError, match="there is no file"):
+        bd.read_particles("nowhere.csv")
+
+
+REQUEST = {"shape": bd.Ball(1.0), "count": 20, "spread": 0.25, "seed": 1, "method": "quench"}
+
+
+def test_key_depends_on_every_argument_but_not_on_their_order(monkeypatch):
+    assert key(REQUEST) == key(dict(reversed(REQUEST.items())))
+    others = [REQUEST | change for change in ({"seed": 2}, {"shape": bd.Ball(1.0 + 1e-15)}, {"count": 21})]
+    assert len({key(request) for request in [REQUEST, *others]}) == 4
+    before = key(REQUEST)
+    monkeypatch.setattr(packing_cache, "_program", lambda: "another version")
+    assert key(REQUEST) != before
+
+
+def test_the_same_request_is_packed_once(tmp_path):
+    calls = []
+
+    def make():
+        calls.append(1)
+        return bd.Particles(CENTRE, RADIUS)
+
+    cache = PackingCache(tmp_path / "kept")
+    assert same(cache.remembered(REQUEST, make))
+    assert same(cache.remembered(REQUEST, make))
+    assert len(calls) == 1
+    path = tmp_path / "kept" / f"{key(REQUEST)}.h5"
+    assert bd.read_provenance(path)["shape"] == bd.Ball(1.0)
+    # A damaged file is as good as none, and is written again.
+    path.write_bytes(path.read_bytes()[:700])
+    assert cache.get(key(REQUEST)) is None
+    assert same(cache.remembered(REQUEST, make))
+    assert len(calls) == 2
+    assert same(cache.get(key(REQUEST)))
+
+
+def test_the_cache_keeps_to_its_size_and_forgets_what_was_used_least(tmp_path):
+    particles = bd.Particles(CENTRE, RADIUS)
+    PackingCache(tmp_path).put("a", particles)
+    size = (tmp_path / "a.h5").stat().st_size
+    cache = PackingCache(tmp_path, most_bytes=3 * size)
+    for age, name in ((400, "b"), (300, "c")):
+        cache.put(name, particles)
+        os.utime(tmp_path / f"{name}.h5", (1e9 - age, 1e9 - age))
+    os.utime(tmp_path / "a.h5", (1e9 - 500, 1e9 - 500))
+    assert cache.get("a") is not None  # used now: no longer the oldest
+    cache.put("d", particles)
+    assert sorted(path.stem for path in tmp_path.glob("*.h5")) == ["a", "c", "d"]
+
+
+def test_a_cache_that_cannot_be_written_does_no_harm(write):
+    cache = PackingCache(write("file", "not a folder"))
+    assert same(cache.remembered(REQUEST, lambda: bd.Particles(CENTRE, RADIUS)))
+
+
+def test_the_cache_lies_beside_the_compiled_code():
+    assert PackingCache().folder.name == "packings"
+    assert PackingCache().folder.parent.name.startswith("bondem")
