@@ -216,7 +216,9 @@ def test_faces_survive_carving():
     np.testing.assert_array_equal(beam.particles.position, block.particles.position[~gone])
     assert gone.mean() == pytest.approx(0.02, abs=0.01)  # of the volume
     at_end, at_notch = bd.Face("x_min").select(beam), bd.Face("notch").select(beam)
-    np.testing.assert_allclose(beam.particles.position[at_end, 0], beam.particles.radius[at_end], atol=1e-9)
+    off = beam.particles.position[at_end, 0] - beam.particles.radius[at_end]
+    assert np.abs(off).max() <= 0.0201 * beam.particles.mean_radius
+    assert len(at_end) == len(bd.Face("x_min").select(block))
     # A carved wall is rough: spheres it runs through belong to it, centres inside.
     reach = NOTCHED.face_depth("notch", beam.particles.position[at_notch])
     assert (reach >= 0.0).all()
