@@ -22,7 +22,8 @@ def arguments() -> tuple:
     lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [1.0, 0, 0]], [0.5, 0.5]), [(0, 1)])
     model = bd.Model(lattice, bond=bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.1))
     layout, state = model.layout, State(model)
-    return (state.pose, layout.i, layout.j, model.bonds.constants, state.integrity, model.period, np.empty((9, 1)))
+    whole = (model.period, np.empty((9, 1)), 0, 1)
+    return (state.pose, layout.i, layout.j, model.bonds.constants, state.integrity, *whole)
 
 
 def arithmetic(arguments: tuple, loop: Callable) -> tuple[int, int]:

@@ -25,7 +25,7 @@ import numba
 import numba.core.config
 from numba import njit, prange
 
-__all__ = ["cache_directory", "device", "kernel", "most_threads", "prange", "threads"]
+__all__ = ["cache_directory", "current_threads", "device", "kernel", "most_threads", "prange", "threads"]
 
 # set by numba at import, so that type checkers do not know its attributes
 config: Any = numba.core.config
@@ -93,6 +93,11 @@ def kernel(*, parallel: bool) -> Callable[[F], F]:
             return cast(F, njit(parallel=parallel, cache=True, nogil=True, **_FLAGS)(twin))
 
     return decorate
+
+
+def current_threads() -> int:
+    """How many threads kernels run on now."""
+    return int(numba.get_num_threads())
 
 
 def most_threads() -> int:

@@ -79,8 +79,9 @@ def bond_forces(model: bd.Model, pose: np.ndarray) -> np.ndarray:
     layout = model.layout
     output = np.empty((9, len(layout.i)))
     bond_forces_serial(
-        pose, layout.i, layout.j, model.bonds.constants, np.ones(len(layout.i)), model.period, output
-    )
+        pose, layout.i, layout.j, model.bonds.constants, np.ones(len(layout.i)), model.period, output,
+        0, len(layout.i),
+    )  # fmt: skip
     return output
 
 

@@ -88,7 +88,7 @@ def sample(
 def evaluate(
     step, t0, dt, gamma, stale,
     pose, motion, acceleration, i, j, constants, shear, bending, lever, integrity, history, period, output,
-    in_start, out_start, out_bond,
+    in_start, out_start, out_bond, ready, block_element, block_bond,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, records,
@@ -104,11 +104,11 @@ def evaluate(
                 pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, 0.0, output
             )
         else:
-            bond_forces_serial(pose, i, j, constants, integrity, period, output)
+            bond_forces_serial(pose, i, j, constants, integrity, period, output, 0, len(i))
         close_step_serial(
             pose, motion, acceleration, output, in_start, out_start, out_bond,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-            0.0, 0.0, 0.0, 0.0, gamma, loss, False,
+            0.0, 0.0, 0.0, 0.0, gamma, loss, False, ready, 0, len(ready),
         )  # fmt: skip
     sample(
         t0 + step * dt, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
@@ -121,7 +121,7 @@ def evaluate(
 def advance(
     step, steps, every, t0, dt, finish, begin, extra, gamma,
     pose, motion, acceleration, i, j, constants, shear, bending, lever, integrity, history, period, output,
-    in_start, out_start, out_bond,
+    in_start, out_start, out_bond, ready, block_element, block_bond,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, records,
@@ -129,7 +129,8 @@ def advance(
     """Go from `step` to `step + steps`; write a record whenever the step number is a multiple of `every`.
 
     `acceleration` holds that of the present state on entry and on return. Between samples the end of one
-    step and the start of the next are fused into one pass over the elements.
+    step and the start of the next are fused into one pass over the elements. The two passes go block by block, and
+    an element moves when the last of its bonds has been seen, so that forces are gathered while still in the cache.
 
     Returns:
         (steps done, records written, bonds turned wide at most, bonds lost, whether a number was not finite).
@@ -162,10 +163,6 @@ def advance(
             incremental_forces(
                 pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, dt, output
             )
-        elif threaded:
-            bond_forces(pose, i, j, constants, integrity, period, output)
-        else:
-            bond_forces_serial(pose, i, j, constants, integrity, period, output)
         done += 1
         now = step + done
         t = t0 + now * dt
@@ -175,18 +172,27 @@ def advance(
             t, dt, times, values, start, drive_row, drive_dof, drive_schedule, drive_rate,
             load_row, load_schedule, load_value, row_force, row_half, row_full,
         )  # fmt: skip
-        if threaded:
-            close_step(
-                pose, motion, acceleration, output, in_start, out_start, out_bond,
-                row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-                dt, finish, begin, extra, gamma, loss, not paused,
-            )  # fmt: skip
-        else:
-            close_step_serial(
-                pose, motion, acceleration, output, in_start, out_start, out_bond,
-                row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-                dt, finish, begin, extra, gamma, loss, not paused,
-            )  # fmt: skip
+        for b in range(len(block_bond) - 1):
+            if threaded:
+                if history.shape[1] == 0:
+                    bond_forces(
+                        pose, i, j, constants, integrity, period, output, block_bond[b], block_bond[b + 1]
+                    )
+                close_step(
+                    pose, motion, acceleration, output, in_start, out_start, out_bond,
+                    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+                    dt, finish, begin, extra, gamma, loss, not paused, ready, block_element[b], block_element[b + 1],
+                )  # fmt: skip
+            else:
+                if history.shape[1] == 0:
+                    bond_forces_serial(
+                        pose, i, j, constants, integrity, period, output, block_bond[b], block_bond[b + 1]
+                    )
+                close_step_serial(
+                    pose, motion, acceleration, output, in_start, out_start, out_bond,
+                    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+                    dt, finish, begin, extra, gamma, loss, not paused, ready, block_element[b], block_element[b + 1],
+                )  # fmt: skip
         if now % GUARD_INTERVAL == 0 or done == steps:
             turned, lost, sick = rotation_guard(pose, i, j, constants, integrity, period)
             wide = max(wide, turned)

@@ -10,7 +10,9 @@ from bondem._compile import kernel, prange
 from bondem.laws.beam_energy import bond_cosines, bond_energy, bond_force
 
 
-def _forces(pose, i, j, constants, integrity, period, output):
+def _forces(pose, i, j, constants, integrity, period, output, first, last):
+    # unsigned, or every index would be tested for counting from the end
+    begin = np.uint64(first)
     X0, Y0, Z0, rest = constants[0], constants[1], constants[2], constants[3]
     kn, A, B, C, kt = constants[4], constants[5], constants[6], constants[7], constants[8]
     fx, fy, fz = output[0], output[1], output[2]
@@ -18,7 +20,8 @@ def _forces(pose, i, j, constants, integrity, period, output):
     bx, by, bz = output[6], output[7], output[8]
     px, py, pz = period[0], period[1], period[2]
     ix, iy, iz = period[3], period[4], period[5]
-    for k in prange(len(i)):
+    for n in prange(last - first):
+        k = np.uint64(n) + begin
         a = i[k]
         b = j[k]
         dx = pose[b, 0] - pose[a, 0]

@@ -8,6 +8,8 @@ Both schemes are one update with three coefficients (bondem.solve.schemes):
 Boundary conditions live on the few elements that own a row (`row_of[p] >= 0`); the others pay one test.
 """
 
+import numpy as np
+
 from bondem._compile import device, kernel, prange
 from bondem.laws.damping import local_damping
 from bondem.laws.rotations import turn
@@ -98,15 +100,14 @@ def _open(
 def _close(
     pose, motion, acceleration, output, in_start, out_start, out_bond,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-    dt, finish, begin, extra, gamma, loss, go_on,
+    dt, finish, begin, extra, gamma, loss, go_on, ready, first, last,
 ):  # fmt: skip
     fx, fy, fz = output[0], output[1], output[2]
     tx, ty, tz = output[3], output[4], output[5]
     sx, sy, sz = output[6], output[7], output[8]
-    last = len(pose) - 1
-    for back in prange(len(pose)):
-        # from the end, where the bond pass has just been: what it wrote last is still in the cache
-        p = last - back
+    origin = np.uint64(first)
+    for n in prange(last - first):
+        p = ready[np.uint64(n) + origin]
         f0 = f1 = f2 = t0 = t1 = t2 = 0.0
         for k in range(in_start[p], in_start[p + 1]):
             f0 += fx[k]

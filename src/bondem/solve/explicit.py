@@ -8,9 +8,11 @@ from typing import cast
 
 import numpy as np
 
+from bondem._compile import current_threads
 from bondem.errors import InputError
 from bondem.kernels.advance import FIXED_COLUMNS, advance, evaluate
 from bondem.laws.damping import LocalDamping
+from bondem.model.blocks import Blocks
 from bondem.model.bond_table import BondTable
 from bondem.model.gauges import QUANTITIES, REDUCTIONS, Gauge
 from bondem.model.model import Model
@@ -21,6 +23,8 @@ from bondem.solve.saving import Sink
 from bondem.solve.schemes import Scheme, VelocityVerlet
 from bondem.solve.timestep import choose_step
 
+# Elements of a block for each thread: their forces fit into the L2 cache, and launching a block costs little.
+BLOCK = 4000
 # Steps in one compiled call at most, so that progress and interrupts are not far away.
 _CHUNK = 10_000
 
@@ -199,6 +203,7 @@ class _Loop:
         members = [np.sort(layout.rank[gauge.region.select(model.lattice)]) for gauge in gauges]
         self.width = FIXED_COLUMNS + 3 * len(gauges)
         constants, shear, lever = _rested(bonds, state.eigenstrain)
+        blocks = Blocks.of(layout, BLOCK * current_threads())
         rows = np.zeros((2, len(held.element), 6))
         gamma = plan.damping.gamma if plan.damping is not None else 0.0
         self.scheme = (*plan.scheme.coefficients(dt), gamma)
@@ -206,6 +211,7 @@ class _Loop:
             state.pose, state.motion, state.acceleration, layout.i, layout.j, constants, shear,
             bonds.bending, lever, state.integrity, state.history, model.period,
             np.empty((9, len(layout.i))), layout.in_start, layout.out_start, layout.out_bond,
+            blocks.ready, blocks.element, blocks.bond,
             held.times, held.values, held.start, held.drive_row, held.drive_dof, held.drive_schedule,
             held.drive_rate, held.load_row, held.load_schedule, held.load_value,
             held.row_of, held.fixed, np.zeros((len(held.element), 6)), rows[0], rows[1], state.reaction,

@@ -120,7 +120,7 @@ def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
     """Derivative of each bond's energy by the motion of its two ends, (6, m) each."""
     m = len(i)
     output = np.empty((9, m))
-    bond_forces_serial(pose, i, j, model.bonds.constants, np.ones(m), model.period, output)
+    bond_forces_serial(pose, i, j, model.bonds.constants, np.ones(m), model.period, output, 0, m)
     force = output[:3]
     return np.concatenate([force, -output[3:6]]), np.concatenate([-force, -output[6:9]])
 
