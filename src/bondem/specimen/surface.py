@@ -1,11 +1,11 @@
 """Shapes bounded by a closed triangulated surface, from a file or from arrays."""
 
+import importlib
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-import trimesh
 
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
 from bondem.errors import InputError
@@ -176,6 +176,8 @@ def _read(file: Path) -> tuple[Floats, Ints]:
         raise InputError(f"{file}: Surface reads STL and PLY files; export the part as one of these")
     if not file.is_file():
         raise InputError(f"{file}: there is no such file; check the path")
+    # loaded on use: a run without surfaces need not wait for it
+    trimesh = importlib.import_module("trimesh")
     try:
         mesh = trimesh.load_mesh(file)
         return np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)
