@@ -21,6 +21,7 @@ _PUBLIC = {
     "bondem.specimen.layering": ("wall_layering",),
     "bondem.specimen.radial_distribution": ("radial_distribution",),
     "bondem.packing": ("pack",),
+    "bondem.packing.sizes": ("Lognormal", "Sieve", "Uniform"),
     "bondem.laws.contact_bond": ("ContactBond",),
     "bondem.laws.damping": ("LocalDamping",),
     "bondem.laws.euler_bernoulli": ("EulerBernoulli",),

@@ -1,16 +1,22 @@
 """Packings: spheres that fill a shape, dense, random and isotropic."""
 
+import math
 from collections.abc import Callable
 
 import numpy as np
 
 from bondem.errors import InputError
+from bondem.packing.compression import compress
+from bondem.packing.growth import grow
 from bondem.packing.quench import quench
-from bondem.packing.start import uniform_radii
+from bondem.packing.sizes import SizeLaw, Uniform
+from bondem.packing.targets import chosen
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles
 
 __all__ = ["pack"]
+
+_METHODS = {"quench": quench, "growth": grow, "compression": compress}
 
 
 def pack(
@@ -18,26 +24,42 @@ def pack(
     *,
     count: int,
     spread: float = 0.0,
+    sizes: SizeLaw | None = None,
+    method: str = "quench",
     seed: int = 0,
-    coordination_number: float = 6.2,
+    coordination_number: float | None = None,
+    volume_fraction: float | None = None,
+    jamming: bool = False,
     progress: Callable[[float], None] | None = None,
 ) -> Particles:
     """Fill a shape with spheres, dense, random and isotropic.
 
-    Random spheres are quenched between rigid walls and compressed slightly beyond jamming, until every sphere
-    touches `coordination_number` others on average (as `bd.connect` counts them with tolerance 0, over all
-    spheres, those at walls and rattlers included). What z costs beyond jamming is overlap: at 6.2 on average 0.2 %
-    of the mean radius in a periodic cell and, as spheres at walls have fewer neighbours, 0.8 % between the walls of
-    a cylinder of 10 000, with 5 % for the worst pair; `bd.fabric(lattice).largest_overlap` reports it.
-    Spheres lie inside the walls to rounding. The radii follow from count, shape and target. Same arguments,
-    same bits, whatever the number of threads.
+    Spheres lie inside the walls to rounding. The radii follow from count, shape and target. Same arguments, same
+    bits, whatever the number of threads.
+
+    A `method` packs, and a target says where it ends:
+
+    - "quench" (fastest): random soft spheres let loose far above jamming, then decompressed.
+    - "growth": flying hard spheres that collide and grow (Lubachevsky and Stillinger).
+    - "compression": soft spheres compressed from a dilute gas in small strains, without gravity.
+
+    Every target can be had from every method; one above jamming is reached by compressing soft spheres. What
+    a coordination number costs beyond jamming is overlap: at 6.2 on average 0.2 % of the mean radius in a periodic
+    cell and, as spheres at walls have fewer neighbours, 0.8 % between the walls of a cylinder of 10 000, with 5 % for
+    the worst pair; `bd.fabric(lattice).largest_overlap` reports it.
 
     Args:
-        shape: Cylinder, Box, Ball or the periodic Cell.
+        shape: any shape; walls that are not those of a Cylinder, Box, Ball or Cell are read from a grid of depths.
         count: number of spheres.
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10).
+        sizes: law of the radii: Uniform, Lognormal, Sieve; in place of `spread`.
+        method: "quench", "growth" or "compression".
         seed: which of the random packings.
-        coordination_number: z = 2 contacts / spheres to reach [-], ± 0.01.
+        coordination_number: target z = 2 contacts / spheres [-], ± 0.01, as `bd.connect` counts them with
+            tolerance 0, over all spheres, those at walls and rattlers included. Without any target, 6.2.
+        volume_fraction: target φ, volume of the spheres over that of the shape [-]; below jamming they barely touch.
+        jamming: target: the density at which the spheres begin to bear load; no overlap above 1e-3 mean radii,
+            and in a periodic cell six contacts a sphere without rattlers.
         progress: called now and then with the done share, from 0 to 1, never less than before.
 
     Returns:
@@ -49,17 +71,20 @@ def pack(
     """
     if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
         raise InputError(f"count = {count!r}; give a whole number of spheres, at least 1")
-    if not 0.0 <= spread < 2.0:
-        raise InputError(f"spread = {spread}; give the range of radii over their mean, from 0 up to below 2")
-    if not 0.0 < coordination_number < count:
-        raise InputError(
-            f"{count} spheres cannot touch {coordination_number} others each; give a positive coordination_number="
-            " and more spheres"
-        )
+    if sizes is not None and spread != 0.0:
+        raise InputError("give spread= or sizes=, not both: spread=κ is short for sizes=bd.Uniform(κ)")
     if seed < 0:
         raise InputError(f"seed = {seed}; give a whole number from 0 up")
+    if method not in _METHODS:
+        raise InputError(f"method = {method!r}; there are {', '.join(_METHODS)}")
+    target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
     random = np.random.Generator(np.random.Philox(seed))
-    centre, radius = quench(
-        shape, uniform_radii(count, spread, random), coordination_number, random, progress or (lambda share: None)
+    relative_radius = (Uniform(spread) if sizes is None else sizes).radii(count, random)
+
+    told = progress or (lambda share: None)
+    spheres = _METHODS[method](
+        shape, relative_radius, target, random, lambda steps: told(1.0 - math.exp(-steps / 1000.0))
     )
-    return Particles(centre, radius, shape=shape)
+    target.reach(spheres)
+    told(1.0)
+    return Particles(spheres.sphere[:, :3].copy(), spheres.sphere[:, 3].copy(), shape=shape)

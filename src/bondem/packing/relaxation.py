@@ -19,7 +19,7 @@ _SKIN_WANDERING, _SKIN_SETTLED = 0.5, 0.15
 _THREADED = 2000
 
 # Mean overlap below which spheres do not press on each other, over the mean radius.
-_LOOSE = 2e-5
+LOOSE = 2e-5
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,8 @@ class Rest:
         mean_overlap: over the contacts, in mean radii [-].
         largest_overlap: in mean radii [-].
         steps: minimisation steps taken.
-        settled: True when the forces balance, False for spheres that do not press on each other or did not
-            come to rest in the steps allowed.
+        settled: whether the forces balance; neither so nor loose, the spheres did not come to rest in time.
+        loose: whether the spheres do not press on each other.
     """
 
     coordination_number: float
@@ -40,6 +40,7 @@ class Rest:
     largest_overlap: float
     steps: int
     settled: bool
+    loose: bool
 
 
 class SoftSpheres:
@@ -47,56 +48,79 @@ class SoftSpheres:
 
     Attributes:
         sphere: centres and radii [m], shape (n, 4).
+        unit: radii at scale 1 [m], (n,).
+        scale: factor on the radii they were made with [-].
+        steps: minimisation steps taken so far.
+        wall: walls in the form the kernels take.
+        period: periodic edge lengths [m], (3,), 0 where there is none.
+        on_step: told `steps`, now and then.
     """
 
     def __init__(self, shape: Shape, centre: Floats, radius: Floats) -> None:
+        self.scale, self.steps = 1.0, 0
+        self.on_step: Callable[[int], None] = lambda steps: None
+        self._shape = shape
         self.sphere = np.column_stack([centre, radius])
-        self._unit = radius.copy()
+        self.unit = radius.copy()
         self._velocity = np.zeros((len(radius), 3))
         self._force = np.zeros((len(radius), 3))
         self._lower, self._upper = shape.bounds
-        self._period = np.zeros(3) if shape.period is None else shape.period.copy()
-        self._wall = walls(shape, radius)
+        self.period = np.zeros(3) if shape.period is None else shape.period.copy()
+        self.wall = walls(shape, radius)
         self._skin = _SKIN_WANDERING
+
+    def __str__(self) -> str:
+        return f"{len(self.sphere)} spheres in {self._shape}"
 
     @property
     def mean_radius(self) -> float:
         """R̄ at the present scale [m]."""
         return float(self.sphere[:, 3].mean())
 
-    def relax(self, scale: float, *, tolerance: float, steps: int, progress: Callable[[int], None]) -> Rest:
+    def scale_for(self, volume_fraction: float) -> float:
+        """Scale at which the spheres have this share of the volume of the shape [-]."""
+        solid = 4.0 / 3.0 * np.pi * float((self.unit**3).sum())
+        return float(np.cbrt(volume_fraction * self._shape.volume / solid))
+
+    def relax(self, scale: float, *, tolerance: float, steps: int, loose: float = LOOSE) -> Rest:
         """Bring the spheres to rest with their radii `scale` times the first ones.
 
         Args:
             scale: factor on the radii the object was made with [-].
             tolerance: rms force over mean contact force at which they count as at rest [-].
             steps: give up after this many.
-            progress: told the steps taken, now and then.
+            loose: mean overlap below which they count as not pressing on each other, over the mean radius [-].
         """
-        self.sphere[:, 3] = scale * self._unit
+        self.scale = scale
+        self.sphere[:, 3] = scale * self.unit
         self._velocity[:] = 0.0
         fire = np.array([kernels.DT_START, kernels.ALPHA, 0.0])
         report = np.zeros(5)
-        loose = _LOOSE * self.mean_radius
+        barely = loose * self.mean_radius
         taken = 0
         with threads(1 if len(self.sphere) < _THREADED else None):
             while True:
-                start, neighbour = self._list()
+                start, neighbour = self.near(self._skin * self.mean_radius)
                 slack = 0.499 * self._skin * self.mean_radius
                 status = kernels.relax(
-                    self.sphere, self._velocity, self._force, self._period, self._wall, start, neighbour,
-                    self.sphere[:, :3].copy(), slack, fire, tolerance, loose, steps - taken, report,
+                    self.sphere, self._velocity, self._force, self.period, self.wall, start, neighbour,
+                    self.sphere[:, :3].copy(), slack, fire, tolerance, barely, steps - taken, report,
                 )  # fmt: skip
-                taken += int(report[4]) + (status == kernels.STALE)
-                progress(taken)
+                done = int(report[4]) + (status == kernels.STALE)
+                taken += done
+                self.steps += done
+                self.on_step(self.steps)
                 if status != kernels.STALE:
                     break
         self._skin = _SKIN_SETTLED
         mean = self.mean_radius
         z = 2.0 * float(report[2]) / len(self.sphere)
-        return Rest(z, report[1] / mean, report[3] / mean, taken, status == kernels.CONVERGED)
+        free = bool(report[1] < barely)  # no forces at all count as balanced for the kernel
+        settled = status == kernels.CONVERGED and not free
+        return Rest(z, report[1] / mean, report[3] / mean, taken, settled, free)
 
-    def _list(self) -> tuple[np.ndarray, np.ndarray]:
-        periodic = self._period > 0.0
-        self.sphere[:, :3][:, periodic] %= self._period[periodic]
-        return neighbours(self.sphere, self._lower, self._upper, self._period, self._skin * self.mean_radius)
+    def near(self, skin: float) -> tuple[np.ndarray, np.ndarray]:
+        """Neighbours with gaps up to `skin` [m], as `kernels.cells.neighbours` gives them; centres enter the cell."""
+        periodic = self.period > 0.0
+        self.sphere[:, :3][:, periodic] %= self.period[periodic]
+        return neighbours(self.sphere, self._lower, self._upper, self.period, skin)

@@ -1,18 +1,47 @@
-"""Where a packing begins: radii by a size law and centres at random."""
+"""Where a packing begins: spheres at random."""
+
+import math
 
 import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.packing.relaxation import SoftSpheres
 from bondem.specimen.geometry import Shape
+from bondem.specimen.morton import morton_code
+
+# A periodic cell must be this many largest radii wide at the highest density, or a sphere meets another twice.
+_WIDTH, _DENSEST = 5.2, 0.75
 
 
-def uniform_radii(count: int, spread: float, random: np.random.Generator) -> Floats:
-    """Radii uniform in 1 ± spread/2 (André et al. 2012, eq 10), relative to their mean, shape (count,)."""
-    return 1.0 + spread * (random.random(count) - 0.5)
+def thrown(
+    shape: Shape, relative_radius: Floats, fraction: float, random: np.random.Generator
+) -> SoftSpheres:
+    """Spheres thrown into a shape at random, overlapping as they fall, neighbours in space near in order.
+
+    Args:
+        shape: what to fill.
+        relative_radius: radii up to a common factor, (n,).
+        fraction: volume of the spheres over that of the shape [-].
+        random: where the randomness comes from.
+
+    Raises:
+        InputError: spheres too large for the shape.
+    """
+    solid = 4.0 / 3.0 * math.pi * float((relative_radius**3).sum())
+    radius = relative_radius * (fraction * shape.volume / solid) ** (1.0 / 3.0)
+    densest = float(radius.max()) * max(_DENSEST / fraction, 1.0) ** (1.0 / 3.0)
+    if shape.period is not None and shape.period.min() < _WIDTH * densest:
+        raise InputError(
+            f"{len(radius)} spheres are too large for the periodic {shape}; ask for more, or make its edges more"
+            " alike"
+        )
+    centre = _random_centres(shape, radius, random)
+    order = np.argsort(morton_code(centre), kind="stable")
+    return SoftSpheres(shape, centre[order], radius[order])
 
 
-def random_centres(shape: Shape, radius: Floats, random: np.random.Generator) -> Floats:
+def _random_centres(shape: Shape, radius: Floats, random: np.random.Generator) -> Floats:
     """Centres [m], uniform over the part of `shape` in which a sphere of its radius [m] fits, (n, 3).
 
     Raises:
@@ -29,14 +58,3 @@ def random_centres(shape: Shape, radius: Floats, random: np.random.Generator) ->
     raise InputError(
         f"spheres of radius {radius.max():.3g} m do not fit into {shape}; ask for more spheres or a larger shape"
     )
-
-
-def morton_order(centre: Floats, lower: Floats, upper: Floats) -> np.ndarray:
-    """Order of points (n, 3) along a Z curve with 2^20 steps over the longest edge: near in space, near in memory."""
-    step = (upper - lower).max() / 2.0**20
-    grid = np.minimum((centre - lower) / step, 2.0**20 - 1.0).astype(np.uint64)
-    key = np.zeros(len(centre), np.uint64)
-    for bit in range(20):
-        for axis in range(3):
-            key |= ((grid[:, axis] >> np.uint64(bit)) & np.uint64(1)) << np.uint64(3 * bit + axis)
-    return np.argsort(key, kind="stable")

@@ -1,0 +1,94 @@
+"""Growth of flying hard spheres to jamming (Lubachevsky, Stillinger, J. Stat. Phys. 60, 1990).
+
+The spheres never overlap. As they crowd, they collide ever more often; the pressure tells how near jamming is, as
+it grows like the inverse of the gaps.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import InputError, PackingError
+from bondem.kernels import growth as kernels
+from bondem.packing.relaxation import SoftSpheres
+from bondem.packing.start import thrown
+from bondem.packing.targets import Fraction, Target
+from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
+
+# Spheres take off at this volume fraction, or at this share of the one asked for.
+_START_FRACTION, _START_SHARE = 0.45, 0.9
+
+# Growth of a radius over the mean speed: slower, monodisperse spheres begin to order; faster, they jam looser.
+_RATE = 0.02
+
+# Reduced pressure p V / N kT at which the gaps, about its inverse in diameters, are as good as closed.
+_JAMMED = 1e3
+
+# Gaps up to which spheres are neighbours, over the mean radius: while they fly and when they are caged.
+_SKIN_FLYING, _SKIN_CAGED, _CAGED = 0.5, 0.15, 30.0
+
+# Share of the skin left to growth, the rest to flight.
+_GROWTH_SHARE = 0.2
+
+_COLLISIONS = 20_000  # most collisions a sphere; some 800 are usual
+
+
+def grow(
+    shape: Shape,
+    relative_radius: Floats,
+    target: Target,
+    random: np.random.Generator,
+    on_step: Callable[[int], None],
+) -> SoftSpheres:
+    """Spheres grown until they jam, or to the volume fraction asked for where it comes first.
+
+    Raises:
+        InputError: a shape they cannot fly in.
+    """
+    if not isinstance(shape, Box | Cylinder | Ball | Cell):
+        raise InputError(
+            f"method='growth' fills Box, Cylinder, Ball and Cell, not {shape}; take method='quench' or 'compression'"
+        )
+    start = _START_FRACTION
+    if isinstance(target, Fraction):
+        start = min(start, _START_SHARE * target.volume_fraction)
+    spheres = thrown(shape, relative_radius, start, random)
+    spheres.on_step = on_step
+    rest = spheres.relax(1.0, tolerance=1e-2, steps=20_000)
+    if not rest.loose:
+        raise PackingError(f"{spheres} are too crowded to fly; ask for more spheres or take method='quench'")
+    n, mean = len(relative_radius), spheres.mean_radius
+    # What is left of the overlaps goes: hard spheres have none.
+    spheres.scale = 1.0 - 1.001 * rest.largest_overlap * mean / float(spheres.unit.min())
+    spheres.sphere[:, 3] = spheres.scale * spheres.unit
+    velocity = random.standard_normal((n, 3))
+    last = spheres.scale_for(target.volume_fraction) if isinstance(target, Fraction) else np.inf
+    report, pressure, collisions = np.zeros(3), 0.0, 0.0
+    while spheres.scale < last and pressure < _JAMMED:
+        if collisions > _COLLISIONS * n:
+            raise PackingError(
+                f"{spheres} did not jam in {_COLLISIONS} collisions each; ask for another seed="
+                " or take method='quench'"
+            )
+        velocity *= mean * np.sqrt(n / (velocity**2).sum())
+        skin = (_SKIN_CAGED if pressure > _CAGED else _SKIN_FLYING) * spheres.mean_radius
+        neighbour = spheres.near(skin)
+        # Two neighbours may grow by this much before spheres that are not in the list can meet.
+        gain = min(0.5 * _GROWTH_SHARE * skin / float(spheres.unit.max()), last - spheres.scale)
+        slack = 0.5 * (1.0 - _GROWTH_SHARE) * 0.999 * skin
+        heat = float((velocity**2).sum())
+        kernels.grow(
+            spheres.sphere, spheres.unit, velocity, spheres.period, spheres.wall, *neighbour,
+            spheres.sphere[:, :3].copy(), slack, spheres.scale, _RATE, gain / _RATE, 20 * n, report,
+        )  # fmt: skip
+        spheres.scale += _RATE * float(report[0])
+        if last - spheres.scale < 1e-12:
+            spheres.scale = last
+        collisions += report[2]
+        heat = 0.5 * (heat + float((velocity**2).sum()))
+        if report[2] > n:
+            pressure = 1.0 + float(report[1]) / (heat * float(report[0]))
+        spheres.steps += 1
+        spheres.on_step(spheres.steps)
+    return spheres

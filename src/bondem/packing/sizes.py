@@ -1,0 +1,117 @@
+"""Size laws: how the radii of a packing are distributed.
+
+Every law is met exactly at any number of spheres: the radii are its quantiles in the middle of `count` equal
+shares, shuffled, instead of random draws with their scatter.
+"""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import ndtr, ndtri
+
+from bondem._types import Floats
+from bondem.errors import InputError
+
+__all__ = ["Lognormal", "Sieve", "SizeLaw", "Uniform"]
+
+
+class SizeLaw(ABC):
+    """Distribution of radii, by number of spheres."""
+
+    @abstractmethod
+    def quantile(self, share: Floats) -> Floats:
+        """Radius below which this share of the spheres lies, up to a common factor, (n,)."""
+
+    def radii(self, count: int, random: np.random.Generator) -> Floats:
+        """Radii over their mean [-], in random order, (count,)."""
+        radius = self.quantile((np.arange(count) + 0.5) / count)
+        radius /= radius.mean()
+        random.shuffle(radius)
+        return radius
+
+
+@dataclass(frozen=True)
+class Uniform(SizeLaw):
+    """Radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10).
+
+    Args:
+        kappa: κ = (R_max - R_min) / R̄ [-], from 0 up to below 2.
+    """
+
+    kappa: float
+
+    def __post_init__(self) -> None:
+        if not 0.0 <= self.kappa < 2.0:
+            raise InputError(
+                f"spread = {self.kappa}; give the range of radii over their mean, from 0 up to below 2"
+            )
+
+    def quantile(self, share: Floats) -> Floats:
+        return 1.0 + self.kappa * (share - 0.5)
+
+
+@dataclass(frozen=True)
+class Lognormal(SizeLaw):
+    """Radii whose logarithm is normal.
+
+    Args:
+        cv: standard deviation over mean of the whole law [-].
+        cut: both tails are cut off at this many standard deviations of the logarithm; a sphere far larger than
+            the others would make every neighbour list long.
+    """
+
+    cv: float
+    cut: float = 2.5
+
+    def __post_init__(self) -> None:
+        if not 0.0 < self.cv <= 1.0:
+            raise InputError(f"cv = {self.cv}; give standard deviation over mean of the radii, above 0 up to 1")
+        if not 0.0 < self.cut <= 4.0:
+            raise InputError(f"cut = {self.cut}; give standard deviations, above 0 up to 4")
+
+    def quantile(self, share: Floats) -> Floats:
+        tail = ndtr(-self.cut)
+        return np.exp(np.sqrt(np.log1p(self.cv**2)) * ndtri(tail + share * (1.0 - 2.0 * tail)))
+
+
+@dataclass(frozen=True)
+class Sieve(SizeLaw):
+    """Radii by a grading curve; between two sieves mass is spread evenly over the logarithm of the diameter.
+
+    Args:
+        diameters: openings of the sieves [m or any other unit: the packing sets the scale], ascending.
+        mass_passing: share of the mass that passes each [-], ascending from 0 to 1.
+    """
+
+    diameters: tuple[float, ...]
+    mass_passing: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        diameters = tuple(float(d) for d in self.diameters)
+        passing = tuple(float(p) for p in self.mass_passing)
+        object.__setattr__(self, "diameters", diameters)
+        object.__setattr__(self, "mass_passing", passing)
+        if len(diameters) != len(passing) or len(diameters) < 2:
+            raise InputError(
+                f"{len(diameters)} diameters= and {len(passing)} mass_passing=; give one share for each of at"
+                " least two sieves"
+            )
+        if not (np.isfinite(diameters).all() and diameters[0] > 0.0 and (np.diff(diameters) > 0.0).all()):
+            raise InputError(f"diameters = {diameters}; give positive openings, each wider than the one before")
+        if passing[0] != 0.0 or passing[-1] != 1.0 or not (np.diff(passing) >= 0.0).all():
+            raise InputError(
+                f"mass_passing = {passing}; give shares that rise from 0 at the first sieve to 1 at the last"
+            )
+
+    def quantile(self, share: Floats) -> Floats:
+        edge = np.log(np.asarray(self.diameters))
+        mass = np.diff(self.mass_passing)
+        # Number within a class: mass over d³; its share below a diameter goes as d1⁻³ - d⁻³.
+        cube = np.exp(-3.0 * edge)
+        number = mass / np.diff(edge) * (cube[:-1] - cube[1:])
+        below = np.concatenate([[0.0], np.cumsum(number)]) / number.sum()
+        used = np.flatnonzero(number > 0.0)
+        k = used[np.clip(np.searchsorted(below[used + 1], share), 0, len(used) - 1)]
+        within = (share - below[k]) / (below[k + 1] - below[k])
+        return 0.5 * (cube[k] - within * (cube[k] - cube[k + 1])) ** (-1.0 / 3.0)

@@ -1,0 +1,202 @@
+"""Targets: what soft spheres are brought to once a method has packed them.
+
+Above jamming the mean overlap grows in proportion to ln(scale), and so does (z - z_J)², z_J being the
+coordination number at jamming (O'Hern et al., Phys. Rev. E 68, 2003): a few scales suffice.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+from bondem.errors import InputError, PackingError
+from bondem.packing.relaxation import Rest, SoftSpheres
+
+# Rms force over mean contact force at rest: to get near the target, and in the packing that is returned.
+_ROUGH, _FINE = 3e-2, 5e-3
+
+# Miss of the coordination number: near enough to relax finely, and in the packing that is returned (where one
+# contact more or less is not a larger step).
+_NEAR, _ACCEPTED = 0.25, 0.01
+
+# First guesses: z at jamming, rattlers included, and d(mean overlap / R̄)/d ln(scale).
+_Z_JAMMED, _GROWTH = 5.4, 1.5
+
+# Radii grow by this much where the spheres turned out loose.
+_TIGHTEN = 0.005
+
+# Steps to come to rest, and in all; a usual packing takes about 2500 in all.
+_STEPS, _ALL_STEPS = 10_000, 50_000
+
+# Two spheres may overlap by this share of the smallest radius; `Particles` refuses more than half.
+_LARGEST_OVERLAP = 0.45
+
+# Jammed: the mean overlap [R̄] adds 0.05 contacts a sphere to the isostatic 6, and the worst pair stays below. Loose
+# is what has less; below the last, spheres brought to rest roughly could turn out loose when brought to rest finely.
+_JAMMED_OVERLAP, _JAMMED_WORST = 6e-5, 1e-3
+_JAMMED_LOOSE, _DELICATE = 1e-5, 2e-3
+
+
+class Target(Protocol):
+    """What a packing is to have."""
+
+    def reach(self, spheres: SoftSpheres) -> None:
+        """Scale the radii and bring the spheres to rest until the target is met.
+
+        Raises:
+            PackingError: it was not.
+        """
+        ...
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Coordination number z = 2 contacts / spheres, over all spheres [-]."""
+
+    coordination_number: float
+
+    def reach(self, spheres: SoftSpheres) -> None:
+        search = _ScaleSearch(self.coordination_number, math.log(spheres.scale))
+        tolerance, first = _ROUGH, spheres.steps
+        while True:
+            rest = spheres.relax(search.scale, tolerance=tolerance, steps=_STEPS)
+            miss = abs(rest.coordination_number - self.coordination_number)
+            if rest.settled and tolerance == _FINE and miss <= max(_ACCEPTED, 2.0 / len(spheres.sphere)):
+                break
+            if spheres.steps - first > _ALL_STEPS:
+                raise PackingError(
+                    f"{spheres} came to a coordination number of {rest.coordination_number:.2f} instead of"
+                    f" {self.coordination_number:.2f}; ask for another seed=, more spheres or another"
+                    " coordination_number="
+                )
+            if rest.settled and tolerance == _ROUGH and miss < _NEAR:
+                tolerance = _FINE
+                search.forget()
+            else:
+                search.learn(rest)
+        what = f"a coordination number of {self.coordination_number:.2f}"
+        _check_overlap(spheres, rest, what, "coordination_number=")
+
+
+@dataclass(frozen=True)
+class Fraction:
+    """Volume of the spheres over that of the shape [-]; what overlaps counts twice."""
+
+    volume_fraction: float
+
+    def reach(self, spheres: SoftSpheres) -> None:
+        rest = spheres.relax(spheres.scale_for(self.volume_fraction), tolerance=_FINE, steps=_ALL_STEPS)
+        if not (rest.settled or rest.loose):
+            raise PackingError(
+                f"{spheres} did not come to rest at a volume fraction of {self.volume_fraction:.4f}, too near to"
+                " jamming; ask for jamming=True, another seed= or another volume_fraction="
+            )
+        _check_overlap(spheres, rest, f"a volume fraction of {self.volume_fraction:.4f}", "volume_fraction=")
+
+
+@dataclass(frozen=True)
+class Jammed:
+    """Where the spheres just begin to bear load, found from above."""
+
+    def reach(self, spheres: SoftSpheres) -> None:
+        size, step, first = math.log(spheres.scale), _TIGHTEN, spheres.steps
+        tolerance = _ROUGH
+        while spheres.steps - first <= 2 * _ALL_STEPS:
+            rest = spheres.relax(math.exp(size), tolerance=tolerance, steps=_ALL_STEPS, loose=_JAMMED_LOOSE)
+            fine, tolerance = tolerance == _FINE, _ROUGH if rest.mean_overlap > _DELICATE else _FINE
+            if rest.settled and rest.mean_overlap <= _JAMMED_OVERLAP and rest.largest_overlap <= _JAMMED_WORST:
+                if fine:
+                    return
+            elif rest.settled:
+                # Aim at a fifth of the overlap: from one fifth to the next the packing keeps its contacts.
+                wanted = max(0.7 * _JAMMED_OVERLAP, 0.2 * rest.mean_overlap)
+                if rest.mean_overlap <= _JAMMED_OVERLAP:  # one deep pair
+                    wanted = 0.7 * rest.mean_overlap
+                step = (rest.mean_overlap - wanted) / _GROWTH
+                size -= step
+                step *= 0.4
+            elif rest.loose:
+                size += max(step, 0.5 * _JAMMED_OVERLAP / _GROWTH)
+                step *= 1.5
+            else:
+                break
+        raise PackingError(
+            f"{spheres} did not come to rest at jamming; ask for another seed=, more spheres or a"
+            " coordination_number="
+        )
+
+
+def _check_overlap(spheres: SoftSpheres, rest: Rest, what: str, option: str) -> None:
+    if rest.largest_overlap * spheres.mean_radius > _LARGEST_OVERLAP * spheres.sphere[:, 3].min():
+        raise PackingError(
+            f"{spheres} reach {what} only with overlaps of {rest.largest_overlap:.2f} mean radii; ask for more"
+            f" spheres or a smaller {option}"
+        )
+
+
+def chosen(
+    count: int, coordination_number: float | None, volume_fraction: float | None, *, jamming: bool
+) -> Target:
+    """The one target a request names; a coordination number of 6.2 if it names none.
+
+    Raises:
+        InputError: more than one, or one out of range.
+    """
+    if (coordination_number is not None) + (volume_fraction is not None) + jamming > 1:
+        raise InputError("give one target only: coordination_number=, volume_fraction= or jamming=True")
+    if jamming:
+        return Jammed()
+    if volume_fraction is not None:
+        if not 0.0 < volume_fraction <= 0.8:
+            raise InputError(
+                f"volume_fraction = {volume_fraction}; give the volume of spheres over that of the shape, above 0 up"
+                " to 0.8 (random packings jam near 0.64)"
+            )
+        return Fraction(float(volume_fraction))
+    z = 6.2 if coordination_number is None else coordination_number
+    if not 0.0 < z < count:
+        raise InputError(
+            f"{count} spheres cannot touch {z} others each; give a positive coordination_number= and more spheres"
+        )
+    return Contacts(float(z))
+
+
+class _ScaleSearch:
+    """Finds the scale of the radii at which the coordination number is on target."""
+
+    def __init__(self, coordination_number: float, size: float) -> None:
+        self._wanted = _excess(coordination_number)
+        self._size = size  # ln(scale)
+        self.forget()
+
+    @property
+    def scale(self) -> float:
+        """Factor on the first radii to try next [-]."""
+        return math.exp(self._size)
+
+    def forget(self) -> None:
+        """Drop what is known: spheres brought to rest more finely have other contacts."""
+        self._below: tuple[float, float] | None = None
+        self._above: tuple[float, float] | None = None
+
+    def learn(self, rest: Rest) -> None:
+        """Take in what the present scale led to, and choose the next."""
+        excess = _excess(rest.coordination_number) if rest.settled else 0.0
+        if excess > self._wanted:
+            self._above = (self._size, excess)
+        else:
+            self._below = (self._size, excess)
+        if self._below is not None and self._above is not None:
+            (s0, e0), (s1, e1) = self._below, self._above
+            self._size = s0 + min(max((self._wanted - e0) / (e1 - e0), 0.1), 0.9) * (s1 - s0)
+            if s1 - s0 < 1e-4:  # the packing rearranged on the way: the bracket is of another one
+                self.forget()
+        elif excess <= 0.0:
+            self._size += _TIGHTEN
+        else:
+            # just above jamming the guess may be far too high
+            self._size += min(rest.mean_overlap * (self._wanted / excess - 1.0) / _GROWTH, 2.0 * _TIGHTEN)
+
+
+def _excess(coordination_number: float) -> float:
+    above = coordination_number - _Z_JAMMED
+    return math.copysign(above * above, above)
