@@ -27,7 +27,7 @@ _RATTLERS = 0.05
 _DEEP = 3.0  # mean radii from the wall
 _HELD = 4  # contacts that hold a sphere in place
 _TOUCH = 1e-6  # mean radii
-_STRATA = {"density": 0.03, "coordination": 0.06, "size": 0.35, "layers": 0.5}
+_STRATA = {"density": 0.03, "coordination": 0.06, "size": 0.35, "layers": 0.6}
 
 _DOF = 159  # 160 pairs of opposite faces, less the total
 
