@@ -190,14 +190,20 @@ def test_a_packed_specimen_bends_and_twists_as_its_section_says(specimen):
         assert outcome.curves["x"].shape == outcome.curves["profile"].shape
 
 
-def test_the_axial_force_leaves_the_skin(specimen):
+def test_the_axial_force_leaves_the_skin():
     # walls leave gaps beside them, so force and mass sit nearer to the axis than in a full disc, R²/4
-    tension = bd.labtests.static_tension(specimen, LAW)
     full = 0.25 * 2.5e-3**2
-    assert (tension.gyration > 0.7 * full).all()
-    assert (tension.gyration < full).all()
-    assert (mass_gyration(specimen) > tension.gyration).all()
-    assert (mass_gyration(specimen) < full).all()
+    ratio = []
+    for seed in range(4):
+        shape = bd.Cylinder(radius=2.5e-3, length=15e-3)
+        packed = bd.connect(bd.pack(shape, count=1200, spread=0.25, seed=seed))
+        force, mass = bd.labtests.static_tension(packed, LAW).gyration, mass_gyration(packed)
+        assert (force > 0.7 * full).all()
+        assert (force < full).all()
+        assert (mass < full).all()
+        ratio.append(force / mass)
+    # one packing of 1200 may differ by 3 %, the mean over four and both axes by 1 %
+    assert 0.9 < np.mean(ratio) < 0.99
 
 
 # --- strength of materials --------------------------------------------------------------------------------
