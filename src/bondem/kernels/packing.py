@@ -233,6 +233,7 @@ def relax(
                     vz -= out * nz
                 if wall.size > _PLAIN:
                     beyond, steep = False, 1.0
+                    nx = ny = nz = 0.0
                     for _ in range(3):  # Newton's steps back to the wall, where need be from either side
                         d, nx, ny, nz = _grid_depth(x, y, z, wall, r)
                         beyond = beyond or d < r

@@ -95,14 +95,13 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
 def packed(study: Study, k: int, tell: Progress) -> Lattice:
     """Packing k, bonded; a specimen in two pieces is refused here."""
     plan, bond = study.specimen, study.bond
-    target = {} if plan.coordination_number is None else {"coordination_number": plan.coordination_number}
     particles = pack(
         plan.shape,
         count=plan.count,
         spread=plan.spread,
         seed=study.seed + k,
+        coordination_number=plan.coordination_number,
         progress=lambda share: tell(f"pack {k + 1} of {study.packings}", share),
-        **target,
     )
     return connect(particles, tolerance=bond.tolerance, reach=bond.reach)
 
