@@ -205,7 +205,7 @@ def test_not_even_the_superuser_may_write(tmp_path):
 
 
 def test_an_unreachable_target_leaves_nothing_behind(tmp_path):
-    text = EXAMPLE.read_text().replace("nu = 0.17", "nu = 0.45").replace("count = 10_000", "count = 300")
+    text = EXAMPLE.read_text().replace("nu = 0.17", "nu = -0.5").replace("count = 10_000", "count = 300")
     (tmp_path / "study.toml").write_text(text)
     done = command("run", "study.toml", "--out", "out", "--packings", "1", cwd=tmp_path)
     assert done.returncode == 2
