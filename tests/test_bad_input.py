@@ -209,6 +209,6 @@ def test_an_unreachable_target_leaves_nothing_behind(tmp_path):
     (tmp_path / "study.toml").write_text(text)
     done = command("run", "study.toml", "--out", "out", "--packings", "1", cwd=tmp_path)
     assert done.returncode == 2
-    assert "nu = 0.45 is outside" in done.stderr
+    assert "nu = -0.5 is outside" in done.stderr
     assert len(done.stderr.splitlines()) == 1
     assert sorted(path.name for path in tmp_path.iterdir()) == ["study.toml"]
