@@ -35,8 +35,8 @@ def arithmetic(arguments: tuple, loop: Callable) -> tuple[int, int]:
     options = {key: value for key, value in bond_forces.targetoptions.items() if key not in ("cache", "nopython")}
     types = tuple(numba.typeof(value) for value in arguments)
     compiled = numba.njit(types, **options)(loop)
-    library = compiled.overloads[types].library
-    assembly = "".join(part.get_asm_str() for part in (library, *library._linking_libraries))
+    code = compiled.overloads[types]._asdict()["library"]
+    assembly = "".join(part.get_asm_str() for part in (code, *code._linking_libraries))
     found = ARITHMETIC.findall(assembly)
     packed = sum(kind == "p" and ("%ymm" in registers or "%zmm" in registers) for kind, registers in found)
     return packed, sum(kind == "s" for kind, _ in found)

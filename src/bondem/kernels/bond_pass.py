@@ -6,8 +6,21 @@ rows of 8. Because a bond writes only its own column, the result does not depend
 
 import numpy as np
 
-from bondem._compile import kernel, prange
+from bondem._compile import device, kernel, prange
 from bondem.laws.beam_energy import bond_cosines, bond_energy, bond_force
+
+
+@device
+def branch(pose, a, b, period):
+    """Centre b minus centre a over the nearest periodic image [m]; the inverse period of a free specimen is 0."""
+    dx = pose[b, 0] - pose[a, 0]
+    dy = pose[b, 1] - pose[a, 1]
+    dz = pose[b, 2] - pose[a, 2]
+    return (
+        dx - period[0] * np.rint(dx * period[3]),
+        dy - period[1] * np.rint(dy * period[4]),
+        dz - period[2] * np.rint(dz * period[5]),
+    )
 
 
 def _forces(pose, i, j, constants, integrity, period, output, first, last):
@@ -60,12 +73,7 @@ def bond_energies(pose, i, j, constants, shear, lever, integrity, period, output
     for k in range(len(i)):
         a = i[k]
         b = j[k]
-        dx = pose[b, 0] - pose[a, 0]
-        dy = pose[b, 1] - pose[a, 1]
-        dz = pose[b, 2] - pose[a, 2]
-        dx -= period[0] * np.rint(dx * period[3])
-        dy -= period[1] * np.rint(dy * period[4])
-        dz -= period[2] * np.rint(dz * period[5])
+        dx, dy, dz = branch(pose, a, b, period)
         normal, slip, bend, twist = bond_energy(
             dx, dy, dz,
             pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
@@ -94,12 +102,7 @@ def rotation_guard(pose, i, j, constants, integrity, period):
     for k in range(len(i)):
         a = i[k]
         b = j[k]
-        dx = pose[b, 0] - pose[a, 0]
-        dy = pose[b, 1] - pose[a, 1]
-        dz = pose[b, 2] - pose[a, 2]
-        dx -= period[0] * np.rint(dx * period[3])
-        dy -= period[1] * np.rint(dy * period[4])
-        dz -= period[2] * np.rint(dz * period[5])
+        dx, dy, dz = branch(pose, a, b, period)
         c1, c2, w2 = bond_cosines(
             dx, dy, dz,
             pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],

@@ -1,8 +1,7 @@
 """Phase one of a step in the incremental formulation; same outputs as the total one."""
 
-import numpy as np
-
 from bondem._compile import kernel, prange
+from bondem.kernels.bond_pass import branch
 from bondem.laws.incremental import axis, spin, turned_and_loaded
 
 
@@ -12,12 +11,7 @@ def incremental_forces(pose, motion, i, j, constants, shear, bending, lever, int
     for k in prange(len(i)):
         a = i[k]
         b = j[k]
-        dx = pose[b, 0] - pose[a, 0]
-        dy = pose[b, 1] - pose[a, 1]
-        dz = pose[b, 2] - pose[a, 2]
-        dx -= period[0] * np.rint(dx * period[3])
-        dy -= period[1] * np.rint(dy * period[4])
-        dz -= period[2] * np.rint(dz * period[5])
+        dx, dy, dz = branch(pose, a, b, period)
         nx, ny, nz, l = axis(dx, dy, dz)
         near = lever[k]
         far = constants[3, k] - near
@@ -53,12 +47,7 @@ def incremental_energies(pose, i, j, constants, shear, bending, integrity, histo
     for k in range(len(i)):
         a = i[k]
         b = j[k]
-        dx = pose[b, 0] - pose[a, 0]
-        dy = pose[b, 1] - pose[a, 1]
-        dz = pose[b, 2] - pose[a, 2]
-        dx -= period[0] * np.rint(dx * period[3])
-        dy -= period[1] * np.rint(dy * period[4])
-        dz -= period[2] * np.rint(dz * period[5])
+        dx, dy, dz = branch(pose, a, b, period)
         nx, ny, nz, _ = axis(dx, dy, dz)
         for part in range(2):
             x, y, z = history[3 * part, k], history[3 * part + 1, k], history[3 * part + 2, k]
