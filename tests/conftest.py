@@ -1,6 +1,11 @@
 """Options of the test suite: slow validation runs only when asked for, device tests only where there is one."""
 
+import os
+
 import pytest
+
+# What tests pack is packed anew, here and in the processes they start; those of the cache turn it on.
+os.environ["BONDEM_PACKING_CACHE"] = "off"
 
 _OPTIONS = {"validate": "--validate", "gpu": "--gpu"}
 

@@ -1,6 +1,5 @@
-"""Particle files: exact round trips, what others write, messages that name file and line, and the packing cache."""
+"""Particle files: exact round trips, what others write, and messages that name file and line."""
 
-import os
 import sys
 
 import h5py
@@ -9,8 +8,6 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, RunFileError
-from bondem.io import packing_cache
-from bondem.io.packing_cache import PackingCache, key
 
 CENTRE = np.array([[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.0, 0.0, 0.25], [3.0, -1.0 / 3.0, 0.0]])
 RADIUS = np.array([0.5, 0.4, 0.5, 0.45])
@@ -225,60 +222,3 @@ def test_an_unknown_suffix_lists_the_known_ones(write):
         bd.read_particles(write("spheres.xyz", ""))
     with pytest.raises(InputError, match="there is no file"):
         bd.read_particles("nowhere.csv")
-
-
-REQUEST = {"shape": bd.Ball(1.0), "count": 20, "spread": 0.25, "seed": 1, "method": "quench"}
-
-
-def test_key_depends_on_every_argument_but_not_on_their_order(monkeypatch):
-    assert key(REQUEST) == key(dict(reversed(REQUEST.items())))
-    others = [REQUEST | change for change in ({"seed": 2}, {"shape": bd.Ball(1.0 + 1e-15)}, {"count": 21})]
-    assert len({key(request) for request in [REQUEST, *others]}) == 4
-    before = key(REQUEST)
-    monkeypatch.setattr(packing_cache, "_program", lambda: "another version")
-    assert key(REQUEST) != before
-
-
-def test_the_same_request_is_packed_once(tmp_path):
-    calls = []
-
-    def make():
-        calls.append(1)
-        return bd.Particles(CENTRE, RADIUS)
-
-    cache = PackingCache(tmp_path / "kept")
-    assert same(cache.remembered(REQUEST, make))
-    assert same(cache.remembered(REQUEST, make))
-    assert len(calls) == 1
-    path = tmp_path / "kept" / f"{key(REQUEST)}.h5"
-    assert bd.read_provenance(path)["shape"] == bd.Ball(1.0)
-    # A damaged file is as good as none, and is written again.
-    path.write_bytes(path.read_bytes()[:700])
-    assert cache.get(key(REQUEST)) is None
-    assert same(cache.remembered(REQUEST, make))
-    assert len(calls) == 2
-    assert same(cache.get(key(REQUEST)))
-
-
-def test_the_cache_keeps_to_its_size_and_forgets_what_was_used_least(tmp_path):
-    particles = bd.Particles(CENTRE, RADIUS)
-    PackingCache(tmp_path).put("a", particles)
-    size = (tmp_path / "a.h5").stat().st_size
-    cache = PackingCache(tmp_path, most_bytes=3 * size)
-    for age, name in ((400, "b"), (300, "c")):
-        cache.put(name, particles)
-        os.utime(tmp_path / f"{name}.h5", (1e9 - age, 1e9 - age))
-    os.utime(tmp_path / "a.h5", (1e9 - 500, 1e9 - 500))
-    assert cache.get("a") is not None  # used now: no longer the oldest
-    cache.put("d", particles)
-    assert sorted(path.stem for path in tmp_path.glob("*.h5")) == ["a", "c", "d"]
-
-
-def test_a_cache_that_cannot_be_written_does_no_harm(write):
-    cache = PackingCache(write("file", "not a folder"))
-    assert same(cache.remembered(REQUEST, lambda: bd.Particles(CENTRE, RADIUS)))
-
-
-def test_the_cache_lies_beside_the_compiled_code():
-    assert PackingCache().folder.name == "packings"
-    assert PackingCache().folder.parent.name.startswith("bondem")

@@ -1,14 +1,17 @@
 """Packings kept on disk, so that the same request is not packed twice.
 
 They lie in the folder `packings` of bondem's cache: `$BONDEM_CACHE_DIR/bondem`, or `$XDG_CACHE_HOME/bondem`, or
-`~/.cache/bondem`, each in a file named after its request. The folder may be deleted at any time.
+`~/.cache/bondem`, each in a file named after its request. The folder may be deleted at any time, and
+`BONDEM_PACKING_CACHE=off` in the environment does without: whatever is packed is then packed anew.
 """
 
 import hashlib
 import json
 import os
+import threading
 from collections.abc import Callable, Mapping
 from contextlib import suppress
+from dataclasses import fields, is_dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -18,31 +21,60 @@ import scipy
 
 import bondem
 from bondem._compile import cache_directory
-from bondem.errors import BondemError
-from bondem.io.codec import encode
+from bondem.errors import RunFileError
 from bondem.io.particles_file import load_particles, save_particles
 from bondem.specimen.particles import Particles
 
 _MOST_BYTES = 2 << 30
 # What decides the bits of a packing. Read as text: the rooms above this one may not be imported here.
-_ROOMS = ("specimen", "laws", "kernels", "model", "solve", "packing")
+_ROOMS = ("specimen", "laws", "kernels", "model", "observe", "solve", "packing")
+# Fewer spheres are packed about as fast as a file is found, and would crowd the folder.
+_WORTH_KEEPING = 1000
+
+
+def wanted(count: int) -> bool:
+    """Whether a packing of so many spheres is to be looked for and kept, as the environment has it."""
+    return count >= _WORTH_KEEPING and os.environ.get("BONDEM_PACKING_CACHE", "on").lower() != "off"
 
 
 def key(request: Mapping[str, Any]) -> str:
     """Name of a request for a packing: a hash of all that decides its bits.
 
     Args:
-        request: the arguments by name, all of them, defaults written out: what JSON can hold and shapes.
+        request: the arguments by name, all of them, defaults written out: what JSON can hold, arrays, and
+            bondem's own shapes, size laws and targets. A surface counts by its mesh.
 
     Returns:
         40 hexadecimal digits, the same in any order of the arguments; other ones for another version of bondem,
         of NumPy, SciPy or Numba, or after any edit of a source that packs.
 
     Raises:
-        RunFileError: an argument that cannot be written down.
+        RunFileError: an argument that cannot be written down, such as a shape of the user's own, whose code
+            may change from day to day.
     """
-    text = json.dumps({name: encode(value) for name, value in request.items()}, sort_keys=True)
+    text = json.dumps(_written(request), sort_keys=True)
     return hashlib.sha256(f"{_program()}\n{text}".encode()).hexdigest()[:40]
+
+
+def _written(value: Any) -> Any:
+    """What decides the bits of a value, as JSON can hold it."""
+    match value:
+        case None | bool() | int() | float() | str():
+            return value
+        case np.generic():
+            return value.item()
+        case np.ndarray():
+            return [value.dtype.str, list(value.shape), hashlib.sha256(value.tobytes()).hexdigest()]
+        case list() | tuple():
+            return [_written(item) for item in value]
+        case Mapping():
+            return {str(name): _written(item) for name, item in value.items()}
+    kind = type(value)
+    if not (is_dataclass(kind) and kind.__module__.startswith("bondem.")):
+        raise RunFileError(f"a packing made with a {kind.__name__} cannot be kept; use bondem's own types")
+    return {"type": f"{kind.__module__}.{kind.__qualname__}"} | {
+        item.name: _written(getattr(value, item.name)) for item in fields(value)
+    }
 
 
 @cache
@@ -74,40 +106,45 @@ class PackingCache:
     def get(self, name: str) -> Particles | None:
         """The packing kept under a key, or None."""
         path = self._path(name)
-        try:
+        # Damage shows in more ways than a list could hold, and none of them may stop a packing.
+        with suppress(Exception):
             particles = load_particles(path)
             os.utime(path)
-        except (BondemError, OSError):
-            return None
-        return particles
+            return particles
+        return None
 
     def put(self, name: str, particles: Particles, *, provenance: Mapping[str, Any] | None = None) -> None:
         """Keep a packing under a key; what was there is replaced, in one move."""
         path = self._path(name)
-        # Processes that pack the same at once must not write to one file.
-        aside = path.with_name(f"{path.stem}.{os.getpid()}.new")
+        # Processes and threads that pack the same at once must not write to one file.
+        aside = path.with_name(f"{path.stem}.{os.getpid()}-{threading.get_ident()}.new")
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
             save_particles(aside, particles, provenance=provenance)
             os.replace(aside, path)
             self._shrink(path)
-        except (BondemError, OSError):
+        except Exception:  # as above
             with suppress(OSError):
                 aside.unlink(missing_ok=True)
 
     def remembered(self, request: Mapping[str, Any], make: Callable[[], Particles]) -> Particles:
-        """The packing of a request: the one kept, or else made now and kept.
+        """The packing of a request: the one kept, or else made now and kept where that can be.
 
         Args:
-            request: as for `key`.
+            request: as for `key`; its `shape` is that of the particles.
             make: packs it.
         """
-        name = key(request)
+        try:
+            name, provenance = key(request), _written(request)
+        except (RunFileError, OSError):
+            return make()
         kept = self.get(name)
         if kept is not None:
+            # Nobody else has it yet; and the user's own shape may have measured its walls already.
+            object.__setattr__(kept, "shape", request["shape"])
             return kept
         particles = make()
-        self.put(name, particles, provenance=request)
+        self.put(name, particles, provenance=provenance)
         return particles
 
     def _path(self, name: str) -> Path:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 import numpy as np
 
 from bondem.errors import InputError
+from bondem.io.packing_cache import PackingCache, wanted
 from bondem.packing.compression import compress
 from bondem.packing.growth import grow
 from bondem.packing.quench import quench
@@ -30,6 +31,7 @@ def pack(
     coordination_number: float | None = None,
     volume_fraction: float | None = None,
     jamming: bool = False,
+    cache: bool = True,
     progress: Callable[[float], None] | None = None,
 ) -> Particles:
     """Fill a shape with spheres, dense, random and isotropic.
@@ -60,6 +62,8 @@ def pack(
         volume_fraction: target φ, volume of the spheres over that of the shape [-]; below jamming they barely touch.
         jamming: target: the density at which the spheres begin to bear load; no overlap above 1e-3 mean radii,
             and in a periodic cell six contacts a sphere without rattlers.
+        cache: whether a packing of 1000 spheres or more that was asked for before may come from disk, the same to
+            the bit, and this one is kept there; `BONDEM_PACKING_CACHE=off` in the environment says no to all.
         progress: called now and then with the done share, from 0 to 1, never less than before.
 
     Returns:
@@ -78,13 +82,19 @@ def pack(
     if method not in _METHODS:
         raise InputError(f"method = {method!r}; there are {', '.join(_METHODS)}")
     target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
-    random = np.random.Generator(np.random.Philox(seed))
-    relative_radius = (Uniform(spread) if sizes is None else sizes).radii(count, random)
-
+    size_law = Uniform(spread) if sizes is None else sizes
     told = progress or (lambda share: None)
-    spheres = _METHODS[method](
-        shape, relative_radius, target, random, lambda steps: told(1.0 - math.exp(-steps / 1000.0))
-    )
-    target.reach(spheres)
+
+    def make() -> Particles:
+        random = np.random.Generator(np.random.Philox(seed))
+        spheres = _METHODS[method](
+            shape, size_law.radii(count, random), target, random,
+            lambda steps: told(1.0 - math.exp(-steps / 1000.0)),
+        )  # fmt: skip
+        target.reach(spheres)
+        return Particles(spheres.sphere[:, :3].copy(), spheres.sphere[:, 3].copy(), shape=shape)
+
+    request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
+    particles = PackingCache().remembered(request, make) if cache and wanted(count) else make()
     told(1.0)
-    return Particles(spheres.sphere[:, :3].copy(), spheres.sphere[:, 3].copy(), shape=shape)
+    return particles

@@ -67,6 +67,7 @@ class Particles:
                     f"period {cell.min():.4g} m is below two of the largest diameters; enlarge the cell"
                 )
             x = np.mod(x, cell)
+            x[x >= cell] = 0.0  # from just below 0 it rounds up to the far end, which is 0 again
             object.__setattr__(self, "period", freeze(cell))
         else:
             object.__setattr__(self, "period", None)
