@@ -70,7 +70,8 @@ def test_run_leaves_results_report_and_figures(finished):
     assert all(abs(row["error"]) < 0.25 for row in results["tests"].values())
     names = {path.stem for path in (out / "figures").glob("*.png")}
     assert names == {
-        "specimen", "geode", "contacts", "calibration", "tension", "profiles", "modes", "vibration", "wave", "errors",
+        "specimen", "geode", "contacts", "layering", "distribution", "calibration", "tension", "profiles", "modes",
+        "vibration", "wave", "errors",
     }  # fmt: skip
     assert sorted(path.name for path in out.iterdir()) == ["figures", "report.html", "results.json"]
 
@@ -78,7 +79,7 @@ def test_run_leaves_results_report_and_figures(finished):
 def test_the_report_holds_everything_it_shows(finished):
     out, _ = finished
     html = (out / "report.html").read_text()
-    assert html.count('src="data:image/png;base64,') == html.count("<img") == 10
+    assert html.count('src="data:image/png;base64,') == html.count("<img") == 12
     assert "http" not in html.replace("https://www.w3.org", "")
     for text in ("Fused silica cylinder", "static bending", "6.63 %", "André et al. (2012)", "seed 4"):
         assert text in html

@@ -7,7 +7,11 @@ import pytest
 from matplotlib import rcParams
 
 import bondem as bd
+from bondem.report.findings import Examined, Findings
 from bondem.report.numbers import measures, percent, quantity, signed, signed_percent
+from bondem.report.page import drawings_of, page
+from bondem.report.quality import quality_rows
+from bondem.report.specimen_figures import draw_specimen
 from bondem.report.spheres import View, render, tubes
 from bondem.report.style import sheet
 
@@ -95,4 +99,70 @@ def test_percentages_and_signs():
 
 def test_measures_of_a_shape():
     assert measures(bd.Cylinder(5e-3, 40e-3)) == "Ø 10 × 40 mm"
+    assert measures(bd.Ball(5e-3)) == "Ø 10 mm"
     assert measures(bd.Box((1e-2, 2e-2, 3e-2))) == "10 × 20 × 30 mm"
+
+
+@pytest.fixture(scope="module")
+def examined():
+    made = []
+    for seed in (1, 2):
+        lattice = bd.connect(bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=600, jamming=True, seed=seed))
+        made.append(Examined(seed=seed, lattice=lattice, quality=bd.fabric(lattice)))
+    return tuple(made)
+
+
+def test_the_quality_table_says_what_fabric_measured(examined):
+    rows = {row.name: row for row in quality_rows(examined)}
+    first, second = (one.quality for one in examined)
+    assert rows["φ of the core"].first == quantity(first.core_volume_fraction)
+    low, high = sorted((first.backbone_coordination_number, second.backbone_coordination_number))
+    assert rows["z of the backbone"].range == f"{quantity(low)} … {quantity(high)}"
+    assert rows["loose elements"].first == percent(first.loose / 600)
+    assert rows["fineness"].first == quantity(first.fineness, digits=3)
+    assert rows["strata of size"].first == rows["strata of size"].range == "0.00 %"  # all of one size
+    assert rows["strata of density"].first == percent(np.nanmax(first.strata.density))
+    change = first.strata.density_gradient[np.argmax(np.abs(first.strata.density_gradient))]
+    assert rows["change of density"].first == signed_percent(change)
+    assert (rows["the same in the core"].limit, rows["layers"].limit, rows["fineness"].limit) == ("30 %", "60 %", "")
+    assert all(row.range == "" for row in quality_rows(examined[:1]))
+
+
+def test_the_limits_shown_are_those_of_the_verdict():
+    grid = np.stack(np.meshgrid(*3 * [np.arange(9.0)], indexing="ij"), axis=-1).reshape(-1, 3)
+    crystal = bd.connect(bd.Particles(grid, 0.5, period=(9.0, 9.0, 9.0)), tolerance=1e-9)
+    quality = bd.fabric(crystal)
+    rows = {row.name: row for row in quality_rows([Examined(seed=0, lattice=crystal, quality=quality)])}
+    for name, value in (("the same in the core", quality.core_rms_excess), ("layers", quality.strata.layers.max())):
+        assert 100.0 * value > float(rows[name].limit.split()[0])
+        assert any(rows[name].limit.replace(" ", "") in reason.replace(" ", "") for reason in quality.reasons)
+
+
+def test_a_report_without_a_material(examined, tmp_path):
+    results = {
+        "specimen": {"elements": 600, "bonds": len(examined[0].lattice.pairs), "volume_fraction": 0.64,
+                     "coordination_number": 5.9, "isotropy_error": 1e-6, "rattlers": 1},
+        "micro": None, "macro": None, "tests": {}, "seed": 1, "version": "1",
+        "timing": {"pack_s": 1.0, "calibrate_s": 0.0, "tests_s": 0.1},
+        "packings": [{"seed": 1, "fabric_reasons": []}, {"seed": 2, "fabric_reasons": ["it is in strata"]}],
+    }  # fmt: skip
+    findings = Findings(
+        title="Cell", material=None, fit=None, chart=(), calibrating=1, specimens=examined, results=results
+    )  # fmt: skip
+    html = page(findings, {})
+    for text in ("1 of 2 packings are", "<b>fit</b>", "seed 2: it is in strata", "φ of the core", "what it says"):
+        assert text in html
+    assert "Young" not in html
+    drawings = drawings_of(findings)
+    assert list(drawings) == ["specimen", "geode", "contacts", "distribution"]  # no walls, so no layers at them
+    drawings["distribution"](tmp_path / "distribution.png")
+    assert (tmp_path / "distribution.png").stat().st_size > 10_000
+
+
+def test_bonds_over_the_border_of_a_cell_are_drawn_to_the_nearest_image(examined, tmp_path, monkeypatch):
+    drawn = []
+    monkeypatch.setattr("bondem.report.specimen_figures.tubes", lambda *ends: drawn.append(ends) or tubes(*ends))
+    monkeypatch.setattr("bondem.report.specimen_figures.render", lambda *_, **__: np.ones((10, 10, 4)))
+    draw_specimen(tmp_path / "cell.png", examined[0].lattice)
+    start, end, _ = drawn[0]
+    assert np.linalg.norm(end - start, axis=1).max() < 2.1 * examined[0].lattice.particles.radius.max()

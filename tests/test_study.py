@@ -9,8 +9,10 @@ import pytest
 
 import bondem as bd
 from bondem.io.runfile import read_run
+from bondem.packing import METHODS
 from bondem.study.pipeline import run_study
 from bondem.study.results import deviation
+from bondem.study.specimen import SpecimenPlan
 from bondem.study.study import TESTS, Study, parse_study, read_study
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "silica.toml"
@@ -38,7 +40,8 @@ def test_the_example_says_what_the_issue_asks_for():
     study = read_study(EXAMPLE)
     assert study.material == bd.Material("fused silica", E=72.5e9, nu=0.17, rho=2201.0)
     assert study.specimen.shape == bd.Cylinder(radius=5e-3, length=40e-3)
-    assert (study.specimen.count, study.specimen.spread, study.packings, study.calibrating) == (10_000, 0.25, 2, 1)
+    assert (study.specimen.count, study.specimen.sizes) == (10_000, bd.Uniform(0.25))
+    assert (study.packings, study.calibrating) == (2, 1)
     assert study.tests == TESTS
     assert study.bond.law is bd.EulerBernoulli
     assert study.reference is not None
@@ -62,9 +65,156 @@ def test_every_option_is_read():
     }  # fmt: skip
     study = parse_study(data)
     assert study.specimen.shape == bd.Box((1e-2, 1e-2, 4e-2))
-    assert study.specimen.coordination_number == 6.0
+    assert (study.specimen.sizes, study.specimen.target) == (bd.Uniform(0.1), {"coordination_number": 6.0})
     assert (study.bond.law, study.bond.reach, study.bond.tolerance) == (bd.Timoshenko, 1.05, None)
     assert (study.calibrating, study.tests) == (2, ())
+
+
+BALL = {"name": "ball", "packings": 1, "specimen": {"shape": "ball", "radius": 5e-3, "count": 300, "spread": 0.2}}
+
+
+def specimen(**keys):
+    """What a study reads from [specimen], a cylinder if nothing else is said."""
+    if not {"shape", "particles"} & set(keys):
+        keys = {"shape": "cylinder", "radius": 5e-3, "length": 30e-3} | keys
+    return parse_study({"name": "s", "specimen": {"count": 500} | keys}).specimen
+
+
+def tetrahedron(path, edge):
+    """An STL file of a corner of a cube, with a flat end at x = 0 only."""
+    corner = edge * np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    lines = ["solid part"]
+    for face in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)):
+        corners = ["vertex {} {} {}".format(*corner[k]) for k in face]
+        lines += ["facet normal 0 0 0", "outer loop", *corners, "endloop", "endfacet"]
+    path.write_text("\n".join([*lines, "endsolid part\n"]))
+
+
+def test_sizes_methods_and_targets_are_read():
+    assert specimen().sizes == bd.Uniform(0.25)
+    assert specimen(sizes={"law": "uniform", "spread": 0.4}).sizes == bd.Uniform(0.4)
+    assert specimen(sizes={"law": "lognormal", "cv": 0.2}).sizes == bd.Lognormal(0.2)
+    assert specimen(sizes={"law": "lognormal", "cv": 0.2, "cut": 2}).sizes == bd.Lognormal(0.2, cut=2.0)
+    sieve = {"law": "sieve", "diameters": [1e-3, 2e-3, 4e-3], "mass_passing": [0, 0.4, 1]}
+    assert specimen(sizes=sieve).sizes == bd.Sieve((1e-3, 2e-3, 4e-3), (0.0, 0.4, 1.0))
+    for method in METHODS:
+        assert specimen(method=method).method == method
+    assert (specimen().method, specimen().target) == ("quench", {})
+    assert specimen(jamming=True).target == {"jamming": True}
+    assert specimen(jamming=False, volume_fraction=0.6).target == {"volume_fraction": 0.6}
+
+
+def test_shapes_are_read(tmp_path):
+    assert specimen(shape="ball", radius=1e-3).shape == bd.Ball(1e-3)
+    assert specimen(shape="cell", size=[1e-3, 2e-3, 3e-3]).shape == bd.Cell((1e-3, 2e-3, 3e-3))
+    tetrahedron(tmp_path / "part.stl", 20.0)
+    data = {"name": "s", "specimen": {"shape": "surface", "file": "part.stl", "unit": "mm", "count": 500}}
+    (tmp_path / "study.toml").write_text(
+        'name = "s"\n[specimen]\nshape = "surface"\nfile = "part.stl"\nunit = "mm"\ncount = 500\n'
+    )
+    for study in (read_study(tmp_path / "study.toml"), parse_study(data, folder=tmp_path)):
+        assert study.specimen.shape.volume == pytest.approx(0.02**3 / 6.0)
+
+
+CYLINDER = {"shape": "cylinder", "radius": 5e-3, "length": 30e-3, "count": 500}
+
+
+@pytest.mark.parametrize(
+    ("keys", "key", "remedy"),
+    [
+        ({"specimen": CYLINDER | {"method": "grow"}}, "'specimen.method' = 'grow'", "did you mean 'growth'"),
+        ({"specimen": CYLINDER | {"jamming": True, "volume_fraction": 0.6}}, "'specimen.volume_fraction' and", "one"),
+        ({"specimen": CYLINDER | {"volume_fraction": 0.9}}, "'specimen.volume_fraction' = 0.9", "between 0 and 0.8"),
+        ({"specimen": CYLINDER | {"jamming": 1}}, "'specimen.jamming' = 1", "true or false"),
+        ({"specimen": CYLINDER | {"spread": 0.2, "sizes": {"law": "uniform"}}}, "'specimen.spread'", "not both"),
+        ({"specimen": CYLINDER | {"sizes": {"cv": 0.2}}}, "'specimen.sizes.law' is missing", "one of uniform"),
+        ({"specimen": CYLINDER | {"sizes": {"law": "normal"}}}, "'specimen.sizes.law'", "lognormal"),
+        ({"specimen": CYLINDER | {"sizes": {"law": "lognormal", "cv": 3.0}}}, "'specimen.sizes': cv = 3", "to 1"),
+        (
+            {"specimen": CYLINDER | {"sizes": {"law": "lognormal", "cv": 0.2, "spread": 0.1}}},
+            "unknown key 'specimen.sizes.spread'",
+            "known here",
+        ),
+        (
+            {"specimen": CYLINDER | {"sizes": {"law": "sieve", "diameters": [2, 1], "mass_passing": [0, 1]}}},
+            "'specimen.sizes': diameters",
+            "each wider",
+        ),
+        (
+            {"specimen": CYLINDER | {"sizes": {"law": "sieve", "diameters": [1, True], "mass_passing": [0, 1]}}},
+            "'specimen.sizes.diameters'",
+            "a list of numbers",
+        ),
+        ({"specimen": CYLINDER | {"shape": "balls"}}, "'specimen.shape'", "did you mean 'ball'"),
+        ({"specimen": {"shape": "surface", "file": "no.stl", "count": 500}}, "'specimen.file'", "check the path"),
+        ({"specimen": {"particles": "no.csv"}}, "'specimen.particles'", "check the path"),
+        (BALL | {"material": SMALL["material"]}, "'specimen.shape': a Ball", "leave out [material]"),
+        (
+            {"specimen": {"shape": "cell", "size": [1, 1, 1], "count": 500}, "material": SMALL["material"]},
+            "'specimen.shape': a Cell",
+            "cylinder or a box",
+        ),
+        (BALL | {"tests": ["impact"]}, "'tests' asks for", "give [material]"),
+        (BALL | {"output": {"run_files": True}}, "'output.run_files' asks for", "give [material]"),
+    ],
+)
+def test_what_cannot_be_is_refused_by_its_key(keys, key, remedy):
+    with pytest.raises(bd.errors.StudyError) as refused:
+        parse_study({"name": "s", **keys})
+    assert key in str(refused.value)
+    assert remedy in str(refused.value)
+
+
+def test_tests_need_a_bar_but_calibration_needs_ends_only(tmp_path):
+    bar = bd.Box((1.0, 1.0, 4.0)) | bd.Box((1.0, 2.0, 1.0))
+    plan = SpecimenPlan(shape=bar, count=500)
+    glass = bd.Material("glass", E=70e9, nu=0.2, rho=2500.0)
+    assert Study(name="s", material=glass, specimen=plan, tests=()).tests == ()
+    with pytest.raises(bd.errors.StudyError, match="'tests' asks for impact, but a Joined is no bar along x"):
+        Study(name="s", material=glass, specimen=plan, tests=("impact",))
+    tetrahedron(tmp_path / "part.stl", 0.02)
+    data = {"name": "s", "specimen": {"shape": "surface", "file": "part.stl", "count": 500}}
+    assert parse_study(data, folder=tmp_path).tests == ()
+    with pytest.raises(bd.errors.StudyError, match="a Surface has no flat ends"):
+        parse_study(data | {"material": SMALL["material"]}, folder=tmp_path)
+
+
+def test_without_a_material_a_study_packs_and_checks_only(tmp_path):
+    told = {"name": "growth", "specimen": BALL["specimen"] | {"method": "growth", "coordination_number": 6.0}}
+    study = parse_study(BALL | told | {"output": {"figures": False, "packing_files": True}})
+    results = run_study(study, tmp_path)
+    assert (results["micro"], results["macro"], results["tests"]) == (None, None, {})
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["packing_1.h5", "report.html", "results.json"]
+    lattice = bd.read_lattice(tmp_path / "packing_1.h5")
+    alone = bd.pack(bd.Ball(5e-3), count=300, spread=0.2, method="growth", coordination_number=6.0, seed=1)
+    np.testing.assert_array_equal(lattice.particles.position, alone.position)
+    quality = bd.fabric(lattice)
+    (told,) = results["packings"]
+    assert told["E"] is None
+    assert told["loose"] == quality.loose
+    assert told["core_volume_fraction"] == quality.core_volume_fraction
+    assert set(told["strata"]) >= {"density", "coordination", "size", "layers"}
+    assert "nothing was calibrated or tested" in (tmp_path / "report.html").read_text()
+
+
+def test_particles_from_a_file(tmp_path):
+    particles = bd.pack(bd.Cylinder(5.0, 30.0), count=500, spread=0.25, seed=7)
+    rows = np.column_stack([particles.position, particles.radius]).tolist()
+    (tmp_path / "mm.csv").write_text("\n".join(["x,y,z,radius", *(",".join(map(repr, row)) for row in rows)]) + "\n")
+    cylinder = {"shape": "cylinder", "radius": 5e-3, "length": 30e-3}
+    data = SMALL | {"packings": 1, "tests": ["static_tension"], "output": {"figures": False}}
+    data["specimen"] = {"particles": "mm.csv", "unit": "mm"} | cylinder
+    results = run_study(parse_study(data, folder=tmp_path), tmp_path / "out")
+    ours = run_study(parse_study(SMALL | {"packings": 1, "tests": ["static_tension"], "output": {"figures": False}}),
+                     tmp_path / "ours")  # fmt: skip
+    assert results["micro"]["E_mu"] == pytest.approx(ours["micro"]["E_mu"], rel=1e-3)
+    with pytest.raises(bd.errors.StudyError, match=r"'packings' = 2, but 'specimen\.particles' is one"):
+        parse_study(data | {"packings": 2}, folder=tmp_path)
+    with pytest.raises(bd.errors.StudyError, match=r"unknown key 'specimen.count'"):
+        parse_study(data | {"specimen": data["specimen"] | {"count": 500}}, folder=tmp_path)
+    bd.save_particles(tmp_path / "ball.h5", bd.pack(bd.Ball(1.0), count=300, seed=1))
+    with pytest.raises(bd.errors.StudyError, match="a Ball has no flat ends"):
+        run_study(parse_study(data | {"specimen": {"particles": "ball.h5"}}, folder=tmp_path), tmp_path / "out")
 
 
 def test_the_command_line_overrules():

@@ -50,20 +50,26 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
     if not console.is_terminal:
         console.width = 120
     micro, macro, specimen = results["micro"], results["macro"], results["specimen"]
-    spread = (
-        "" if macro["E_std"] is None else
-        f"  (over all packings ± {percent(macro['E_std'] / macro['E'])} of E,"
-        f" ± {percent(macro['nu_std'] / abs(macro['nu']))} of ν)"
-    )  # fmt: skip
-    lines = (
-        f"\n[bold]{study.name}[/bold], packings: {study.packings} of {specimen['elements']} elements",
+    lines = [
+        f"[bold]{study.name}[/bold], packings: {study.packings} of {specimen['elements']} elements",
         f"  z = {specimen['coordination_number']:.3f}, φ = {specimen['volume_fraction']:.4f}",
-        f"  {micro['law']}: E_μ = {quantity(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},"
-        f" ρ_μ = {quantity(micro['rho_mu'], 'kg/m³')}",
-        f"  E = {quantity(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, ρ = {quantity(macro['rho'], 'kg/m³')}{spread}\n",
-    )
+    ]
+    if micro is not None:
+        spread = (
+            "" if macro["E_std"] is None else
+            f"  (over all packings ± {percent(macro['E_std'] / macro['E'])} of E,"
+            f" ± {percent(macro['nu_std'] / abs(macro['nu']))} of ν)"
+        )  # fmt: skip
+        lines += [
+            f"  {micro['law']}: E_μ = {quantity(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},"
+            f" ρ_μ = {quantity(micro['rho_mu'], 'kg/m³')}",
+            f"  E = {quantity(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, ρ = {quantity(macro['rho'], 'kg/m³')}"
+            + spread,
+        ]
+    console.print()
     for line in lines:
         console.print(line, soft_wrap=True)
+    console.print()
     for one in results["packings"]:
         for reason in one["fabric_reasons"]:
             console.print(f"  [yellow]packing of seed {one['seed']}: {reason}[/yellow]", soft_wrap=True)

@@ -15,9 +15,11 @@ from bondem.packing.targets import chosen
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles
 
-__all__ = ["pack"]
+__all__ = ["METHODS", "pack"]
 
 _METHODS = {"quench": quench, "growth": grow, "compression": compress}
+#: Names of the methods.
+METHODS = tuple(_METHODS)
 
 
 def pack(

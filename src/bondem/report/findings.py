@@ -21,8 +21,8 @@ class Examined:
         seed: of the packing.
         lattice: the specimen.
         quality: its fabric.
-        tension: its own E and ν under the calibrated law.
-        rho: its own density, mass of the connected elements over the volume of the shape [kg/m³].
+        tension: its own E and ν under the calibrated law, where there is one.
+        rho: its own density, mass of the connected elements over the volume of the shape [kg/m³], likewise.
         outcomes: of the tests, by name.
         frequencies: natural frequencies, where a dynamic test was asked for.
     """
@@ -30,8 +30,8 @@ class Examined:
     seed: int
     lattice: Lattice
     quality: Fabric
-    tension: Tension
-    rho: float
+    tension: Tension | None = None
+    rho: float | None = None
     outcomes: Mapping[str, Outcome] = field(default_factory=dict)
     frequencies: NaturalFrequencies | None = None
 
@@ -42,8 +42,8 @@ class Findings:
 
     Attributes:
         title: of the report.
-        material: the continuum that was to be reproduced.
-        fit: the calibration.
+        material: the continuum that was to be reproduced, or None where only packings were made and checked.
+        fit: the calibration, likewise.
         chart: trials over the range of the free parameter, for the calibration curve.
         calibrating: how many packings, the first ones, the calibration used.
         specimens: every packing.
@@ -53,8 +53,8 @@ class Findings:
     """
 
     title: str
-    material: Material
-    fit: Calibration
+    material: Material | None
+    fit: Calibration | None
     chart: tuple[Trial, ...]
     calibrating: int
     specimens: tuple[Examined, ...]

@@ -2,7 +2,7 @@
 
 import math
 
-from bondem.specimen.geometry import Cylinder, Shape
+from bondem.specimen.geometry import Ball, Cylinder, Shape
 
 _PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m", -6: "µ", -9: "n"}
 # Units that take a prefix; the others (kg/m³) are printed in powers of ten where need be.
@@ -63,4 +63,6 @@ def measures(shape: Shape) -> str:
     edges = [f"{1e3 * edge:.4g}" for edge in upper - lower]
     if isinstance(shape, Cylinder):
         return f"Ø {edges[1]} × {edges[0]} mm"
+    if isinstance(shape, Ball):
+        return f"Ø {edges[0]} mm"
     return " × ".join(edges) + " mm"

@@ -2,6 +2,7 @@
 
 import base64
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
@@ -10,13 +11,18 @@ from typing import Any
 import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
+from bondem.errors import InputError
 from bondem.io.atomic import write_text
 from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
+from bondem.report.fabric_figures import draw_distribution, draw_layering
 from bondem.report.findings import Findings
 from bondem.report.numbers import measures, percent, quantity, signed, signed_percent, words
+from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_calibration, draw_profiles, draw_tension
 from bondem.report.summary_figures import draw_errors
+from bondem.specimen.layering import wall_layering
+from bondem.specimen.radial_distribution import radial_distribution
 
 _CAPTIONS = {
     "specimen": "The specimen: its elements, coloured by radius, on one half; its bonds alone on the other.",
@@ -24,6 +30,11 @@ _CAPTIONS = {
         would have there. Inside, a good packing shows noise and no pattern; next to the walls elements line up.""",
     "contacts": """Left: bonds of an element, with their mean, the coordination number z. Right: radii of the
         elements.""",
+    "layering": """Solid fraction against the distance from each wall. Walls order spheres into layers, which die out
+        within some two diameters; what lies beyond is the same as deep inside.""",
+    "distribution": """How often centres lie at a distance from each other, over what chance would do: spheres in
+        touch at one diameter, a second shell (in two parts where all are of one size), and less and less order further
+        out. Sharp peaks there would be a crystal.""",
     "calibration": """Calibration: Poisson's ratio depends on one parameter of the bonds, and the modulus is
         proportional to that of the bonds; so one root and one division do.""",
     "tension": """Tension of the free specimen. Left: stress over strain along and across the pull, every packing.
@@ -86,9 +97,16 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         "specimen": lambda path: draw_specimen(path, first.lattice),
         "geode": lambda path: draw_geode(path, first.quality),
         "contacts": lambda path: draw_contacts(path, first.lattice),
-        "calibration": lambda path: draw_calibration(path, findings),
-        "tension": lambda path: draw_tension(path, findings),
     }
+    layering = wall_layering(first.lattice.particles)
+    if layering:
+        drawings["layering"] = lambda path: draw_layering(path, layering, first.quality.core_volume_fraction)
+    with suppress(InputError):  # too few elements away from the walls
+        distribution = radial_distribution(first.lattice.particles)
+        drawings["distribution"] = lambda path: draw_distribution(path, distribution)
+    if findings.fit is not None:
+        drawings["calibration"] = lambda path: draw_calibration(path, findings)
+        drawings["tension"] = lambda path: draw_tension(path, findings)
     if any(name.startswith("static") for name in first.outcomes):
         drawings["profiles"] = lambda path: draw_profiles(path, first)
     if first.frequencies is not None:
@@ -121,6 +139,7 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         pictures=pictures,
         rows=rows,
         worst=max(rows, key=lambda row: abs(row["error"])) if rows else None,
+        quality=quality_rows(findings.specimens),
         shape=measures(findings.specimens[0].lattice.particles.envelope),
         today=date.today().isoformat(),
     )

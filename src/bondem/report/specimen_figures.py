@@ -33,7 +33,8 @@ def draw_specimen(path: Path, lattice: Lattice) -> None:
     norm = Normalize(ratio.min(), ratio.max())
     bare = lattice.pairs[~shown[lattice.pairs].all(axis=1)]
     thin = 0.13 * particles.mean_radius
-    beads, _ = tubes(particles.position[bare[:, 0]], particles.position[bare[:, 1]], thin)
+    start = particles.position[bare[:, 0]]
+    beads, _ = tubes(start, start + particles.separation(bare[:, 0], bare[:, 1]), thin)
     image = render(
         np.concatenate([particles.position[shown], beads]),
         np.concatenate([particles.radius[shown], np.full(len(beads), thin)]),

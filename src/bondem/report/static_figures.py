@@ -15,14 +15,16 @@ _SYMBOLS = {"radius_ratio": "bond radius ratio,  r̃ [-]", "kappa": "stiffness r
 
 def draw_calibration(path: Path, findings: Findings) -> None:
     """ν and E / E_μ over the free parameter of the law, with the trials and the chosen point."""
-    fit = findings.fit
+    fit, material = findings.fit, findings.material
+    assert fit is not None
+    assert material is not None
     chosen = getattr(fit.law, fit.parameter)
     curve = sorted({trial.value: trial for trial in findings.chart}.values(), key=lambda trial: trial.value)
     value = np.array([trial.value for trial in curve])
     fine = np.linspace(value[0], value[-1], 200)
     with sheet(path, 8.2, 3.2, 1, 2) as (_, axes):
         rows = (
-            ("nu", "Poisson's ratio,  ν [-]", findings.material.nu, fit.nu, BLUE),
+            ("nu", "Poisson's ratio,  ν [-]", material.nu, fit.nu, BLUE),
             ("stiffness_ratio", "modulus over that of the bonds,  E / E$_μ$ [-]", None, fit.E / fit.law.E, GREEN),
         )
         for ax, (name, label, target, reached, colour) in zip(axes, rows, strict=True):
@@ -49,9 +51,11 @@ def draw_tension(path: Path, findings: Findings) -> None:
 
 def _draw_stress_strain(ax: Axes, findings: Findings) -> None:
     material = findings.material
+    assert material is not None
     stress = np.array([0.0, 1.0])
     for one in findings.specimens:
         # linear: one solution is the whole curve
+        assert one.tension is not None
         axial = 1e6 * stress * 1e6 / one.tension.E
         ax.plot(axial, stress, color=BLUE, label="along x")
         ax.plot(-one.tension.nu * axial, stress, color=GREEN, label="across")
@@ -64,6 +68,7 @@ def _draw_stress_strain(ax: Axes, findings: Findings) -> None:
 
 def _draw_displacement(ax: Axes, specimen: Examined, name: str) -> None:
     lattice, tension = specimen.lattice, specimen.tension
+    assert tension is not None
     chosen = middle_half(lattice)
     axis = "xyz".index(name)
     position = lattice.particles.position

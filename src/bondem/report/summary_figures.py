@@ -20,7 +20,7 @@ def draw_errors(path: Path, findings: Findings) -> None:
         told.add(label)
         return label if fresh else None
 
-    with sheet(path, 8.2, 0.48 * len(names) + 1.1) as (_, ax):
+    with sheet(path, 8.2, 0.48 * len(names) + 1.1) as (figure, ax):
         ax.axvline(0.0, color=INK, linewidth=0.9)
         for y, name in zip(place, names, strict=True):
             row = tests[name]
@@ -42,4 +42,4 @@ def draw_errors(path: Path, findings: Findings) -> None:
         ax.set(yticks=place, xlabel="measured / theory − 1  [%]")
         ax.set_yticklabels([name.replace("_", " ") for name in names])
         ax.grid(axis="y", visible=False)
-        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=4)
+        figure.legend(loc="outside lower center", ncols=4)

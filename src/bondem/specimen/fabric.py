@@ -28,6 +28,8 @@ _DEEP = 3.0  # mean radii from the wall
 _HELD = 4  # contacts that hold a sphere in place
 _TOUCH = 1e-6  # mean radii
 _STRATA = {"density": 0.03, "coordination": 0.06, "size": 0.35, "layers": 0.6}
+#: Limits of the verdict by measure [-], before what is granted to chance.
+LIMITS = {"rms_excess": _RMS_EXCESS, "stretch": _STRETCH, "rattlers": _RATTLERS, **_STRATA}
 
 _DOF = 159  # 160 pairs of opposite faces, less the total
 

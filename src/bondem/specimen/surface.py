@@ -12,7 +12,7 @@ from bondem.errors import InputError
 from bondem.specimen.shape import BOX_FACES, Shape
 from bondem.specimen.triangles import Triangles
 
-_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": 0.0254}
+UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": 0.0254}
 _SUFFIXES = (".stl", ".ply")
 
 # Longest specimen taken for metres without being told so [m].
@@ -56,8 +56,8 @@ class Surface(Shape):
             vertices: instead of a file, corners (v, 3) in `unit`.
             triangles: and the triangles, (t, 3).
         """
-        if unit is not None and unit not in _UNITS:
-            raise InputError(f"Surface: unit = {unit!r}; give one of {', '.join(_UNITS)}")
+        if unit is not None and unit not in UNITS:
+            raise InputError(f"Surface: unit = {unit!r}; give one of {', '.join(UNITS)}")
         if file is not None:
             x, t = _read(Path(file))
         elif vertices is not None and triangles is not None:
@@ -71,7 +71,7 @@ class Surface(Shape):
             raise InputError(
                 f"{name} is {size:.4g} long, and its unit is not known; give unit='mm', or unit='m' if it is metres"
             )
-        x *= _UNITS[unit or "m"]
+        x *= UNITS[unit or "m"]
         for key, array in (("vertices", x), ("triangles", t)):
             array.setflags(write=False)
             object.__setattr__(self, key, array)

@@ -9,6 +9,7 @@ from typing import Any
 
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.io.atomic import require_folder, write_text
+from bondem.io.particles_file import save_particles
 from bondem.io.runfile import RunFile
 from bondem.io.vtk import write_vtkhdf
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
@@ -20,7 +21,6 @@ from bondem.labtests.tension import static_tension
 from bondem.labtests.vibration import free_vibration
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.packing import pack
 from bondem.report.findings import Examined, Findings
 from bondem.report.page import write_report
 from bondem.solve.explicit import Plan, settled
@@ -28,6 +28,7 @@ from bondem.solve.history import History
 from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import fabric
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material
 from bondem.study.results import collect
 from bondem.study.study import Study
 
@@ -65,7 +66,7 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
     watch = _Watch()
     lattices = tuple(packed(study, k, tell) for k in range(study.packings))
     watch.lap("pack_s")
-    fit = calibrated(study, lattices, tell)
+    fit = calibrated(study, study.material, lattices, tell) if study.material is not None else None
     watch.lap("calibrate_s")
     specimens = tuple(examined(study, k, lattice, fit, tell) for k, lattice in enumerate(lattices))
     watch.lap("tests_s")
@@ -74,7 +75,7 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         title=study.name,
         material=study.material,
         fit=fit,
-        chart=calibration_chart(study, lattices[0], fit) if study.figures else (),
+        chart=calibration_chart(lattices[0], fit) if study.figures and fit is not None else (),
         calibrating=study.calibrating,
         specimens=specimens,
         results=results,
@@ -86,7 +87,11 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
     write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:
         write_vtkhdf(out / "specimen.vtkhdf", lattices[0])
-    if study.run_files:
+    if study.packing_files:
+        for one in specimens:
+            told = {"study": study.name, "seed": one.seed}
+            save_particles(out / f"packing_{one.seed}.h5", one.lattice, provenance=told)
+    if study.run_files and fit is not None:
         for one in specimens:
             keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, fit)
     return results
@@ -94,24 +99,18 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
 
 def packed(study: Study, k: int, tell: Progress) -> Lattice:
     """Packing k, bonded; a specimen in two pieces is refused here."""
-    plan, bond = study.specimen, study.bond
-    particles = pack(
-        plan.shape,
-        count=plan.count,
-        spread=plan.spread,
-        seed=study.seed + k,
-        coordination_number=plan.coordination_number,
-        progress=lambda share: tell(f"pack {k + 1} of {study.packings}", share),
-    )
-    return connect(particles, tolerance=bond.tolerance, reach=bond.reach)
+    stage = f"pack {k + 1} of {study.packings}"
+    particles = study.specimen.particles(study.seed + k, lambda share: tell(stage, share))
+    study.require_testable(particles.envelope)
+    return connect(particles, tolerance=study.bond.tolerance, reach=study.bond.reach)
 
 
-def calibrated(study: Study, lattices: tuple[Lattice, ...], tell: Progress) -> Calibration:
+def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Calibration:
     """The law with which the first packings have the material's E, ν and ρ."""
     tell("calibrate", 0.0)
     fit = calibrate(
         lattices[: study.calibrating],
-        study.material,
+        material,
         law=study.bond.law,
         nu_mu=study.bond.nu_mu,
         radius_rule=study.bond.radius_rule,
@@ -120,10 +119,14 @@ def calibrated(study: Study, lattices: tuple[Lattice, ...], tell: Progress) -> C
     return fit
 
 
-def examined(study: Study, k: int, lattice: Lattice, fit: Calibration, tell: Progress) -> Examined:
-    """Packing k under the calibrated law: its fabric, its own moduli and its tests."""
+def examined(study: Study, k: int, lattice: Lattice, fit: Calibration | None, tell: Progress) -> Examined:
+    """Packing k: its fabric and, under the calibrated law, its own moduli and its tests."""
     stage = f"test {k + 1} of {study.packings}"
     tell(stage, 0.0)
+    if fit is None:
+        specimen = Examined(seed=study.seed + k, lattice=lattice, quality=fabric(lattice))
+        tell(stage, 1.0)
+        return specimen
     tension = fit.tensions[k] if k < study.calibrating else static_tension(lattice, fit.law)
     particles = lattice.particles
     mass = fit.density * particles.volume[lattice.connected].sum()
@@ -155,7 +158,7 @@ def examined(study: Study, k: int, lattice: Lattice, fit: Calibration, tell: Pro
     return replace(specimen, outcomes=outcomes)
 
 
-def calibration_chart(study: Study, lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
+def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
     """E / E_μ and ν over the free parameter of the law on one packing, for the calibration curve."""
     chosen = getattr(fit.law, fit.parameter)
     trials = []

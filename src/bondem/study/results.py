@@ -17,36 +17,45 @@ _COMMON = {item.name for item in fields(BondLaw)}
 
 
 def collect(
-    study: Study, fit: Calibration, specimens: Sequence[Examined], timing: dict[str, float]
+    study: Study, fit: Calibration | None, specimens: Sequence[Examined], timing: dict[str, float]
 ) -> dict[str, Any]:
     """All numbers of a study, in the pinned layout, and those of every packing under "packings".
 
-    A scatter over a single packing is null.
+    A scatter over a single packing is null, and so are "micro" and "macro" of a study without a material.
     """
-    first = specimens[0]
     return _finite({
-        "specimen": _specimen(first),
-        "micro": {
-            "law": type(fit.law).__name__,
-            "E_mu": fit.law.E,
-            "nu_mu": fit.law.nu,
-            "r_mu_ratio": fit.law.radius_ratio,
-            "rho_mu": fit.density,
-        }
-        | {item.name: getattr(fit.law, item.name) for item in fields(fit.law) if item.name not in _COMMON},
-        "macro": {
-            "E": fit.E,
-            "nu": fit.nu,
-            "rho": first.rho,
-            "E_std": deviation([one.tension.E for one in specimens]),
-            "nu_std": deviation([one.tension.nu for one in specimens]),
-        },
+        "specimen": _specimen(specimens[0]),
+        "micro": _micro(fit) if fit is not None else None,
+        "macro": _macro(fit, specimens) if fit is not None else None,
         "tests": {name: _test(name, specimens) for name in study.tests},
         "timing": timing,
         "version": __version__,
         "seed": study.seed,
-        "packings": [_packing(one, k < study.calibrating) for k, one in enumerate(specimens)],
+        "packings": [_packing(one, fit is not None and k < study.calibrating) for k, one in enumerate(specimens)],
     })  # fmt: skip
+
+
+def _micro(fit: Calibration) -> dict[str, Any]:
+    law = fit.law
+    pinned = {
+        "law": type(law).__name__,
+        "E_mu": law.E,
+        "nu_mu": law.nu,
+        "r_mu_ratio": law.radius_ratio,
+        "rho_mu": fit.density,
+    }
+    return pinned | {item.name: getattr(law, item.name) for item in fields(law) if item.name not in _COMMON}
+
+
+def _macro(fit: Calibration, specimens: Sequence[Examined]) -> dict[str, Any]:
+    tensions = [one.tension for one in specimens if one.tension is not None]
+    return {
+        "E": fit.E,
+        "nu": fit.nu,
+        "rho": specimens[0].rho,
+        "E_std": deviation([tension.E for tension in tensions]),
+        "nu_std": deviation([tension.nu for tension in tensions]),
+    }
 
 
 def deviation(values: Sequence[float]) -> float | None:
@@ -80,17 +89,27 @@ def _test(name: str, specimens: Sequence[Examined]) -> dict[str, Any]:
 
 
 def _packing(one: Examined, calibrating: bool) -> dict[str, Any]:
+    quality, tension = one.quality, one.tension
     return {
         "seed": one.seed,
         "calibrating": calibrating,
         **_specimen(one),
-        "rms_excess": one.quality.rms_excess,
-        "largest_overlap": one.quality.largest_overlap,
-        "fabric_reasons": list(one.quality.reasons),
-        "E": one.tension.E,
-        "nu": one.tension.nu,
-        "E_paper": one.tension.E_paper,
-        "nu_paper": one.tension.nu_paper,
+        "core_volume_fraction": quality.core_volume_fraction,
+        "loose": quality.loose,
+        "backbone_coordination_number": quality.backbone_coordination_number,
+        "fineness": quality.fineness,
+        "smallest_extent": quality.smallest_extent,
+        "rms_excess": quality.rms_excess,
+        "core_rms_excess": quality.core_rms_excess,
+        "core_stretch": quality.core_stretch,
+        "eigenvalues": quality.eigenvalues.tolist(),
+        "strata": {item.name: getattr(quality.strata, item.name).tolist() for item in fields(quality.strata)},
+        "largest_overlap": quality.largest_overlap,
+        "fabric_reasons": list(quality.reasons),
+        "E": tension.E if tension is not None else None,
+        "nu": tension.nu if tension is not None else None,
+        "E_paper": tension.E_paper if tension is not None else None,
+        "nu_paper": tension.nu_paper if tension is not None else None,
         "rho": one.rho,
         "tests": {
             name: {

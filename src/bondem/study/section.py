@@ -115,6 +115,15 @@ class Section:
             raise StudyError(f"'{self.name(key)}' names one thing twice; take one out")
         return tuple(values)
 
+    def numbers(self, key: str) -> tuple[float, ...]:
+        """A list of finite numbers."""
+        wanted = "a list of numbers"
+        values = self._get(key, _NEEDED, wanted)
+        good = isinstance(values, list | tuple) and not any(isinstance(v, bool) for v in values)
+        if not good or not all(isinstance(v, int | float) and math.isfinite(v) for v in values):
+            raise StudyError(f"'{self.name(key)}' = {values!r}; give {wanted}")
+        return tuple(float(v) for v in values)
+
     def lengths(self, key: str) -> tuple[float, float, float]:
         """Three positive lengths [m]."""
         wanted = "three positive lengths [m], such as [0.01, 0.01, 0.04]"

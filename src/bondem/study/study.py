@@ -13,9 +13,10 @@ from bondem.laws.euler_bernoulli import EulerBernoulli
 from bondem.laws.obermayr import Obermayr
 from bondem.laws.parallel_bond import ParallelBond
 from bondem.laws.timoshenko import Timoshenko
-from bondem.specimen.geometry import Box, Cylinder, Shape
+from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
 from bondem.study.section import Section
+from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
 
 STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
 DYNAMIC_TESTS = ("dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact")
@@ -23,23 +24,6 @@ TESTS = STATIC_TESTS + DYNAMIC_TESTS
 LAWS: dict[str, type[BondLaw]] = {
     law.__name__: law for law in (EulerBernoulli, Timoshenko, ParallelBond, Obermayr)
 }
-
-
-@dataclass(frozen=True, kw_only=True)
-class SpecimenPlan:
-    """What to pack.
-
-    Attributes:
-        shape: what the elements fill.
-        count: number of elements.
-        spread: full range of the radii over their mean, κ [-].
-        coordination_number: target z [-], or None for the packing's own.
-    """
-
-    shape: Shape
-    count: int
-    spread: float = 0.25
-    coordination_number: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,8 +66,8 @@ class Study:
 
     Attributes:
         name: title of the report.
-        material: the continuum to reproduce.
-        specimen: what to pack.
+        material: the continuum to reproduce, or None to pack and check only.
+        specimen: what to pack, or which particles to read.
         bond: which bonds and law.
         packings: number of specimens; packing k uses seed + k.
         calibrating: how many of them, the first ones, the calibration uses.
@@ -92,12 +76,13 @@ class Study:
         figures: whether to draw figures.
         vtk: whether to write the first packing for ParaView.
         run_files: whether to write every calibrated specimen, at rest, as a run file to go on from.
+        packing_files: whether to write every packing with its bonds as a particle file.
         reference: published values, or None.
     """
 
     name: str
-    material: Material
-    specimen: SpecimenPlan
+    material: Material | None
+    specimen: SpecimenPlan | ImportPlan
     bond: BondPlan = BondPlan()
     packings: int = 2
     calibrating: int = 1
@@ -106,6 +91,7 @@ class Study:
     figures: bool = True
     vtk: bool = False
     run_files: bool = False
+    packing_files: bool = False
     reference: Reference | None = None
 
     def __post_init__(self) -> None:
@@ -114,11 +100,44 @@ class Study:
                 f"'calibration.packings' = {self.calibrating}, but there are {self.packings} packings;"
                 " calibrate on fewer, or raise 'packings'"
             )
+        if isinstance(self.specimen, ImportPlan) and self.packings > 1:
+            raise StudyError(
+                f"'packings' = {self.packings}, but 'specimen.particles' is one packing; set packings = 1"
+            )
+        if self.material is None:
+            for key, asked in (("tests", bool(self.tests)), ("output.run_files", self.run_files)):
+                if asked:
+                    raise StudyError(f"'{key}' asks for calibrated bonds; give [material], or leave '{key}' out")
+        if self.specimen.shape is not None:
+            self.require_testable(self.specimen.shape)
+
+    def require_testable(self, shape: Shape) -> None:
+        """Make sure that what is asked for can be done with a shape.
+
+        Raises:
+            StudyError: it cannot be pulled along x, or is no bar.
+        """
+        if self.material is not None and not {"x_min", "x_max"} <= set(shape.faces):
+            raise StudyError(
+                f"'specimen.shape': a {type(shape).__name__} has no flat ends x_min and x_max to pull at, so it"
+                " cannot be calibrated; leave out [material] and 'tests' to pack and check only, or take a cylinder"
+                " or a box"
+            )
+        if self.tests and not _is_bar(shape):
+            raise StudyError(
+                f"'tests' asks for {self.tests[0]}, but a {type(shape).__name__} is no bar along x; set tests = [],"
+                " or take a 'specimen.shape' of cylinder or box"
+            )
 
     def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Study":
         """The same study with what the command line overrules."""
         given = {"packings": packings, "seed": seed}
         return dataclasses.replace(self, **{key: value for key, value in given.items() if value is not None})
+
+
+def _is_bar(shape: Shape) -> bool:
+    """Whether strength of materials has formulas for it: a section that is the same all along x."""
+    return isinstance(shape, Cylinder | Box | BoundingBox)
 
 
 def read_study(path: str | Path) -> Study:
@@ -135,25 +154,33 @@ def read_study(path: str | Path) -> Study:
         raise StudyError(f"study '{path}' cannot be read ({error.strerror}); check the path") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise StudyError(f"study '{path}' is not valid TOML: {error}; mend it there") from None
-    return parse_study(data)
+    return parse_study(data, folder=path.parent)
 
 
-def parse_study(data: Mapping[str, Any]) -> Study:
+def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
     """The study a TOML document describes.
+
+    Args:
+        data: the document.
+        folder: where the files it names are looked for.
 
     Raises:
         StudyError: a key that is unknown, missing or out of range.
     """
     with Section(data) as top:
+        name = top.text("name")
+        specimen = read_specimen(top.section("specimen"), folder)
+        material = _material(top.section("material")) if top.has("material") else None
+        bar = specimen.shape is None or _is_bar(specimen.shape)
         return Study(
-            name=top.text("name"),
+            name=name,
             seed=top.count("seed", default=1, least=0),
-            packings=top.count("packings", default=2),
-            material=_material(top.section("material")),
-            specimen=_specimen(top.section("specimen")),
+            packings=top.count("packings", default=1 if isinstance(specimen, ImportPlan) else 2),
+            material=material,
+            specimen=specimen,
             bond=_bond(top.section("bond")),
             calibrating=_calibrating(top.section("calibration")),
-            tests=top.texts("tests", choices=TESTS, default=TESTS),
+            tests=top.texts("tests", choices=TESTS, default=TESTS if material is not None and bar else ()),
             **_output(top.section("output")),
             reference=_reference(top.section("reference")) if top.has("reference") else None,
         )
@@ -166,23 +193,6 @@ def _material(table: Section) -> Material:
             E=table.number("E", "Pa", above=0.0),
             nu=table.number("nu", "-", above=-1.0, below=0.5),
             rho=table.number("rho", "kg/m³", above=0.0),
-        )
-
-
-def _specimen(table: Section) -> SpecimenPlan:
-    with table:
-        kind = table.text("shape", choices=("cylinder", "box"))
-        if kind == "cylinder":
-            shape: Shape = Cylinder(
-                radius=table.number("radius", "m", above=0.0), length=table.number("length", "m", above=0.0)
-            )
-        else:
-            shape = Box(table.lengths("size"))
-        return SpecimenPlan(
-            shape=shape,
-            count=table.count("count", least=100),
-            spread=table.number("spread", "-", default=0.25, above=-1e-12, below=2.0),
-            coordination_number=table.number("coordination_number", "-", default=None, above=0.0, below=12.0),
         )
 
 
@@ -207,7 +217,7 @@ def _calibrating(table: Section) -> int:
 
 def _output(table: Section) -> dict[str, bool]:
     with table:
-        defaults = {"figures": True, "vtk": False, "run_files": False}
+        defaults = {"figures": True, "vtk": False, "run_files": False, "packing_files": False}
         return {name: table.flag(name, default=default) for name, default in defaults.items()}
 
 

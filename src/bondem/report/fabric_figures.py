@@ -1,0 +1,43 @@
+"""What walls do to a packing, and what neighbours do to each other."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
+from bondem.specimen.layering import Layering
+from bondem.specimen.radial_distribution import RadialDistribution
+
+_COLOURS = (BLUE, ORANGE, GREEN, PURPLE, INK, GREY)
+
+
+def draw_layering(path: Path, layering: Mapping[str, Layering], inside: float) -> None:
+    """Solid fraction against the distance from each wall.
+
+    Args:
+        path: PNG to write.
+        layering: of each face.
+        inside: solid fraction away from all walls [-], NaN where that is nowhere.
+    """
+    with sheet(path, 8.2, 3.0) as (_, ax):
+        for k, (face, one) in enumerate(layering.items()):
+            # opposite faces share a colour: six walls of a box are three pairs
+            dashes = (0, (4, 2)) if face.endswith("max") else "-"
+            colour = _COLOURS[(k // 2 if len(layering) == 6 else k) % len(_COLOURS)]
+            ax.plot(one.distance, one.volume_fraction, color=colour, linestyle=dashes, label=face)
+        if np.isfinite(inside):
+            ax.axhline(inside, color=GREY, linewidth=1.0, label=f"core, φ = {inside:.3f}")
+        ax.set(xlabel="distance from the wall over mean diameter [-]", ylabel="solid fraction [-]", ylim=(0.0, 1.0),
+               xlim=(0.0, None))  # fmt: skip
+        ax.legend(loc="upper right", ncols=4)
+
+
+def draw_distribution(path: Path, distribution: RadialDistribution) -> None:
+    """The radial distribution function of the centres away from the walls."""
+    with sheet(path, 8.2, 2.9) as (_, ax):
+        ax.axhline(1.0, color=GREY, linewidth=1.0, label="spheres without order")
+        ax.plot(distribution.distance, distribution.density, color=BLUE)
+        ax.set(xlabel="distance of centres over mean diameter,  r / 2R̄ [-]", ylabel="g(r) [-]", ylim=(0.0, None),
+               xlim=(0.0, None))  # fmt: skip
+        ax.legend(loc="upper right")
