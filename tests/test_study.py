@@ -165,17 +165,20 @@ def test_what_cannot_be_is_refused_by_its_key(keys, key, remedy):
     assert remedy in str(refused.value)
 
 
-def test_tests_need_a_bar_but_calibration_needs_ends_only(tmp_path):
-    bar = bd.Box((1.0, 1.0, 4.0)) | bd.Box((1.0, 2.0, 1.0))
+def test_calibration_needs_a_prism_and_tests_need_one_with_formulas(tmp_path):
+    bar = bd.Box((4.0, 1.0, 1.0)) | bd.Box((4.0, 2.0, 0.5))
     plan = SpecimenPlan(shape=bar, count=500)
     glass = bd.Material("glass", E=70e9, nu=0.2, rho=2500.0)
     assert Study(name="s", material=glass, specimen=plan, tests=()).tests == ()
     with pytest.raises(bd.errors.StudyError, match="'tests' asks for impact, but a Joined is no bar along x"):
         Study(name="s", material=glass, specimen=plan, tests=("impact",))
+    waisted = bd.Box((4.0, 1.0, 1.0)).cut(bd.Box((1.0, 1.0, 0.3)).moved((1.5, 0.0, 0.0)))
+    with pytest.raises(bd.errors.StudyError, match=r"'specimen\.shape': a Cut without flat ends"):
+        Study(name="s", material=glass, specimen=SpecimenPlan(shape=waisted, count=500), tests=())
     tetrahedron(tmp_path / "part.stl", 0.02)
     data = {"name": "s", "specimen": {"shape": "surface", "file": "part.stl", "count": 500}}
     assert parse_study(data, folder=tmp_path).tests == ()
-    with pytest.raises(bd.errors.StudyError, match="a Surface has no flat ends"):
+    with pytest.raises(bd.errors.StudyError, match="a Surface without flat ends"):
         parse_study(data | {"material": SMALL["material"]}, folder=tmp_path)
 
 
@@ -213,7 +216,7 @@ def test_particles_from_a_file(tmp_path):
     with pytest.raises(bd.errors.StudyError, match=r"unknown key 'specimen.count'"):
         parse_study(data | {"specimen": data["specimen"] | {"count": 500}}, folder=tmp_path)
     bd.save_particles(tmp_path / "ball.h5", bd.pack(bd.Ball(1.0), count=300, seed=1))
-    with pytest.raises(bd.errors.StudyError, match="a Ball has no flat ends"):
+    with pytest.raises(bd.errors.StudyError, match="a Ball without flat ends"):
         run_study(parse_study(data | {"specimen": {"particles": "ball.h5"}}, folder=tmp_path), tmp_path / "out")
 
 

@@ -33,7 +33,7 @@ _CAPTIONS = {
     "layering": """Solid fraction against the distance from each wall. Walls order spheres into layers, which die out
         within some two diameters; what lies beyond is the same as deep inside.""",
     "distribution": """How often centres lie at a distance from each other, over what chance would do: spheres in
-        touch at one diameter, a second shell (in two parts where all are of one size), and less and less order further
+        touch at one diameter, a second shell (in two parts where all are of one size), and ever less order further
         out. Sharp peaks there would be a crystal.""",
     "calibration": """Calibration: Poisson's ratio depends on one parameter of the bonds, and the modulus is
         proportional to that of the bonds; so one root and one division do.""",
