@@ -121,8 +121,8 @@ class Study:
         if self.material is not None and not _is_prism(shape):
             raise StudyError(
                 f"'specimen.shape': a {type(shape).__name__} without flat ends x_min and x_max, or without one"
-                " section from end to end, cannot be calibrated; leave out [material] and 'tests' to pack and check only,"
-                " or take a cylinder or a box"
+                " section from end to end, cannot be calibrated; leave out [material] and 'tests' to pack and check"
+                " only, or take a cylinder or a box"
             )
         if self.tests and not _is_bar(shape):
             raise StudyError(
