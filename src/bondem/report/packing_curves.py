@@ -17,14 +17,14 @@ Row = Mapping[str, Any]
 PRINTED_THRESHOLD = 0.0032
 LARGEST_POSSIBLE = 319.0 / 320.0**2
 
-_TARGET_STYLE = {
-    "jamming": ("onset of jamming", BLUE, "o"),
-    "contacts": ("6.2 contacts a sphere", ORANGE, "s"),
-}
-# The same quantity of the spheres away from the walls.
-_DASHED = (0, (4, 2))
-# Random close packing, which the paper quotes: refs 32 and 33.
-_CLOSE_PACKING = 0.636
+#: Targets of a packing in words.
+NAMES = {"jamming": "onset of jamming", "contacts": "6.2 contacts a sphere"}
+
+_STYLES = {"jamming": (BLUE, "o"), "contacts": (ORANGE, "s")}
+# The same quantity of the spheres away from the walls, and of spheres without walls.
+_DASHED, _DOTTED = (0, (4, 2)), (0, (1, 1.5))
+# φ of random close packing, which the paper quotes (ref. 32), and its limit of z.
+_CLOSE_PACKING, _PRINTED_CONTACTS = 0.636, 6.2
 
 
 def draw_dispersion(path: Path, rows: Sequence[Row], *, verdict: float) -> None:
@@ -68,21 +68,33 @@ def draw_refinement(path: Path, rows: Sequence[Row], limits: Mapping[str, Mappin
     """
     with sheet(path, 8.2, 7.6, 2, 2) as (_, axes):
         (density, contacts), (error, excess) = axes
-        for target, (name, colour, marker) in _TARGET_STYLE.items():
-            own = [row for row in rows if row["target"] == target]
+        for target, (colour, marker) in _STYLES.items():
+            own = [row for row in rows if row["target"] == target and not row["periodic"]]
+            free = [row for row in rows if row["target"] == target and row["periodic"]]
             if not own:
                 continue
-            count = _of(own, "count")
+            name, count = NAMES[target], _of(own, "count")
             for ax, key in ((density, "volume_fraction"), (contacts, "coordination_number")):
-                _means(ax, count, _of(own, key), colour, marker, name, joined=False)
-                _fitted(ax, count, limits.get(target, {}).get(key), colour)
+                fit = limits.get(target, {}).get(key)
+                digits = 4 if ax is density else 3
+                ending = "" if fit is None else f"; N → ∞: {fit.value:.{digits}f} ± {fit.error:.{digits}f}"
+                _means(ax, count, _of(own, key), colour, marker, name + ending, joined=False)
+                if fit is not None:
+                    over = np.geomspace(fit.fewest, count.max(), 100)
+                    ax.plot(over, fit.at(over), color=colour, linewidth=1.2)
+                if free:
+                    ax.axhline(_of(free, key).mean(), color=colour, linestyle=_DOTTED, linewidth=1.5)
                 ax.plot(*_mean_by(count, _of(own, f"core_{key}")), color=colour, linestyle=_DASHED, linewidth=1.0)
             _means(error, count, _of(own, "isotropy_error"), colour, marker, name)
             _means(excess, count, _of(own, "rms_excess"), colour, marker, name)
             for ax, key in ((error, "isotropy_error_random"), (excess, "core_rms_excess")):
                 ax.plot(*_mean_by(count, _of(own, key)), color=colour, linestyle=_DASHED, linewidth=1.0)
-        density.axhline(_CLOSE_PACKING, color=GREY, linewidth=1.0)
-        contacts.axhline(6.2, color=GREY, linewidth=1.0)
+        for ax in (density, contacts):
+            ax.plot([], [], color=INK, linestyle=_DOTTED, linewidth=1.5, label="without walls, periodic cell")
+            lower, upper = ax.get_ylim()
+            ax.set_ylim(lower, upper + 0.25 * (upper - lower))
+        for ax, value in ((density, _CLOSE_PACKING), (contacts, _PRINTED_CONTACTS)):
+            ax.axhline(value, color=GREY, linewidth=0.8, zorder=0.5, label=f"in print: {value:g}")
         _named(density, "(a) volume fraction", "φ [-]", "away from the walls")
         _named(contacts, "(b) coordination number", "z [-]", "away from the walls")
         _named(error, "(c) isotropy, eq (11)", "e [-]", "random fabric of as many bonds")
@@ -94,14 +106,7 @@ def draw_refinement(path: Path, rows: Sequence[Row], limits: Mapping[str, Mappin
 def _named(ax: Axes, title: str, label: str, dashed: str) -> None:
     ax.plot([], [], color=INK, linestyle=_DASHED, linewidth=1.0, label=dashed)
     ax.set(xscale="log", xlabel="number of spheres N", ylabel=label, title=title)
-    ax.legend(fontsize=8.0)
-
-
-def _fitted(ax: Axes, count: Floats, fit: Limit | None, colour: str) -> None:
-    if fit is None:
-        return
-    over = np.geomspace(fit.fewest, count.max(), 100)
-    ax.plot(over, fit.at(over), color=colour, linewidth=1.2, label=f"N → ∞: {fit.value:.4f} ± {fit.error:.4f}")
+    ax.legend(loc="upper right", fontsize=7.5)
 
 
 def _means(ax: Axes, x: Floats, y: Floats, colour: str, marker: str, label: str, *, joined: bool = True) -> None:

@@ -13,12 +13,13 @@ from bondem._types import Floats, Ints
 from bondem.report.solids import render_triangles
 from bondem.report.spheres import View, render, tubes
 from bondem.report.style import DIVERGING, SEQUENTIAL, sheet
+from bondem.specimen.core import region
 from bondem.specimen.fabric import fabric
 from bondem.specimen.geode import geode
 from bondem.specimen.lattice import Lattice
 
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
-_PIXELS = 900
+_PIXELS = 660  # as wide as it is printed
 
 # Bonds are drawn of a slab of this many mean radii, seen face on: more of them hide each other.
 _SLAB = 5.0
@@ -108,7 +109,7 @@ def draw_histograms(path: Path, lattices: Sequence[Lattice], titles: Sequence[st
 def _density_inside(lattice: Lattice) -> Floats:
     """Bond directions away from the walls on each face, over what an isotropic fabric would have, (320,)."""
     sphere, particles = geode(), lattice.particles
-    far = particles.envelope.depth(particles.position) >= _CORE_DEPTH * particles.mean_radius
+    far = region(particles).depth(particles.position) >= _CORE_DEPTH * particles.mean_radius
     chosen = far[lattice.pairs].all(axis=1)
     direction = lattice.branch[chosen] / lattice.length[chosen, None]
     one_way = np.bincount(sphere.face_of(direction), minlength=len(sphere.faces))

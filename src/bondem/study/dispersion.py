@@ -1,0 +1,139 @@
+"""How a packing depends on the dispersion of its radii (André et al. 2012, figs 5–7): `bondem study dispersion`."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from bondem.errors import InputError
+from bondem.report.packing_curves import LARGEST_POSSIBLE, PRINTED_THRESHOLD, draw_dispersion
+from bondem.report.packing_figures import draw_histograms, draw_packings
+from bondem.report.packing_page import write_page
+from bondem.specimen.fabric import LIMITS
+from bondem.study.packing_rows import PackingRequest, kept_lattice
+from bondem.study.packing_runs import complain, gather
+from bondem.study.packing_tables import keep_results, markdown, summary
+
+#: κ from 0 to 40 % [-].
+SPREADS = tuple(0.05 * step for step in range(9))
+
+# The two that the paper's figures 5 and 6 show.
+_SHOWN = (0.0, 0.25)
+
+_COLUMNS = {
+    "κ": ("spread", "{:.0f} %", 100.0),
+    "φ": ("volume_fraction", "{:.4f}", 1),
+    "φ of the core": ("core_volume_fraction", "{:.4f}", 1),
+    "z": ("coordination_number", "{:.3f}", 1),
+    "z without rattlers": ("backbone_coordination_number", "{:.3f}", 1),
+    "e (11), 1e-6": ("isotropy_error", "{:.2f}", 1e6),
+    "e random, 1e-6": ("isotropy_error_random", "{:.2f}", 1e6),
+    "χ²/dof": ("chi2_per_dof", "{:.1f}", 1),
+    "rms excess": ("rms_excess", "{:.3f}", 1),
+    "of the core": ("core_rms_excess", "{:.3f}", 1),
+    "stretch of the core": ("core_stretch", "{:.3f}", 1),
+    "largest overlap / R̄": ("largest_overlap", "{:.1e}", 1),
+    "passed": ("passed", "{:d}", 1),
+    "of": ("packings", "{:d}", 1),
+    "time [s]": ("seconds", "{:.1f}", 1),
+}
+
+
+@dataclass(frozen=True)
+class Dispersion:
+    """What to pack: cubes of the same number of spheres, more and more unequal.
+
+    Attributes:
+        count: number of spheres.
+        spreads: κ of each [-].
+        seeds: packings of each κ, with seeds 1 … seeds.
+        method: of `bd.pack`; the paper's is "shear".
+        target: one of `TARGETS`.
+    """
+
+    count: int = 3000
+    spreads: tuple[float, ...] = SPREADS
+    seeds: int = 1
+    method: str = "shear"
+    target: str = "contacts"
+
+    def __post_init__(self) -> None:
+        if self.count < 10:
+            raise InputError(f"count = {self.count}; give at least 10 spheres")
+        if not self.spreads or not all(0.0 <= spread < 2.0 for spread in self.spreads):
+            raise InputError("give each κ in percent, from 0 to less than 200, such as --kappa 0,10,25")
+        if len(set(self.spreads)) < len(self.spreads):
+            raise InputError("the same κ is there twice; give different ones, such as --kappa 0,10,25")
+        if self.seeds < 1:
+            raise InputError(f"seeds = {self.seeds}; give at least 1 packing of each κ")
+
+    @property
+    def requests(self) -> list[PackingRequest]:
+        """Every packing, κ by κ."""
+        return [
+            PackingRequest(self.count, round(spread, 6), self.method, self.target, seed)
+            for spread in sorted(self.spreads)
+            for seed in range(1, self.seeds + 1)
+        ]
+
+
+def run_dispersion(
+    study: Dispersion,
+    out: str | Path,
+    *,
+    processes: int | None = None,
+    progress: Callable[[str, float], None] | None = None,
+) -> dict[str, Any]:
+    """Pack what is missing and leave `results.json`, tables, figures 5, 6, 7 and `report.html` in a folder.
+
+    Args:
+        study: what to pack.
+        out: folder for the results, of an earlier run or new.
+        processes: how many pack at once; one a core unless given.
+        progress: told the stage and the share of it that is done.
+
+    Returns:
+        What `results.json` holds.
+
+    Raises:
+        InputError: the folder cannot be written to.
+        PackingError: a packing failed; the results of all others are there.
+        UnstableRunError: a run that packs became unstable; likewise.
+    """
+    out = Path(out)
+    tell = progress or (lambda stage, share: None)
+    rows = gather(study.requests, out, processes=processes, progress=lambda share: tell("pack", share))
+    by_spread = summary(rows, ("spread",))
+    results = {
+        "study": "dispersion",
+        "count": study.count,
+        "method": study.method,
+        "target": study.target,
+        "seeds": study.seeds,
+        "isotropy_error_in_print": PRINTED_THRESHOLD,
+        "isotropy_error_largest_possible": LARGEST_POSSIBLE,
+        "summary": by_spread,
+        "rows": rows,
+    }
+    results = keep_results(out, results, markdown(_COLUMNS, by_spread))
+    good = [row for row in rows if not row["error"]]
+    if good:
+        tell("report", 0.0)
+        _draw(study, out, good)
+        write_page(out, "dispersion", results)
+    tell("report", 1.0)
+    complain(rows, out)
+    return results
+
+
+def _draw(study: Dispersion, out: Path, rows: list[dict[str, Any]]) -> None:
+    figures = out / "figures"
+    first = {row["spread"]: row["seed"] for row in reversed(rows)}
+    # Where the paper's two are not there, those nearest to them.
+    shown = sorted({min(first, key=lambda spread: abs(spread - wanted)) for wanted in _SHOWN})
+    requests = {(request.spread, request.seed): request for request in study.requests}
+    lattices = [kept_lattice(requests[spread, first[spread]], out) for spread in shown]
+    titles = [f"κ = {100.0 * spread:g} %" for spread in shown]
+    draw_packings(figures / "packings.png", lattices, titles)
+    draw_histograms(figures / "histograms.png", lattices, titles)
+    draw_dispersion(figures / "dispersion.png", rows, verdict=LIMITS["rms_excess"])

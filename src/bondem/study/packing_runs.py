@@ -1,0 +1,135 @@
+"""All packings of a study: over several processes, each kept as soon as it is there, and only what is missing.
+
+Processes are spawned, since OpenMP does not survive a fork, and pack on one thread each: many packings at once use
+cores better than threads within one do.
+"""
+
+import multiprocessing
+import os
+import signal
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import asdict
+from multiprocessing.connection import wait
+from pathlib import Path
+from typing import Any
+
+from bondem._compile import threads
+from bondem.errors import BondemError, InputError, PackingError, UnstableRunError
+from bondem.io.atomic import require_folder
+from bondem.study.packing_rows import PackingRequest, kept_row, packed_row
+
+
+def gather(
+    requests: Sequence[PackingRequest],
+    folder: Path,
+    *,
+    processes: int | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> list[dict[str, Any]]:
+    """The rows of all requests, in their order; those not in the folder yet are packed now, largest first.
+
+    Args:
+        requests: the packings.
+        folder: where rows and packings are kept; made if it is not there.
+        processes: how many pack at once; one a core unless given.
+        progress: told the share of spheres packed, 0 … 1.
+
+    Returns:
+        A row a request; one with an `error` where the packing failed.
+
+    Raises:
+        InputError: the folder cannot be written to, or fewer than one process.
+    """
+    if processes is not None and processes < 1:
+        raise InputError(f"processes = {processes}; give at least 1")
+    require_folder(folder, "output folder")
+    for part in ("rows", "packings"):
+        (folder / part).mkdir(parents=True, exist_ok=True)
+    rows = {request: kept_row(request, folder) for request in requests}
+    missing = sorted((request for request, row in rows.items() if row is None), key=lambda one: -one.count)
+    done, whole = 0, sum(request.count for request in missing)
+    for request, row in _packed(missing, folder, min(processes or os.cpu_count() or 1, max(len(missing), 1))):
+        rows[request] = row
+        done += request.count
+        if progress is not None:
+            progress(done / whole)
+    return [row for request in requests if (row := rows[request]) is not None]
+
+
+def complain(rows: Sequence[dict[str, Any]], folder: Path) -> None:
+    """Raise if packings failed; all that could be made has been kept by then.
+
+    Raises:
+        UnstableRunError: a run that packs became unstable.
+        PackingError: a packing failed for another reason.
+    """
+    failed = [row for row in rows if row["error"]]
+    if not failed:
+        return
+    kind = UnstableRunError if any(row["unstable"] for row in failed) else PackingError
+    first = failed[0]
+    raise kind(
+        f"{len(failed)} of {len(rows)} packings failed, the others are in '{folder}'; first {first['count']} spheres"
+        f" of κ = {first['spread']:.0%}, seed {first['seed']}: {first['error']}"
+    )
+
+
+def _packed(
+    missing: Sequence[PackingRequest], folder: Path, processes: int
+) -> Iterator[tuple[PackingRequest, dict[str, Any]]]:
+    """Each request and its row, as they come."""
+    if not missing:
+        return
+    pool = ProcessPoolExecutor(processes, multiprocessing.get_context("spawn"), initializer=_settle)
+    try:
+        jobs: dict[Future[dict[str, Any]], PackingRequest] = {
+            pool.submit(_on_one_thread, request, folder): request for request in missing
+        }
+        for job in as_completed(jobs):
+            yield jobs[job], _outcome(job, jobs[job])
+    except BaseException:
+        # Interrupted: what is being packed now is lost, and waiting for it would be a surprise.
+        for child in multiprocessing.active_children():
+            child.terminate()
+        pool.shutdown(wait=False, cancel_futures=True)
+        raise
+    pool.shutdown()
+
+
+def _outcome(job: Future[dict[str, Any]], request: PackingRequest) -> dict[str, Any]:
+    # A death by signal or for want of memory is no property of the request: its row is not kept, so that the next
+    # run tries again.
+    try:
+        return job.result()
+    except BrokenProcessPool:
+        reason = "a process was killed, perhaps for want of memory; run it again, with fewer --processes"
+    except MemoryError:
+        reason = "there is not enough memory; run it again, with fewer --processes"
+    except BondemError as error:
+        reason = str(error)
+    return asdict(request) | {"error": reason, "unstable": False, "seconds": None}
+
+
+def _on_one_thread(request: PackingRequest, folder: Path) -> dict[str, Any]:
+    with threads(1):
+        return packed_row(request, folder)
+
+
+def _settle() -> None:
+    """What a process does before it packs."""
+    # Times are those of packing; rows and packings are kept by the study itself.
+    os.environ["BONDEM_PACKING_CACHE"] = "off"
+    # ^C reaches all processes of a terminal; the parent ends its children.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+
+    def follow() -> None:
+        wait([parent.sentinel])
+        os._exit(1)
+
+    # A parent killed outright would leave children waiting for work for ever.
+    threading.Thread(target=follow, daemon=True).start()

@@ -1,0 +1,150 @@
+"""How a packing depends on its number of spheres (André et al. 2012, §4.3, fig. 8): `bondem study refinement`."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from bondem.errors import InputError
+from bondem.report.limit import Limit, limit
+from bondem.report.packing_curves import NAMES, draw_refinement
+from bondem.report.packing_page import write_page
+from bondem.study.packing_rows import TARGETS, PackingRequest
+from bondem.study.packing_runs import complain, gather
+from bondem.study.packing_tables import keep_results, markdown, summary
+
+#: 22 sizes in equal ratios. Below 200 spheres, six contacts a sphere between walls take overlaps of half a radius.
+COUNTS = tuple(int(float(f"{count:.2g}")) for count in np.geomspace(200, 50_000, 22))
+
+# The targets at which a quantity is free, and so has a limit to be found.
+_LIMITS = {"volume_fraction": TARGETS, "coordination_number": ("jamming",)}
+
+# Packings without walls need no more spheres than this.
+_PERIODIC_COUNT = 10_000
+
+# Below, edges and corners matter, and a quarter of all spheres touches a wall.
+_ASYMPTOTIC = 1000
+
+_COLUMNS = {
+    "elements": ("count", "{:d}", 1),
+    "φ": ("volume_fraction", "{:.4f}", 1),
+    "φ of the core": ("core_volume_fraction", "{:.4f}", 1),
+    "z": ("coordination_number", "{:.3f}", 1),
+    "z of the core": ("core_coordination_number", "{:.3f}", 1),
+    "e (11), 1e-6": ("isotropy_error", "{:.3f}", 1e6),
+    "e random, 1e-6": ("isotropy_error_random", "{:.3f}", 1e6),
+    "rms excess": ("rms_excess", "{:.3f}", 1),
+    "of the core": ("core_rms_excess", "{:.3f}", 1),
+    "largest overlap / R̄": ("largest_overlap", "{:.1e}", 1),
+    "time [s]": ("seconds", "{:.1f}", 1),
+}
+
+
+@dataclass(frozen=True)
+class Refinement:
+    """What to pack: `packings` cubes of every number of spheres, to every target.
+
+    Attributes:
+        counts: numbers of spheres.
+        packings: seeds 1 … packings of each.
+        spread: κ [-].
+        method: of `bd.pack`.
+        targets: some of `TARGETS`.
+        periodic: packings of the largest size up to 10 000 in a periodic cell, seeds 1 … periodic, to hold the
+            limits against: there are no walls in them.
+    """
+
+    counts: tuple[int, ...] = COUNTS
+    packings: int = 5
+    spread: float = 0.25
+    method: str = "quench"
+    targets: tuple[str, ...] = TARGETS
+    periodic: int = 3
+
+    def __post_init__(self) -> None:
+        if not self.counts or min(self.counts) < 10 or len(set(self.counts)) < len(self.counts):
+            raise InputError("give different numbers of spheres, each at least 10, such as --counts 1000,4000")
+        if self.packings < 1:
+            raise InputError(f"packings = {self.packings}; give at least 1")
+        if self.periodic < 0:
+            raise InputError(f"periodic = {self.periodic}; give a number of packings, 0 for none")
+
+    @property
+    def requests(self) -> list[PackingRequest]:
+        """Every packing, target by target, those without walls last."""
+        large = max((count for count in self.counts if count <= _PERIODIC_COUNT), default=min(self.counts))
+        cubes = [(count, seed, False) for count in sorted(self.counts) for seed in range(1, self.packings + 1)]
+        cells = [(large, seed, True) for seed in range(1, self.periodic + 1)]
+        return [
+            PackingRequest(count, self.spread, self.method, target, seed, periodic)
+            for target in self.targets
+            for count, seed, periodic in (*cubes, *cells)
+        ]
+
+
+def run_refinement(
+    study: Refinement,
+    out: str | Path,
+    *,
+    processes: int | None = None,
+    progress: Callable[[str, float], None] | None = None,
+) -> dict[str, Any]:
+    """Pack what is missing and leave `results.json`, tables, figure 8 and `report.html` in a folder.
+
+    Args:
+        study: what to pack.
+        out: folder for the results, of an earlier run or new.
+        processes: how many pack at once; one a core unless given.
+        progress: told the stage and the share of it that is done.
+
+    Returns:
+        What `results.json` holds.
+
+    Raises:
+        InputError: the folder cannot be written to.
+        PackingError: a packing failed; the results of all others are there.
+        UnstableRunError: a run that packs became unstable; likewise.
+    """
+    out = Path(out)
+    tell = progress or (lambda stage, share: None)
+    rows = gather(study.requests, out, processes=processes, progress=lambda share: tell("pack", share))
+    by_size = summary(rows, ("target", "periodic", "count"))
+    good = [row for row in rows if not row["error"]]
+    limits = {target: _limits(good, target) for target in study.targets}
+    results = {
+        "study": "refinement",
+        "spread": study.spread,
+        "method": study.method,
+        "packings": study.packings,
+        "limits": {
+            target: {name: fit and fit.as_dict() for name, fit in found.items()} for target, found in limits.items()
+        },
+        "summary": by_size,
+        "rows": rows,
+    }
+    results = keep_results(out, results, "\n".join(_tables(study, by_size)))
+    if good:
+        draw_refinement(out / "figures" / "refinement.png", good, limits)
+        write_page(out, "refinement", results)
+    tell("report", 1.0)
+    complain(rows, out)
+    return results
+
+
+def _tables(study: Refinement, groups: Sequence[dict[str, Any]]) -> Iterator[str]:
+    for target in study.targets:
+        for periodic, where in ((False, "cube"), (True, "periodic cell, no walls")):
+            chosen = [one for one in groups if one["target"] == target and one["periodic"] is periodic]
+            if chosen:
+                yield f"{NAMES[target].capitalize()}, {where}\n\n{markdown(_COLUMNS, chosen)}"
+
+
+def _limits(rows: Sequence[dict[str, Any]], target: str) -> dict[str, Limit | None]:
+    used = [row for row in rows if row["target"] == target and not row["periodic"] and row["count"] >= _ASYMPTOTIC]
+    count = np.array([row["count"] for row in used], dtype=float)
+    return {
+        name: limit(count, np.array([row[name] for row in used], dtype=float)) if target in free else None
+        for name, free in _LIMITS.items()
+    }
