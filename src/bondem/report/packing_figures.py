@@ -22,7 +22,7 @@ _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 _PIXELS = 660  # as wide as it is printed
 
 # Bonds are drawn of a slab of this many mean radii, seen face on: more of them hide each other.
-_SLAB = 5.0
+_SLAB = 3.5
 
 # As the verdict of `fabric` has it [mean radii].
 _CORE_DEPTH = 2.0
