@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from bondem.errors import RunFileError
+from bondem.laws.contact import LinearContact
 from bondem.laws.contact_bond import ContactBond
 from bondem.laws.damping import LocalDamping
 from bondem.laws.euler_bernoulli import EulerBernoulli
@@ -19,8 +20,9 @@ from bondem.laws.obermayr import Obermayr
 from bondem.laws.parallel_bond import ParallelBond
 from bondem.laws.timoshenko import Timoshenko
 from bondem.model.boundary import Drive, Fix, Load
-from bondem.model.gauges import Gauge
+from bondem.model.gauges import Gauge, WallGauge
 from bondem.model.schedules import Constant, Ramp, Table
+from bondem.model.walls import CylinderWall, Driven, PlaneWall, Servo
 from bondem.solve.events import AtRest
 from bondem.solve.explicit import Plan
 from bondem.solve.schemes import TchamwaWielgosz, VelocityVerlet
@@ -34,7 +36,8 @@ _TYPES: dict[str, type] = {
     for cls in (
         ContactBond, EulerBernoulli, Obermayr, ParallelBond, Timoshenko,
         LocalDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
-        Drive, Fix, Load, Gauge, Constant, Ramp, Table,
+        LinearContact, PlaneWall, CylinderWall, Driven, Servo,
+        Drive, Fix, Load, Gauge, WallGauge, Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
         Difference, Everything, Face, Index, Intersection, Union, Within,
     )
@@ -68,6 +71,9 @@ def _arguments(value: Any) -> dict[str, Any]:
     if isinstance(value, Drive):
         names = ("x", "y", "z", "rx", "ry", "rz"), ("vx", "vy", "vz", "wx", "wy", "wz")
         return {"region": value.region} | {names[rate][dof]: schedule for dof, schedule, rate in value.motion}
+    if isinstance(value, Driven):
+        names = ("x", "y", "z", "growth")
+        return {"v" * rate + names[component]: schedule for component, schedule, rate in value.motion}
     return {item.name: getattr(value, item.name) for item in fields(value)}
 
 

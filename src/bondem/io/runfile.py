@@ -4,7 +4,7 @@
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
     /bonds           pairs (m, 2)
     /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale
-    /history         records (s, 9 + 3 g); attribute gauges
+    /history         records (s, 11 + 3 g); attribute gauges
 
 What is derived (order, stiffnesses) is not kept but made again, by the same code. The file is
 written aside and moved into place, so that a kill leaves the checkpoint before.
@@ -30,7 +30,9 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
 
 FORMAT = "bondem run"
-SCHEMA = 1
+SCHEMA = 2
+# From here on they hold contacts, walls and friction.
+_OLDEST = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +74,8 @@ class RunFile:
             "model": json.dumps({
                 "bond": encode(model.bond),
                 "boundary": encode(tuple(model.boundary)),
+                "contact": encode(model.contact),
+                "walls": encode(tuple(model.walls)),
                 "shape": encode(model.lattice.particles.shape),
             }),
         }  # fmt: skip
@@ -122,6 +126,10 @@ def read_run(path: str | Path) -> Checkpoint:
                 f"'{path}' was written by bondem {head['bondem_version']}, which is newer than this"
                 f" {__version__}; update bondem to read it"
             )
+        if head["schema"] < _OLDEST:
+            raise RunFileError(
+                f"'{path}' was written by an older bondem, before there were contacts; start the run again"
+            )
         try:
             return _checkpoint(file)
         except (KeyError, ValueError, OSError) as error:
@@ -154,11 +162,14 @@ def _checkpoint(file: h5py.File) -> Checkpoint:
         bond=made_of["bond"],
         density=float(density) if density.ndim == 0 else density,
         boundary=made_of["boundary"],
+        contact=made_of["contact"],
+        walls=made_of["walls"],
     )
     state = State(model)
     for name in State.ARRAYS:
         values = np.ascontiguousarray(_array(file, f"state/{name}"))
-        if values.shape != getattr(state, name).shape:
+        wanted = getattr(state, name).shape
+        if (name not in State.GROWING and values.shape != wanted) or values.shape[1:] != wanted[1:]:
             raise ValueError(f"state/{name} has shape {values.shape}")
         setattr(state, name, values)
     kept = _attributes(file["state"])

@@ -7,6 +7,7 @@ import numpy as np
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import bond_energies, bond_forces, bond_forces_serial, rotation_guard
 from bondem.kernels.boundary import apply_schedules
+from bondem.kernels.contact_pass import advance_walls, contact_energy, contact_loads, outdated
 from bondem.kernels.element_pass import close_step, close_step_serial, open_step, open_step_serial
 from bondem.kernels.incremental import incremental_energies, incremental_forces
 
@@ -15,7 +16,11 @@ SERIAL_BONDS = 2000
 # Steps between two looks at the relative rotations, and for numbers that are not finite.
 GUARD_INTERVAL = 100
 # Columns of a record before the gauges.
-TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, WORK, LOSS, FIXED_COLUMNS = range(10)
+(
+    TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, FIXED_COLUMNS,
+) = range(12)  # fmt: skip
+# Gauges from this quantity on are of walls: displacement, force, and what belongs to the radius.
+WALL_DISPLACEMENT, WALL_FORCE, WALL_GROWTH = range(5, 8)
 
 
 @device
@@ -32,10 +37,10 @@ def rotation_component(w, x, y, z, d):
 def sample(
     t, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed, row_reaction,
-    row_force, work, loss, record,
+    row_force, work, loss, contacts, record,
 ):  # fmt: skip
     """One row of the history: time, energies, work, and three components a gauge."""
-    record[0] = t
+    record[TIME] = t
     translation = 0.0
     rotation = 0.0
     for p in range(len(pose)):
@@ -43,8 +48,8 @@ def sample(
         w2 = motion[p, 4] ** 2 + motion[p, 5] ** 2 + motion[p, 6] ** 2
         translation += 0.5 * v2 / motion[p, 3]
         rotation += 0.5 * w2 / motion[p, 7]
-    record[1] = translation
-    record[2] = rotation
+    record[TRANSLATION] = translation
+    record[ROTATION] = rotation
     if history.shape[1] > 0:
         incremental_energies(pose, i, j, constants, shear, bending, integrity, history, period, output)
     else:
@@ -53,18 +58,37 @@ def sample(
         total = 0.0
         for k in range(len(i)):
             total += output[part, k]
-        record[3 + part] = total
+        record[NORMAL + part] = total
     total = 0.0
     for r in range(len(work)):
         total += work[r]
-    record[7] = total
-    total = 0.0
+    record[WORK] = total
+    record[CONTACT] = 0.0
+    damped = 0.0
+    rubbed = 0.0
     for p in range(len(loss)):
-        total += loss[p, 0]
-    record[8] = total
+        damped += loss[p, 0]
+        rubbed += loss[p, 2]
+    record[LOSS] = damped
+    record[FRICTION] = rubbed
+    if contacts is not None:
+        record[CONTACT] = contact_energy(pose, period, contacts)
+        for w in range(len(contacts.walls)):
+            record[WORK] += contacts.walls[w, 12]
     for g in range(len(gauge_quantity)):
         quantity, reduction = gauge_quantity[g], gauge_reduction[g]
         first, last = gauge_start[g], gauge_start[g + 1]
+        if quantity >= WALL_DISPLACEMENT:
+            if contacts is not None:
+                wall = contacts.walls[gauge_element[first]]
+                column = 0 if quantity == WALL_DISPLACEMENT else 8
+                for d in range(3):
+                    record[FIXED_COLUMNS + 3 * g + d] = wall[column + d]
+                if quantity == WALL_GROWTH:
+                    record[FIXED_COLUMNS + 3 * g] = wall[3]
+                    record[FIXED_COLUMNS + 3 * g + 1] = wall[11]
+                    record[FIXED_COLUMNS + 3 * g + 2] = wall[13]
+            continue
         for d in range(3):
             value = -np.inf if reduction == 2 else 0.0
             for e in range(first, last):
@@ -81,7 +105,7 @@ def sample(
                     r = row_of[p]
                     x = 0.0 if r < 0 else (row_reaction[r, d] if row_fixed[r, d] else row_force[r, d])
                 value = max(value, abs(x)) if reduction == 2 else value + x
-            record[9 + 3 * g + d] = value / (last - first) if reduction == 0 else value
+            record[FIXED_COLUMNS + 3 * g + d] = value / (last - first) if reduction == 0 else value
 
 
 @kernel(parallel=False)
@@ -91,14 +115,17 @@ def evaluate(
     in_start, out_start, out_bond, ready, block_element, block_bond,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
-    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, records,
+    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, records,
 ):  # fmt: skip
     """Find the acceleration of the present state where it is stale, and record the state."""
     apply_schedules(
         t0 + step * dt, dt, times, values, start, drive_row, drive_dof, drive_schedule, drive_rate,
         load_row, load_schedule, load_value, row_force, row_half, row_full,
     )  # fmt: skip
+    load = None if contacts is None else contacts.load
     if stale:
+        if contacts is not None:
+            contact_loads(pose, motion, loss, period, 0.0, contacts)
         if history.shape[1] > 0:
             incremental_forces(
                 pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, 0.0, output
@@ -108,23 +135,23 @@ def evaluate(
         close_step_serial(
             pose, motion, acceleration, output, in_start, out_start, out_bond,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-            0.0, 0.0, 0.0, 0.0, gamma, loss, False, ready, 0, len(ready),
+            0.0, 0.0, 0.0, 0.0, gamma, loss, False, ready, 0, len(ready), load,
         )  # fmt: skip
     sample(
         t0 + step * dt, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
         rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed,
-        row_reaction, row_force, work, loss, records[0],
+        row_reaction, row_force, work, loss, contacts, records[0],
     )  # fmt: skip
 
 
 @kernel(parallel=False)
 def advance(
-    step, steps, every, t0, dt, finish, begin, extra, gamma,
+    step, steps, every, t0, dt, moved, finish, begin, extra, gamma,
     pose, motion, acceleration, i, j, constants, shear, bending, lever, integrity, history, period, output,
     in_start, out_start, out_bond, ready, block_element, block_bond,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
-    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, records,
+    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, records,
 ):  # fmt: skip
     """Go from `step` to `step + steps`; write a record whenever the step number is a multiple of `every`.
 
@@ -132,10 +159,15 @@ def advance(
     step and the start of the next are fused into one pass over the elements. The two passes go block by block, and
     an element moves when the last of its bonds has been seen, so that forces are gathered while still in the cache.
 
+    Where there are `contacts` and their list is out of date, it comes back in the middle of a step, the elements
+    moved and the forces not yet known; it goes on there when called again with a new list and `moved`.
+
     Returns:
-        (steps done, records written, bonds turned wide at most, bonds lost, whether a number was not finite).
+        (steps done, records written, bonds turned wide at most, bonds lost, whether a number was not finite, whether
+        the list of contacts is out of date).
     """
     threaded = len(i) >= SERIAL_BONDS
+    load = None if contacts is None else contacts.load
     done = 0
     written = 0
     wide = 0
@@ -143,7 +175,7 @@ def advance(
     sick = False
     paused = True
     while done < steps:
-        if paused:
+        if paused and not moved:
             t = t0 + (step + done) * dt
             apply_schedules(
                 t, dt, times, values, start, drive_row, drive_dof, drive_schedule, drive_rate,
@@ -159,6 +191,13 @@ def advance(
                     pose, motion, acceleration, row_of, row_fixed, row_force, row_half, row_reaction, work,
                     dt, begin, extra,
                 )  # fmt: skip
+        if contacts is not None:
+            if not moved:
+                advance_walls(t0 + (step + done) * dt, dt, contacts)
+                if outdated(pose, contacts):
+                    return done, written, wide, lost, sick, True
+            contact_loads(pose, motion, loss, period, dt, contacts)
+        moved = False
         if history.shape[1] > 0:
             incremental_forces(
                 pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, dt, output
@@ -182,6 +221,7 @@ def advance(
                     pose, motion, acceleration, output, in_start, out_start, out_bond,
                     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
                     dt, finish, begin, extra, gamma, loss, not paused, ready, block_element[b], block_element[b + 1],
+                    load,
                 )  # fmt: skip
             else:
                 if history.shape[1] == 0:
@@ -192,6 +232,7 @@ def advance(
                     pose, motion, acceleration, output, in_start, out_start, out_bond,
                     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
                     dt, finish, begin, extra, gamma, loss, not paused, ready, block_element[b], block_element[b + 1],
+                    load,
                 )  # fmt: skip
         if now % GUARD_INTERVAL == 0 or done == steps:
             turned, lost, sick = rotation_guard(pose, i, j, constants, integrity, period)
@@ -202,7 +243,7 @@ def advance(
             sample(
                 t, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
                 rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed,
-                row_reaction, row_force, work, loss, records[written],
+                row_reaction, row_force, work, loss, contacts, records[written],
             )  # fmt: skip
             written += 1
-    return done, written, wide, lost, sick
+    return done, written, wide, lost, sick, False

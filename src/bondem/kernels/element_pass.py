@@ -100,7 +100,7 @@ def _open(
 def _close(
     pose, motion, acceleration, output, in_start, out_start, out_bond,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-    dt, finish, begin, extra, gamma, loss, go_on, ready, first, last,
+    dt, finish, begin, extra, gamma, loss, go_on, ready, first, last, load,
 ):  # fmt: skip
     fx, fy, fz = output[0], output[1], output[2]
     tx, ty, tz = output[3], output[4], output[5]
@@ -124,6 +124,13 @@ def _close(
             t0 += tx[k]
             t1 += ty[k]
             t2 += tz[k]
+        if load is not None:  # of contacts; decided when compiled
+            f0 += load[p, 0]
+            f1 += load[p, 1]
+            f2 += load[p, 2]
+            t0 += load[p, 3]
+            t1 += load[p, 4]
+            t2 += load[p, 5]
         vx, vy, vz = motion[p, 0], motion[p, 1], motion[p, 2]
         wx, wy, wz = motion[p, 4], motion[p, 5], motion[p, 6]
         r = row_of[p]

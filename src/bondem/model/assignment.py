@@ -12,7 +12,7 @@ from bondem.specimen.regions import Region
 BondAssignment = BondLaw | Mapping[Region | tuple[Region, Region], BondLaw]
 
 
-def bond_stiffness(lattice: Lattice, bond: BondAssignment) -> tuple[BondStiffness, str]:
+def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondStiffness, str]:
     """Stiffnesses of all bonds in the user's order, and the formulation.
 
     With a mapping, the bonds within a region follow its law and those between two regions that of the pair;
@@ -21,6 +21,10 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment) -> tuple[BondStiffnes
     Raises:
         InputError: a bond no entry covers, or laws of different formulations.
     """
+    if bond is None:
+        if len(lattice.pairs):
+            raise InputError("the lattice has bonds: give bond= a bond law, or a lattice without bonds")
+        return BondStiffness.empty(0), "total"
     i, j = lattice.pairs.T
     r = lattice.particles.radius
     geometry = BondGeometry(lattice.length, r[i], r[j], lattice.particles.mean_radius)

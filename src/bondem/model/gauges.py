@@ -6,6 +6,7 @@ from bondem.errors import InputError
 from bondem.specimen.regions import Region
 
 QUANTITIES = ("displacement", "velocity", "rotation", "angular_velocity", "force")
+WALL_QUANTITIES = ("displacement", "force", "growth")
 REDUCTIONS = ("mean", "sum", "max_abs")
 
 
@@ -29,3 +30,26 @@ class Gauge:
             raise InputError(f"Gauge: unknown quantity '{self.quantity}'; choose from {', '.join(QUANTITIES)}")
         if self.reduction not in REDUCTIONS:
             raise InputError(f"Gauge: unknown reduction '{self.reduction}'; choose from {', '.join(REDUCTIONS)}")
+
+
+@dataclass(frozen=True)
+class WallGauge:
+    """Three components of a wall over time, sampled inside the compiled loop.
+
+    Attributes:
+        wall: its number among the walls of the model.
+        quantity: "displacement" [m]; "force" of the elements on the wall [N]; or "growth": change of a cylinder's
+            radius [m], force on it that would change the radius [N], sum of the normal forces [N].
+    """
+
+    wall: int
+    quantity: str
+
+    def __post_init__(self) -> None:
+        if self.quantity not in WALL_QUANTITIES:
+            raise InputError(
+                f"WallGauge: unknown quantity '{self.quantity}'; choose from {', '.join(WALL_QUANTITIES)}"
+            )
+
+
+AnyGauge = Gauge | WallGauge

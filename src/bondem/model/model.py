@@ -9,11 +9,14 @@ import numpy as np
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.errors import InputError
 from bondem.laws.bond import BondStiffness
+from bondem.laws.contact import LinearContact
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.model.bond_table import BondTable
 from bondem.model.boundary import BoundaryCondition
 from bondem.model.constraints import Constraints
+from bondem.model.contacts import ContactModel
 from bondem.model.layout import Layout
+from bondem.model.walls import Wall, WallTable, check_walls
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
 
@@ -24,9 +27,11 @@ class Model:
 
     Attributes:
         lattice: elements and bonds.
-        bond: a bond law, or laws by region: {region: law, (region, region): law}.
+        bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
         density: of the elements themselves, ρ_μ [kg/m³]; a number or shape (n,).
         boundary: what is fixed, driven and loaded.
+        contact: law of the contacts between elements that no intact bond joins, and with walls; None for none.
+        walls: rigid planes and cylinders; they need a `contact` law.
 
     Raises:
         InputError: a density that is not positive, or boundary conditions that contradict each other.
@@ -34,9 +39,11 @@ class Model:
     """
 
     lattice: Lattice
-    bond: BondAssignment
+    bond: BondAssignment | None
     density: float | ArrayLike = 1000.0
     boundary: Sequence[BoundaryCondition] = field(default=())
+    contact: LinearContact | None = None
+    walls: Sequence[Wall] = field(default=())
 
     def __post_init__(self) -> None:
         density = np.asarray(self.density, dtype=float)
@@ -45,6 +52,11 @@ class Model:
         if not (np.isfinite(density) & (density > 0.0)).all():
             raise InputError("density must be positive [kg/m³] for every element")
         object.__setattr__(self, "boundary", tuple(self.boundary))
+        object.__setattr__(self, "walls", check_walls(self.walls))
+        if self.contact is not None and not isinstance(self.contact, LinearContact):
+            raise InputError(f"contact= takes a contact law such as bd.LinearContact, not {self.contact!r}")
+        if self.walls and self.contact is None:
+            raise InputError("walls need a law of contact: give contact=bd.LinearContact(E=...)")
         self.constraints  # noqa: B018  regions and laws are checked when the model is made
         self.stiffness  # noqa: B018
 
@@ -73,6 +85,14 @@ class Model:
         return BondTable.of(self.lattice, self.layout, self.stiffness)
 
     @cached_property
+    def contacts(self) -> ContactModel | None:
+        """Contacts before anything has moved, or None."""
+        if self.contact is None:
+            return None
+        table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()))
+        return ContactModel.of(self.lattice, self.layout, self.contact, table)
+
+    @cached_property
     def constraints(self) -> Constraints:
         """Boundary conditions resolved to elements."""
         return Constraints.of(self.lattice, self.layout, self.boundary)
@@ -96,7 +116,7 @@ class Model:
     def with_boundary(self, boundary: Sequence[BoundaryCondition]) -> "Model":
         """The same bonds and masses under other boundary conditions (nothing is computed twice)."""
         other = Model.__new__(Model)
-        for name in ("lattice", "bond", "density"):
+        for name in ("lattice", "bond", "density", "contact", "walls"):
             object.__setattr__(other, name, getattr(self, name))
         object.__setattr__(other, "boundary", tuple(boundary))
         for name in ("layout", "_assigned", "bonds", "mass", "inertia"):

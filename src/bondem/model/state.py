@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from bondem._types import PerBond, PerElement3
+from bondem._types import Floats, Pairs, PerBond, PerElement3
 from bondem.errors import InputError
+from bondem.kernels.walls import COLUMNS, FORCE, WORK
 from bondem.model.model import Model
 
 
@@ -22,7 +23,13 @@ class State:
             where none was set.
         reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
         work: of loads and drives on each row since the start [J], shape (r,).
-        loss: energy damping has taken from each element, and its present power [J, W], shape (n, 2).
+        loss: energy damping has taken from each element, its present power, and energy lost to friction
+            [J, W, J], shape (n, 3).
+        touching: internal pairs i < j in contact, sorted by j, then i, shape (c, 2).
+        stretch: their tangential stretch [m] and force of the dashpots [N], shape (c, 6).
+        wall_touching: internal element and wall of each contact with a wall, shape (b, 2).
+        wall_stretch: the same of these, shape (b, 6).
+        walls: where the walls are, how they move, what presses on them (`bondem.kernels.walls`), shape (w, 14).
         step: steps done.
         time: [s].
         stale: whether the acceleration must be found anew before the next step.
@@ -46,12 +53,23 @@ class State:
         self.eigenstrain = np.zeros(0)
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(rows)
-        self.loss = np.zeros((n, 2))
+        self.loss = np.zeros((n, 3))
+        self.touching = np.zeros((0, 2), dtype=np.int64)
+        self.stretch = np.zeros((0, 6))
+        self.wall_touching = np.zeros((0, 2), dtype=np.int64)
+        self.wall_stretch = np.zeros((0, 6))
+        self.walls = np.zeros((len(model.walls), COLUMNS))
         self.step = 0
         self.time = 0.0
         self.stale = True
 
-    ARRAYS = ("pose", "motion", "acceleration", "integrity", "history", "eigenstrain", "reaction", "work", "loss")
+    ARRAYS = (
+        "pose", "motion", "acceleration", "integrity", "history", "eigenstrain", "reaction", "work", "loss",
+        "touching", "stretch", "wall_touching", "wall_stretch", "walls",
+    )  # fmt: skip
+
+    # Those with as many rows as there are contacts.
+    GROWING = ("touching", "stretch", "wall_touching", "wall_stretch")
 
     def copy(self) -> "State":
         """An independent copy."""
@@ -75,6 +93,10 @@ class State:
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(rows)
         self.loss[:] = 0.0
+        if len(self.walls) != len(model.walls):
+            self.walls = np.zeros((len(model.walls), COLUMNS))
+            self.wall_touching, self.wall_stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
+        self.walls[:, WORK] = 0.0
         self.step = 0
         self.stale = True
 
@@ -112,6 +134,26 @@ class State:
         values = np.empty_like(self.integrity)
         values[self.layout.bond_order] = self.integrity
         return values
+
+    @property
+    def contacts(self) -> Pairs:
+        """Pairs of elements in contact, bonded ones not counted, user's order, shape (c, 2)."""
+        return self.layout.order[self.touching]
+
+    @property
+    def wall_displacement(self) -> Floats:
+        """How far each wall has come [m], shape (w, 3)."""
+        return self.walls[:, :3].copy()
+
+    @property
+    def wall_growth(self) -> Floats:
+        """By how much the radius of each cylinder has changed [m], shape (w,)."""
+        return self.walls[:, 3].copy()
+
+    @property
+    def wall_force(self) -> Floats:
+        """Force of the elements on each wall [N], shape (w, 3)."""
+        return self.walls[:, FORCE : FORCE + 3].copy()
 
     def set_motion(
         self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None

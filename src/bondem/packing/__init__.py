@@ -10,6 +10,7 @@ from bondem.io.packing_cache import PackingCache, wanted
 from bondem.packing.compression import compress
 from bondem.packing.growth import grow
 from bondem.packing.quench import quench
+from bondem.packing.shear import shear
 from bondem.packing.sizes import SizeLaw, Uniform
 from bondem.packing.targets import chosen
 from bondem.specimen.geometry import Shape
@@ -17,7 +18,7 @@ from bondem.specimen.particles import Particles
 
 __all__ = ["METHODS", "pack"]
 
-_METHODS = {"quench": quench, "growth": grow, "compression": compress}
+_METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": shear}
 #: Names of the methods.
 METHODS = tuple(_METHODS)
 
@@ -46,6 +47,7 @@ def pack(
     - "quench" (fastest): random soft spheres let loose far above jamming, then decompressed.
     - "growth": flying hard spheres that collide and grow (Lubachevsky and Stillinger).
     - "compression": soft spheres compressed from a dilute gas in small strains, without gravity.
+    - "shear" (slowest): grains on a grid, pressed while walls shear them to and fro (André et al. 2012, §4.1).
 
     Every target can be had from every method; one above jamming is reached by compressing soft spheres. What
     a coordination number costs beyond jamming is overlap: at 6.2 on average 0.2 % of the mean radius in a periodic
@@ -57,7 +59,7 @@ def pack(
         count: number of spheres.
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10).
         sizes: law of the radii: Uniform, Lognormal, Sieve; in place of `spread`.
-        method: "quench", "growth" or "compression".
+        method: "quench", "growth", "compression" or "shear" (Box and Cylinder).
         seed: which of the random packings.
         coordination_number: target z = 2 contacts / spheres [-], ± 0.01, as `bd.connect` counts them with
             tolerance 0, over all spheres, those at walls and rattlers included. Without any target, 6.2.

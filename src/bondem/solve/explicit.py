@@ -10,13 +10,15 @@ import numpy as np
 
 from bondem._compile import current_threads
 from bondem.errors import InputError
-from bondem.kernels.advance import FIXED_COLUMNS, advance, evaluate
+from bondem.kernels.advance import FIXED_COLUMNS, WALL_DISPLACEMENT, advance, evaluate
+from bondem.kernels.contact_pass import Contacts
 from bondem.laws.damping import LocalDamping
 from bondem.model.blocks import Blocks
 from bondem.model.bond_table import BondTable
-from bondem.model.gauges import QUANTITIES, REDUCTIONS, Gauge
+from bondem.model.gauges import QUANTITIES, REDUCTIONS, WALL_QUANTITIES, AnyGauge, Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.solve.contacts import ContactList
 from bondem.solve.events import Event
 from bondem.solve.history import History
 from bondem.solve.saving import Sink
@@ -57,7 +59,7 @@ class Plan:
     dt: float | None = None
     scheme: Scheme = field(default_factory=VelocityVerlet)
     damping: LocalDamping | None = None
-    gauges: Mapping[str, Gauge] = field(default_factory=dict)
+    gauges: Mapping[str, AnyGauge] = field(default_factory=dict)
     every: int = 100
     save_every: int = 0
     until: tuple[Event, ...] = ()
@@ -200,7 +202,7 @@ class _Loop:
         self.dt = dt
         layout, bonds, held = model.layout, model.bonds, model.constraints
         gauges = list(plan.gauges.values())
-        members = [np.sort(layout.rank[gauge.region.select(model.lattice)]) for gauge in gauges]
+        members = [_members(model, gauge) for gauge in gauges]
         self.width = FIXED_COLUMNS + 3 * len(gauges)
         constants, shear, lever = _rested(bonds, state.eigenstrain)
         blocks = Blocks.of(layout, BLOCK * current_threads())
@@ -218,16 +220,24 @@ class _Loop:
             state.work, state.loss, state.rest,
             np.concatenate([[0], np.cumsum([len(part) for part in members])]).astype(np.int64),
             np.concatenate(members) if members else np.zeros(0, dtype=np.int64),
-            np.array([QUANTITIES.index(gauge.quantity) for gauge in gauges], dtype=np.int64),
-            np.array([REDUCTIONS.index(gauge.reduction) for gauge in gauges], dtype=np.int64),
+            np.array([_quantity(gauge) for gauge in gauges], dtype=np.int64),
+            np.array([_reduction(gauge) for gauge in gauges], dtype=np.int64),
         )  # fmt: skip
+        self.contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
         records = np.empty((1, self.width))
-        evaluate(self.state.step, self.origin, self.dt, self.scheme[3], self.state.stale, *self.arrays, records)
+        evaluate(
+            self.state.step, self.origin, self.dt, self.scheme[3], self.state.stale, *self.arrays,
+            self._contact_arrays, records,
+        )  # fmt: skip
         self.state.stale = False
         return records
+
+    @property
+    def _contact_arrays(self) -> Contacts | None:
+        return None if self.contacts is None else self.contacts.arrays
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, bool]:
         """Go on; the records written, bonds turned wide, bonds lost, and whether a number was not finite."""
@@ -236,9 +246,43 @@ class _Loop:
         every = int(self.plan.every)
         state = self.state
         records = np.empty((steps // every + 1 if every else 0, self.width))
-        done, written, wide, lost, sick = advance(
-            state.step, steps, every, self.origin, self.dt, *self.scheme, *self.arrays, records
-        )
+        done, written, wide, lost = 0, 0, 0, 0
+        sick = moved = False
+        while not sick:
+            gone, new, turned, lost, sick, moved = advance(
+                state.step + done, steps - done, every, self.origin, self.dt, moved, *self.scheme, *self.arrays,
+                self._contact_arrays, records[written:],
+            )  # fmt: skip
+            done, written, wide = done + gone, written + new, max(wide, turned)
+            if not moved or self.contacts is None:
+                break
+            self.contacts.keep()
+            sick = not self.contacts.renew(state.step + done)
         state.step += done
         state.time = self.origin + state.step * self.dt
+        if self.contacts is not None and not sick:
+            self.contacts.keep()
         return records[:written], wide, lost, sick
+
+
+def _members(model: Model, gauge: AnyGauge) -> np.ndarray:
+    """Elements of a gauge, internal order, or the number of its wall.
+
+    Raises:
+        InputError: no such wall.
+    """
+    if isinstance(gauge, Gauge):
+        return np.sort(model.layout.rank[gauge.region.select(model.lattice)])
+    if not 0 <= gauge.wall < len(model.walls):
+        raise InputError(f"WallGauge: there is no wall {gauge.wall}; give one from 0 to {len(model.walls) - 1}")
+    return np.array([gauge.wall], dtype=np.int64)
+
+
+def _quantity(gauge: AnyGauge) -> int:
+    if isinstance(gauge, Gauge):
+        return QUANTITIES.index(gauge.quantity)
+    return WALL_DISPLACEMENT + WALL_QUANTITIES.index(gauge.quantity)
+
+
+def _reduction(gauge: AnyGauge) -> int:
+    return REDUCTIONS.index(gauge.reduction) if isinstance(gauge, Gauge) else 0

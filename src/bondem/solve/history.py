@@ -8,7 +8,8 @@ from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.kernels.advance import FIXED_COLUMNS
 
-_ENERGIES = ("translation", "rotation", "normal", "shear", "bending", "twisting", "work", "loss")
+_STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
+_ENERGIES = (*_STORED, "work", "loss", "friction")
 
 
 @dataclass(frozen=True, eq=False)
@@ -16,7 +17,7 @@ class History:
     """Records in time; `history["name"]` is a gauge, (s, 3).
 
     Attributes:
-        records: columns time [s], eight energies [J], three components a gauge, shape (s, 9 + 3 g).
+        records: columns time [s], ten energies [J], three components a gauge, shape (s, 11 + 3 g).
         gauges: names of the gauges, in the order of their columns.
     """
 
@@ -49,10 +50,11 @@ class History:
     @property
     def energy(self) -> dict[str, Floats]:
         """Ledger [J], each (s,): kinetic "translation", "rotation"; elastic "normal", "shear", "bending",
-        "twisting"; "work" of loads and drives; "loss" to damping; and "balance", which should vanish.
+        "twisting", and of "contact"; "work" of loads, drives and walls; "loss" to damping and dashpots; that to
+        "friction"; and "balance", which should vanish.
 
-        balance = kinetic + elastic + loss - work - its value in the first record.
+        balance = kinetic + elastic + loss + friction - work - its value in the first record.
         """
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
-        held = sum(ledger[name] for name in _ENERGIES[:6]) + ledger["loss"] - ledger["work"]
+        held = sum(ledger[name] for name in _STORED) + ledger["loss"] + ledger["friction"] - ledger["work"]
         return ledger | {"balance": held - held[:1]}

@@ -15,7 +15,7 @@ from scipy.sparse import bsr_array, csc_array
 from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Mask
-from bondem.errors import ConvergenceError
+from bondem.errors import ConvergenceError, InputError
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.solve.clumps import Clumps, clump_motions, clump_of
@@ -52,7 +52,13 @@ class System:
 
     @classmethod
     def of(cls, model: Model) -> "System":
-        """The matrix and supports of a model."""
+        """The matrix and supports of a model.
+
+        Raises:
+            InputError: walls, which only press and therefore have no matrix.
+        """
+        if model.walls:
+            raise InputError("walls act in explicit runs only; hold or load faces with bd.Fix and bd.Load instead")
         lattice, order = model.lattice, model.layout.order
         connected = lattice.connected[order]
         position = lattice.particles.position[order]

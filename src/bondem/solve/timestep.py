@@ -22,6 +22,8 @@ def highest_frequency(model: Model) -> float:
 
     Lanczos on M^-½ K M^-½, started from a fixed vector.
     """
+    if len(model.lattice.pairs) == 0:
+        return 0.0
     scale = 1.0 / np.sqrt(mass_diagonal(model))
     K = stiffness_matrix(model)
     n = len(scale)
@@ -36,14 +38,25 @@ def highest_frequency(model: Model) -> float:
 
 
 def critical_step(model: Model, scheme: Scheme, damping: LocalDamping | None = None) -> float:
-    """The largest stable time step of a scheme on a model [s]; infinite without bonds.
+    """The largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
-    Local damping raises a force that decelerates by 1 + γ, and with it the effective stiffness.
+    Local damping raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots of contacts
+    lower the limit by √(1 + ζ²) - ζ, with ζ = ω c / 2 k.
     """
-    frequency = highest_frequency(model)
-    if damping is not None:
-        frequency *= math.sqrt(1.0 + damping.gamma)
-    return scheme.critical / frequency if frequency > 0.0 else math.inf
+    raised = 1.0 if damping is None else math.sqrt(1.0 + damping.gamma)
+    bonds = highest_frequency(model)
+    motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
+    if model.contacts is not None:
+        motions += model.contacts.law.stiffest(
+            model.lattice.particles.radius, model.mass, model.contacts.walls.servo_mass
+        )
+    limits = [math.inf]
+    for frequency, delay in motions:
+        omega = raised * math.hypot(bonds, frequency)
+        if omega > 0.0:
+            zeta = 0.5 * omega * delay
+            limits.append(scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
+    return min(limits)
 
 
 def choose_step(

@@ -19,12 +19,13 @@ class Region(ABC):
         """Which elements match, rattlers not excluded, shape (n,)."""
 
     def select(self, lattice: Lattice) -> Ints:
-        """Indices of the connected elements of the region, ascending, in the user's order.
+        """Indices of the connected elements of the region, ascending, in the user's order; of all where none is bonded.
 
         Raises:
             EmptyRegionError: no connected element matches.
         """
-        chosen = np.flatnonzero(self.mask(lattice) & lattice.connected)
+        # grains without any bond are no rattlers of a specimen: they are what is simulated
+        chosen = np.flatnonzero(self.mask(lattice) & lattice.connected if len(lattice.pairs) else self.mask(lattice))
         if chosen.size == 0:
             raise EmptyRegionError(
                 f"{self} selects no connected element; check its name, units (metres) and depth"

@@ -1,0 +1,96 @@
+"""What a model knows of its contacts before anything moves: the law, the walls, and gaps that count as closed."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints
+from bondem.kernels.cells import neighbours
+from bondem.kernels.contact_list import wall_candidates
+from bondem.kernels.walls import COLUMNS
+from bondem.laws.contact import LinearContact
+from bondem.model.layout import Layout
+from bondem.model.walls import WallTable
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True, eq=False)
+class RestGaps:
+    """Overlaps of the reference configuration, which bear no force; sorted by the later element, internal order.
+
+    Attributes:
+        start: where the entries of each element begin, (n + 1,).
+        partner: earlier element, or wall, uint32, (c,).
+        gap: at most 0 [m], (c,).
+    """
+
+    start: Ints
+    partner: np.ndarray
+    gap: Floats
+
+    @classmethod
+    def none(cls, n: int) -> "RestGaps":
+        """No overlaps."""
+        return cls(np.zeros(n + 1, dtype=np.int64), np.zeros(0, dtype=np.uint32), np.zeros(0))
+
+
+@dataclass(frozen=True, eq=False)
+class ContactModel:
+    """Contacts of a model.
+
+    Attributes:
+        law: their law.
+        walls: their walls.
+        pairs: overlaps of elements at first.
+        at_walls: overlaps with walls at first.
+    """
+
+    law: LinearContact
+    walls: WallTable
+    pairs: RestGaps
+    at_walls: RestGaps
+
+    @classmethod
+    def of(cls, lattice: Lattice, layout: Layout, law: LinearContact, walls: WallTable) -> "ContactModel":
+        """Find what overlaps at first."""
+        n = len(lattice.particles)
+        if not law.stress_free:
+            return cls(law, walls, RestGaps.none(n), RestGaps.none(n))
+        position = np.ascontiguousarray(lattice.particles.position[layout.order])
+        radius = np.ascontiguousarray(lattice.particles.radius[layout.order])
+        start, partner = near(position, radius, lattice.particles.period, 0.0)
+        later = np.repeat(np.arange(n), np.diff(start))
+        kept = partner < later
+        later, earlier = later[kept], partner[kept]
+        order = np.lexsort((earlier, later))
+        later, earlier = later[order], earlier[order]
+        user = layout.order
+        distance = np.linalg.norm(lattice.particles.separation(user[earlier], user[later]), axis=1)
+        pairs = RestGaps(
+            _starts(later, n), earlier.astype(np.uint32), np.minimum(distance - radius[earlier] - radius[later], 0.0)
+        )
+        # one place for the geometry of walls: the kernel, asked for walls within reach of a sphere at rest
+        still = np.zeros((len(walls.friction), COLUMNS))
+        pose = np.zeros((n, 8))
+        pose[:, :3] = position
+        nothing = RestGaps.none(n)
+        empty = nothing.start, nothing.partner, nothing.gap
+        touching = wall_candidates(
+            pose, radius, walls.shape, still, 0.0, *empty, nothing.start, nothing.partner, np.zeros((0, 6))
+        )
+        return cls(law, walls, pairs, RestGaps(touching[0], touching[1], touching[5]))
+
+
+def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:
+    """Neighbours with gaps up to `skin` [m], as `kernels.cells.neighbours` gives them."""
+    sphere = np.column_stack([position, radius])
+    if period is None:
+        lower, upper = sphere[:, :3].min(axis=0), sphere[:, :3].max(axis=0)
+        margin = 1e-9 * max(float((upper - lower).max()), float(radius.max()))
+        return neighbours(sphere, lower - margin, upper + margin, np.zeros(3), skin)
+    sphere[:, :3] %= period
+    return neighbours(sphere, np.zeros(3), period.copy(), period.copy(), skin)
+
+
+def _starts(later: Ints, n: int) -> Ints:
+    return np.concatenate([[0], np.cumsum(np.bincount(later, minlength=n))]).astype(np.int64)

@@ -1,0 +1,232 @@
+"""Walls: rigid planes and cylinders that elements touch, held, driven or servo-controlled."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from bondem._types import Floats, Ints
+from bondem.errors import InputError
+from bondem.model.schedules import Schedule, as_schedule
+
+# What a row of `WallTable.shape` ends with.
+PLANE, INSIDE, OUTSIDE = 0, 1, 2
+_COMPONENTS = ("x", "y", "z", "growth")
+
+
+@dataclass(frozen=True, init=False)
+class Driven:
+    """Prescribed motion of a wall; what is not named rests. `Driven(x=bd.Ramp(0, -1e-4, 1e-3))`.
+
+    Attributes:
+        motion: (component 0 … 3, schedule, whether it is a velocity) triples.
+
+    Args:
+        x, y, z: displacements [m].
+        growth: change of a cylinder's radius [m].
+        vx, vy, vz, vgrowth: velocities [m/s].
+    """
+
+    motion: tuple[tuple[int, Schedule, bool], ...]
+
+    def __init__(self, **components: float | Schedule) -> None:
+        names = {name: (k, False) for k, name in enumerate(_COMPONENTS)}
+        names |= {"v" + name: (k, True) for k, name in enumerate(_COMPONENTS)}
+        unknown = sorted(set(components) - set(names))
+        if unknown:
+            raise InputError(f"Driven: unknown component '{unknown[0]}'; choose from {', '.join(names)}")
+        motion = tuple((names[key][0], as_schedule(value), names[key][1]) for key, value in components.items())
+        if not motion or len({k for k, _, _ in motion}) < len(motion):
+            raise InputError("Driven: name each component once, as a displacement or as a velocity")
+        object.__setattr__(self, "motion", motion)
+
+
+@dataclass(frozen=True, init=False)
+class Servo:
+    """A free platen: a wall pushed along its normal by a given force, against that of the elements.
+
+    A platen without mass, moved in proportion to the missing force as many codes do it, is unstable wherever grains
+    are little damped; one with mass follows fast flow and its energy is accounted for. It swings a little.
+
+    Attributes:
+        force: sum of the normal forces on the wall [N], a number or a schedule; for a pressure, times the area.
+        speed: most it moves [m/s].
+        mass: of the platen [kg]; None for that of all elements together.
+    """
+
+    force: Schedule
+    speed: float
+    mass: float | None
+
+    def __init__(self, force: float | Schedule, *, speed: float, mass: float | None = None) -> None:
+        schedule = as_schedule(force)
+        if not min(schedule.table[1]) >= 0.0:
+            raise InputError("Servo: force must be zero or more [N]; elements can only press on a wall")
+        if not (math.isfinite(speed) and speed > 0.0):
+            raise InputError(f"Servo: speed = {speed} m/s; give the largest speed of the wall, positive")
+        if mass is not None and not (math.isfinite(mass) and mass > 0.0):
+            raise InputError(f"Servo: mass = {mass} kg; give the positive mass of the platen, or None")
+        object.__setattr__(self, "force", schedule)
+        object.__setattr__(self, "mass", mass)
+        object.__setattr__(self, "speed", float(speed))
+
+
+def _direction(owner: str, value: object) -> tuple[float, float, float]:
+    vector = np.asarray(value, dtype=float)
+    if vector.shape != (3,) or not np.isfinite(vector).all() or not np.linalg.norm(vector) > 0.0:
+        raise InputError(f"{owner} = {value}; give three finite components, not all zero")
+    x, y, z = (vector / np.linalg.norm(vector)).tolist()
+    return x, y, z
+
+
+def _point(owner: str, value: object) -> tuple[float, float, float]:
+    vector = np.asarray(value, dtype=float)
+    if vector.shape != (3,) or not np.isfinite(vector).all():
+        raise InputError(f"{owner} = {value}; give three finite coordinates [m]")
+    x, y, z = vector.tolist()
+    return x, y, z
+
+
+def _check_friction(owner: str, friction: float | None) -> None:
+    if friction is not None and not (math.isfinite(friction) and friction >= 0.0):
+        raise InputError(f"{owner}: friction = {friction}; give a coefficient of zero or more, or None")
+
+
+@dataclass(frozen=True)
+class PlaneWall:
+    """An infinite plane; elements are on the side its normal points to.
+
+    Attributes:
+        point: a point of it [m], (3,).
+        normal: towards the elements, of any length, (3,).
+        motion: how it moves; None stands still.
+        friction: μ against the elements [-]; None for that of the contact law.
+    """
+
+    point: tuple[float, float, float]
+    normal: tuple[float, float, float]
+    motion: Driven | Servo | None = None
+    friction: float | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "point", _point("PlaneWall: point", self.point))
+        object.__setattr__(self, "normal", _direction("PlaneWall: normal", self.normal))
+        _check_friction("PlaneWall", self.friction)
+        if isinstance(self.motion, Driven) and any(k == 3 for k, _, _ in self.motion.motion):
+            raise InputError("PlaneWall: a plane has no radius to grow; name x, y or z")
+
+    @property
+    def row(self) -> Floats:
+        """Point, normal, 0 and its kind, (8,)."""
+        return np.array([*self.point, *self.normal, 0.0, PLANE])
+
+
+@dataclass(frozen=True)
+class CylinderWall:
+    """An infinite cylinder, around the elements or among them.
+
+    Attributes:
+        radius: [m].
+        point: a point of its axis [m], (3,).
+        axis: direction, of any length, (3,).
+        outside: whether the elements are outside of it (a rod), not inside (a vessel).
+        motion: how it moves; None stands still. A servo changes the radius.
+        friction: μ against the elements [-]; None for that of the contact law.
+    """
+
+    radius: float
+    point: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
+    outside: bool = False
+    motion: Driven | Servo | None = None
+    friction: float | None = None
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.radius) and self.radius > 0.0):
+            raise InputError(f"CylinderWall: radius = {self.radius} m; give a positive radius")
+        object.__setattr__(self, "point", _point("CylinderWall: point", self.point))
+        object.__setattr__(self, "axis", _direction("CylinderWall: axis", self.axis))
+        _check_friction("CylinderWall", self.friction)
+
+    @property
+    def row(self) -> Floats:
+        """Point, axis, radius and its kind, (8,)."""
+        return np.array([*self.point, *self.axis, self.radius, OUTSIDE if self.outside else INSIDE])
+
+
+Wall = PlaneWall | CylinderWall
+
+
+def check_walls(walls: Any) -> tuple[Wall, ...]:
+    """Walls as a tuple.
+
+    Raises:
+        InputError: something else than walls.
+    """
+    found = tuple(walls) if isinstance(walls, Sequence) else (walls,)
+    for wall in found:
+        if not isinstance(wall, PlaneWall | CylinderWall):
+            raise InputError(f"walls= takes bd.PlaneWall and bd.CylinderWall, not {type(wall).__name__}")
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class WallTable:
+    """Walls as the kernels take them.
+
+    Attributes:
+        shape: point, normal or axis, radius, kind; shape (w, 8).
+        friction: μ, (w,).
+        start, times, values: schedules one after the other.
+        drive_wall, drive_component, drive_schedule, drive_rate: what is prescribed, (d,).
+        servo_wall, servo_schedule, servo_speed, servo_mass: what is controlled, (s,).
+    """
+
+    shape: Floats
+    friction: Floats
+    start: Ints
+    times: Floats
+    values: Floats
+    drive_wall: Ints
+    drive_component: Ints
+    drive_schedule: Ints
+    drive_rate: np.ndarray
+    servo_wall: Ints
+    servo_schedule: Ints
+    servo_speed: Floats
+    servo_mass: Floats
+
+    @classmethod
+    def of(cls, walls: Sequence[Wall], friction: float, elements: float) -> "WallTable":
+        """The walls of a model whose contact law has `friction` and whose elements weigh `elements` in all [kg]."""
+        tables: list[tuple[Floats, Floats]] = []
+        drives: list[tuple[int, int, int, bool]] = []
+        servos: list[tuple[int, int, float, float]] = []
+        for k, wall in enumerate(walls):
+            match wall.motion:
+                case Driven(motion=motion):
+                    for component, schedule, rate in motion:
+                        drives.append((k, component, len(tables), rate))
+                        tables.append(schedule.table)
+                case Servo(force=force, speed=speed, mass=mass):
+                    servos.append((k, len(tables), speed, elements if mass is None else mass))
+                    tables.append(force.table)
+        lengths = [len(times) for times, _ in tables]
+        drive = np.array(drives, dtype=np.int64).reshape(-1, 4)
+        return cls(
+            shape=np.array([wall.row for wall in walls]).reshape(-1, 8),
+            friction=np.array([friction if wall.friction is None else wall.friction for wall in walls], dtype=float),
+            start=np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64),
+            times=np.concatenate([np.zeros(0), *(times for times, _ in tables)]),
+            values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
+            drive_wall=drive[:, 0].copy(),
+            drive_component=drive[:, 1].copy(),
+            drive_schedule=drive[:, 2].copy(),
+            drive_rate=drive[:, 3].astype(np.uint8),
+            servo_wall=np.array([k for k, *_ in servos], dtype=np.int64),
+            servo_schedule=np.array([s for _, s, *_ in servos], dtype=np.int64),
+            servo_speed=np.array([v for *_, v, _ in servos], dtype=float),
+            servo_mass=np.array([m for *_, m in servos], dtype=float),
+        )

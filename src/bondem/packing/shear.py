@@ -1,0 +1,225 @@
+"""Shear compaction (André et al. 2012, §4.1): spheres on a grid, pressed together while walls shear them to and fro.
+
+A run of the explicit solver with contacts. One wall is held under pressure (the pressure wall), two opposite ones
+move sinusoidally (the shear walls; the mantle of a cylinder breathes), the others repel. The paper shows the recipe
+and prints no numbers: pressure, stiffness and rates here are those of slow flow of nearly rigid grains.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bondem._compile import threads
+from bondem._types import Floats
+from bondem.errors import InputError, PackingError
+from bondem.laws.contact import LinearContact
+from bondem.model.gauges import WallGauge
+from bondem.model.model import Model
+from bondem.model.schedules import Table
+from bondem.model.state import State
+from bondem.model.walls import CylinderWall, Driven, PlaneWall, Servo, Wall
+from bondem.packing.relaxation import SoftSpheres
+from bondem.packing.targets import Target
+from bondem.solve.explicit import Plan, Status, integrate, settled
+from bondem.solve.history import History
+from bondem.specimen.geometry import Box, Cylinder, Shape
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.morton import morton_code
+from bondem.specimen.particles import Particles
+
+# Pressure and density are units, as only their ratio to stiffness and rate matters. Grains of this modulus over
+# the pressure overlap by a thousandth; more would only cost time.
+_PRESSURE, _DENSITY, _MODULUS, _DASHPOT = 1.0, 1.0, 1000.0, 0.1
+
+# Inertial number γ' d √(ρ/p) of the fastest shear: below 0.01 or so flow is quasi-static.
+_INERTIAL = 0.01
+
+# Shear strain to either side, and cycles in all, of which the last come after the radii were fitted to the shape.
+_STRAIN, _CYCLES, _FITTING = 0.1, 24, 2
+
+# Volume fraction that the radii are first chosen for, clearance on the grid, and disorder of the grid (spheres
+# stacked dead straight would stay so), both over the largest diameter.
+_FRACTION, _CLEARANCE, _DISORDER = 0.64, 0.01, 0.005
+
+# Fastest the pressure wall moves, over √(p/ρ) and over what the shear asks of it.
+_SPEED, _AHEAD = 0.3, 3.0
+
+# What `on_step` is told at the end: it counts relaxation steps, of which some thousand are usual.
+_TOLD = 2000
+
+
+@dataclass(frozen=True, eq=False)
+class Compaction:
+    """What a shear compaction leaves.
+
+    Attributes:
+        position: centres [m], (n, 3).
+        radius: [m], (n,).
+        length: extent left by the pressure wall along x [m].
+        history: gauges "pressure wall" (displacement), "pressure" (force), "shear wall" (displacement of the wall at
+            y_max, or growth of the mantle) and "shear" (force on it); energies. Density and pressure are 1.
+        steps: time steps taken.
+    """
+
+    position: Floats
+    radius: Floats
+    length: float
+    history: History
+    steps: int
+
+
+def shear(
+    shape: Shape,
+    relative_radius: Floats,
+    target: Target,
+    random: np.random.Generator,
+    on_step: Callable[[int], None],
+) -> SoftSpheres:
+    """Spheres compacted under shear, in the shape to a small part of a radius, for any target.
+
+    Raises:
+        InputError: a shape without the walls it takes.
+        PackingError: the spheres blew up.
+    """
+    packed = compact(shape, relative_radius, random, on_share=lambda share: on_step(round(share * _TOLD)))
+    position = packed.position.copy()
+    position[:, 0] *= shape.bounds[1][0] / packed.length
+    order = np.argsort(morton_code(position), kind="stable")
+    spheres = SoftSpheres(shape, position[order], packed.radius[order])
+    spheres.steps, spheres.on_step = _TOLD, on_step
+    return spheres
+
+
+def compact(
+    shape: Shape,
+    relative_radius: Floats,
+    random: np.random.Generator,
+    *,
+    cycles: int = _CYCLES,
+    on_share: Callable[[float], None] = lambda share: None,
+) -> Compaction:
+    """Carry out the compaction.
+
+    Args:
+        shape: a Box or a Cylinder; the wall at x_max bears the pressure.
+        relative_radius: radii up to a common factor, (n,).
+        random: for the disorder of the grid.
+        cycles: of shear, those for fitting included.
+        on_share: told the share of the time that is over, 0 … 1.
+
+    Raises:
+        InputError: another shape, or spheres too large for it.
+        PackingError: the spheres blew up.
+    """
+    if not isinstance(shape, Box | Cylinder):
+        raise InputError(f"method='shear' fills Box and Cylinder, not {shape}; take another method, or carve a Box")
+    solid = 4.0 / 3.0 * math.pi * float((relative_radius**3).sum())
+    radius = relative_radius * (_FRACTION * shape.volume / solid) ** (1.0 / 3.0)
+    position, top = _grid(shape, radius, random)
+    length = float(shape.bounds[1][0])
+    first = max(cycles - _FITTING, 1)
+    tell = _shares(on_share, first, _FITTING)
+
+    press = _Press(shape, float(radius.mean()))
+    done = press.run(position, radius, top, first, lambda share: tell(0, share))
+    # the radii that fill the shape at the density reached; the walls then bring it about
+    radius = radius * (length / done.length) ** (1.0 / 3.0)
+    again = press.run(done.position, radius, done.length, _FITTING, lambda share: tell(1, share))
+    records = again.history.records.copy()
+    records[:, 0] += done.history.time[-1]
+    return replace(again, history=done.history.extended(records), steps=done.steps + again.steps)
+
+
+def _shares(on_share: Callable[[float], None], first: int, second: int) -> Callable[[int, float], None]:
+    whole = first + second
+    return lambda stage, share: on_share((share * first if stage == 0 else first + share * second) / whole)
+
+
+def _grid(shape: Box | Cylinder, radius: Floats, random: np.random.Generator) -> tuple[Floats, float]:
+    """Centres on a plane-parallel grid from the wall at x_min on [m], (n, 3), and where the last layer ends [m]."""
+    n, largest = len(radius), float(radius.max())
+    edge = 2.0 * largest * (1.0 + _CLEARANCE)
+    lower, upper = shape.bounds
+    counts = np.floor((upper - lower)[1:] / edge).astype(int)
+    if (counts < 1).any():
+        raise InputError(f"{n} spheres are too large for {shape}; ask for more spheres or a wider shape")
+    pitch = (upper - lower)[1:] / counts
+    y, z = ((np.arange(count) + 0.5) * p for count, p in zip(counts, pitch, strict=True))
+    layer = np.stack(np.meshgrid(lower[1] + y, lower[2] + z, indexing="ij"), axis=-1).reshape(-1, 2)
+    if isinstance(shape, Cylinder):
+        layer = layer[np.hypot(*layer.T) <= shape.radius - 0.5 * edge]
+    layers = -(-n // len(layer))
+    position = np.empty((layers * len(layer), 3))
+    position[:, 0] = np.repeat((np.arange(layers) + 0.5) * edge, len(layer))
+    position[:, 1:] = np.tile(layer, (layers, 1))
+    full = (layers - 1) * len(layer)
+    last = full + random.permutation(len(layer))[: n - full]
+    chosen = np.concatenate([np.arange(full), np.sort(last)])
+    return position[chosen] + _DISORDER * largest * random.uniform(-1.0, 1.0, (n, 3)), layers * edge
+
+
+class _Press:
+    """The walls and the law of contact of one shape."""
+
+    def __init__(self, shape: Box | Cylinder, mean_radius: float) -> None:
+        self._shape = shape
+        self._law = LinearContact(E=_MODULUS * _PRESSURE, damping=_DASHPOT, stress_free=False)
+        # fastest shear rate 2 π · strain / period
+        rate = _INERTIAL / (2.0 * mean_radius) * math.sqrt(_PRESSURE / _DENSITY)
+        self._period = 2.0 * math.pi * _STRAIN / rate
+        self._speed = max(_SPEED * math.sqrt(_PRESSURE / _DENSITY), _AHEAD * rate * float(shape.bounds[1][0]))
+        self._area = shape.volume / float(shape.bounds[1][0])
+
+    def run(
+        self, position: Floats, radius: Floats, top: float, cycles: int, on_share: Callable[[float], None]
+    ) -> Compaction:
+        """Press and shear from where the spheres are, the pressure wall at `top` [m], then rest for one period."""
+        lattice = Lattice(Particles(position, radius), np.zeros((0, 2), dtype=np.int64))
+        duration = top / self._speed + (cycles + 1) * self._period
+        walls = self._walls(top, top / self._speed, cycles)
+        model = Model(lattice, None, density=_DENSITY, contact=self._law, walls=walls)
+        shearing = "growth" if isinstance(self._shape, Cylinder) else "displacement"
+        plan = settled(model, Plan(duration=duration, gauges={
+            "pressure wall": WallGauge(1, "displacement"),
+            "pressure": WallGauge(1, "force"),
+            "shear wall": WallGauge(2, shearing),
+            "shear": WallGauge(2, "growth" if shearing == "growth" else "force"),
+        }, every=200))  # fmt: skip
+        state = State(model)
+        with threads(1 if len(radius) < 3000 else None):
+            done = integrate(model, plan, state=state, progress=on_share)
+        if done.status is not Status.COMPLETED:
+            raise PackingError(f"shear compaction of {len(radius)} spheres in {self._shape} {done.message}")
+        length = top + float(done.state.wall_displacement[1, 0])
+        return Compaction(done.state.position, radius, length, done.history, done.steps)
+
+    def _walls(self, top: float, begin: float, cycles: int) -> list[Wall]:
+        """The wall at x_min, the pressure wall, the shear walls, and those that only repel."""
+        shape = self._shape
+        lower, upper = shape.bounds
+        pressing = Servo(_PRESSURE * self._area, speed=self._speed)
+        ends: list[Wall] = [
+            PlaneWall((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)),
+            PlaneWall((top, 0.0, 0.0), (-1.0, 0.0, 0.0), motion=pressing),
+        ]
+        if isinstance(shape, Cylinder):
+            # half the strain of the axis, with the other sign
+            mantle = Driven(growth=self._swing(-0.5 * _STRAIN * shape.radius, begin, cycles))
+            return [*ends, CylinderWall(shape.radius, motion=mantle)]
+        half = 0.5 * _STRAIN * float(upper[1] - lower[1])
+        return [
+            *ends,
+            PlaneWall((0.0, upper[1], 0.0), (0, -1, 0), motion=Driven(y=self._swing(-half, begin, cycles))),
+            PlaneWall((0.0, lower[1], 0.0), (0, 1, 0), motion=Driven(y=self._swing(half, begin, cycles))),
+            PlaneWall((0.0, 0.0, lower[2]), (0, 0, 1)),
+            PlaneWall((0.0, 0.0, upper[2]), (0, 0, -1)),
+        ]
+
+    def _swing(self, amplitude: float, begin: float, cycles: int) -> Table:
+        """`amplitude` [m] · sin over whole cycles from `begin` [s] on, then rest."""
+        phase = np.linspace(0.0, cycles, 32 * cycles + 1)
+        times = np.concatenate([[0.0], begin + self._period * phase])
+        swing = np.concatenate([[0.0], amplitude * np.sin(2.0 * np.pi * phase)])
+        return Table(tuple(times.tolist()), tuple(swing.tolist()))

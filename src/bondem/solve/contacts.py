@@ -1,0 +1,86 @@
+"""The list of contacts of a run: made anew whenever elements may have come near that it does not hold."""
+
+import numpy as np
+
+from bondem._types import Ints
+from bondem.kernels.contact_list import pair_candidates, wall_candidates
+from bondem.kernels.contact_pass import TOUCHING, Contacts
+from bondem.model.contacts import ContactModel, near
+from bondem.model.model import Model
+from bondem.model.state import State
+
+# Gap up to which pairs enter the list, over the mean radius: a longer list is made more seldom. Still elements
+# get the short one, and each list that does not last makes the next one longer.
+_SKIN_LEAST, _SKIN_MOST, _FACTOR = 0.1, 0.5, 1.4
+# Steps a list should last: making one costs about as much as ten steps.
+_LASTING = 100
+
+
+class ContactList:
+    """Contacts of a state, in the form the kernels take.
+
+    Attributes:
+        arrays: the present list; its memory is that of the state only after `keep`.
+    """
+
+    arrays: Contacts
+
+    def __init__(self, model: Model, contacts: ContactModel, state: State) -> None:
+        self._contacts = contacts
+        self._state = state
+        self._radius = np.ascontiguousarray(model.lattice.particles.radius[model.layout.order])
+        self._period = model.lattice.particles.period
+        self._load = np.zeros((len(self._radius), 6))
+        self._skin = _SKIN_LEAST
+        self._made = state.step - _LASTING
+        self.renew(state.step)
+
+    def renew(self, step: int) -> bool:
+        """Make the list anew for where the elements are; False where a centre is not a number."""
+        state, contacts, layout = self._state, self._contacts, self._state.layout
+        if not np.isfinite(state.pose[:, :3]).all():
+            return False
+        if step - self._made < _LASTING:
+            self._skin = min(_FACTOR * self._skin, _SKIN_MOST)
+        self._made = step
+        skin = self._skin * float(self._radius.mean())
+        position = state.pose[:, :3].copy()
+        n, walls = len(position), contacts.walls
+        first, second, in_start, gap, stretch, touch, out_start, out_pair = pair_candidates(
+            *near(position, self._radius, self._period, skin), layout.in_start, layout.i, state.integrity,
+            contacts.pairs.start, contacts.pairs.partner, contacts.pairs.gap,
+            _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32), state.stretch,
+        )  # fmt: skip
+        wall_start, wall, wall_gap, wall_stretch, wall_touch, _ = wall_candidates(
+            state.pose, self._radius, walls.shape, state.walls, skin,
+            contacts.at_walls.start, contacts.at_walls.partner, contacts.at_walls.gap,
+            _starts(state.wall_touching[:, 0], n), state.wall_touching[:, 1].astype(np.uint32), state.wall_stretch,
+        )  # fmt: skip
+        self.arrays = Contacts(
+            law=contacts.law.parameters, radius=self._radius, load=self._load, listed=position, reach=0.5 * skin,
+            first=first, second=second, gap=gap, stretch=stretch, touch=touch, output=np.zeros((len(first), 8)),
+            in_start=in_start, out_start=out_start, out_pair=out_pair,
+            wall_start=wall_start, wall=wall, wall_gap=wall_gap, wall_stretch=wall_stretch, wall_touch=wall_touch,
+            wall_output=np.zeros((len(wall), 4)),
+            shape=walls.shape, walls=state.walls, wall_listed=state.walls[:, :4].copy(), wall_friction=walls.friction,
+            times=walls.times, values=walls.values, start=walls.start, drive_wall=walls.drive_wall,
+            drive_component=walls.drive_component, drive_schedule=walls.drive_schedule, drive_rate=walls.drive_rate,
+            servo_wall=walls.servo_wall, servo_schedule=walls.servo_schedule, servo_speed=walls.servo_speed,
+            servo_mass=walls.servo_mass,
+        )  # fmt: skip
+        return True
+
+    def keep(self) -> None:
+        """Write the memory of what touches into the state."""
+        c, state = self.arrays, self._state
+        touching = c.touch == TOUCHING
+        state.touching = np.column_stack([c.first[touching], c.second[touching]]).astype(np.int64)
+        state.stretch = c.stretch[touching]
+        at_wall = c.wall_touch == TOUCHING
+        element = np.repeat(np.arange(len(c.radius)), np.diff(c.wall_start))
+        state.wall_touching = np.column_stack([element[at_wall], c.wall[at_wall]]).astype(np.int64)
+        state.wall_stretch = c.wall_stretch[at_wall]
+
+
+def _starts(later: Ints, n: int) -> Ints:
+    return np.concatenate([[0], np.cumsum(np.bincount(later, minlength=n))]).astype(np.int64)
