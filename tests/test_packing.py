@@ -7,6 +7,7 @@ import bondem as bd
 from bondem._compile import threads
 from bondem.errors import InputError, PackingError
 from bondem.kernels.cells import neighbours
+from bondem.packing.walls import walls
 
 SHAPES = [
     bd.Cylinder(radius=5e-3, length=20e-3),
@@ -153,4 +154,4 @@ def test_bad_requests_are_refused_with_advice(error, shape, options, says):
 def test_a_shape_with_too_many_spheres_for_its_walls_is_refused():
     box = bd.Box(size=(1.0, 1.0, 1.0)).moved((1.0, 0.0, 0.0))
     with pytest.raises(InputError, match="carve"):
-        bd.pack(box, count=1_000_000)
+        walls(box, np.full(3_000_000, np.cbrt(0.64 / 3e6 * 0.75 / np.pi)))

@@ -7,12 +7,13 @@ import numpy as np
 from bondem._types import Floats
 from bondem.packing.relaxation import SoftSpheres
 from bondem.packing.start import thrown
-from bondem.packing.targets import Target
+from bondem.packing.targets import Jammed, Target
 from bondem.specimen.geometry import Shape
 
 # Volume fraction at which the random spheres are let loose, far above jamming: they come to rest fast, and
-# the way back down leaves a denser and more even packing than a quench near jamming.
-_START_FRACTION = 0.75
+# the way back down leaves a denser and more even packing than a quench near jamming. It keeps that density down to
+# jamming (0.643 for equal spheres), so where jamming is what is asked for, they are let loose just above it.
+_START_FRACTION, _START_JAMMED = 0.75, 0.655
 
 _ROUGH, _STEPS = 3e-2, 10_000
 
@@ -24,8 +25,9 @@ def quench(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Spheres at rest at a volume fraction of 0.75, for any target: what comes next is decompression."""
-    spheres = thrown(shape, relative_radius, _START_FRACTION, random)
+    """Spheres at rest above jamming, far above or, if it is the target, just above: decompression comes next."""
+    start = _START_JAMMED if isinstance(target, Jammed) else _START_FRACTION
+    spheres = thrown(shape, relative_radius, start, random)
     spheres.on_step = on_step
     spheres.relax(1.0, tolerance=_ROUGH, steps=_STEPS)
     return spheres

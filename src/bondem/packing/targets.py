@@ -24,14 +24,16 @@ _Z_JAMMED, _GROWTH = 5.4, 1.5
 # Radii grow by this much where the spheres turned out loose.
 _TIGHTEN = 0.005
 
-# Steps to come to rest, and in all; a usual packing takes about 2500 in all.
+# Steps to come to rest, and in all; a usual packing takes about 2500 in all. At jamming hardly anything is stiff.
 _STEPS, _ALL_STEPS = 10_000, 50_000
+_JAMMED_STEPS, _ALL_JAMMED_STEPS = 20_000, 400_000
 
 # Two spheres may overlap by this share of the smallest radius; `Particles` refuses more than half.
 _LARGEST_OVERLAP = 0.45
 
 # Jammed: the mean overlap [R̄] adds 0.05 contacts a sphere to the isostatic 6, and the worst pair stays below. Loose
-# is what has less; below the last, spheres brought to rest roughly could turn out loose when brought to rest finely.
+# is what has less; aimed at less than the last, spheres brought to rest roughly may bear load only until they come to
+# rest finely.
 _JAMMED_OVERLAP, _JAMMED_WORST = 6e-5, 1e-3
 _JAMMED_LOOSE, _DELICATE = 1e-5, 2e-3
 
@@ -100,9 +102,9 @@ class Jammed:
     def reach(self, spheres: SoftSpheres) -> None:
         size, step, first = math.log(spheres.scale), _TIGHTEN, spheres.steps
         tolerance = _ROUGH
-        while spheres.steps - first <= 2 * _ALL_STEPS:
-            rest = spheres.relax(math.exp(size), tolerance=tolerance, steps=_ALL_STEPS, loose=_JAMMED_LOOSE)
-            fine, tolerance = tolerance == _FINE, _ROUGH if rest.mean_overlap > _DELICATE else _FINE
+        while spheres.steps - first <= _ALL_JAMMED_STEPS:
+            rest = spheres.relax(math.exp(size), tolerance=tolerance, steps=_JAMMED_STEPS, loose=_JAMMED_LOOSE)
+            fine, tolerance = tolerance == _FINE, _FINE
             if rest.settled and rest.mean_overlap <= _JAMMED_OVERLAP and rest.largest_overlap <= _JAMMED_WORST:
                 if fine:
                     return
@@ -114,11 +116,10 @@ class Jammed:
                 step = (rest.mean_overlap - wanted) / _GROWTH
                 size -= step
                 step *= 0.4
-            elif rest.loose:
+                tolerance = _ROUGH if wanted > _DELICATE else _FINE
+            elif rest.loose or rest.mean_overlap < _JAMMED_OVERLAP:  # too soft to come to rest is loose, too
                 size += max(step, 0.5 * _JAMMED_OVERLAP / _GROWTH)
                 step *= 1.5
-            else:
-                break
         raise PackingError(
             f"{spheres} did not come to rest at jamming; ask for another seed=, more spheres or a"
             " coordination_number="

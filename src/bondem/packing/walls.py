@@ -12,7 +12,7 @@ from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
 # Spacing of the grid of depths over the mean radius. Where the shape has an edge the wall is rounded by about
 # this much, and walls as curved as a sphere are off by 1/8 of its square: 2 % of the radius.
 _SPACING = 0.4
-_MOST_NODES = 60_000_000
+_MOST_NODES = 250_000_000  # 2 GB; about 100 a sphere in a box, more in a shape that fills its bounds less
 
 # Each coarse cell has this many spacings along its edges; only near walls are its nodes asked one by one.
 _COARSE = 4
@@ -41,11 +41,11 @@ def walls(shape: Shape, radius: PerElement) -> Floats:
             return np.concatenate([none, everywhere, np.ones(3), [shape.radius]])
         case Cell():
             return np.concatenate([none, everywhere, np.zeros(3), [np.inf]])
-    return np.concatenate([none, everywhere, np.zeros(3), [np.inf], *_depth_grid(shape, radius)])
+    return _depth_grid(shape, radius, np.concatenate([none, everywhere, np.zeros(3), [np.inf]]))
 
 
-def _depth_grid(shape: Shape, radius: PerElement) -> tuple[Floats, Floats]:
-    """Corner, spacing and counts of a grid over the shape, and the depths there [m]."""
+def _depth_grid(shape: Shape, radius: PerElement, before: Floats) -> Floats:
+    """`before`, then corner, spacing and counts of a grid over the shape, then the depths there [m]."""
     h = _SPACING * float(radius.mean())
     lower, upper = shape.bounds
     coarse = [int(n) + 3 for n in np.ceil((upper - lower) / (_COARSE * h))]
@@ -56,7 +56,10 @@ def _depth_grid(shape: Shape, radius: PerElement) -> tuple[Floats, Floats]:
         )
     corner = 0.5 * (lower + upper) - 0.5 * h * (np.array(fine) - 1)
     rough = shape.depth(corner + _COARSE * h * np.indices(coarse).reshape(3, -1).T).reshape(coarse)
-    depth = np.empty(fine)
+    head = np.concatenate([before, corner, [h], fine])
+    wall = np.empty(len(head) + math.prod(fine))  # one array from the first: a copy of the depths is a gigabyte
+    wall[: len(head)] = head
+    depth = wall[len(head) :].reshape(fine)
     # Depths change no faster than distance, and between coarse nodes half a diagonal is the farthest from one.
     farthest = 0.5 * np.sqrt(3.0) * _COARSE * h
     for i in range(fine[0]):  # by layers, for the memory
@@ -65,4 +68,4 @@ def _depth_grid(shape: Shape, radius: PerElement) -> tuple[Floats, Floats]:
         near = (layer > -farthest - 3.0 * h) & (layer < radius.max() * 1.2 + farthest + 3.0 * h)
         layer[near] = shape.depth(corner + h * at[:, near].T)
         depth[i] = layer.reshape(fine[1:])
-    return np.concatenate([corner, [h], fine]), depth.ravel()
+    return wall
