@@ -1,37 +1,157 @@
-"""Time to a packing, against spheropack (PyPI; event-driven Lubachevsky-Stillinger in C++), in one run.
+"""Packings: time, density, contacts, overlap and peak memory by number of spheres, and time against spheropack.
 
-The request: monodisperse spheres in a periodic cube up to a volume fraction, and until they jam.
+    pip install spheropack && python benchmarks/packing.py
+    python benchmarks/packing.py --million          # 1 000 000 spheres as well, some ten minutes
+    python benchmarks/packing.py --methods          # jamming by growth and by compression as well, minutes
 
-    pip install spheropack && python benchmarks/packing.py 10000
+Every packing is made in a process of its own, which compiles first, so that peak memory is that of one packing.
+spheropack (PyPI; event-driven Lubachevsky-Stillinger in C++) takes turns with ours on the same request.
 """
 
+import argparse
+import importlib.util
+import json
+import os
+import platform
+import resource
+import statistics
+import subprocess
 import sys
 import time
+from pathlib import Path
 
-import spheropack
+# Before bondem: what is timed here must not come from the cache of packings.
+os.environ["BONDEM_PACKING_CACHE"] = "off"
 
 import bondem as bd
 
-CELL = bd.Cell((1.0, 1.0, 1.0))
+RESULTS = Path(__file__).parent / "results" / "packing.json"
+SHAPES = {"cylinder": bd.Cylinder(radius=5e-3, length=40e-3), "cell": bd.Cell(size=(1.0, 1.0, 1.0))}
 
 
-def seconds(work):
+def one(request: dict) -> dict:
+    """Time, quality and memory of one packing, made here and now."""
+    shape, count, seed = SHAPES[request["shape"]], request["count"], request["seed"]
+    if request["library"] == "spheropack":
+        import spheropack
+
+        start = time.perf_counter()
+        found = spheropack.pack(n=count, density=request["target"].get("volume_fraction", "max"), seed=seed)
+        del found
+        return {"seconds": time.perf_counter() - start}
+    options = {"spread": request["spread"], "method": request["method"], **request["target"]}
+    bd.pack(shape, count=2500, seed=0, **options)  # compile outside the timing
     start = time.perf_counter()
-    work()
-    return time.perf_counter() - start
+    particles = bd.pack(shape, count=count, seed=seed, **options)
+    seconds = time.perf_counter() - start
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
+    if "volume_fraction" in request["target"]:
+        return {"seconds": seconds, "peak_GiB": peak}
+    quality = bd.fabric(bd.connect(particles))
+    return {
+        "seconds": seconds,
+        "peak_GiB": peak,
+        "volume_fraction": quality.volume_fraction,
+        "coordination_number": quality.coordination_number,
+        "backbone_coordination_number": quality.backbone_coordination_number,
+        "largest_overlap": quality.largest_overlap,
+        "passed": quality.passed,
+    }
 
 
-def main(count):
-    for method in ("quench", "growth", "compression"):  # compile outside the timing
-        bd.pack(CELL, count=2500, method=method, volume_fraction=0.5, cache=False)
-    requests = (("volume fraction 0.60", {"volume_fraction": 0.60}, 0.60), ("jamming", {"jamming": True}, "max"))
-    for name, target, density in requests:
-        theirs = seconds(lambda density=density: spheropack.pack(n=count, density=density, seed=1))
-        print(f"{count} spheres, {name}: spheropack {theirs:.2f} s", flush=True)
-        for method in ("quench", "growth", "compression"):
-            ours = seconds(lambda m=method, t=target: bd.pack(CELL, count=count, seed=1, method=m, cache=False, **t))
-            print(f"    {method}: {ours:.2f} s, ratio {theirs / ours:.2f}", flush=True)
+def measured(repeat: int, *requests: dict) -> list[list[dict]]:
+    """`repeat` runs of each request, which take turns; seeds 1, 2, ..."""
+    runs: list[list[dict]] = [[] for _ in requests]
+    for seed in range(1, repeat + 1):
+        for k, request in enumerate(requests):
+            command = [sys.executable, __file__, "--one", json.dumps({**request, "seed": seed})]
+            answer = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+            runs[k].append({"seed": seed, **json.loads(answer.splitlines()[-1])})
+    return runs
+
+
+def asked(
+    shape: str, count: int, spread: float, target: dict, method: str = "quench", library: str = "bondem"
+) -> dict:
+    return {
+        "library": library, "shape": shape, "count": count, "spread": spread, "target": target, "method": method,
+    }  # fmt: skip
+
+
+def row(request: dict, runs: list[dict]) -> dict:
+    """Smallest and median time of the runs, range of what they came to; printed as one line."""
+    seconds = [run["seconds"] for run in runs]
+    print(
+        f"{request['shape']:>8} {request['count']:>8} {request['method']:>11} {json.dumps(request['target']):>18}"
+        f" {min(seconds):8.2f} {statistics.median(seconds):8.2f} s"
+        f"  phi {_range(runs, 'volume_fraction', 4)}  z {_range(runs, 'coordination_number', 3)}"
+        f"  z backbone {_range(runs, 'backbone_coordination_number', 3)}"
+        f"  overlap {max(run['largest_overlap'] for run in runs):.1e}"
+        f"  {max(run['peak_GiB'] for run in runs):.2f} GiB"
+        f"  {'good' if all(run['passed'] for run in runs) else 'NOT GOOD'}",
+        flush=True,
+    )
+    return {**request, "seconds_min": min(seconds), "seconds_median": statistics.median(seconds), "runs": runs}
+
+
+def _range(runs: list[dict], name: str, digits: int) -> str:
+    values = [run[name] for run in runs]
+    return f"{min(values):.{digits}f}-{max(values):.{digits}f}"
+
+
+def against(count: int, repeat: int) -> list[dict]:
+    """Times of spheropack over ours; above 1 it takes longer."""
+    found = []
+    for target in ({"volume_fraction": 0.60}, {"jamming": True}):
+        pair = [asked("cell", count, 0.0, target, library=library) for library in ("spheropack", "bondem")]
+        theirs, ours = ([run["seconds"] for run in runs] for runs in measured(repeat, *pair))
+        ratio = min(theirs) / min(ours)
+        middle = statistics.median(theirs) / statistics.median(ours)
+        print(
+            f"{count} equal spheres in a cell, {json.dumps(target)}: spheropack {min(theirs):.2f} s,"
+            f" bondem {min(ours):.2f} s, ratio {ratio:.1f} of smallest, {middle:.1f} of median times",
+            flush=True,
+        )
+        found.append(
+            {"count": count, "target": target, "spheropack": theirs, "bondem": ours, "ratio_min": ratio,
+             "ratio_median": middle}
+        )  # fmt: skip
+    return found
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--elements", type=int, nargs="+", default=[10_000, 100_000])
+    parser.add_argument("--repeat", type=int, default=3, help="packings a row, seeds 1, 2, ... [3]")
+    parser.add_argument("--million", action="store_true", help="1 000 000 spheres too, once")
+    parser.add_argument("--methods", action="store_true", help="jamming by growth and compression too, once")
+    parser.add_argument("--against", type=int, default=2000, help="spheres in the comparison with spheropack [2000]")
+    parser.add_argument("--one", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.one:
+        print(json.dumps(one(json.loads(options.one))))
+        return
+
+    plan = [(asked("cylinder", count, 0.25, {}), options.repeat) for count in options.elements]
+    plan += [(asked("cell", 10_000, 0.0, {"jamming": True}), options.repeat)]
+    plan += [(asked("cylinder", 10_000, 0.25, {"jamming": True}), options.repeat)]
+    if options.methods:
+        plan += [(asked("cell", 10_000, 0.0, {"jamming": True}, method), 1) for method in ("growth", "compression")]
+    if options.million:
+        plan += [(asked("cylinder", 1_000_000, 0.25, {}), 1)]
+    print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, bondem {bd.__version__}; times: smallest, median")
+    report = {
+        "machine": f"{os.cpu_count()} cores, {platform.machine()}, load {os.getloadavg()[0]:.1f} at the start",
+        "version": bd.__version__,
+        "packings": [row(request, measured(repeat, request)[0]) for request, repeat in plan],
+        "against_spheropack": [],
+    }
+    if importlib.util.find_spec("spheropack"):
+        report["against_spheropack"] = against(options.against, options.repeat)
+    else:
+        print("no comparison: pip install spheropack")
+    RESULTS.write_text(json.dumps(report, indent=1) + "\n")
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 10_000)
+    main()
