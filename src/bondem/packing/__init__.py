@@ -1,6 +1,5 @@
 """Packings: spheres that fill a shape, dense, random and isotropic."""
 
-import math
 from collections.abc import Callable
 
 import numpy as np
@@ -19,6 +18,8 @@ from bondem.specimen.particles import Particles
 __all__ = ["METHODS", "pack"]
 
 _METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": shear}
+# Relaxation steps after which progress stands at one half; how many are needed is not known beforehand.
+_USUAL_STEPS = 2000
 #: Names of the methods.
 METHODS = tuple(_METHODS)
 
@@ -44,7 +45,8 @@ def pack(
 
     A `method` packs, and a target says where it ends:
 
-    - "quench" (fastest): random soft spheres let loose far above jamming, then decompressed.
+    - "quench" (fastest): random soft spheres let loose far above jamming (just above, for jamming=True), then
+      decompressed.
     - "growth": flying hard spheres that collide and grow (Lubachevsky and Stillinger).
     - "compression": soft spheres compressed from a dilute gas in small strains, without gravity.
     - "shear" (slowest): grains on a grid, pressed while walls shear them to and fro (André et al. 2012, §4.1).
@@ -93,7 +95,7 @@ def pack(
         random = np.random.Generator(np.random.Philox(seed))
         spheres = _METHODS[method](
             shape, size_law.radii(count, random), target, random,
-            lambda steps: told(1.0 - math.exp(-steps / 1000.0)),
+            lambda steps: told(steps / (steps + _USUAL_STEPS)),
         )  # fmt: skip
         target.reach(spheres)
         return Particles(spheres.sphere[:, :3].copy(), spheres.sphere[:, 3].copy(), shape=shape)
