@@ -1,0 +1,153 @@
+"""Shear compaction at work: the grains at the start, in the middle and at the end, and the walls over time."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.patches import Polygon
+
+from bondem._types import Floats
+from bondem.report.spheres import View, render
+from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, sheet
+from bondem.solve.history import History
+
+_VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(20.0))
+_PIXELS = 1500
+# Random close packing of equal spheres, which no wall disturbs.
+_CLOSE = 0.636
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A shear compaction along z, in a square box whose walls across x move towards each other and apart.
+
+    Attributes:
+        parts: histories, first while the platen falls, then one a cycle, with the gauges "platen" and "sway"
+            (displacements of the pressure wall and of the shear wall at x_max) and "force" (on the pressure wall).
+        frames: centres at the start and after each part [m], each (n, 3).
+        radius: [m], (n,).
+        width: of the box at rest [m].
+        top: where the pressure wall begins [m].
+        pressure: asked of it [Pa].
+    """
+
+    parts: tuple[History, ...]
+    frames: tuple[Floats, ...]
+    radius: Floats
+    width: float
+    top: float
+    pressure: float
+
+    @property
+    def time(self) -> Floats:
+        """[s], (s,)."""
+        return np.concatenate([part.time for part in self.parts])
+
+    @property
+    def height(self) -> Floats:
+        """Of the pressure wall [m], (s,)."""
+        return self.top + self._gauge("platen", 2)
+
+    @property
+    def sway(self) -> Floats:
+        """Of the shear wall at x_max, outwards [m], (s,)."""
+        return self._gauge("sway", 0)
+
+    @property
+    def pressed(self) -> Floats:
+        """Pressure of the grains on the pressure wall over the one asked for [-], (s,)."""
+        return self._gauge("force", 2) / (self.pressure * self.width**2)
+
+    @property
+    def fraction(self) -> Floats:
+        """Volume of the grains over that between the walls [-], (s,)."""
+        solid = 4.0 / 3.0 * math.pi * float((self.radius**3).sum())
+        return solid / (self.height * self.width * (self.width + 2.0 * self.sway))
+
+    @property
+    def held(self) -> tuple[float, float]:
+        """Mean and standard deviation of `pressed` over the last cycle [-]."""
+        last = self.pressed[-len(self.parts[-1]) :]
+        return float(last.mean()), float(last.std())
+
+    def _gauge(self, name: str, component: int) -> Floats:
+        return np.concatenate([part[name][:, component] for part in self.parts])
+
+
+def draw_compaction(path: Path, course: Course) -> None:
+    """The grains three times, coloured by the height they began at, and the walls, pressure and density over time.
+
+    Args:
+        path: PNG to write.
+        course: what to draw.
+    """
+    with sheet(path, 8.2, 8.4, 0, 0) as (figure, _):
+        grid = figure.add_gridspec(4, 1, height_ratios=(3.3, 1.0, 1.0, 1.0))
+        _grains(figure.add_subplot(grid[0]), course)
+        walls = figure.add_subplot(grid[1])
+        pressure, density = (figure.add_subplot(grid[k], sharex=walls) for k in (2, 3))
+        begin = course.parts[1].time[0]
+        period = course.parts[1].time[-1] - begin
+        cycle = (course.time - begin) / period
+        walls.plot(cycle, 1e3 * course.height, color=ORANGE, label="pressure wall, height")
+        walls.plot(cycle, 1e3 * (0.5 * course.width + course.sway), color=BLUE, label="shear wall, from the middle")
+        walls.set_ylabel("[mm]")
+        walls.set_title("The walls")
+        walls.set_ylim(bottom=0.0)
+        walls.legend(loc="upper right", ncols=2)
+        pressure.plot(cycle, course.pressed, color=ORANGE, linewidth=0.7, label="each record")
+        each = np.array([part.time.mean() for part in course.parts[1:]])
+        mean = np.array([_pressed(course, part).mean() for part in course.parts[1:]])
+        pressure.plot((each - begin) / period, mean, "o", color=INK, markersize=4.0, label="mean of a cycle")
+        pressure.axhline(1.0, color=GREY, linewidth=1.0, linestyle="--", zorder=0)
+        pressure.set_ylim(bottom=0.0)
+        pressure.set_ylabel("held / asked  [-]")
+        pressure.set_title("Pressure on the pressure wall")
+        pressure.legend(loc="upper right", ncols=2)
+        density.plot(cycle, course.fraction, color=INK, label="between the walls")
+        density.axhline(_CLOSE, color=GREY, linewidth=1.0, linestyle="--", label="random close packing, 0.636")
+        density.legend(loc="lower right", ncols=2)
+        density.set_ylabel("φ  [-]")
+        density.set_title("Volume fraction")
+        density.set_xlabel("cycles of shear")
+        density.set_xlim(cycle[0], cycle[-1])
+        for ax in (walls, pressure):
+            ax.tick_params(labelbottom=False)
+
+
+def _pressed(course: Course, part: History) -> Floats:
+    return part["force"][:, 2] / (course.pressure * course.width**2)
+
+
+def _grains(ax: Axes, course: Course) -> None:
+    last = len(course.frames) - 1
+    middle = (last + 1) // 2
+    right, up, _ = _VIEW.axes
+    pitch = 2.1 * course.width
+    began = course.frames[0][:, 2]
+    colour = colormaps[SEQUENTIAL]((began - began.min()) / np.ptp(began))[:, :3]
+    chosen = {0: "on the grid", middle: f"after {middle - 1} cycles", last: f"after {last - 1} cycles"}
+    spheres = np.concatenate([course.frames[k] + n * pitch * right for n, k in enumerate(chosen)])
+    image = render(
+        spheres, np.tile(course.radius, len(chosen)), np.tile(colour, (len(chosen), 1)), view=_VIEW, width=_PIXELS
+    )
+    margin = 1.02 * course.radius.max()
+    placed = spheres @ _VIEW.axes[:2].T
+    lower, upper = placed.min(axis=0) - margin, placed.max(axis=0) + margin
+    ax.imshow(image, extent=(lower[0], upper[0], lower[1], upper[1]), interpolation="lanczos")
+    w, h = course.width, [course.top, *(course.top + part["platen"][-1, 2] for part in course.parts)]
+    for n, (k, title) in enumerate(chosen.items()):
+        lid = [(0, 0, h[k]), (w, 0, h[k]), (w, w, h[k]), (0, w, h[k])]
+        side = [(w, 0, 0), (w, w, 0), (w, w, h[k]), (w, 0, h[k])]
+        for corners, tint in ((side, BLUE), (lid, ORANGE)):
+            outline = np.array(corners) @ np.array([right, up]).T + (n * pitch, 0.0)
+            ax.add_patch(Polygon(outline, facecolor=tint, alpha=0.2, edgecolor="none"))
+            ax.add_patch(Polygon(outline, fill=False, edgecolor=tint, linewidth=1.4, clip_on=False))
+            lower, upper = np.minimum(lower, outline.min(axis=0)), np.maximum(upper, outline.max(axis=0))
+        ax.text(n * pitch + 0.5 * w * (right[0] + right[1]), lower[1] - 0.08 * w, title, ha="center", va="top")
+    ax.set_xlim(lower[0], upper[0])
+    ax.set_ylim(lower[1] - 0.25 * w, upper[1])
+    ax.axis("off")
