@@ -19,7 +19,7 @@ class Region(ABC):
         """Which elements match, rattlers not excluded, shape (n,)."""
 
     def select(self, lattice: Lattice) -> Ints:
-        """Indices of the connected elements of the region, ascending, in the user's order; of all where none is bonded.
+        """Indices of the connected elements of the region, ascending, in the user's order; all where none is bonded.
 
         Raises:
             EmptyRegionError: no connected element matches.
