@@ -22,17 +22,17 @@ def arguments() -> tuple:
     lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [1.0, 0, 0]], [0.5, 0.5]), [(0, 1)])
     model = bd.Model(lattice, bond=bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.1))
     layout, state = model.layout, State(model)
-    whole = (model.period, np.empty((9, 1)), 0, 1)
-    return (state.pose, layout.i, layout.j, model.bonds.constants, state.integrity, *whole)
+    whole = (None, state.integrity, model.period, 0, 1, *np.empty((9, 1)))
+    return (state.pose, layout.i, layout.j, model.bonds.constants, *whole)
 
 
 def arithmetic(arguments: tuple, loop: Callable) -> tuple[int, int]:
-    """Packed and scalar double-precision instructions in the machine code of a threaded bond loop.
+    """Packed and scalar double-precision instructions in the machine code of a bond loop.
 
-    It is compiled afresh with the kernel's own options: what comes from the disk cache has no assembly. The
-    body of a parallel loop is a library of its own, linked to the one the dispatcher shows.
+    It is compiled afresh with the kernel's own options: what comes from the disk cache has no assembly.
     """
     options = {key: value for key, value in bond_forces.targetoptions.items() if key not in ("cache", "nopython")}
+    options["pipeline_class"] = bond_forces._compiler.pipeline_class
     types = tuple(numba.typeof(value) for value in arguments)
     compiled = numba.njit(types, **options)(loop)
     code = compiled.overloads[types]._asdict()["library"]
@@ -53,7 +53,8 @@ def _needs_avx2() -> None:
 def test_bond_forces_are_packed_arithmetic(arguments: tuple) -> None:
     packed, scalar = arithmetic(arguments, bond_forces.py_func)
     assert packed >= 100
-    assert packed >= 0.9 * scalar  # the same formula once more for the bonds that do not fill a register
+    # scalar once more: for the bonds that do not fill a register, and for a fallback that never runs
+    assert packed >= 0.45 * scalar
 
 
 @pytest.mark.parametrize("change", [{"error_model": "python"}, {"forceinline": False}], ids=str)

@@ -24,6 +24,7 @@ from typing import Any, TypeVar, cast
 import numba
 import numba.core.config
 from numba import njit, prange
+from numba.core.compiler import CompilerBase, DefaultPassBuilder
 
 __all__ = ["cache_directory", "current_threads", "device", "kernel", "most_threads", "prange", "threads"]
 
@@ -81,8 +82,22 @@ def device(function: F) -> F:
     return cast(F, njit(forceinline=True, **_FLAGS)(function))
 
 
-def kernel(*, parallel: bool) -> Callable[[F], F]:
-    """Compile a loop over arrays, cached on disk; `parallel=True` runs its `prange` on all threads."""
+class _Separate(CompilerBase):
+    """Compiles a function whose arrays never overlap: without that promise LLVM would not vectorise its loop."""
+
+    def define_pipelines(self) -> list[Any]:
+        self.state.flags.noalias = True
+        return [DefaultPassBuilder.define_nopython_pipeline(self.state)]
+
+
+def kernel(*, parallel: bool, separate: bool = False) -> Callable[[F], F]:
+    """Compile a loop over arrays, cached on disk.
+
+    Args:
+        parallel: its `prange` runs on all threads.
+        separate: no two of its arrays overlap, which a serial loop needs in order to be vectorised.
+    """
+    options: dict[str, Any] = _FLAGS | ({"pipeline_class": _Separate} if separate else {})
 
     def decorate(function: F) -> F:
         # the cache tells functions apart by name and line, not by flags: both kinds of one loop need two names
@@ -90,7 +105,7 @@ def kernel(*, parallel: bool) -> Callable[[F], F]:
         twin.__doc__ = function.__doc__
         twin.__qualname__ = function.__qualname__ + ("_threaded" if parallel else "")
         with _own_cache():
-            return cast(F, njit(parallel=parallel, cache=True, nogil=True, **_FLAGS)(twin))
+            return cast(F, njit(**options, parallel=parallel, cache=True, nogil=True)(twin))
 
     return decorate
 

@@ -10,7 +10,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.kernels.bond_pass import bond_energies, bond_forces_serial, rotation_guard
+from bondem.kernels.bond_pass import bond_energies, rotation_guard
+from bondem.kernels.bond_pass import bond_forces as pass_over_bonds
 from bondem.laws.bond import BondLaw
 from bondem.laws.rotations import rotate, turn
 from bondem.model.matrices import stiffness_matrix
@@ -67,20 +68,19 @@ def moved(model: bd.Model, shift: float, degrees: float, seed: int = 0) -> State
 def energies(model: bd.Model, pose: np.ndarray) -> np.ndarray:
     """Normal, shear, bending and twisting energy of each bond, (4, m)."""
     layout, bonds = model.layout, model.bonds
-    whole, parts = np.ones(len(layout.i)), np.empty((4, len(layout.i)))
-    bond_energies(
-        pose, layout.i, layout.j, bonds.constants, bonds.shear, bonds.lever, whole, model.period, parts
-    )
-    return parts
+    return np.transpose([
+        bond_energies(pose, layout.i, layout.j, bonds.constants, bonds.shear, bonds.lever, only, model.period)
+        for only in np.eye(len(layout.i))
+    ])  # fmt: skip
 
 
 def bond_forces(model: bd.Model, pose: np.ndarray) -> np.ndarray:
     """Force on j, torque on i and torque on j of each bond, (9, m)."""
     layout = model.layout
     output = np.empty((9, len(layout.i)))
-    bond_forces_serial(
-        pose, layout.i, layout.j, model.bonds.constants, np.ones(len(layout.i)), model.period, output,
-        0, len(layout.i),
+    pass_over_bonds(
+        pose, layout.i, layout.j, model.bonds.constants, None, np.ones(len(layout.i)), model.period,
+        0, len(layout.i), *output,
     )  # fmt: skip
     return output
 

@@ -5,11 +5,12 @@ import math
 import numpy as np
 
 from bondem._compile import device, kernel
-from bondem.kernels.bond_pass import bond_energies, bond_forces, bond_forces_serial, rotation_guard
+from bondem.kernels.bond_pass import bond_energies, rotation_guard
 from bondem.kernels.boundary import apply_schedules
 from bondem.kernels.contact_pass import advance_walls, contact_energy, contact_loads, outdated
-from bondem.kernels.element_pass import close_step, close_step_serial, open_step, open_step_serial
-from bondem.kernels.incremental import incremental_energies, incremental_forces
+from bondem.kernels.element_pass import open_step, open_step_serial
+from bondem.kernels.incremental import incremental_energies
+from bondem.kernels.sweep import step_forces
 
 # Below this many bonds launching threads costs more than the loop.
 SERIAL_BONDS = 2000
@@ -35,7 +36,7 @@ def rotation_component(w, x, y, z, d):
 
 @kernel(parallel=False)
 def sample(
-    t, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
+    t, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed, row_reaction,
     row_force, work, loss, contacts, record,
 ):  # fmt: skip
@@ -51,14 +52,11 @@ def sample(
     record[TRANSLATION] = translation
     record[ROTATION] = rotation
     if history.shape[1] > 0:
-        incremental_energies(pose, i, j, constants, shear, bending, integrity, history, period, output)
+        energies = incremental_energies(pose, i, j, constants, shear, bending, integrity, history, period)
     else:
-        bond_energies(pose, i, j, constants, shear, lever, integrity, period, output)
+        energies = bond_energies(pose, i, j, constants, shear, lever, integrity, period)
     for part in range(4):
-        total = 0.0
-        for k in range(len(i)):
-            total += output[part, k]
-        record[NORMAL + part] = total
+        record[NORMAL + part] = energies[part]
     total = 0.0
     for r in range(len(work)):
         total += work[r]
@@ -111,8 +109,8 @@ def sample(
 @kernel(parallel=False)
 def evaluate(
     step, t0, dt, gamma, stale,
-    pose, motion, acceleration, i, j, constants, shear, bending, lever, integrity, history, period, output,
-    in_start, out_start, out_bond, ready, block_element, block_bond,
+    pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+    rows, target, sums, domain, block_bond, block_move, ready, shared, part,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, records,
@@ -126,19 +124,14 @@ def evaluate(
     if stale:
         if contacts is not None:
             contact_loads(pose, motion, loss, period, 0.0, contacts)
-        if history.shape[1] > 0:
-            incremental_forces(
-                pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, 0.0, output
-            )
-        else:
-            bond_forces_serial(pose, i, j, constants, integrity, period, output, 0, len(i))
-        close_step_serial(
-            pose, motion, acceleration, output, in_start, out_start, out_bond,
+        step_forces(
+            pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+            rows, target, sums, domain, block_bond, block_move, ready, shared, part,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-            0.0, 0.0, 0.0, 0.0, gamma, loss, False, ready, 0, len(ready), load,
+            0.0, 0.0, 0.0, 0.0, gamma, loss, False, load,
         )  # fmt: skip
     sample(
-        t0 + step * dt, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
+        t0 + step * dt, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period,
         rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed,
         row_reaction, row_force, work, loss, contacts, records[0],
     )  # fmt: skip
@@ -147,8 +140,8 @@ def evaluate(
 @kernel(parallel=False)
 def advance(
     step, steps, every, t0, dt, moved, finish, begin, extra, gamma,
-    pose, motion, acceleration, i, j, constants, shear, bending, lever, integrity, history, period, output,
-    in_start, out_start, out_bond, ready, block_element, block_bond,
+    pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+    rows, target, sums, domain, block_bond, block_move, ready, shared, part,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, records,
@@ -198,10 +191,6 @@ def advance(
                     return done, written, wide, lost, sick, True
             contact_loads(pose, motion, loss, period, dt, contacts)
         moved = False
-        if history.shape[1] > 0:
-            incremental_forces(
-                pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, dt, output
-            )
         done += 1
         now = step + done
         t = t0 + now * dt
@@ -211,29 +200,12 @@ def advance(
             t, dt, times, values, start, drive_row, drive_dof, drive_schedule, drive_rate,
             load_row, load_schedule, load_value, row_force, row_half, row_full,
         )  # fmt: skip
-        for b in range(len(block_bond) - 1):
-            if threaded:
-                if history.shape[1] == 0:
-                    bond_forces(
-                        pose, i, j, constants, integrity, period, output, block_bond[b], block_bond[b + 1]
-                    )
-                close_step(
-                    pose, motion, acceleration, output, in_start, out_start, out_bond,
-                    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-                    dt, finish, begin, extra, gamma, loss, not paused, ready, block_element[b], block_element[b + 1],
-                    load,
-                )  # fmt: skip
-            else:
-                if history.shape[1] == 0:
-                    bond_forces_serial(
-                        pose, i, j, constants, integrity, period, output, block_bond[b], block_bond[b + 1]
-                    )
-                close_step_serial(
-                    pose, motion, acceleration, output, in_start, out_start, out_bond,
-                    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-                    dt, finish, begin, extra, gamma, loss, not paused, ready, block_element[b], block_element[b + 1],
-                    load,
-                )  # fmt: skip
+        step_forces(
+            pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+            rows, target, sums, domain, block_bond, block_move, ready, shared, part,
+            row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+            dt, finish, begin, extra, gamma, loss, not paused, load,
+        )  # fmt: skip
         if now % GUARD_INTERVAL == 0 or done == steps:
             turned, lost, sick = rotation_guard(pose, i, j, constants, integrity, period)
             wide = max(wide, turned)
@@ -241,7 +213,7 @@ def advance(
                 break
         if sampled:
             sample(
-                t, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, output,
+                t, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period,
                 rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, row_of, row_fixed,
                 row_reaction, row_force, work, loss, contacts, records[written],
             )  # fmt: skip

@@ -1,12 +1,12 @@
-"""Phase one of a step: every bond writes its force and torques, and nobody else's.
+"""Bonds of a block: their forces and torques, and the sums of these for each element.
 
-Constants and outputs are structures of arrays, so that the loop vectorises; positions are gathered from
-rows of 8. Because a bond writes only its own column, the result does not depend on the thread count.
+Constants and outputs are structures of arrays, so that the first loop vectorises; positions are gathered from rows
+of 8. The outputs stay in the cache until the second loop has added them up, in the order of the bonds.
 """
 
 import numpy as np
 
-from bondem._compile import device, kernel, prange
+from bondem._compile import device, kernel
 from bondem.laws.beam_energy import bond_cosines, bond_energy, bond_force
 
 
@@ -23,17 +23,23 @@ def branch(pose, a, b, period):
     )
 
 
-def _forces(pose, i, j, constants, integrity, period, output, first, last):
+@kernel(parallel=False, separate=True)
+def bond_forces(
+    pose, i, j, constants, same, integrity, period, first, last, fx, fy, fz, ax, ay, az, bx, by, bz
+):  # fmt: skip
+    """Force on j and torques on i and j of the bonds first … last, into the beginning of nine rows.
+
+    Where all bonds are alike but for their length, `same` is kn L, A L = C L, B L and kt L, and a bond reads four
+    numbers instead of nine; else it is None.
+    """
     # unsigned, or every index would be tested for counting from the end
     begin = np.uint64(first)
     X0, Y0, Z0, rest = constants[0], constants[1], constants[2], constants[3]
     kn, A, B, C, kt = constants[4], constants[5], constants[6], constants[7], constants[8]
-    fx, fy, fz = output[0], output[1], output[2]
-    ax, ay, az = output[3], output[4], output[5]
-    bx, by, bz = output[6], output[7], output[8]
+    knL, AL, BL, ktL = (0.0, 0.0, 0.0, 0.0) if same is None else same  # decided when compiled
     px, py, pz = period[0], period[1], period[2]
     ix, iy, iz = period[3], period[4], period[5]
-    for n in prange(last - first):
+    for n in range(last - first):
         k = np.uint64(n) + begin
         a = i[k]
         b = j[k]
@@ -45,36 +51,52 @@ def _forces(pose, i, j, constants, integrity, period, output, first, last):
         dy -= py * np.rint(dy * iy)
         dz -= pz * np.rint(dz * iz)
         s = integrity[k]
-        f0, f1, f2, a0, a1, a2, b0, b1, b2 = bond_force(
+        l = rest[k]
+        if same is None:
+            k0, k1, k2, k3, k4 = s * kn[k], s * A[k], s * B[k], s * C[k], s * kt[k]
+        else:
+            inverse = s / l
+            k0, k1, k2, k3, k4 = knL * inverse, AL * inverse, BL * inverse, AL * inverse, ktL * inverse
+        fx[n], fy[n], fz[n], ax[n], ay[n], az[n], bx[n], by[n], bz[n] = bond_force(
             dx, dy, dz,
             pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
             pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
-            X0[k], Y0[k], Z0[k], rest[k], kn[k], A[k], B[k], C[k], kt[k],
+            X0[k], Y0[k], Z0[k], l, k0, k1, k2, k3, k4,
         )  # fmt: skip
-        fx[k] = s * f0
-        fy[k] = s * f1
-        fz[k] = s * f2
-        ax[k] = s * a0
-        ay[k] = s * a1
-        az[k] = s * a2
-        bx[k] = s * b0
-        by[k] = s * b1
-        bz[k] = s * b2
 
 
-bond_forces = kernel(parallel=True)(_forces)
-bond_forces_serial = kernel(parallel=False)(_forces)
+@kernel(parallel=False, separate=True)
+def add_forces(sums, j, target, first, last, fx, fy, fz, ax, ay, az, bx, by, bz):
+    """Add the nine rows to the sums of both ends, bond by bond: force (3) and torque (3) in rows of eight."""
+    begin = np.uint64(first)
+    for n in range(last - first):
+        k = np.uint64(n) + begin
+        b = j[k]
+        sums[b, 0] += fx[n]
+        sums[b, 1] += fy[n]
+        sums[b, 2] += fz[n]
+        sums[b, 3] += bx[n]
+        sums[b, 4] += by[n]
+        sums[b, 5] += bz[n]
+        a = target[k]
+        sums[a, 0] -= fx[n]
+        sums[a, 1] -= fy[n]
+        sums[a, 2] -= fz[n]
+        sums[a, 3] += ax[n]
+        sums[a, 4] += ay[n]
+        sums[a, 5] += az[n]
 
 
 @kernel(parallel=False)
-def bond_energies(pose, i, j, constants, shear, lever, integrity, period, output):
-    """Normal, shear, bending and twisting energy of every bond [J] into rows 0 … 3 of `output` (≥ 4, m)."""
+def bond_energies(pose, i, j, constants, shear, lever, integrity, period):
+    """Normal, shear, bending and twisting energy of all bonds [J]."""
     # without threads: it runs once a record, often on a few bonds, where launching them costs far more
+    normal = slip = bend = twist = 0.0
     for k in range(len(i)):
         a = i[k]
         b = j[k]
         dx, dy, dz = branch(pose, a, b, period)
-        normal, slip, bend, twist = bond_energy(
+        part = bond_energy(
             dx, dy, dz,
             pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
             pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
@@ -82,10 +104,11 @@ def bond_energies(pose, i, j, constants, shear, lever, integrity, period, output
             constants[5, k], constants[6, k], constants[7, k], constants[8, k], shear[k], lever[k],
         )  # fmt: skip
         s = integrity[k]
-        output[0, k] = s * normal
-        output[1, k] = s * slip
-        output[2, k] = s * bend
-        output[3, k] = s * twist
+        normal += s * part[0]
+        slip += s * part[1]
+        bend += s * part[2]
+        twist += s * part[3]
+    return normal, slip, bend, twist
 
 
 @kernel(parallel=False)

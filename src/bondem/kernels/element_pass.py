@@ -1,4 +1,4 @@
-"""Phase two of a step: every element gathers the forces of its bonds in a fixed order and moves.
+"""What elements do with the sums of the forces of their bonds: they move, and leave the sums at zero.
 
 Both schemes are one update with three coefficients (bondem.solve.schemes):
 
@@ -97,33 +97,21 @@ def _open(
         _drift(pose, p, dt, extra, vx, vy, vz, wx, wy, wz, ax, ay, az, bx, by, bz)
 
 
-def _close(
-    pose, motion, acceleration, output, in_start, out_start, out_bond,
-    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-    dt, finish, begin, extra, gamma, loss, go_on, ready, first, last, load,
+def _move(
+    pose, motion, acceleration, sums, element, part, row_of, row_fixed, row_force, row_half, row_full, row_reaction,
+    work, dt, finish, begin, extra, gamma, loss, go_on, first, last, load,
 ):  # fmt: skip
-    fx, fy, fz = output[0], output[1], output[2]
-    tx, ty, tz = output[3], output[4], output[5]
-    sx, sy, sz = output[6], output[7], output[8]
-    origin = np.uint64(first)
     for n in prange(last - first):
-        p = ready[np.uint64(n) + origin]
-        f0 = f1 = f2 = t0 = t1 = t2 = 0.0
-        for k in range(in_start[p], in_start[p + 1]):
-            f0 += fx[k]
-            f1 += fy[k]
-            f2 += fz[k]
-            t0 += sx[k]
-            t1 += sy[k]
-            t2 += sz[k]
-        for e in range(out_start[p], out_start[p + 1]):
-            k = out_bond[e]
-            f0 -= fx[k]
-            f1 -= fy[k]
-            f2 -= fz[k]
-            t0 += tx[k]
-            t1 += ty[k]
-            t2 += tz[k]
+        e = np.uint64(n) + np.uint64(first)
+        p = element[e]
+        if part is not None:  # of bonds in other domains; decided when compiled
+            for q in range(len(pose) + part[e], len(pose) + part[e + 1]):
+                for d in range(6):
+                    sums[p, d] += sums[q, d]
+                    sums[q, d] = 0.0
+        f0, f1, f2, t0, t1, t2 = sums[p, 0], sums[p, 1], sums[p, 2], sums[p, 3], sums[p, 4], sums[p, 5]
+        for d in range(6):
+            sums[p, d] = 0.0
         if load is not None:  # of contacts; decided when compiled
             f0 += load[p, 0]
             f1 += load[p, 1]
@@ -201,5 +189,5 @@ def _close(
 
 open_step = kernel(parallel=True)(_open)
 open_step_serial = kernel(parallel=False)(_open)
-close_step = kernel(parallel=True)(_close)
-close_step_serial = kernel(parallel=False)(_close)
+move = kernel(parallel=False)(_move)
+move_shared = kernel(parallel=True)(_move)

@@ -1,14 +1,18 @@
 """Phase one of a step in the incremental formulation; same outputs as the total one."""
 
-from bondem._compile import kernel, prange
+from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import branch
 from bondem.laws.incremental import axis, spin, turned_and_loaded
 
 
-@kernel(parallel=True)
-def incremental_forces(pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, dt, output):
-    """Go on by dt with the stored force and moment of each bond (6, m), and write forces and torques (9, m)."""
-    for k in prange(len(i)):
+@kernel(parallel=False, separate=True)
+def incremental_forces(
+    pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, dt,
+    first, last, fx, fy, fz, ax, ay, az, bx, by, bz,
+):  # fmt: skip
+    """Go on by dt with the stored force and moment (6, m) of the bonds first … last; rows as of the total one."""
+    for n in range(last - first):
+        k = first + n
         a = i[k]
         b = j[k]
         dx, dy, dz = branch(pose, a, b, period)
@@ -24,40 +28,44 @@ def incremental_forces(pose, motion, i, j, constants, shear, bending, lever, int
         vx -= sy * nz - sz * ny
         vy -= sz * nx - sx * nz
         vz -= sx * ny - sy * nx
-        fx, fy, fz = turned_and_loaded(
+        f0, f1, f2 = turned_and_loaded(
             history[0, k], history[1, k], history[2, k], ox, oy, oz, vx, vy, vz, nx, ny, nz,
             constants[4, k], shear[k], dt,
         )  # fmt: skip
-        mx, my, mz = turned_and_loaded(
+        m0, m1, m2 = turned_and_loaded(
             history[3, k], history[4, k], history[5, k], ox, oy, oz, qx - px, qy - py, qz - pz, nx, ny, nz,
             constants[8, k], bending[k], dt,
         )  # fmt: skip
-        history[0, k], history[1, k], history[2, k] = fx, fy, fz
-        history[3, k], history[4, k], history[5, k] = mx, my, mz
+        history[0, k], history[1, k], history[2, k] = f0, f1, f2
+        history[3, k], history[4, k], history[5, k] = m0, m1, m2
         s = integrity[k]
-        cx, cy, cz = ny * fz - nz * fy, nz * fx - nx * fz, nx * fy - ny * fx
-        output[0, k], output[1, k], output[2, k] = -s * fx, -s * fy, -s * fz
-        output[3, k], output[4, k], output[5, k] = s * (near * cx + mx), s * (near * cy + my), s * (near * cz + mz)
-        output[6, k], output[7, k], output[8, k] = s * (far * cx - mx), s * (far * cy - my), s * (far * cz - mz)
+        c0, c1, c2 = ny * f2 - nz * f1, nz * f0 - nx * f2, nx * f1 - ny * f0
+        fx[n], fy[n], fz[n] = -s * f0, -s * f1, -s * f2
+        ax[n], ay[n], az[n] = s * (near * c0 + m0), s * (near * c1 + m1), s * (near * c2 + m2)
+        bx[n], by[n], bz[n] = s * (far * c0 - m0), s * (far * c1 - m1), s * (far * c2 - m2)
 
 
 @kernel(parallel=False)
-def incremental_energies(pose, i, j, constants, shear, bending, integrity, history, period, output):
-    """Normal, shear, bending and twisting energy of every bond [J] from its stored force and moment."""
+def incremental_energies(pose, i, j, constants, shear, bending, integrity, history, period):
+    """Normal, shear, bending and twisting energy of all bonds [J] from their stored forces and moments."""
+    normal = slip = bend = twist = 0.0
     for k in range(len(i)):
-        a = i[k]
-        b = j[k]
-        dx, dy, dz = branch(pose, a, b, period)
+        dx, dy, dz = branch(pose, i[k], j[k], period)
         nx, ny, nz, _ = axis(dx, dy, dz)
-        for part in range(2):
-            x, y, z = history[3 * part, k], history[3 * part + 1, k], history[3 * part + 2, k]
-            along = x * nx + y * ny + z * nz
-            rest = max(x * x + y * y + z * z - along * along, 0.0)
-            stiff = constants[4, k] if part == 0 else constants[8, k]
-            soft = shear[k] if part == 0 else bending[k]
-            first = 0.5 * along * along / stiff if stiff > 0.0 else 0.0
-            second = 0.5 * rest / soft if soft > 0.0 else 0.0
-            s = integrity[k]
-            # rows: normal, shear, bending, twisting
-            output[3 * part, k] = s * first
-            output[1 + part, k] = s * second
+        s = integrity[k]
+        along, across = _stored(history, 0, k, nx, ny, nz, constants[4, k], shear[k])
+        normal += s * along
+        slip += s * across
+        along, across = _stored(history, 3, k, nx, ny, nz, constants[8, k], bending[k])
+        twist += s * along
+        bend += s * across
+    return normal, slip, bend, twist
+
+
+@device
+def _stored(history, row, k, nx, ny, nz, stiff, soft):
+    """Energy of a stored vector along a bond, of stiffness `stiff`, and across it."""
+    x, y, z = history[row, k], history[row + 1, k], history[row + 2, k]
+    along = x * nx + y * ny + z * nz
+    rest = max(x * x + y * y + z * z - along * along, 0.0)
+    return 0.5 * along * along / stiff if stiff > 0.0 else 0.0, 0.5 * rest / soft if soft > 0.0 else 0.0

@@ -47,3 +47,23 @@ class BondTable:
         constants[7] = ks * b * b + k
         constants[8] = kt
         return cls(constants, ks.copy(), kb.copy(), a, stiffness.radius[order])
+
+
+# Rounding that products of constants and length may differ by.
+_ROUNDING = 1e-14
+
+
+def alike(constants: Floats) -> tuple[float, float, float, float] | None:
+    """kn L, A L = C L, B L and kt L [N, N·m²] where all bonds share them, else None.
+
+    So it is for Euler–Bernoulli bonds of one material and radius: their stiffnesses go as 1 / L.
+    """
+    if constants.shape[1] == 0:
+        return None
+    products = constants[4:] * constants[3]
+    largest = np.abs(products).max(axis=1)
+    spread = np.append(np.ptp(products, axis=1), abs(products[1] - products[3]).max())
+    if (spread > _ROUNDING * np.append(largest, largest[1])).any():
+        return None
+    kn, A, B, _, kt = products.mean(axis=1).tolist()
+    return kn, A, B, kt

@@ -60,9 +60,6 @@ def linear_energy(model: Model, displacement: PerElement3, rotation: PerElement3
 def elastic_energy(model: Model, state: State) -> EnergyParts:
     """Energy of a state under the total formulation, at any rotation."""
     layout, bonds = model.layout, model.bonds
-    parts = np.empty((4, len(layout.i)))
-    bond_energies(
-        state.pose, layout.i, layout.j, bonds.constants, bonds.shear, bonds.lever, state.integrity,
-        model.period, parts,
-    )  # fmt: skip
-    return EnergyParts(*(float(row.sum()) for row in parts))
+    return EnergyParts(*bond_energies(
+        state.pose, layout.i, layout.j, bonds.constants, bonds.shear, bonds.lever, state.integrity, model.period,
+    ))  # fmt: skip

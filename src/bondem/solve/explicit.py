@@ -10,11 +10,12 @@ import numpy as np
 
 from bondem._compile import current_threads
 from bondem.errors import InputError
-from bondem.kernels.advance import FIXED_COLUMNS, WALL_DISPLACEMENT, advance, evaluate
+from bondem.kernels.advance import FIXED_COLUMNS, SERIAL_BONDS, WALL_DISPLACEMENT, advance, evaluate
 from bondem.kernels.contact_pass import Contacts
+from bondem.kernels.sweep import TILE
 from bondem.laws.damping import LocalDamping
 from bondem.model.blocks import Blocks
-from bondem.model.bond_table import BondTable
+from bondem.model.bond_table import BondTable, alike
 from bondem.model.gauges import QUANTITIES, REDUCTIONS, WALL_QUANTITIES, AnyGauge, Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -25,7 +26,7 @@ from bondem.solve.saving import Sink
 from bondem.solve.schemes import Scheme, VelocityVerlet
 from bondem.solve.timestep import choose_step
 
-# Elements of a block for each thread: their forces fit into the L2 cache, and launching a block costs little.
+# Elements of a block: they stay in the L2 cache from their bonds to their motion.
 BLOCK = 4000
 # Steps in one compiled call at most, so that progress and interrupts are not far away.
 _CHUNK = 10_000
@@ -205,15 +206,16 @@ class _Loop:
         members = [_members(model, gauge) for gauge in gauges]
         self.width = FIXED_COLUMNS + 3 * len(gauges)
         constants, shear, lever = _rested(bonds, state.eigenstrain)
-        blocks = Blocks.of(layout, BLOCK * current_threads())
+        domains = current_threads() if len(layout.i) >= SERIAL_BONDS else 1
+        blocks = Blocks.of(layout, BLOCK, domains)
         rows = np.zeros((2, len(held.element), 6))
         gamma = plan.damping.gamma if plan.damping is not None else 0.0
         self.scheme = (*plan.scheme.coefficients(dt), gamma)
         self.arrays = (
-            state.pose, state.motion, state.acceleration, layout.i, layout.j, constants, shear,
+            state.pose, state.motion, state.acceleration, layout.i, layout.j, constants, alike(constants), shear,
             bonds.bending, lever, state.integrity, state.history, model.period,
-            np.empty((9, len(layout.i))), layout.in_start, layout.out_start, layout.out_bond,
-            blocks.ready, blocks.element, blocks.bond,
+            np.empty((domains, 9, TILE)), blocks.target, np.zeros((len(layout.order) + blocks.rows, 8)),
+            blocks.domain, blocks.bond, blocks.move, blocks.ready, blocks.shared, blocks.part,
             held.times, held.values, held.start, held.drive_row, held.drive_dof, held.drive_schedule,
             held.drive_rate, held.load_row, held.load_schedule, held.load_value,
             held.row_of, held.fixed, np.zeros((len(held.element), 6)), rows[0], rows[1], state.reaction,

@@ -12,7 +12,7 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError
-from bondem.kernels.bond_pass import bond_forces_serial, rotation_guard
+from bondem.kernels.bond_pass import bond_forces, rotation_guard
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.linear import System, solver
@@ -120,7 +120,7 @@ def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
     """Derivative of each bond's energy by the motion of its two ends, (6, m) each."""
     m = len(i)
     output = np.empty((9, m))
-    bond_forces_serial(pose, i, j, model.bonds.constants, np.ones(m), model.period, output, 0, m)
+    bond_forces(pose, i, j, model.bonds.constants, None, np.ones(m), model.period, 0, m, *output)
     force = output[:3]
     return np.concatenate([force, -output[3:6]]), np.concatenate([-force, -output[6:9]])
 

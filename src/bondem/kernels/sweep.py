@@ -1,0 +1,87 @@
+"""A step over all bonds and elements, block by block, and on several threads domain by domain.
+
+See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
+"""
+
+from bondem._compile import kernel, prange
+from bondem.kernels.bond_pass import add_forces, bond_forces
+from bondem.kernels.element_pass import move, move_shared
+from bondem.kernels.incremental import incremental_forces
+
+# Bonds whose forces are computed before they are added up: nine rows of them fit into the nearest cache.
+TILE = 512
+
+
+@kernel(parallel=False)
+def sweep(
+    pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+    rows, target, sums, block_bond, block_move, ready,
+    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+    dt, finish, begin, extra, gamma, loss, go_on, first, last, load,
+):  # fmt: skip
+    """The blocks first … last: bonds, sums, and the elements whose sums are complete."""
+    fx, fy, fz = rows[0], rows[1], rows[2]
+    ax, ay, az = rows[3], rows[4], rows[5]
+    bx, by, bz = rows[6], rows[7], rows[8]
+    for b in range(first, last):
+        for k0 in range(block_bond[b], block_bond[b + 1], TILE):
+            k1 = min(k0 + TILE, block_bond[b + 1])
+            if history.shape[1] > 0:
+                incremental_forces(
+                    pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, dt,
+                    k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz,
+                )  # fmt: skip
+            else:
+                bond_forces(
+                    pose, i, j, constants, same, integrity, period, k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz
+                )
+            add_forces(sums, j, target, k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz)
+        move(
+            pose, motion, acceleration, sums, ready, None, row_of, row_fixed, row_force, row_half, row_full,
+            row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, block_move[b], block_move[b + 1], load,
+        )  # fmt: skip
+
+
+@kernel(parallel=True)
+def sweep_domains(
+    pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+    rows, target, sums, domain, block_bond, block_move, ready,
+    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+    dt, finish, begin, extra, gamma, loss, go_on, load,
+):  # fmt: skip
+    """All domains, each on a thread of its own; shared elements have not moved yet."""
+    for d in prange(len(domain) - 1):
+        sweep(
+            pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+            rows[d], target, sums, block_bond, block_move, ready,
+            row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+            dt, finish, begin, extra, gamma, loss, go_on, domain[d], domain[d + 1], load,
+        )  # fmt: skip
+
+
+@kernel(parallel=False)
+def step_forces(
+    pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+    rows, target, sums, domain, block_bond, block_move, ready, shared, part,
+    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+    dt, finish, begin, extra, gamma, loss, go_on, load,
+):  # fmt: skip
+    """Forces of all bonds now, and what elements do with them: close the step, and open the next or not."""
+    if len(domain) == 2:
+        sweep(
+            pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+            rows[0], target, sums, block_bond, block_move, ready,
+            row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+            dt, finish, begin, extra, gamma, loss, go_on, domain[0], domain[1], load,
+        )  # fmt: skip
+    else:
+        sweep_domains(
+            pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
+            rows, target, sums, domain, block_bond, block_move, ready,
+            row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
+            dt, finish, begin, extra, gamma, loss, go_on, load,
+        )  # fmt: skip
+        move_shared(
+            pose, motion, acceleration, sums, shared, part, row_of, row_fixed, row_force, row_half, row_full,
+            row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, 0, len(shared), load,
+        )  # fmt: skip
