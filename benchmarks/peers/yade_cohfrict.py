@@ -1,0 +1,44 @@
+"""Yade, `CohFrictMat` with `Law2_ScGeom6D_CohFrictPhys_CohesionMoment`: its run and its answer."""
+
+import os
+import subprocess
+from pathlib import Path
+
+from outcome import Outcome
+from specimen import Specimen
+
+_SCRIPT = Path(__file__).parent / "yade_script.py"
+
+
+class Yade:
+    """The executable is `yade`, or what the environment variable YADE names."""
+
+    name = "yade"
+    alike = True
+    differs = (
+        "bonds shear where the spheres touch, not in the middle",
+        "no collider: with one, as any run with contacts needs, it is slower still",
+        "bonds compute their strength, which is never reached",
+    )
+
+    def __init__(self) -> None:
+        self.executable = os.environ.get("YADE", "yade")
+
+    def missing(self) -> str:
+        try:
+            done = subprocess.run([self.executable, "--version"], capture_output=True, text=True)
+        except OSError as error:
+            return f"{self.executable}: {error.strerror}"
+        return "" if done.returncode == 0 else f"{self.executable} --version fails: {done.stderr.strip()}"
+
+    def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
+        specimen.save(folder / "specimen.npz")
+        answer = folder / "outcome.npz"
+        answer.unlink(missing_ok=True)
+        command = [self.executable, "-n", "-x", "-j1", str(_SCRIPT), str(folder), str(check), str(steps)]
+        environment = {**os.environ, "PYTHONPATH": str(_SCRIPT.parent), "OMP_NUM_THREADS": "1"}
+        done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
+        # its exit status says nothing of errors in the script
+        if not answer.exists():
+            raise RuntimeError(f"Yade left no answer: {done.stderr.strip()[-2000:]}")
+        return Outcome.load(answer)

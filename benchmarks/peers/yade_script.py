@@ -1,0 +1,56 @@
+"""Runs inside Yade: `yade -n -x -j1 yade_script.py FOLDER CHECK STEPS`.
+
+This folder is on PYTHONPATH, as Yade does not say where a script is.
+"""
+# ruff: noqa: F821  Yade puts its names into the script
+
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+from outcome import Outcome
+from specimen import DENSITY, POISSON, YOUNG, Specimen
+
+folder, check, steps = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
+specimen = Specimen.load(folder / "specimen.npz")
+material = CohFrictMat(
+    young=YOUNG, poisson=POISSON, density=DENSITY, frictionAngle=0.5, isCohesive=True, momentRotationLaw=True,
+    normalCohesion=1e30, shearCohesion=1e30, etaRoll=-1, etaTwist=-1, alphaKr=1.0, alphaKtw=1.0,
+)  # fmt: skip
+O.materials.append(material)
+for x, r, v in zip(specimen.position, specimen.radius, specimen.velocity):  # noqa: B905
+    body = O.bodies[O.bodies.append(sphere(x, r, material=material))]
+    body.state.vel = v
+
+loop = InteractionLoop(
+    [Ig2_Sphere_Sphere_ScGeom6D()],
+    [Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionNow=True, setCohesionOnNewContacts=False)],
+    [Law2_ScGeom6D_CohFrictPhys_CohesionMoment(always_use_moment_law=True)],
+)
+# No collider: there are no other interactions than bonds. Elements move first: shear adds up from velocities, and in
+# the usual order it would begin with a step that was not made.
+O.engines = [NewtonIntegrator(damping=0.0), ForceResetter(), loop]
+O.dt = float(specimen.dt)
+for k, (i, j) in enumerate(specimen.pairs):
+    bond = createInteraction(int(i), int(j))
+    bond.phys.kn, bond.phys.ks = float(specimen.kn[k]), float(specimen.ks[k])
+    bond.phys.kr, bond.phys.ktw = float(specimen.kb[k]), float(specimen.kt[k])
+    # bonds know no rest length: without it overlaps would be stretched bonds
+    bond.phys.unp = bond.geom.penetrationDepth
+    bond.phys.cohesionBroken = False
+    bond.phys.fragile = False
+    bond.phys.normalAdhesion = bond.phys.shearAdhesion = 1e30
+O.run(check, True)
+position = np.array([body.state.pos for body in O.bodies])
+start = time.perf_counter()
+O.run(steps, True)
+seconds = time.perf_counter() - start
+Outcome(
+    seconds=seconds,
+    bonds=sum(1 for bond in O.interactions if bond.isReal and not bond.phys.cohesionBroken),
+    position=position,
+    velocity=np.array([body.state.vel for body in O.bodies]),
+    spin=np.array([body.state.angVel for body in O.bodies]),
+    version="Yade " + str(yade.config.version),
+).save(folder / "outcome.npz")
