@@ -110,7 +110,7 @@ def sample(
 def evaluate(
     step, t0, dt, gamma, stale,
     pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-    rows, target, sums, domain, block_bond, block_move, ready, shared, part,
+    rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts, part,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, records,
@@ -126,9 +126,11 @@ def evaluate(
             contact_loads(pose, motion, loss, period, 0.0, contacts)
         step_forces(
             pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-            rows, target, sums, domain, block_bond, block_move, ready, shared, part,
+            rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts,
+            part,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-            0.0, 0.0, 0.0, 0.0, gamma, loss, False, load,
+            # not the literal False, for which all of it would be compiled once more
+            0.0, 0.0, 0.0, 0.0, gamma, loss, not stale, load,
         )  # fmt: skip
     sample(
         t0 + step * dt, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period,
@@ -141,7 +143,7 @@ def evaluate(
 def advance(
     step, steps, every, t0, dt, moved, finish, begin, extra, gamma,
     pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-    rows, target, sums, domain, block_bond, block_move, ready, shared, part,
+    rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts, part,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
     rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, records,
@@ -202,7 +204,8 @@ def advance(
         )  # fmt: skip
         step_forces(
             pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-            rows, target, sums, domain, block_bond, block_move, ready, shared, part,
+            rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts,
+            part,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
             dt, finish, begin, extra, gamma, loss, not paused, load,
         )  # fmt: skip

@@ -66,19 +66,19 @@ def bond_forces(
 
 
 @kernel(parallel=False, separate=True)
-def add_forces(sums, j, target, first, last, fx, fy, fz, ax, ay, az, bx, by, bz):
+def add_forces(sums, row_i, row_j, first, last, fx, fy, fz, ax, ay, az, bx, by, bz):
     """Add the nine rows to the sums of both ends, bond by bond: force (3) and torque (3) in rows of eight."""
     begin = np.uint64(first)
     for n in range(last - first):
         k = np.uint64(n) + begin
-        b = j[k]
+        b = row_j[k]
         sums[b, 0] += fx[n]
         sums[b, 1] += fy[n]
         sums[b, 2] += fz[n]
         sums[b, 3] += bx[n]
         sums[b, 4] += by[n]
         sums[b, 5] += bz[n]
-        a = target[k]
+        a = row_i[k]
         sums[a, 0] -= fx[n]
         sums[a, 1] -= fy[n]
         sums[a, 2] -= fz[n]

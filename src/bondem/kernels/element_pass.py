@@ -8,7 +8,6 @@ Both schemes are one update with three coefficients (bondem.solve.schemes):
 Boundary conditions live on the few elements that own a row (`row_of[p] >= 0`); the others pay one test.
 """
 
-import numpy as np
 
 from bondem._compile import device, kernel, prange
 from bondem.laws.damping import local_damping
@@ -97,21 +96,28 @@ def _open(
         _drift(pose, p, dt, extra, vx, vy, vz, wx, wy, wz, ax, ay, az, bx, by, bz)
 
 
-def _move(
-    pose, motion, acceleration, sums, element, part, row_of, row_fixed, row_force, row_half, row_full, row_reaction,
+@kernel(parallel=False)
+def collect(sums, row, parts, part, first, last):
+    """Add what bonds of other domains have left to the sums of shared elements, and leave zeros there."""
+    for e in range(first, last):
+        for q in range(parts + part[e], parts + part[e + 1]):
+            for d in range(6):
+                sums[row[e], d] += sums[q, d]
+                sums[q, d] = 0.0
+
+
+@kernel(parallel=False)
+def move(
+    pose, motion, acceleration, sums, element, row, row_of, row_fixed, row_force, row_half, row_full, row_reaction,
     work, dt, finish, begin, extra, gamma, loss, go_on, first, last, load,
 ):  # fmt: skip
-    for n in prange(last - first):
-        e = np.uint64(n) + np.uint64(first)
+    """Elements whose sums are complete close the step, and open the next if it is to go on."""
+    for e in range(first, last):
         p = element[e]
-        if part is not None:  # of bonds in other domains; decided when compiled
-            for q in range(len(pose) + part[e], len(pose) + part[e + 1]):
-                for d in range(6):
-                    sums[p, d] += sums[q, d]
-                    sums[q, d] = 0.0
-        f0, f1, f2, t0, t1, t2 = sums[p, 0], sums[p, 1], sums[p, 2], sums[p, 3], sums[p, 4], sums[p, 5]
+        s = row[e]
+        f0, f1, f2, t0, t1, t2 = sums[s, 0], sums[s, 1], sums[s, 2], sums[s, 3], sums[s, 4], sums[s, 5]
         for d in range(6):
-            sums[p, d] = 0.0
+            sums[s, d] = 0.0
         if load is not None:  # of contacts; decided when compiled
             f0 += load[p, 0]
             f1 += load[p, 1]
@@ -189,5 +195,3 @@ def _move(
 
 open_step = kernel(parallel=True)(_open)
 open_step_serial = kernel(parallel=False)(_open)
-move = kernel(parallel=False)(_move)
-move_shared = kernel(parallel=True)(_move)

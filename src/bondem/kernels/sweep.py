@@ -5,7 +5,7 @@ See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 
 from bondem._compile import kernel, prange
 from bondem.kernels.bond_pass import add_forces, bond_forces
-from bondem.kernels.element_pass import move, move_shared
+from bondem.kernels.element_pass import collect, move
 from bondem.kernels.incremental import incremental_forces
 
 # Bonds whose forces are computed before they are added up: nine rows of them fit into the nearest cache.
@@ -15,7 +15,7 @@ TILE = 512
 @kernel(parallel=False)
 def sweep(
     pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-    rows, target, sums, block_bond, block_move, ready,
+    rows, row_i, row_j, sums, block_bond, block_move, ready, ready_row,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
     dt, finish, begin, extra, gamma, loss, go_on, first, last, load,
 ):  # fmt: skip
@@ -35,9 +35,9 @@ def sweep(
                 bond_forces(
                     pose, i, j, constants, same, integrity, period, k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz
                 )
-            add_forces(sums, j, target, k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz)
+            add_forces(sums, row_i, row_j, k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz)
         move(
-            pose, motion, acceleration, sums, ready, None, row_of, row_fixed, row_force, row_half, row_full,
+            pose, motion, acceleration, sums, ready, ready_row, row_of, row_fixed, row_force, row_half, row_full,
             row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, block_move[b], block_move[b + 1], load,
         )  # fmt: skip
 
@@ -45,24 +45,32 @@ def sweep(
 @kernel(parallel=True)
 def sweep_domains(
     pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-    rows, target, sums, domain, block_bond, block_move, ready,
+    rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts, part,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
     dt, finish, begin, extra, gamma, loss, go_on, load,
 ):  # fmt: skip
-    """All domains, each on a thread of its own; shared elements have not moved yet."""
-    for d in prange(len(domain) - 1):
+    """All domains, each on a thread of its own, then the elements they share."""
+    count = len(domain) - 1
+    for d in prange(count):
         sweep(
             pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-            rows[d], target, sums, block_bond, block_move, ready,
+            rows[d], row_i, row_j, sums, block_bond, block_move, ready, ready_row,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
             dt, finish, begin, extra, gamma, loss, go_on, domain[d], domain[d + 1], load,
+        )  # fmt: skip
+    for d in prange(count):
+        first, last = len(shared) * d // count, len(shared) * (d + 1) // count
+        collect(sums, shared_row, parts, part, first, last)
+        move(
+            pose, motion, acceleration, sums, shared, shared_row, row_of, row_fixed, row_force, row_half, row_full,
+            row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, first, last, load,
         )  # fmt: skip
 
 
 @kernel(parallel=False)
 def step_forces(
     pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-    rows, target, sums, domain, block_bond, block_move, ready, shared, part,
+    rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts, part,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
     dt, finish, begin, extra, gamma, loss, go_on, load,
 ):  # fmt: skip
@@ -70,18 +78,15 @@ def step_forces(
     if len(domain) == 2:
         sweep(
             pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-            rows[0], target, sums, block_bond, block_move, ready,
+            rows[0], row_i, row_j, sums, block_bond, block_move, ready, ready_row,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
             dt, finish, begin, extra, gamma, loss, go_on, domain[0], domain[1], load,
         )  # fmt: skip
     else:
         sweep_domains(
             pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
-            rows, target, sums, domain, block_bond, block_move, ready,
+            rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts,
+            part,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
             dt, finish, begin, extra, gamma, loss, go_on, load,
-        )  # fmt: skip
-        move_shared(
-            pose, motion, acceleration, sums, shared, part, row_of, row_fixed, row_force, row_half, row_full,
-            row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, 0, len(shared), load,
         )  # fmt: skip

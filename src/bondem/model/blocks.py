@@ -22,23 +22,33 @@ from bondem.model.layout import Layout
 class Blocks:
     """How a step is cut.
 
+    The sum of an element has a row from the block that begins it to the one that moves the element; the next takes
+    it over, so that the rows of a domain stay in the cache.
+
     Attributes:
         domain: domain d has the blocks domain[d] … domain[d + 1], shape (domains + 1,).
         bond: block b has the bonds bond[b] … bond[b + 1], shape (blocks + 1,).
         move: block b moves the elements ready[move[b]] … ready[move[b + 1]], shape (blocks + 1,).
         ready: all elements that are not shared, in the order in which they move, uint32.
-        target: row of sums that each bond's part for i goes to, uint32, shape (m,).
+        ready_row: rows of their sums, uint32.
+        row_i, row_j: rows that each bond adds to, uint32, shape (m,).
         shared: elements with bonds that another domain computes, ascending, uint32, shape (s,).
-        part: rows n + part[e] … n + part[e + 1] of the sums belong to shared element e, shape (s + 1,).
+        shared_row: rows of their sums, uint32, shape (s,).
+        part: rows parts + part[e] … parts + part[e + 1] also belong to shared element e, shape (s + 1,).
+        parts: first of the rows that bonds between domains add to.
     """
 
     domain: Ints
     bond: Ints
     move: Ints
     ready: np.ndarray
-    target: np.ndarray
+    ready_row: np.ndarray
+    row_i: np.ndarray
+    row_j: np.ndarray
     shared: np.ndarray
+    shared_row: np.ndarray
     part: Ints
+    parts: int
 
     @classmethod
     def of(cls, layout: Layout, size: int, domains: int) -> "Blocks":
@@ -47,33 +57,53 @@ class Blocks:
         i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
         border = np.searchsorted(layout.in_start, np.linspace(0, m, domains + 1)[1:-1])
         count = max(1, -(-n // size))
+        # a border between domains may cut a block in two, which costs nothing
         edges = np.unique(np.concatenate([np.arange(count) * size, border, [n]]))
-        # in the middle of a block of bonds a border makes two small blocks, which costs nothing
         domain = np.searchsorted(edges, np.concatenate([[0], border, [n]]))
         owner = np.repeat(np.arange(domains), np.diff(edges[domain]))
         block = np.repeat(np.arange(len(edges) - 1), np.diff(edges))
         across = np.flatnonzero(owner[i] != owner[j])
         across = across[np.argsort(i[across], kind="stable")]
-        target = layout.i.copy()
-        target[across] = n + np.arange(len(across))
         shared, parts = np.unique(i[across], return_counts=True)
         last = block.copy()
         np.maximum.at(last, i, block[j])
-        single = np.ones(n, dtype=bool)
-        single[shared] = False
-        ready = np.flatnonzero(single)
-        ready = ready[np.argsort(last[ready], kind="stable")]
+        last[shared] = len(edges)  # beyond all blocks
+        ready = np.argsort(last, kind="stable")[: n - len(shared)]
+        move = np.searchsorted(last[ready], np.arange(len(edges)))
+        row, rows = _rows(edges, domain, ready, move)
+        row_i = row[i]
+        row_i[across] = rows + np.arange(len(across))
         return cls(
             domain=domain.astype(np.int64),
             bond=layout.in_start[edges],
-            move=np.searchsorted(last[ready], np.arange(len(edges))).astype(np.int64),
+            move=move.astype(np.int64),
             ready=ready.astype(np.uint32),
-            target=target,
+            ready_row=row[ready].astype(np.uint32),
+            row_i=row_i.astype(np.uint32),
+            row_j=row[j].astype(np.uint32),
             shared=shared.astype(np.uint32),
+            shared_row=row[shared].astype(np.uint32),
             part=np.concatenate([[0], np.cumsum(parts)]).astype(np.int64),
+            parts=rows,
         )
 
     @property
     def rows(self) -> int:
-        """Rows of sums beyond those of the elements."""
-        return int(self.part[-1])
+        """Rows of sums in all."""
+        return self.parts + int(self.part[-1])
+
+
+def _rows(edges: Ints, domain: Ints, ready: Ints, move: Ints) -> tuple[Ints, int]:
+    """Row of each element's sum, (n,), and how many there are: each domain has its own, taken over when free."""
+    row = np.empty(edges[-1], dtype=np.int64)
+    count = 0
+    for d in range(len(domain) - 1):
+        free = np.zeros(0, dtype=np.int64)
+        for b in range(domain[d], domain[d + 1]):
+            needed = edges[b + 1] - edges[b]
+            fresh = max(needed - len(free), 0)
+            free = np.concatenate([free, count + np.arange(fresh)])
+            count += fresh
+            row[edges[b] : edges[b + 1]] = free[:needed]
+            free = np.concatenate([np.sort(row[ready[move[b] : move[b + 1]]]), free[needed:]])
+    return row, count

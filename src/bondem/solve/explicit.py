@@ -214,8 +214,9 @@ class _Loop:
         self.arrays = (
             state.pose, state.motion, state.acceleration, layout.i, layout.j, constants, alike(constants), shear,
             bonds.bending, lever, state.integrity, state.history, model.period,
-            np.empty((domains, 9, TILE)), blocks.target, np.zeros((len(layout.order) + blocks.rows, 8)),
-            blocks.domain, blocks.bond, blocks.move, blocks.ready, blocks.shared, blocks.part,
+            np.empty((domains, 9, TILE)), blocks.row_i, blocks.row_j, np.zeros((blocks.rows, 8)),
+            blocks.domain, blocks.bond, blocks.move, blocks.ready, blocks.ready_row, blocks.shared, blocks.shared_row,
+            blocks.parts, blocks.part,
             held.times, held.values, held.start, held.drive_row, held.drive_dof, held.drive_schedule,
             held.drive_rate, held.load_row, held.load_schedule, held.load_value,
             held.row_of, held.fixed, np.zeros((len(held.element), 6)), rows[0], rows[1], state.reaction,
