@@ -26,7 +26,7 @@ import numba.core.config
 from numba import njit, prange
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 
-__all__ = ["cache_directory", "current_threads", "device", "kernel", "most_threads", "prange", "threads"]
+__all__ = ["cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange", "threads"]
 
 # set by numba at import, so that type checkers do not know its attributes
 config: Any = numba.core.config
@@ -53,6 +53,13 @@ def _cache_root() -> Path:
 
 
 cache_directory = _cache_root() / _source_hash()
+
+
+
+def compiled_before() -> bool:
+    """Whether there is compiled code on disk; without it the first use of each part takes some seconds more."""
+    return any(cache_directory.rglob("*.nbi"))
+
 
 # OpenMP has the cheapest launch; numba falls back by itself where libgomp is missing.
 if "NUMBA_THREADING_LAYER" not in os.environ and "NUMBA_THREADING_LAYER_PRIORITY" not in os.environ:

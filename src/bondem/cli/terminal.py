@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from bondem._compile import most_threads, threads
+from bondem._compile import compiled_before, most_threads, threads
 from bondem.errors import InputError
 from bondem.report.numbers import percent, quantity, signed_percent
 from bondem.study.study import Study
@@ -19,6 +19,8 @@ from bondem.study.study import Study
 def progress_bars() -> Iterator[Callable[[str, float], None]]:
     """A bar a stage on a terminal, nothing in a pipe; yields progress(stage, share done)."""
     console = Console(stderr=True)
+    if console.is_terminal and not compiled_before():
+        console.print("First run after an install or an update: bondem compiles itself, once, for half a minute in all.")
     columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
     with Progress(*columns, console=console, disable=not console.is_terminal) as bars:
         tasks: dict[str, TaskID] = {}
