@@ -26,7 +26,9 @@ import numba.core.config
 from numba import njit, prange
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 
-__all__ = ["cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange", "threads"]
+__all__ = [
+    "cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange", "threads",
+]  # fmt: skip
 
 # set by numba at import, so that type checkers do not know its attributes
 config: Any = numba.core.config

@@ -20,7 +20,7 @@ def progress_bars() -> Iterator[Callable[[str, float], None]]:
     """A bar a stage on a terminal, nothing in a pipe; yields progress(stage, share done)."""
     console = Console(stderr=True)
     if console.is_terminal and not compiled_before():
-        console.print("First run after an install or an update: bondem compiles itself, once, for half a minute in all.")
+        console.print("First run after an install or an update: bondem compiles itself, once, for half a minute.")
     columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
     with Progress(*columns, console=console, disable=not console.is_terminal) as bars:
         tasks: dict[str, TaskID] = {}
