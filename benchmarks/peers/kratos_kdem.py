@@ -21,7 +21,7 @@ class Kratos:
     alike = False
     differs = (
         "stiffnesses are its own, E A / L, G A / L, E I / L and G J / L with the mean radius of the two spheres, "
-        "weighted by their neighbours; E makes E A / L ours before weighting; the motion is another, the work the same",
+        "weighted by their neighbours; E makes E A / L ours before weighting; another motion, but the same work",
         "its non-local Poisson's effect and shear strain are off, and so is the search for neighbours",
         "bonds compute their dashpots, with coefficients of zero, and their strength, which is never reached",
     )
