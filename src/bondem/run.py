@@ -1,5 +1,6 @@
 """The public solvers: they turn a path into a sink and choose the device."""
 
+import importlib
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -10,7 +11,7 @@ from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.events import Event
-from bondem.solve.explicit import ExplicitResult, Plan, Status, integrate, settled
+from bondem.solve.explicit import ExplicitResult, Loop, Plan, Status, integrate, settled
 from bondem.solve.modes import solve_modes
 from bondem.solve.schemes import Scheme, VelocityVerlet
 from bondem.solve.static import solve_static
@@ -49,7 +50,7 @@ def solve_explicit(
         until: events that end the run early.
         safety: share of the critical step to use when dt is None [-].
         state: where to start, such as the end of another run; it is changed in place, and its time goes on.
-        device: "cpu".
+        device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`): total formulation, no contacts.
         out: run file (HDF5) to write; nothing is written when None.
         progress: called now and then with the share done, 0 … 1.
 
@@ -61,8 +62,6 @@ def solve_explicit(
         UnstableStepError: dt above the critical step.
         InputError: a bad value, or an output path that cannot be written.
     """
-    if device != "cpu":
-        raise InputError(f"device = '{device}' is not available in this version; use device='cpu'")
     plan = Plan(
         duration=duration,
         dt=dt,
@@ -74,20 +73,24 @@ def solve_explicit(
         until=until,
         safety=safety,
     )
+    loop_of = _loop_on(device, model, plan)
     plan = settled(model, plan)
     sink = RunFile(out, model, plan) if out is not None else None
     if state is not None:
         state.begin(model)
-    return integrate(model, plan, state=state, sink=sink, progress=progress)
+    return integrate(model, plan, state=state, sink=sink, progress=progress, loop_of=loop_of)
 
 
-def resume(path: str | Path, *, progress: Callable[[float], None] | None = None) -> ExplicitResult:
+def resume(
+    path: str | Path, *, device: str = "cpu", progress: Callable[[float], None] | None = None
+) -> ExplicitResult:
     """Go on with a run from the last checkpoint in its run file, to the bit as if it had never stopped.
 
     Checkpoints go on into the same file. A run that had ended comes back as it is.
 
     Args:
         path: run file, from `solve_explicit(..., out=path, save_every=...)`.
+        device: "cpu" or "gpu"; to the bit on the one it was begun on.
         progress: called now and then with the share done, 0 … 1.
 
     Raises:
@@ -98,7 +101,28 @@ def resume(path: str | Path, *, progress: Callable[[float], None] | None = None)
     if kept.state.step and any(event.happened(kept.state) for event in kept.plan.until):
         message = f"had been stopped by an event at t = {kept.state.time:.6g} s"
         return ExplicitResult(Status.STOPPED, kept.state, kept.history, kept.plan.dt or 0.0, kept.state.step, message)
+    loop_of = _loop_on(device, kept.model, kept.plan)
     sink = RunFile(path, kept.model, kept.plan)
     return integrate(
-        kept.model, kept.plan, state=kept.state, history=kept.history, sink=sink, progress=progress
+        kept.model, kept.plan, state=kept.state, history=kept.history, sink=sink, progress=progress, loop_of=loop_of
     )
+
+
+def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, State, float], Loop] | None:
+    """What makes the loop of a run on a device; None for that of the CPU.
+
+    Raises:
+        InputError: an unknown device, one that is not here, or one that cannot run this.
+    """
+    if device == "cpu":
+        return None
+    if device != "gpu":
+        raise InputError(f"device = '{device}' is unknown; choose 'cpu' or 'gpu'")
+    try:
+        gpu = importlib.import_module("bondem.solve.gpu")
+    except ImportError as error:
+        raise InputError(
+            f"device='gpu' needs the package numba-cuda ({error}): pip install \"bondem[gpu]\", or use device='cpu'"
+        ) from error
+    gpu.check(model, plan)
+    return gpu.GpuLoop

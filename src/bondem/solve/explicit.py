@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
-from typing import cast
+from typing import Protocol, cast
 
 import numpy as np
 
@@ -100,6 +100,20 @@ class ExplicitResult:
     message: str
 
 
+class Loop(Protocol):
+    """What carries out the steps of a run, on the CPU or another device."""
+
+    state: State
+
+    def look(self) -> np.ndarray:
+        """Bring the acceleration up to date and record the present."""
+        ...
+
+    def run(self, steps: int) -> tuple[np.ndarray, int, int, bool]:
+        """Go on; the records written, bonds turned wide, bonds lost, and whether a number was not finite."""
+        ...
+
+
 def settled(model: Model, plan: Plan) -> Plan:
     """The same plan with its time step chosen, or checked where it is given.
 
@@ -118,6 +132,7 @@ def integrate(
     history: History | None = None,
     sink: Sink | None = None,
     progress: Callable[[float], None] | None = None,
+    loop_of: Callable[[Model, Plan, State, float], Loop] | None = None,
 ) -> ExplicitResult:
     """Carry out a plan, from rest or from where `state` and `history` of the same plan left off.
 
@@ -128,6 +143,7 @@ def integrate(
         history: the records so far.
         sink: takes checkpoints, and the last state.
         progress: called now and then with the share done, 0 … 1.
+        loop_of: makes the loop from model, plan, state and dt; that of the CPU unless given.
 
     A given dt is taken as it is: `settled` checks it.
     """
@@ -137,7 +153,7 @@ def integrate(
     names = tuple(plan.gauges)
     history = History.empty(names) if history is None else history
     state = State(model) if state is None else state
-    loop = _Loop(model, plan, state, dt)
+    loop = (_Loop if loop_of is None else loop_of)(model, plan, state, dt)
     if len(history) == 0 and plan.every:
         history = history.extended(loop.look())
     total = round(plan.duration / dt)
@@ -183,7 +199,7 @@ def integrate(
     return ExplicitResult(status, state, history, dt, state.step, message + warning)
 
 
-def _rested(bonds: BondTable, eigenstrain: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def rested(bonds: BondTable, eigenstrain: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Constants, shear stiffness and lever with rest lengths L (1 + ε*); the moments' constants stay the same."""
     if eigenstrain.size == 0:
         return bonds.constants, bonds.shear, bonds.lever
@@ -202,10 +218,8 @@ class _Loop:
         self.origin = state.time - state.step * dt
         self.dt = dt
         layout, bonds, held = model.layout, model.bonds, model.constraints
-        gauges = list(plan.gauges.values())
-        members = [_members(model, gauge) for gauge in gauges]
-        self.width = FIXED_COLUMNS + 3 * len(gauges)
-        constants, shear, lever = _rested(bonds, state.eigenstrain)
+        self.width = FIXED_COLUMNS + 3 * len(plan.gauges)
+        constants, shear, lever = rested(bonds, state.eigenstrain)
         domains = current_threads() if len(layout.i) >= SERIAL_BONDS else 1
         blocks = Blocks.of(layout, BLOCK, domains)
         rows = np.zeros((2, len(held.element), 6))
@@ -221,10 +235,7 @@ class _Loop:
             held.drive_rate, held.load_row, held.load_schedule, held.load_value,
             held.row_of, held.fixed, np.zeros((len(held.element), 6)), rows[0], rows[1], state.reaction,
             state.work, state.loss, state.rest,
-            np.concatenate([[0], np.cumsum([len(part) for part in members])]).astype(np.int64),
-            np.concatenate(members) if members else np.zeros(0, dtype=np.int64),
-            np.array([_quantity(gauge) for gauge in gauges], dtype=np.int64),
-            np.array([_reduction(gauge) for gauge in gauges], dtype=np.int64),
+            *gauge_tables(model, plan),
         )  # fmt: skip
         self.contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
 
@@ -266,6 +277,18 @@ class _Loop:
         if self.contacts is not None and not sick:
             self.contacts.keep()
         return records[:written], wide, lost, sick
+
+
+def gauge_tables(model: Model, plan: Plan) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Gauges as kernels take them: where the elements (or walls) of each begin, these, its quantity and reduction."""
+    gauges = list(plan.gauges.values())
+    members = [_members(model, gauge) for gauge in gauges]
+    return (
+        np.concatenate([[0], np.cumsum([len(part) for part in members])]).astype(np.int64),
+        np.concatenate(members) if members else np.zeros(0, dtype=np.int64),
+        np.array([_quantity(gauge) for gauge in gauges], dtype=np.int64),
+        np.array([_reduction(gauge) for gauge in gauges], dtype=np.int64),
+    )
 
 
 def _members(model: Model, gauge: AnyGauge) -> np.ndarray:

@@ -1,0 +1,79 @@
+"""One thread a bond: its force and torques; and whether it has turned too far."""
+
+from bondem._compile import device
+from bondem._compile_cuda import cuda, cuda_kernel
+from bondem.laws.beam_energy import bond_cosines, bond_force
+
+# 1.5 · 2⁵²: adding it drops the fraction of a double, to the nearest whole number (numpy.rint is unknown to CUDA)
+_WHOLE = 6755399441055744.0
+
+
+@device
+def _nearest(d, period, inverse):
+    return d - period * ((d * inverse + _WHOLE) - _WHOLE)
+
+
+@device
+def branch(pose, a, b, period):
+    """Centre b minus centre a over the nearest periodic image [m]; the inverse period of a free specimen is 0."""
+    return (
+        _nearest(pose[b, 0] - pose[a, 0], period[0], period[3]),
+        _nearest(pose[b, 1] - pose[a, 1], period[1], period[4]),
+        _nearest(pose[b, 2] - pose[a, 2], period[2], period[5]),
+    )
+
+
+@device
+def stiffness(constants, same, k, s):
+    """s times kn, A, B, C and kt of bond k, from its own constants or, where it has four, from those all share."""
+    if constants.shape[0] > 4:
+        return s * constants[4, k], s * constants[5, k], s * constants[6, k], s * constants[7, k], s * constants[8, k]
+    inverse = s / constants[3, k]
+    return same[0] * inverse, same[1] * inverse, same[2] * inverse, same[1] * inverse, same[3] * inverse
+
+
+@cuda_kernel
+def bond_forces(pose, i, j, constants, same, integrity, period, count, forces):
+    """Force on j and torques on i and j of every bond, into the nine rows of `forces` (9, m)."""
+    k = cuda.grid(1)
+    if k >= count:
+        return
+    a = i[k]
+    b = j[k]
+    dx, dy, dz = branch(pose, a, b, period)
+    kn, A, B, C, kt = stiffness(constants, same, k, integrity[k])
+    fx, fy, fz, ax, ay, az, bx, by, bz = bond_force(
+        dx, dy, dz,
+        pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
+        pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
+        constants[0, k], constants[1, k], constants[2, k], constants[3, k], kn, A, B, C, kt,
+    )  # fmt: skip
+    forces[0, k], forces[1, k], forces[2, k] = fx, fy, fz
+    forces[3, k], forces[4, k], forces[5, k] = ax, ay, az
+    forces[6, k], forces[7, k], forces[8, k] = bx, by, bz
+
+
+@cuda_kernel
+def rotation_guard(pose, i, j, constants, integrity, period, count, flags):
+    """Add to `flags` (3,) the bonds beyond the valid range, beyond its end, and with numbers that are not finite."""
+    k = cuda.grid(1)
+    if k >= count:
+        return
+    a = i[k]
+    b = j[k]
+    dx, dy, dz = branch(pose, a, b, period)
+    c1, c2, w2 = bond_cosines(
+        dx, dy, dz,
+        pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
+        pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
+        constants[0, k], constants[1, k], constants[2, k],
+    )  # fmt: skip
+    c = min(c1, c2)
+    # counts of whole numbers: the order in which threads add changes nothing
+    if not (c * c + w2 < 4.0):
+        cuda.atomic.add(flags, 2, 1)
+    if integrity[k] > 0.0:
+        if c < 0.7 or w2 < 0.75:
+            cuda.atomic.add(flags, 0, 1)
+        if c <= 0.0 or w2 <= 0.25:
+            cuda.atomic.add(flags, 1, 1)

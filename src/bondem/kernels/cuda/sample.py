@@ -1,0 +1,145 @@
+"""A record on the device: sums over elements, bonds and gauges in an order that depends on their number only.
+
+A sum is cut into parts, thread s taking entries s, s + S, s + 2S …; the parts are added in two further rounds.
+"""
+
+from bondem._compile import device
+from bondem._compile_cuda import cuda, cuda_kernel
+from bondem.kernels.advance import rotation_component
+from bondem.kernels.cuda.bonds import branch, stiffness
+from bondem.laws.beam_energy import bond_energy
+
+# Columns: kinetic energy (2), elastic energy (4), work, loss and friction; after them three a gauge.
+TRANSLATION, ROTATION, NORMAL, WORK, LOSS, FRICTION, SUMS = 0, 1, 2, 6, 7, 8, 9
+
+
+@cuda_kernel
+def element_sums(motion, loss, work, parts):
+    """Kinetic energies, losses and the work of the boundary, into `parts` (SUMS, S)."""
+    s = cuda.grid(1)
+    stride = parts.shape[1]
+    if s >= stride:
+        return
+    translation = rotation = damped = rubbed = total = 0.0
+    for p in range(s, motion.shape[0], stride):
+        v2 = motion[p, 0] ** 2 + motion[p, 1] ** 2 + motion[p, 2] ** 2
+        w2 = motion[p, 4] ** 2 + motion[p, 5] ** 2 + motion[p, 6] ** 2
+        translation += 0.5 * v2 / motion[p, 3]
+        rotation += 0.5 * w2 / motion[p, 7]
+        damped += loss[p, 0]
+        rubbed += loss[p, 2]
+    for r in range(s, work.shape[0], stride):
+        total += work[r]
+    parts[TRANSLATION, s] = translation
+    parts[ROTATION, s] = rotation
+    parts[WORK, s] = total
+    parts[LOSS, s] = damped
+    parts[FRICTION, s] = rubbed
+
+
+@device
+def _shear(L, A, B, C):
+    """Shear stiffness and lever of a bond, which need not be stored: A + B = ks a L and B + C = ks (L - a) L."""
+    total = A + 2.0 * B + C
+    if total == 0.0:
+        return 0.0, 0.0
+    return total / (L * L), L * (A + B) / total
+
+
+@cuda_kernel
+def bond_sums(pose, i, j, constants, same, integrity, period, count, parts):
+    """The four elastic energies, into `parts` (SUMS, S)."""
+    s = cuda.grid(1)
+    stride = parts.shape[1]
+    if s >= stride:
+        return
+    normal = slip = bend = twist = 0.0
+    for k in range(s, count, stride):
+        a = i[k]
+        b = j[k]
+        dx, dy, dz = branch(pose, a, b, period)
+        L = constants[3, k]
+        kn, A, B, C, kt = stiffness(constants, same, k, 1.0)
+        ks, lever = _shear(L, A, B, C)
+        e0, e1, e2, e3 = bond_energy(
+            dx, dy, dz,
+            pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
+            pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
+            constants[0, k], constants[1, k], constants[2, k], L, kn, A, B, C, kt, ks, lever,
+        )  # fmt: skip
+        share = integrity[k]
+        normal += share * e0
+        slip += share * e1
+        bend += share * e2
+        twist += share * e3
+    parts[NORMAL, s] = normal
+    parts[NORMAL + 1, s] = slip
+    parts[NORMAL + 2, s] = bend
+    parts[NORMAL + 3, s] = twist
+
+
+@cuda_kernel
+def gauge_sums(
+    pose, motion, rest, start, element, quantity, reduction, row_of, row_fixed, row_reaction, row_force, count, parts
+):  # fmt: skip
+    """Sum or largest absolute value of each component of `count` gauges, into `parts` (gauges, S, 3)."""
+    n = cuda.grid(1)
+    stride = parts.shape[1]
+    g = n // stride
+    s = n % stride
+    if g >= count:
+        return
+    for d in range(3):
+        value = 0.0
+        for e in range(start[g] + s, start[g + 1], stride):
+            p = element[e]
+            x = 0.0
+            if quantity[g] == 0:
+                x = pose[p, d] - rest[e, d]
+            elif quantity[g] == 1:
+                x = motion[p, d]
+            elif quantity[g] == 2:
+                x = rotation_component(pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7], d)
+            elif quantity[g] == 3:
+                x = motion[p, 4 + d]
+            elif row_of[p] >= 0:
+                r = row_of[p]
+                x = row_reaction[r, d] if row_fixed[r, d] else row_force[r, d]
+            value = max(value, abs(x)) if reduction[g] == 2 else value + x
+        parts[g, s, d] = value
+
+
+@cuda_kernel
+def fold(parts, fewer):
+    """Add up `parts` (SUMS, S) to `fewer` (SUMS, T)."""
+    n = cuda.grid(1)
+    stride = fewer.shape[1]
+    c = n // stride
+    s = n % stride
+    if c >= parts.shape[0]:
+        return
+    value = 0.0
+    for q in range(s, parts.shape[1], stride):
+        value += parts[c, q]
+    fewer[c, s] = value
+
+
+@cuda_kernel
+def write_record(fewer, gauge_parts, start, reduction, row, records):
+    """The last round, a thread a column: sums, then gauges, into a row of `records`."""
+    c = cuda.grid(1)
+    if c >= records.shape[1]:
+        return
+    value = 0.0
+    if c < SUMS:
+        for s in range(fewer.shape[1]):
+            value += fewer[c, s]
+    else:
+        g = (c - SUMS) // 3
+        d = (c - SUMS) % 3
+        for s in range(gauge_parts.shape[1]):
+            x = gauge_parts[g, s, d]
+            value = max(value, x) if reduction[g] == 2 else value + x
+        if reduction[g] == 0:
+            value /= start[g + 1] - start[g]
+    records[row, c] = value
