@@ -10,17 +10,18 @@ import os
 from collections.abc import Callable
 from typing import Any
 
+import cuda.core as cuda_core
 import numba.core.config
 import numba.cuda
 import numba_cuda  # noqa: F401  not the older twin that Numba brings along
 import numpy as np
-from cuda.core import Device, Stream
 
 __all__ = ["Array", "cuda", "cuda_kernel", "download", "launch", "missing", "recorded", "upload", "zeros"]
 
 # their attributes are set at import, so that type checkers do not know them
 config: Any = numba.core.config
 cuda: Any = numba.cuda
+core: Any = cuda_core
 Array = Any  # on the device
 
 SIMULATED = bool(config.ENABLE_CUDASIM)
@@ -37,7 +38,7 @@ def missing() -> str | None:
         return None if plain else "the simulator of CUDA runs plain Python only: set NUMBA_DISABLE_JIT=1 too"
     if cuda.is_available():
         return None
-    return "no CUDA device or driver was found: install an NVIDIA driver (12.2 or newer), or use device='cpu'"
+    return "no CUDA device or driver was found: install an NVIDIA driver for CUDA 12 or newer, or use device='cpu'"
 
 
 def cuda_kernel(function: Callable[..., None]) -> Any:
@@ -78,13 +79,13 @@ def recorded(work: Callable[[Any], None]) -> Callable[[], None]:
     """
     if SIMULATED or os.environ.get("BONDEM_CUDA_GRAPHS") == "off":
         return lambda: work(0)
-    device = Device(cuda.get_current_device().id)
+    device = core.Device(cuda.get_current_device().id)
     device.set_current()
     builder = device.create_graph_builder()
     builder.begin_building()
     work(builder)
     graph = builder.end_building().complete()
-    default = Stream.from_handle(0)
+    default = core.Stream.from_handle(0)
     return lambda: graph.launch(default)
 
 

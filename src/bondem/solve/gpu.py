@@ -50,7 +50,7 @@ class GpuLoop:
         self._dt = dt
         self._origin = state.time - state.step * dt
         self._finish, self._begin, self._extra = plan.scheme.coefficients(dt)
-        self._gamma = plan.damping.gamma if plan.damping is not None else 0.0
+        self._gamma = float(plan.damping.gamma) if plan.damping is not None else 0.0
         layout, held = model.layout, model.constraints
         n, self._bonds, self._rows = len(layout.order), len(layout.i), len(held.element)
         self._elements = n
@@ -213,14 +213,11 @@ class GpuLoop:
 
 
 def check(model: Model, plan: Plan) -> None:
-    """Whether a device is there, and can run this.
+    """Whether this can run on a device, and one is there.
 
     Raises:
-        InputError: no device, or something that runs on the CPU only.
+        InputError: something that runs on the CPU only, or no device.
     """
-    reason = missing()
-    if reason is not None:
-        raise InputError(f"device='gpu': {reason}")
     lacking = {
         "contacts and walls": model.contact is not None,
         "the incremental formulation": model.formulation != "total",
@@ -234,6 +231,9 @@ def check(model: Model, plan: Plan) -> None:
     for what, asked in lacking.items():
         if asked:
             raise InputError(f"device='gpu' cannot run {what} yet; use device='cpu'")
+    reason = missing()
+    if reason is not None:
+        raise InputError(f"device='gpu': {reason}")
 
 
 def _starts(rows: np.ndarray, count: int) -> np.ndarray:

@@ -1,0 +1,60 @@
+"""Compile every kernel that a run launches to PTX without a driver: python tests/cuda_ptx.py prints one JSON object.
+
+Arrays stay on the host, and a launch compiles its kernel for the types of its arguments. Scalar functions are
+compiled for "the current device", which must be replaced: by a private name of numba-cuda, and one reason for which its
+version is pinned.
+"""
+
+import json
+from types import SimpleNamespace
+from typing import Any
+
+import numba
+import numba.cuda
+import numpy as np
+from numba.cuda import dispatcher
+
+import cuda_cases
+from bondem.solve import gpu
+from bondem.solve.explicit import Plan
+
+CAPABILITY = (9, 0)
+
+
+class OnHost(np.ndarray):
+    """An array that takes itself for one on a device."""
+
+    def copy_to_host(self) -> np.ndarray:
+        return np.asarray(self)
+
+    def copy_to_device(self, other: np.ndarray) -> None:
+        self[...] = other
+
+
+def main() -> None:
+    dispatcher.get_current_device = lambda: SimpleNamespace(compute_capability=CAPABILITY)
+    ptx: dict[str, str] = {}
+
+    def compiled(kernel: Any, count: int, *arguments: Any, stream: Any = 0) -> None:
+        name = kernel.py_func.__name__
+        if count > 0 and name not in ptx:
+            host = [np.asarray(a) if isinstance(a, OnHost) else a for a in arguments]
+            signature = numba.types.void(*map(numba.typeof, host))
+            ptx[name] = numba.cuda.compile_ptx(kernel.py_func, signature, cc=CAPABILITY)[0]
+
+    gpu.launch = compiled
+    gpu.upload = lambda array: np.array(array, order="C").view(OnHost)
+    gpu.zeros = lambda *shape: np.zeros(shape).view(OnHost)
+    gpu.download = lambda array, target: None
+    gpu.recorded = lambda work: lambda: work(0)
+    gpu.missing = lambda: None
+    for model in (cuda_cases.bar(), cuda_cases.cell()):
+        plan = Plan(duration=1.0, gauges=cuda_cases.GAUGES, damping=cuda_cases.bd.LocalDamping(0.1), every=3)
+        loop = gpu.GpuLoop(model, plan, cuda_cases.moving(model), 1e-3)
+        loop.look()
+        loop.run(10)
+    print(json.dumps(ptx))
+
+
+if __name__ == "__main__":
+    main()

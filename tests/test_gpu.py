@@ -1,0 +1,163 @@
+"""`device="gpu"`: what can be shown without a device, and, with one (pytest --gpu), that it agrees with the CPU."""
+
+import dataclasses
+import importlib
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.errors import InputError
+from bondem.model.state import State
+from bondem.solve.explicit import Plan, integrate
+from bondem.solve.timestep import critical_step
+
+HERE = Path(__file__).parent
+SIMULATOR = {"NUMBA_ENABLE_CUDASIM": "1", "NUMBA_DISABLE_JIT": "1"}
+
+
+def run(script: str, *arguments: str, **environment: str) -> str:
+    """What a script of this folder prints, in a process of its own."""
+    done = subprocess.run(
+        [sys.executable, HERE / script, *arguments], env=os.environ | environment, text=True, capture_output=True,
+        timeout=300, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr[-3000:]
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def outcomes(tmp_path_factory):
+    """The small runs on the CPU and in the simulator."""
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    folder = tmp_path_factory.mktemp("cuda")
+    run("cuda_cases.py", "cpu", str(folder / "cpu.npz"))
+    run("cuda_cases.py", "gpu", str(folder / "gpu.npz"), **SIMULATOR)
+    with np.load(folder / "cpu.npz") as cpu, np.load(folder / "gpu.npz") as gpu:
+        return dict(cpu), dict(gpu)
+
+
+@pytest.mark.parametrize("case", ["bar", "paused", "dissipative", "cell"])
+def test_simulated_device_agrees_with_cpu_to_rounding(outcomes, case: str) -> None:
+    cpu, gpu = outcomes
+    assert cpu[f"{case}/end"].tolist() == gpu[f"{case}/end"].tolist()
+    for field in ("pose", "motion", "acceleration", "loss", "work", "reaction"):
+        expected, found = cpu[f"{case}/{field}"], gpu[f"{case}/{field}"]
+        scale = np.abs(expected).max(initial=0.0)
+        np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-12 * scale, err_msg=field)
+    records = cpu[f"{case}/records"]
+    assert (len(records) > 3) is (case != "paused")
+    scale = np.abs(records).max(axis=0, initial=0.0)
+    scale[1:11] = scale[1:11].max()  # energies come and go: their sum is what rounding is measured by
+    np.testing.assert_allclose(gpu[f"{case}/records"] / np.where(scale, scale, 1.0),
+                               records / np.where(scale, scale, 1.0), rtol=0.0, atol=1e-12)  # fmt: skip
+
+
+def test_pausing_changes_no_bit_on_the_device(outcomes) -> None:
+    _, gpu = outcomes
+    for field in ("pose", "motion", "acceleration", "loss", "work", "reaction"):
+        np.testing.assert_array_equal(gpu[f"bar/{field}"], gpu[f"paused/{field}"])
+
+
+def test_a_wild_run_ends_as_on_the_cpu(outcomes) -> None:
+    for outcome in outcomes:
+        assert outcome["wild/end"][0] == "UNSTABLE"
+    cpu, gpu = outcomes
+    assert cpu["wild/end"][1] == gpu["wild/end"][1]
+    np.testing.assert_array_equal(cpu["wild/pose"], gpu["wild/pose"])  # the start is kept
+
+
+def test_all_kernels_compile_without_a_driver() -> None:
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    ptx = json.loads(run("cuda_ptx.py"))
+    assert set(ptx) == {
+        "bond_forces", "rotation_guard", "schedule_rows", "open_step", "move",
+        "element_sums", "bond_sums", "gauge_sums", "fold", "write_record",
+    }  # fmt: skip
+    for name, text in ptx.items():
+        assert ".visible .entry" in text, name
+        assert ".f32" not in text, f"{name} leaves double precision"
+        assert ".approx" not in text, f"{name} divides or takes roots approximately"
+    assert "fma.rn.f64" in ptx["bond_forces"]
+    assert "call" not in ptx["bond_forces"], "scalar functions are not inlined"
+
+
+def model_and_plan(**options) -> tuple[bd.Model, Plan]:
+    lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [1, 0, 0]], [0.5, 0.5]), [[0, 1]])
+    law = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6, formulation=options.pop("formulation", "total"))
+    return bd.Model(lattice, law, **options), Plan(duration=0.0)
+
+
+def test_what_the_device_cannot_do_is_refused() -> None:
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    for options in ({"contact": bd.LinearContact(E=1e7)}, {"formulation": "incremental"}):
+        with pytest.raises(InputError, match=r"cannot run .* use device='cpu'"):
+            bd.solve_explicit(model_and_plan(**options)[0], duration=1e-6, device="gpu")
+    with pytest.raises(InputError, match="choose 'cpu' or 'gpu'"):
+        bd.solve_explicit(model_and_plan()[0], duration=1e-6, device="tpu")
+
+
+def test_every_option_is_known_to_the_device() -> None:
+    """A new field of Model or Plan must be carried out on a device or refused by `bondem.solve.gpu.check`."""
+    assert {f.name for f in dataclasses.fields(bd.Model)} == {
+        "lattice", "bond", "density", "boundary", "contact", "walls",
+    }  # fmt: skip
+    assert {f.name for f in dataclasses.fields(Plan)} == {
+        "duration", "dt", "scheme", "damping", "gauges", "every", "save_every", "until", "safety",
+    }  # fmt: skip
+
+
+def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
+    monkeypatch.delitem(sys.modules, "bondem.solve.gpu", raising=False)
+    monkeypatch.delitem(sys.modules, "bondem._compile_cuda", raising=False)
+    monkeypatch.setitem(sys.modules, "numba_cuda", None)
+    with pytest.raises(InputError, match=r"pip install \"bondem\[gpu\]\""):
+        bd.solve_explicit(model_and_plan()[0], duration=1e-6, device="gpu")
+
+
+def absent() -> str | None:
+    """Why there is no device here, or None."""
+    try:
+        return importlib.import_module("bondem._compile_cuda").missing()
+    except ImportError as error:
+        return f"needs numba-cuda ({error}): pip install 'bondem[gpu]'"
+
+
+def test_without_a_device_it_says_so() -> None:
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    if absent() is None:
+        pytest.skip("there is a CUDA device here")
+    with pytest.raises(InputError, match="no CUDA device or driver was found"):
+        bd.solve_explicit(model_and_plan()[0], duration=1e-6, device="gpu")
+
+
+@pytest.mark.gpu
+def test_device_agrees_with_cpu_after_a_thousand_steps(monkeypatch) -> None:
+    if (reason := absent()) is not None:
+        pytest.skip(reason)
+    loop_of = importlib.import_module("bondem.solve.gpu").GpuLoop
+    lattice = bd.connect(bd.pack(bd.Cylinder(radius=5e-3, length=2e-2), count=5_000, spread=0.25, seed=1))
+    model = bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), 2500.0, boundary=[
+        bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e3, 0, 0), schedule=bd.Ramp(0.0, 1.0, 1e-6)),
+    ])  # fmt: skip
+    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    plan = Plan(duration=1000 * dt, dt=dt, every=100, gauges={"end": bd.Gauge(bd.Face("x_max"), "displacement")})
+
+    def result(loop):
+        return integrate(model, plan, state=State(model), loop_of=loop)
+
+    cpu, first, second = result(None), result(loop_of), result(loop_of)
+    monkeypatch.setenv("BONDEM_CUDA_GRAPHS", "off")
+    plain = result(loop_of)
+    for name in ("displacement", "velocity", "angular_velocity"):
+        expected, found = getattr(cpu.state, name), getattr(first.state, name)
+        assert np.abs(found - expected).max() <= 1e-10 * np.abs(expected).max()
+        np.testing.assert_array_equal(found, getattr(second.state, name))
+        np.testing.assert_array_equal(found, getattr(plain.state, name))
+    np.testing.assert_allclose(first.history["end"], cpu.history["end"], rtol=0.0,
+                               atol=1e-10 * np.abs(cpu.history["end"]).max())  # fmt: skip
