@@ -40,7 +40,7 @@ _PUBLIC = {
     "bondem.io.particles_file": ("load_particles", "read_provenance", "save_particles"),
     "bondem.io.runfile": ("read_run",),
     "bondem.io.vtk": ("write_vtkhdf",),
-    "bondem.run": ("resume", "solve_explicit", "solve_modes", "solve_static"),
+    "bondem.run": ("resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"),
     "bondem.labtests.bulk": ("bulk_moduli",),
     "bondem.calibration": ("calibrate",),
 }

@@ -33,6 +33,10 @@ class UnstableStepError(InputError):
     """A time step above the stability limit of the assembled lattice was asked for."""
 
 
+class StepWarning(UserWarning):
+    """A time step so close to the stability limit that large strains may take the run across it."""
+
+
 class UnstableRunError(BondemError):
     """A run on which a result depends became unstable."""
 

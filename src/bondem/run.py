@@ -2,6 +2,7 @@
 
 import importlib
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from bondem.errors import InputError
@@ -11,12 +12,14 @@ from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.events import Event
-from bondem.solve.explicit import ExplicitResult, Loop, Plan, Status, integrate, settled
+from bondem.solve.explicit import Callback, ExplicitResult, Loop, Plan, Status, integrate
 from bondem.solve.modes import solve_modes
+from bondem.solve.relaxation import solve_relaxed
 from bondem.solve.schemes import Scheme, VelocityVerlet
 from bondem.solve.static import solve_static
+from bondem.solve.timestep import choose_step
 
-__all__ = ["resume", "solve_explicit", "solve_modes", "solve_static"]
+__all__ = ["resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"]
 
 
 def solve_explicit(
@@ -35,6 +38,7 @@ def solve_explicit(
     device: str = "cpu",
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
+    callback: Callback | None = None,
 ) -> ExplicitResult:
     """Explicit dynamics of a bonded specimen, from rest or from `state`.
 
@@ -53,10 +57,15 @@ def solve_explicit(
         device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`): total formulation, no contacts.
         out: run file (HDF5) to write; nothing is written when None.
         progress: called now and then with the share done, 0 … 1.
+        callback: called as callback(state, record) with each record, a `History` of one; it must not change the
+            state, and ends the run by returning True.
 
     Returns:
         status, state, history, dt, steps and a message; a run that became unstable says so in its status and
         returns the last good state.
+
+    Warns:
+        StepWarning: the given dt is above 0.9 of the critical step; the message says so too.
 
     Raises:
         UnstableStepError: dt above the critical step.
@@ -74,11 +83,15 @@ def solve_explicit(
         safety=safety,
     )
     loop_of = _loop_on(device, model, plan)
-    plan = settled(model, plan)
+    step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
+    plan = replace(plan, dt=step.dt)
     sink = RunFile(out, model, plan) if out is not None else None
     if state is not None:
         state.begin(model)
-    return integrate(model, plan, state=state, sink=sink, progress=progress, loop_of=loop_of)
+    return integrate(
+        model, plan, state=state, sink=sink, progress=progress, callback=callback, loop_of=loop_of,
+        remark=step.remark,
+    )  # fmt: skip
 
 
 def resume(

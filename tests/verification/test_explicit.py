@@ -80,7 +80,8 @@ def test_a_free_lattice_keeps_momentum_and_angular_momentum_to_rounding() -> Non
     shape = (len(model.lattice.particles), 3)
     state.set_motion(velocity=rng.uniform(-1.0, 3.0, shape), angular_velocity=rng.uniform(-3.0, 4.0, shape))
     p0, h0 = momenta(model, state)
-    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    # bonds turn by tens of degrees, which raises the highest frequency: above 0.895 of the step at rest energy grows
+    dt = 0.8 * critical_step(model, bd.VelocityVerlet())
     result = integrate(model, Plan(duration=10_000 * dt, dt=dt, every=0), state=state)
     assert result.status is Status.COMPLETED
     assert result.steps == 10_000
@@ -210,9 +211,9 @@ def test_velocity_verlet_rings_at_its_own_frequency() -> None:
 @pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz(1.05), bd.TchamwaWielgosz(1.3)], ids=str)
 def test_oscillator_is_stable_up_to_the_critical_step_of_the_scheme(scheme: Scheme) -> None:
     below, _ = ring(scheme, 0.999 * scheme.critical, 3000, 1e-9, 0.0)
-    above, _ = ring(scheme, 1.001 * scheme.critical, 250, 1e-11, 0.0)
+    above, _ = ring(scheme, 1.001 * scheme.critical, 150, 1e-12, 0.0)  # too little for the guard to end it
     assert np.abs(below[-100:]).max() < 2e-9
-    assert np.abs(above[-10:]).max() > 20e-11
+    assert np.abs(above[-10:]).max() > 10e-12
 
 
 # ---- the critical time step of a lattice

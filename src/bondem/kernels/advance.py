@@ -14,8 +14,14 @@ from bondem.kernels.sweep import step_forces
 
 # Below this many bonds launching threads costs more than the loop.
 SERIAL_BONDS = 2000
-# Steps between two looks at the relative rotations, and for numbers that are not finite.
+# Steps between two looks at the relative rotations, for numbers that are not finite, and at the energy.
 GUARD_INTERVAL = 100
+# What that look finds.
+FINE, NOT_FINITE, RUNAWAY = range(3)
+# Kinetic energy over all there ever was from which on a run is taken for unstable. It never exceeds one but by the
+# error of the scheme, at a frequency next to the critical one at most 1 / (1 - (ω dt / ω dt critical)²); and what
+# grows does so by orders of magnitude in a hundred steps.
+_BEYOND = 1000.0
 # Columns of a record before the gauges.
 (
     TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, FIXED_COLUMNS,
@@ -32,6 +38,30 @@ def rotation_component(w, x, y, z, d):
     if sine < 1e-12:
         return 2.0 * part
     return 2.0 * math.atan2(sine, abs(w)) * part / sine * (1.0 if w >= 0.0 else -1.0)
+
+
+@kernel(parallel=False)
+def guard(motion, work, contacts, budget):
+    """Whether the motion is finite, and its energy [J] no more than what can have come in.
+
+    `budget` is the energy at the start and the most that loads, drives and walls have done since, as the sum of the
+    sizes of all their parts; the latter is brought up to date.
+    """
+    kinetic = 0.0
+    for p in range(len(motion)):
+        v2 = motion[p, 0] ** 2 + motion[p, 1] ** 2 + motion[p, 2] ** 2
+        w2 = motion[p, 4] ** 2 + motion[p, 5] ** 2 + motion[p, 6] ** 2
+        kinetic += 0.5 * v2 / motion[p, 3] + 0.5 * w2 / motion[p, 7]
+    supplied = 0.0
+    for r in range(len(work)):
+        supplied += abs(work[r])
+    if contacts is not None:
+        for w in range(len(contacts.walls)):
+            supplied += abs(contacts.walls[w, 12])
+    if not (kinetic < np.inf and supplied < np.inf):
+        return NOT_FINITE
+    budget[1] = max(budget[1], supplied)
+    return RUNAWAY if kinetic > _BEYOND * (budget[0] + budget[1]) else FINE
 
 
 @kernel(parallel=False)
@@ -146,7 +176,7 @@ def advance(
     rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts, part,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
-    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, records,
+    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, budget, records,
 ):  # fmt: skip
     """Go from `step` to `step + steps`; write a record whenever the step number is a multiple of `every`.
 
@@ -158,8 +188,8 @@ def advance(
     moved and the forces not yet known; it goes on there when called again with a new list and `moved`.
 
     Returns:
-        (steps done, records written, bonds turned wide at most, bonds lost, whether a number was not finite, whether
-        the list of contacts is out of date).
+        (steps done, records written, bonds turned wide at most, bonds lost, what `guard` says, whether the list of
+        contacts is out of date).
     """
     threaded = len(i) >= SERIAL_BONDS
     load = None if contacts is None else contacts.load
@@ -167,7 +197,7 @@ def advance(
     written = 0
     wide = 0
     lost = 0
-    sick = False
+    sick = FINE
     paused = True
     while done < steps:
         if paused and not moved:
@@ -210,9 +240,10 @@ def advance(
             dt, finish, begin, extra, gamma, loss, not paused, load,
         )  # fmt: skip
         if now % GUARD_INTERVAL == 0 or done == steps:
-            turned, lost, sick = rotation_guard(pose, i, j, constants, integrity, period)
+            turned, lost, broken = rotation_guard(pose, i, j, constants, integrity, period)
             wide = max(wide, turned)
-            if lost > 0 or sick:
+            sick = NOT_FINITE if broken else guard(motion, work, contacts, budget)
+            if lost > 0 or sick != FINE:
                 break
         if sampled:
             sample(

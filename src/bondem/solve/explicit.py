@@ -10,7 +10,18 @@ import numpy as np
 
 from bondem._compile import current_threads
 from bondem.errors import InputError
-from bondem.kernels.advance import FIXED_COLUMNS, SERIAL_BONDS, WALL_DISPLACEMENT, advance, evaluate
+from bondem.kernels.advance import (
+    CONTACT,
+    FINE,
+    FIXED_COLUMNS,
+    NOT_FINITE,
+    RUNAWAY,
+    SERIAL_BONDS,
+    TRANSLATION,
+    WALL_DISPLACEMENT,
+    advance,
+    evaluate,
+)
 from bondem.kernels.contact_pass import Contacts
 from bondem.kernels.sweep import TILE
 from bondem.laws.damping import LocalDamping
@@ -28,8 +39,16 @@ from bondem.solve.timestep import choose_step
 
 # Elements of a block: they stay in the L2 cache from their bonds to their motion.
 BLOCK = 4000
-# Steps in one compiled call at most, so that progress and interrupts are not far away.
-_CHUNK = 10_000
+# Steps in one compiled call at most, so that progress and interrupts are not far away, and between copies of a state
+# that is good: copying costs about as much as two steps.
+_CHUNK = 5_000
+# Steps in which what ends a run comes up from rounding: a copy must be older than that to be given back.
+_RISE = 1_000
+# Elements that move by this share of their radius a step have an energy that no guard minds.
+_STILL = 1e-6
+
+# Called with the state and the record of each output; ends the run by returning True.
+Callback = Callable[[State, History], bool | None]
 
 
 class Status(Enum):
@@ -85,7 +104,8 @@ class ExplicitResult:
 
     Attributes:
         status: how the run ended.
-        state: where everything is; after an unstable run, that of the last checkpoint or the start.
+        state: where everything is; after an unstable run, where all was well for the last time, at most 10 000
+            steps before.
         history: the records.
         dt: time step used [s].
         steps: steps done since the start of the model's time.
@@ -109,8 +129,8 @@ class Loop(Protocol):
         """Bring the acceleration up to date and record the present."""
         ...
 
-    def run(self, steps: int) -> tuple[np.ndarray, int, int, bool]:
-        """Go on; the records written, bonds turned wide, bonds lost, and whether a number was not finite."""
+    def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
+        """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` found."""
         ...
 
 
@@ -120,8 +140,8 @@ def settled(model: Model, plan: Plan) -> Plan:
     Raises:
         UnstableStepError: dt above the critical step of the lattice.
     """
-    dt = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
-    return replace(plan, dt=dt)
+    step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
+    return replace(plan, dt=step.dt)
 
 
 def integrate(
@@ -133,6 +153,8 @@ def integrate(
     sink: Sink | None = None,
     progress: Callable[[float], None] | None = None,
     loop_of: Callable[[Model, Plan, State, float], Loop] | None = None,
+    callback: Callback | None = None,
+    remark: str = "",
 ) -> ExplicitResult:
     """Carry out a plan, from rest or from where `state` and `history` of the same plan left off.
 
@@ -144,9 +166,14 @@ def integrate(
         sink: takes checkpoints, and the last state.
         progress: called now and then with the share done, 0 … 1.
         loop_of: makes the loop from model, plan, state and dt; that of the CPU unless given.
+        callback: called with the state and its record, a history of one, whenever one is written; it only looks,
+            and ends the run by returning True.
+        remark: more to say in the message of the result.
 
     A given dt is taken as it is: `settled` checks it.
     """
+    if callback is not None and not plan.every:
+        raise InputError("a callback is called with each record: give every= at least 1 where there is callback=")
     if plan.dt is None:
         plan = settled(model, plan)
     dt = cast(float, plan.dt)
@@ -154,49 +181,64 @@ def integrate(
     history = History.empty(names) if history is None else history
     state = State(model) if state is None else state
     loop = (_Loop if loop_of is None else loop_of)(model, plan, state, dt)
-    if len(history) == 0 and plan.every:
-        history = history.extended(loop.look())
     total = round(plan.duration / dt)
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
-    good = state.copy()
+    kept = (state.copy(),)
+    begun = loop.look()  # whether it is kept or not: guards need its energy
     fresh: list[np.ndarray] = []
-    warning = ""
-    while state.step < total:
+    if len(history) == 0 and plan.every:
+        fresh.append(begun)
+    stop = bool(fresh) and callback is not None and bool(callback(state, History(begun, names)))
+    warning = f"; {remark}" if remark else ""
+    turned = ""
+    while state.step < total and not stop:
         goal = min(total, state.step + _CHUNK)
-        for interval in (plan.save_every, plan.every if plan.until else 0):
+        looked = plan.every if plan.until or callback is not None else 0
+        for interval in (plan.save_every, looked):
             if interval:
                 goal = min(goal, (state.step // interval + 1) * interval)
         records, wide, lost, sick = loop.run(goal - state.step)
         fresh.append(records)
-        if lost or sick:
-            cause = "a number is not finite" if sick else f"{lost} unbroken bonds are turned beyond 90 degrees"
-            status, state = Status.UNSTABLE, good
+        if lost or sick != FINE:
+            cause = _CAUSES.get(sick, f"{lost} unbroken bonds are turned beyond 90 degrees")
+            good = kept[-1] if state.step - kept[-1].step >= _RISE else kept[0]
+            status = Status.UNSTABLE
             message = (
-                f"stopped at step {loop.state.step}: {cause}; the state is that of step {good.step}."
+                f"stopped at step {state.step}: {cause}; the state is that of step {good.step}."
                 " Use a smaller dt, or load more gently"
             )
+            state = good
             break
         if wide:
-            warning = (
+            turned = (
                 f"; {wide} bonds were turned so far (c < 0.7 or w² < 0.75) that the bond energy is no longer that of"
                 " a beam: use shorter bonds or lower loads"
             )
         if progress is not None:
             progress(state.step / total)
-        saved = plan.save_every and state.step % plan.save_every == 0
-        if saved and sink is not None:
+        if plan.save_every and state.step % plan.save_every == 0 and sink is not None:
             history = history.extended(*fresh)
             fresh.clear()
             sink.checkpoint(state, history)
-        if saved:
-            good = state.copy()
-        if any(event.happened(state) for event in plan.until):
+        if state.step - kept[-1].step >= _CHUNK:
+            kept = (kept[-1], state.copy())
+        if callback is not None and len(records) and callback(state, History(records, names)):
+            stop = True
+        elif any(event.happened(state) for event in plan.until):
             status, message = Status.STOPPED, f"stopped by an event at t = {state.time:.6g} s"
             break
+    if stop:
+        status, message = Status.STOPPED, f"stopped by the callback at t = {state.time:.6g} s"
     history = history.extended(*fresh)
     if sink is not None and status is not Status.UNSTABLE:
         sink.checkpoint(state, history)
-    return ExplicitResult(status, state, history, dt, state.step, message + warning)
+    return ExplicitResult(status, state, history, dt, state.step, message + turned + warning)
+
+
+_CAUSES = {
+    NOT_FINITE: "a number is not finite",
+    RUNAWAY: "the kinetic energy is a thousand times what was there and was put in",
+}
 
 
 def rested(bonds: BondTable, eigenstrain: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -238,6 +280,8 @@ class _Loop:
             *gauge_tables(model, plan),
         )  # fmt: skip
         self.contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
+        self.budget = np.zeros(2)  # as `kernels.advance.guard` has it
+        self._still = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
@@ -247,34 +291,35 @@ class _Loop:
             self._contact_arrays, records,
         )  # fmt: skip
         self.state.stale = False
+        self.budget[0] = max(self.budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
         return records
 
     @property
     def _contact_arrays(self) -> Contacts | None:
         return None if self.contacts is None else self.contacts.arrays
 
-    def run(self, steps: int) -> tuple[np.ndarray, int, int, bool]:
-        """Go on; the records written, bonds turned wide, bonds lost, and whether a number was not finite."""
+    def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
+        """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` found."""
         if self.state.stale:
             self.look()
         every = int(self.plan.every)
         state = self.state
         records = np.empty((steps // every + 1 if every else 0, self.width))
         done, written, wide, lost = 0, 0, 0, 0
-        sick = moved = False
-        while not sick:
+        sick, moved = FINE, False
+        while sick == FINE:
             gone, new, turned, lost, sick, moved = advance(
                 state.step + done, steps - done, every, self.origin, self.dt, moved, *self.scheme, *self.arrays,
-                self._contact_arrays, records[written:],
+                self._contact_arrays, self.budget, records[written:],
             )  # fmt: skip
             done, written, wide = done + gone, written + new, max(wide, turned)
             if not moved or self.contacts is None:
                 break
             self.contacts.keep()
-            sick = not self.contacts.renew(state.step + done)
+            sick = FINE if self.contacts.renew(state.step + done) else NOT_FINITE
         state.step += done
         state.time = self.origin + state.step * self.dt
-        if self.contacts is not None and not sick:
+        if self.contacts is not None and sick == FINE:
             self.contacts.keep()
         return records[:written], wide, lost, sick
 

@@ -66,7 +66,7 @@ def follow(model: Model, system: System) -> Bent:
                     f"no equilibrium was found beyond {done:.4g} of the load: it buckles, or turns bonds too far;"
                     " lower it, bond with more and shorter bonds, or use solve_explicit with damping"
                 )
-    turned = np.concatenate([state.pose[:, :3] - state.rest, _rotation_vector(state.pose[:, 4:])], axis=1)
+    turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
     return Bent(state, turned, _forces(model, state.pose))
 
 
@@ -176,7 +176,7 @@ def _turned(quaternion: Floats, rotation: Floats) -> Floats:
     return product / np.linalg.norm(product, axis=1, keepdims=True)
 
 
-def _rotation_vector(quaternion: Floats) -> Floats:
+def rotation_vector(quaternion: Floats) -> Floats:
     """Rotation vectors of at most π of unit quaternions (n, 4), shape (n, 3)."""
     q = np.where(quaternion[:, :1] < 0.0, -quaternion, quaternion)
     sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)

@@ -1,50 +1,123 @@
 """The stable time step, from the highest frequency of the assembled lattice."""
 
 import math
-from typing import Any
+import warnings
+from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import diags_array
-from scipy.sparse.linalg import aslinearoperator, eigsh
+from scipy.linalg import eigh_tridiagonal
 
-from bondem.errors import UnstableStepError
+from bondem._types import Floats, PerBond, PerElement
+from bondem.errors import StepWarning, UnstableStepError
+from bondem.kernels.bond_pass import add_forces, bond_forces
 from bondem.laws.damping import LocalDamping
-from bondem.model.matrices import mass_diagonal, stiffness_matrix
+from bondem.model.bond_table import alike
 from bondem.model.model import Model
 from bondem.solve.schemes import Scheme
+from bondem.solve.threads import one_blas_thread
 
-# Lanczos approaches ω_max from below; its answer is raised by this much.
+# Relative error of ω²_max that is left: Lanczos ends there, and its answer, from below, is raised by this much.
 _TOLERANCE = 1e-3
+_LEAST, _MOST, _EVERY = 24, 600, 4
+# Largest displacement over the shortest bond, and rotation, to which forces are found; so is the error of K u.
+_SMALL = 1e-5
+# A given step above this share of the critical one is warned of: what a run does to bonds may raise ω_max.
+_WARNED = 0.9
 
 
-def highest_frequency(model: Model) -> float:
+def highest_frequency(model: Model, *, integrity: PerBond | None = None) -> float:
     """ω_max of the unconstrained lattice at rest [rad/s]: a bound for every set of supports.
 
-    Lanczos on M^-½ K M^-½, started from a fixed vector.
+    Args:
+        model: what will move.
+        integrity: of the bonds as they are now (`State.integrity`), internal order, (m,); all intact when None.
+            Broken bonds only lower ω_max.
     """
-    if len(model.lattice.pairs) == 0:
+    order = model.layout.order
+    return math.sqrt(stiffest(model, model.mass[order], model.inertia[order], integrity=integrity))
+
+
+@one_blas_thread
+def stiffest(
+    model: Model, mass: PerElement, inertia: PerElement, *, integrity: PerBond | None = None
+) -> float:
+    """The largest eigenvalue of K u = ω² M u [1/s²], from above, for any masses in internal order.
+
+    Lanczos iteration without a matrix: K u is what the bonds answer to small displacements of the lattice at rest.
+    It ends when the residual is below the tolerance, and the residual is added. It starts from a fixed
+    vector, the larger the stiffer an element is held for its mass: the highest mode is one of few elements, and
+    from anywhere else one that is hardly above the others could stay unseen.
+    """
+    layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
+    if m == 0:
         return 0.0
-    scale = 1.0 / np.sqrt(mass_diagonal(model))
-    K = stiffness_matrix(model)
-    n = len(scale)
-    if n <= 120:
-        dense = K.toarray() * scale[:, None] * scale
-        return math.sqrt(np.linalg.eigvalsh(dense)[-1])
-    operator = aslinearoperator(diags_array(scale)) @ aslinearoperator(K) @ aslinearoperator(diags_array(scale))
-    start = np.random.default_rng(0).standard_normal(n)
-    tolerance: Any = _TOLERANCE  # the stubs of SciPy take it for an integer
-    top = eigsh(operator, k=1, which="LM", v0=start, tol=tolerance, return_eigenvectors=False)
-    return math.sqrt((1.0 + 2.0 * _TOLERANCE) * float(top[0]))
+    constants = model.bonds.constants
+    intact = np.ones(m) if integrity is None else integrity
+    same = alike(constants)
+    rows, sums = np.empty((9, m)), np.zeros((n, 8))
+    pose = np.zeros((n, 8))
+    rest = model.lattice.particles.position[layout.order]
+    shortest = float(constants[3].min())
+    root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
+
+    def answer(y: Floats) -> Floats:
+        motion = y * root
+        size = max(np.abs(motion[:, :3]).max() / shortest, np.abs(motion[:, 3:]).max()) / _SMALL
+        motion /= size
+        pose[:, :3] = rest + motion[:, :3]
+        pose[:, 4] = 1.0
+        pose[:, 5:] = 0.5 * motion[:, 3:]
+        pose[:, 4:] /= np.sqrt(np.einsum("nk,nk->n", pose[:, 4:], pose[:, 4:]))[:, None]
+        bond_forces(pose, layout.i, layout.j, constants, same, intact, model.period, 0, m, *rows)
+        add_forces(sums, layout.i, layout.j, 0, m, *rows)
+        forces = sums[:, :6] * (-size * root)
+        sums[:] = 0.0
+        return forces
+
+    held = np.zeros(n)
+    for end, arm in ((layout.i, model.bonds.lever), (layout.j, constants[3] - model.bonds.lever)):
+        held += np.bincount(end, weights=intact * (constants[4] + model.bonds.shear), minlength=n) / mass
+        turned = intact * (model.bonds.shear * arm**2 + model.bonds.bending)
+        held += np.bincount(end, weights=turned, minlength=n) / inertia
+    start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
+    vector, last = start / np.linalg.norm(start), np.zeros((n, 6))
+    diagonal: list[float] = []
+    beside: list[float] = []
+    top = rest_of_it = 0.0
+    for k in range(1, min(_MOST, 6 * n) + 1):
+        image = answer(vector)
+        diagonal.append(float(np.vdot(vector, image)))
+        image -= diagonal[-1] * vector
+        if beside:
+            image -= beside[-1] * last
+        beside.append(float(np.linalg.norm(image)))
+        spent = beside[-1] <= 1e-9 * max(diagonal)
+        if spent or k == 6 * n or k == _MOST or (k >= _LEAST and k % _EVERY == 0):
+            value, weight = eigh_tridiagonal(diagonal, beside[:-1], select="i", select_range=(k - 1, k - 1))
+            top, rest_of_it = float(value[0]), beside[-1] * abs(float(weight[-1, 0]))
+            if spent or rest_of_it <= _TOLERANCE * top:
+                break
+        last, vector = vector, image / beside[-1]
+    return (1.0 + _TOLERANCE) * (top + rest_of_it)
 
 
-def critical_step(model: Model, scheme: Scheme, damping: LocalDamping | None = None) -> float:
+def critical_step(
+    model: Model, scheme: Scheme, damping: LocalDamping | None = None, *, integrity: PerBond | None = None
+) -> float:
     """The largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
-    Local damping raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots of contacts
-    lower the limit by √(1 + ζ²) - ζ, with ζ = ω c / 2 k.
+    It holds for contacts before they appear, as each is counted with the most that can touch at once. Local damping
+    raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots of contacts lower the
+    limit by √(1 + ζ²) - ζ, with ζ = ω c / 2 k.
+
+    Args:
+        model: what will move.
+        scheme: time integration.
+        damping: of the elements' motion.
+        integrity: of the bonds as they are now (`State.integrity`), (m,); all intact when None.
     """
     raised = 1.0 if damping is None else math.sqrt(1.0 + damping.gamma)
-    bonds = highest_frequency(model)
+    bonds = highest_frequency(model, integrity=integrity)
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
     if model.contacts is not None:
         motions += model.contacts.law.stiffest(
@@ -59,23 +132,46 @@ def critical_step(model: Model, scheme: Scheme, damping: LocalDamping | None = N
     return min(limits)
 
 
+@dataclass(frozen=True)
+class Step:
+    """A time step that was chosen or checked.
+
+    Attributes:
+        dt: the step [s].
+        remark: what to say about it; empty where it is well below the limit.
+    """
+
+    dt: float
+    remark: str = ""
+
+
 def choose_step(
     model: Model, scheme: Scheme, dt: float | None, *, safety: float, damping: LocalDamping | None = None
-) -> float:
-    """The time step to use [s]: the given one if it is stable, else `safety` times the critical one.
+) -> Step:
+    """The time step to use: the given one if it is stable, else `safety` times the critical one.
 
     Raises:
         UnstableStepError: dt is not positive or above the critical step.
+
+    Warns:
+        StepWarning: the given dt is above 0.9 of the critical step.
     """
     critical = critical_step(model, scheme, damping)
     if dt is None:
         if math.isinf(critical):
             raise UnstableStepError("the lattice has no stiffness to derive a time step from; pass dt= in seconds")
-        return safety * critical
+        return Step(safety * critical)
     if not (math.isfinite(dt) and dt > 0.0):
         raise UnstableStepError(f"dt = {dt} s; pass a positive time step, or dt=None for the best stable one")
     if dt > critical:
         raise UnstableStepError(
             f"dt = {dt:.4g} s exceeds the critical {critical:.4g} s of this lattice; pass dt=None or a smaller dt"
         )
-    return dt
+    if dt <= _WARNED * critical:
+        return Step(dt)
+    remark = (
+        f"dt = {dt:.4g} s is {dt / critical:.3f} of the critical {critical:.4g} s, which large strains may lower;"
+        f" pass dt=None or at most {_WARNED * critical:.4g} s"
+    )
+    warnings.warn(remark, StepWarning, stacklevel=3)
+    return Step(dt, remark)

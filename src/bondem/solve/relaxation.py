@@ -1,0 +1,115 @@
+"""Equilibrium by dynamic relaxation: motion damped as its frequency asks, with masses that make it quick."""
+
+import numpy as np
+
+from bondem._types import Floats, PerElement
+from bondem.errors import ConvergenceError, InputError
+from bondem.kernels.bond_pass import rotation_guard
+from bondem.kernels.relaxation import relax
+from bondem.kernels.sweep import TILE
+from bondem.model.bond_table import alike
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observe.energy import elastic_energy
+from bondem.solve.nonlinear import rotation_vector
+from bondem.solve.static import StaticResult
+from bondem.solve.timestep import stiffest
+
+# ω_max of the relaxing motion for its step of 1, of which 2 is the limit.
+_FREQUENCY = 1.8
+# Most by which supports move in one step: rotation [rad], and displacement over the shortest bond.
+_PACE = 0.01
+# Steps in one compiled call.
+_CHUNK = 2_000
+
+
+def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_000) -> StaticResult:
+    """Equilibrium at any rotation under the loads and prescribed motions at the end of their schedules.
+
+    Dynamic relaxation needs no matrix and no more memory than an explicit run. Each element gets a mass in proportion
+    to the stiffness that holds it, so that all of it moves about as fast, and the time step is 1; damping is critical
+    for the frequency at which the specimen moves at present. `solve_static` is much faster where K can be stored.
+
+    Args:
+        model: what is solved, of either formulation; a specimen its supports hold.
+        tolerance: unbalanced force over the sum of applied and supporting force (root of squares, torques over the
+            mean radius) at which to stop [-].
+        most: steps after which to give up.
+
+    Raises:
+        InputError: contacts or walls, no supports, a prescribed velocity, or a tolerance outside (0, 1).
+        ConvergenceError: no balance in `most` steps, or bonds turned too far.
+    """
+    if not 0.0 < tolerance < 1.0:
+        raise InputError(f"tolerance = {tolerance}; give a share of the force in (0, 1), such as 1e-6")
+    if model.contacts is not None or model.walls:
+        raise InputError("contacts and walls act in explicit runs only; use solve_explicit with damping instead")
+    layout, constraints = model.layout, model.constraints
+    n = len(layout.order)
+    held = constraints.held(n)
+    if held.sum() < 6:
+        raise InputError("solve_relaxed needs a specimen that is held; fix all six rigid motions with Fix")
+    connected = model.lattice.connected[layout.order]
+    free = connected[:, None] & ~held
+    motion, load = constraints.final_motion(n), constraints.final_load(n)
+    length = model.lattice.particles.mean_radius
+    mass, inertia = masses(model)
+    inverse = np.column_stack([1.0 / mass, 1.0 / inertia]) * connected[:, None]
+
+    state = State(model)
+    constants = model.bonds.constants
+    fastest = max(np.abs(motion[:, :3]).max() / constants[3].min(initial=np.inf), np.abs(motion[:, 3:]).max())
+    ramp = max(1, int(np.ceil(fastest / _PACE)))
+    before, velocity = np.zeros((n, 6)), np.zeros((n, 6))
+    arrays = (
+        state.pose, velocity, layout.i, layout.j, constants, alike(constants), state.integrity, model.period,
+        np.empty((9, TILE)), np.zeros((n, 8)), before, load, inverse, free, motion, ramp,
+    )  # fmt: skip
+    noise = 1e-14 * float((constants[4] * constants[3]).max(initial=0.0)) * np.sqrt(n)
+    memory = np.zeros(2)
+    done, ratio, finished = 0, np.inf, False
+    while done < most and not finished:
+        goal = min(_CHUNK, most - done)
+        gone, ratio = relax(*arrays, done, goal, length, tolerance, noise, memory)
+        finished = gone < goal
+        done += gone
+        _, lost, sick = rotation_guard(
+            state.pose, layout.i, layout.j, constants, state.integrity, model.period
+        )
+        if lost or sick:
+            raise ConvergenceError(
+                f"{lost} bonds are turned beyond 90 degrees after {done} steps; lower the load, or bond with more and"
+                " shorter bonds"
+            )
+    if not finished:
+        raise ConvergenceError(
+            f"forces do not balance after {done} steps: {ratio:.3g} of them are left; raise tolerance= or most=, or"
+            " use solve_static"
+        )
+    turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
+    values = turned[layout.rank]
+    reaction = np.where(held, -before - load, 0.0)[layout.rank]
+    return StaticResult(values[:, :3].copy(), values[:, 3:].copy(), reaction, elastic_energy(model, state))
+
+
+def masses(model: Model) -> tuple[PerElement, PerElement]:
+    """Mass and moment of inertia of each element for relaxation in steps of 1, internal order, (n,) each.
+
+    They are as the sums of translational and rotational stiffness at the element, so that by themselves all move at
+    one frequency, and as large as the highest frequency of the lattice demands.
+    """
+    layout, bonds = model.layout, model.bonds
+    n = len(layout.order)
+    kn, kt = bonds.constants[4], bonds.constants[8]
+    along, about = np.zeros(n), np.zeros(n)
+    for end, arm in ((layout.i, bonds.lever), (layout.j, bonds.constants[3] - bonds.lever)):
+        along += np.bincount(end, weights=np.maximum(kn, bonds.shear), minlength=n)
+        about += np.bincount(end, weights=np.maximum(kt, bonds.bending + bonds.shear * arm**2), minlength=n)
+    along[along == 0.0] = 1.0
+    about[about == 0.0] = 1.0
+    scale = stiffest(model, along, about) / _FREQUENCY**2
+    return _scaled(along, scale), _scaled(about, scale)
+
+
+def _scaled(values: Floats, scale: float) -> Floats:
+    return values * (scale if scale > 0.0 else 1.0)

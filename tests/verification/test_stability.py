@@ -1,0 +1,253 @@
+"""The stable time step, what happens above it, and that nothing happens below; callbacks at outputs."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.linalg import eigvalsh_tridiagonal
+
+import bondem as bd
+from bondem.errors import InputError, StepWarning
+from bondem.kernels.advance import GUARD_INTERVAL
+from bondem.model.matrices import mass_diagonal, stiffness_matrix
+from bondem.model.state import State
+from bondem.solve.explicit import Plan, Status, integrate
+from bondem.solve.timestep import critical_step, highest_frequency
+
+LAW = bd.EulerBernoulli(E=2.0e6, nu=0.25, radius_ratio=0.5)
+THIN = bd.EulerBernoulli(E=1e6, nu=0.3, radius=0.2)
+VERLET = bd.VelocityVerlet()
+
+
+def block(law=LAW, *, seed: int = 0, **options) -> bd.Model:
+    """6 × 4 × 4 elements of unequal radii in rows pulled out of line, bonded to their neighbours."""
+    rng = np.random.default_rng(seed)
+    grid = np.indices((6, 4, 4)).reshape(3, -1).T.astype(float)
+    radius = rng.uniform(0.35, 0.55, len(grid))
+    particles = bd.Particles(grid + rng.uniform(-0.1, 0.1, grid.shape), radius)
+    return bd.Model(bd.connect(particles, reach=1.5), bond=law, density=1200.0, **options)
+
+
+def exact_frequency(model: bd.Model) -> float:
+    K, m = stiffness_matrix(model).toarray(), mass_diagonal(model)
+    return math.sqrt(np.linalg.eigvalsh(K / np.sqrt(m[:, None] * m))[-1])
+
+
+# ---- the critical step
+
+
+@pytest.mark.parametrize("law", [
+    LAW,
+    bd.Timoshenko(E=2.0e6, nu=0.25, radius_ratio=0.2),
+    bd.ParallelBond(E=2.0e6, nu=0.25, radius_ratio=0.7),
+    bd.Obermayr(E=2.0e6, nu=0.25, radius_ratio=0.5),
+    bd.EulerBernoulli(E=2.0e6, nu=0.25, radius_ratio=2.0),
+], ids=lambda law: type(law).__name__)  # fmt: skip
+def test_the_highest_frequency_is_a_tight_upper_bound(law) -> None:
+    for seed in range(3):
+        model = block(law, seed=seed)
+        assert 1.0 <= highest_frequency(model) / exact_frequency(model) <= 1.003
+
+
+@pytest.mark.parametrize("heavier", [0.995, 0.97, 0.8])
+def test_one_element_lighter_than_a_thousand_others_is_found(heavier: float) -> None:
+    """The highest mode of a chain sits on its one light element, hardly above all others."""
+    n, place = 1000, 617
+    position = np.zeros((n, 3))
+    position[:, 0] = np.arange(n)
+    radius = np.full(n, 0.5)
+    radius[place] *= heavier
+    pairs = np.column_stack([np.arange(n - 1), np.arange(1, n)])
+    model = bd.Model(bd.Lattice(bd.Particles(position, radius), pairs), THIN, 1.0)
+    # axial vibration alone: tridiagonal, and above the others, as bending is soft in so thin a bond
+    k, m = model.stiffness.kn[0], model.mass
+    diagonal = np.r_[k, np.full(n - 2, 2.0 * k), k] / m
+    exact = math.sqrt(eigvalsh_tridiagonal(diagonal, -k / np.sqrt(m[1:] * m[:-1]))[-1])
+    assert 1.0 <= highest_frequency(model) / exact <= 1.003
+
+
+def test_broken_bonds_raise_the_critical_step() -> None:
+    model = block()
+    state = State(model)
+    state.integrity[::2] = 0.0
+    rest = bd.Lattice(model.lattice.particles, model.lattice.pairs[state.bond_integrity > 0.0])
+    law = bd.EulerBernoulli(E=2.0e6, nu=0.25, radius=0.5 * model.lattice.particles.mean_radius)
+    fewer = bd.Model(rest, law, 1200.0)
+    found = critical_step(model, VERLET, integrity=state.integrity)
+    assert found == pytest.approx(critical_step(fewer, VERLET), rel=2e-3)
+    assert found > 1.05 * critical_step(model, VERLET)
+
+
+def test_a_step_next_to_the_limit_is_warned_of_here_and_in_the_message() -> None:
+    model = block()
+    limit = critical_step(model, VERLET)
+    with pytest.warns(StepWarning, match=r"0\.950 of the critical .*pass dt=None or at most"):
+        run = bd.solve_explicit(model, duration=3 * limit, dt=0.95 * limit)
+    assert run.status is Status.COMPLETED
+    assert "0.950 of the critical" in run.message
+    assert "critical" not in bd.solve_explicit(model, duration=3 * limit, dt=0.9 * limit).message
+
+
+# ---- above it
+
+
+@pytest.mark.parametrize("scheme", [VERLET, bd.TchamwaWielgosz(1.3)], ids=["Verlet", "TW"])
+def test_a_run_above_the_critical_step_ends_in_time_with_a_good_state(scheme) -> None:
+    model = block()
+    state = State(model)
+    velocity = np.random.default_rng(1).standard_normal((len(model.mass), 3)) * 1e-3
+    state.set_motion(velocity=velocity)
+    dt = 1.05 * critical_step(model, scheme)
+    run = integrate(model, Plan(duration=2000 * dt, dt=dt, scheme=scheme, every=1), state=state)
+    assert run.status is Status.UNSTABLE
+    stopped = int(run.message.split("step ")[1].split(":")[0])
+    kinetic = run.history.energy["translation"] + run.history.energy["rotation"]
+    grown = int(np.argmax(~(kinetic <= 1000.0 * kinetic[0])))
+    assert grown < stopped <= grown + 2 * GUARD_INTERVAL
+    for array in (run.state.pose, run.state.motion, run.state.acceleration):
+        assert np.isfinite(array).all()
+    assert np.abs(run.state.velocity).max() <= 10.0 * np.abs(velocity).max()
+
+
+def test_growth_that_turns_no_bond_and_stays_finite_is_caught_by_its_energy() -> None:
+    """A stretched chain, above its limit: nothing turns; nothing overflows in the hundred steps until the look."""
+    position = np.zeros((20, 3))
+    position[:, 0] = np.arange(20.0)
+    pairs = np.column_stack([np.arange(19), np.arange(1, 20)])
+    model = bd.Model(bd.Lattice(bd.Particles(position, 0.5), pairs), THIN, 1.0)
+    state = State(model)
+    velocity = np.zeros((20, 3))
+    velocity[:, 0] = 1e-2 * (-1.0) ** np.arange(20)
+    state.set_motion(velocity=velocity)
+    dt = 1.002 * critical_step(model, VERLET)
+    run = integrate(model, Plan(duration=3000 * dt, dt=dt, every=1), state=state)
+    assert run.status is Status.UNSTABLE
+    assert "kinetic energy is a thousand times" in run.message
+    kinetic = run.history.energy["translation"]
+    assert np.isfinite(kinetic).all()
+    assert len(kinetic) <= np.argmax(kinetic > 1000.0 * kinetic[0]) + GUARD_INTERVAL + 1
+
+
+def test_the_state_given_back_is_no_older_than_ten_thousand_steps() -> None:
+    model = block()
+    state = State(model)
+    dt = 0.5 * critical_step(model, VERLET)
+    state.set_motion(velocity=np.full((len(model.mass), 3), 0.1))
+
+    def poison(state: State, record) -> None:
+        if state.step == 11_000:
+            state.motion[3, 0] = math.nan
+
+    run = integrate(model, Plan(duration=20_000 * dt, dt=dt, every=1000), state=state, callback=poison)
+    assert run.status is Status.UNSTABLE
+    assert f"stopped at step {11_000 + GUARD_INTERVAL}: a number is not finite" in run.message
+    assert "the state is that of step 10000" in run.message
+    assert run.state.step == 10_000
+    assert run.state.displacement == pytest.approx(np.full((len(model.mass), 3), 0.1 * 10_000 * dt))
+    assert math.isnan(state.motion[3, 0])  # what the run itself had come to
+
+
+# ---- contacts, impact: guarded, and not stopped where they are well
+
+
+def grains(**options) -> tuple[bd.Model, State]:
+    """Loose spheres of many sizes, thrown about in a box."""
+    rng = np.random.default_rng(3)
+    position = 2.3 * np.indices((4, 4, 4)).reshape(3, -1).T + 1.15
+    walls = [bd.PlaneWall(np.zeros(3), axis) for axis in np.eye(3)]
+    walls += [bd.PlaneWall(9.2 * axis, -axis) for axis in np.eye(3)]
+    lattice = bd.Lattice(bd.Particles(position, rng.uniform(0.8, 1.1, 64)), np.zeros((0, 2), dtype=int))
+    model = bd.Model(lattice, None, 1000.0, contact=bd.LinearContact(E=1e7, **options), walls=walls)
+    state = State(model)
+    state.set_motion(velocity=10.0 * rng.standard_normal((64, 3)))
+    return model, state
+
+
+@pytest.mark.parametrize("options", [{}, {"friction": 0.5, "damping": 0.2}], ids=["elastic", "rubbing"])
+def test_grains_that_collide_are_not_stopped(options: dict) -> None:
+    model, state = grains(**options)
+    dt = 0.9 * critical_step(model, VERLET)
+    run = integrate(model, Plan(duration=20_000 * dt, dt=dt, every=0), state=state)
+    assert run.status is Status.COMPLETED
+    assert np.abs(run.state.displacement).max() > 2.0
+
+
+def test_grains_above_the_limit_are_stopped() -> None:
+    model, state = grains()
+    dt = 8.0 * critical_step(model, VERLET)  # which counts twelve contacts an element: the true limit is higher
+    run = integrate(model, Plan(duration=20_000 * dt, dt=dt, every=10), state=state)
+    assert run.status is Status.UNSTABLE
+    assert np.isfinite(run.state.motion).all()
+    kinetic = run.history.energy["translation"]
+    assert len(kinetic) <= np.argmax(~(kinetic <= 1000.0 * kinetic[0])) + 1 + GUARD_INTERVAL / 10
+
+
+def test_a_block_thrown_against_a_wall_is_not_stopped() -> None:
+    wall = bd.PlaneWall((-1.0, 0, 0), (1, 0, 0))
+    model = block(contact=bd.LinearContact(E=2e6, friction=0.3), walls=[wall])
+    state = State(model)
+    state.set_motion(velocity=np.tile([-4.0, 0.5, 0.0], (len(model.mass), 1)))  # a tenth of the speed of sound
+    dt = 0.9 * critical_step(model, VERLET)
+    run = integrate(model, Plan(duration=8_000 * dt, dt=dt), state=state)
+    assert run.status is Status.COMPLETED
+    assert run.state.velocity[:, 0].mean() > 1.0  # it came back
+    assert np.abs(run.state.displacement - run.state.displacement.mean(axis=0)).max() > 0.05
+
+
+@pytest.mark.parametrize("condition", [
+    bd.Drive(bd.Face("x_max"), vx=2.0, vy=1.0),
+    bd.Load(bd.Face("x_max"), force=(3e3, -1e3, 500.0)),
+    bd.Load(bd.Face("x_max"), force=(1e5, 0.0, 0.0), schedule=bd.Table((0.0, 0.2, 0.21, 0.4), (0.0, 1.0, -1.0, 0.0))),
+], ids=["drive", "load", "pulse"])  # fmt: skip
+def test_a_block_set_in_motion_from_rest_is_not_stopped(condition) -> None:
+    shape = bd.Box(size=(6.0, 4.0, 4.0))
+    at_rest = block()
+    particles = bd.Particles(at_rest.lattice.particles.position + 0.5, at_rest.lattice.particles.radius, shape=shape)
+    model = bd.Model(bd.Lattice(particles, at_rest.lattice.pairs), LAW, 1200.0, boundary=[condition])
+    dt = 0.9 * critical_step(model, VERLET)
+    run = integrate(model, Plan(duration=3_000 * dt, dt=dt))
+    assert run.status is Status.COMPLETED
+    assert np.abs(run.state.displacement).max() > 0.1
+
+
+# ---- callbacks
+
+
+def shaken() -> tuple[bd.Model, State]:
+    model = block()
+    state = State(model)
+    state.set_motion(velocity=0.1 * np.random.default_rng(0).standard_normal((len(model.mass), 3)))
+    return model, state
+
+
+def test_a_callback_sees_every_record_and_changes_no_bit() -> None:
+    model, state = shaken()
+    dt = 0.8 * critical_step(model, VERLET)
+    plain = bd.solve_explicit(model, duration=1050 * dt, dt=dt, every=70, state=state.copy())
+    seen = []
+
+    def look(now: State, record) -> None:
+        assert record.time[0] == pytest.approx(now.time)
+        seen.append((now.step, record.records[0]))
+
+    run = bd.solve_explicit(model, duration=1050 * dt, dt=dt, every=70, state=state, callback=look)
+    assert run.status is Status.COMPLETED
+    assert [step for step, _ in seen] == list(range(0, 1051, 70))
+    assert np.array_equal(np.array([row for _, row in seen]), plain.history.records)
+    assert np.array_equal(run.history.records, plain.history.records)
+    for name in State.ARRAYS:
+        assert np.array_equal(getattr(run.state, name), getattr(plain.state, name))
+
+
+def test_a_callback_may_stop_the_run() -> None:
+    model, state = shaken()
+    dt = 0.8 * critical_step(model, VERLET)
+    run = bd.solve_explicit(
+        model, duration=1000 * dt, dt=dt, every=50, state=state, callback=lambda now, record: now.step >= 200
+    )
+    assert run.status is Status.STOPPED
+    assert run.steps == run.state.step == 200
+    assert len(run.history) == 5
+    assert "stopped by the callback" in run.message
+    with pytest.raises(InputError, match="every="):
+        bd.solve_explicit(model, duration=dt, dt=dt, every=0, callback=lambda now, record: None)
