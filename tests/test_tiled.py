@@ -1,0 +1,55 @@
+"""Specimens of the benchmarks: a periodic lattice repeated, and what a step of it costs at least."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.model.state import State
+
+FOLDER = Path(__file__).parent.parent / "benchmarks"
+
+
+@pytest.fixture(scope="module")
+def benchmarks():
+    """The modules beside the scripts."""
+    sys.path.insert(0, str(FOLDER))
+    try:
+        import roofline
+        import tiled
+    finally:
+        sys.path.remove(str(FOLDER))
+    return {"roofline": roofline, "tiled": tiled}
+
+
+@pytest.fixture(scope="module")
+def base(benchmarks):
+    return benchmarks["tiled"].specimen(500)
+
+
+def test_copies_are_bonded_where_they_touch(benchmarks, base):
+    large = benchmarks["tiled"].tiled(base, 3)
+    np.testing.assert_array_equal(np.unique(large.pairs, axis=0), bd.connect(large.particles).pairs)
+    assert len(large.pairs) == 27 * len(base.pairs)
+    np.testing.assert_allclose(large.particles.period, 3 * base.particles.period)
+    np.testing.assert_allclose(large.length.reshape(27, -1), np.tile(base.length, (27, 1)), rtol=1e-9)
+
+
+def test_a_large_specimen_is_made_of_small_packings(benchmarks):
+    large = benchmarks["tiled"].specimen(3000, largest=400)
+    assert len(large.particles) == 8 * 375
+
+
+def test_a_step_is_counted(benchmarks, base):
+    count = benchmarks["roofline"]
+    model = bd.Model(base, bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.71), 2500.0)
+    n, m = len(base.particles), len(base.pairs)
+    traffic = count.bytes_per_bond(model, State(model))
+    # i, j, row of the sums; direction and length; integrity; then a line each for pose, motion and sums, both ways
+    assert traffic["all"] == pytest.approx(12 + 32 + 8 + (3 * 2 * 64 + 12) * n / m)
+    flops = count.flops_per_bond(n / m)
+    # two turned directions of 30, two cosines of 5, the length of 6, and the rest of the force
+    assert 150 < flops["law"] < 250
+    assert flops["all"] == pytest.approx(sum(flops.values()) / 2)
