@@ -1,7 +1,7 @@
 """Compile every kernel that a run launches to PTX without a driver: python tests/cuda_ptx.py prints one JSON object.
 
 Arrays stay on the host, and a launch compiles its kernel for the types of its arguments. Scalar functions are
-compiled for "the current device", which must be replaced: by a private name of numba-cuda, and one reason for which its
+compiled for "the current device", which must be replaced: by a private name of numba-cuda, one reason for which its
 version is pinned.
 """
 

@@ -1,0 +1,117 @@
+"""Bond-steps per second on a CUDA device, beside the copy bandwidth measured in the same run, and against the CPU.
+
+python benchmarks/gpu_steps.py [--elements 100000 1000000 10000000] [--compare 10000] [--repeat 5]
+
+Specimens are a periodic packing of up to 100 000 spheres, repeated. Bytes a bond-step are what the two passes must
+move at least if nothing but the poses of bonded neighbours stays in the cache (decision 0010).
+"""
+
+import argparse
+import importlib
+import json
+import statistics
+import sys
+import time
+
+import numpy as np
+
+import bondem as bd
+from bondem.model.state import State
+from bondem.solve.explicit import Plan, integrate
+from bondem.solve.timestep import critical_step
+from tiled import specimen
+
+# Bytes that a step moves for each bond and each element; bonds alike but for their length.
+PER_BOND = 8 + 32 + 8 + 72 + 2 * 48 + 4  # ends, constants, integrity, forces written; read by both ends, adjacency
+PER_ELEMENT = 64 + 2 * 64 + 2 * 64 + 12  # pose in the pass of the bonds; pose, motion, row and adjacency
+
+
+def copy_bandwidth(cuda, size: int = 2**30) -> float:
+    """Bytes per second read and written by a copy on the device, best of ten."""
+    source = cuda.device_array(size // 8, np.float64)
+    target = cuda.device_array(size // 8, np.float64)
+    best = np.inf
+    for _ in range(10):
+        cuda.synchronize()
+        start = time.perf_counter()
+        target.copy_to_device(source)
+        cuda.synchronize()
+        best = min(best, time.perf_counter() - start)
+    return 2.0 * size / best
+
+
+def moving(lattice: bd.Lattice) -> tuple[bd.Model, float, State]:
+    """A free periodic specimen, its time step, and elements that move at random."""
+    model = bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), 2500.0)
+    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    state = State(model)
+    state.set_motion(velocity=np.random.default_rng(0).standard_normal((len(lattice.particles), 3)))
+    return model, dt, state
+
+
+def rate(loop_of, lattice: bd.Lattice, repeat: int, bandwidth: float) -> dict:
+    """Bond-steps per second of a specimen; the time of a run holds neither the upload nor the copy back."""
+    model, dt, state = moving(lattice)
+    bonds, elements = len(lattice.pairs), len(lattice.particles)
+    plan = Plan(duration=1.0, dt=dt, every=0)
+    loop = loop_of(model, plan, state, dt)
+    loop.run(200)  # compiles, records the graphs
+    steps = max(200, 100 * round(2e10 / bonds / 100))
+    rates = []
+    for _ in range(repeat):
+        start = time.perf_counter()
+        loop.run(steps)
+        whole = time.perf_counter() - start
+        start = time.perf_counter()
+        loop.run(0)
+        rates.append(bonds * steps / (whole - (time.perf_counter() - start)))
+    moved = PER_BOND + PER_ELEMENT * elements / bonds
+    median = statistics.median(rates)
+    return {
+        "elements": elements,
+        "bonds": bonds,
+        "steps": steps,
+        "Gbond/s": {"median": round(median / 1e9, 3), "best": round(max(rates) / 1e9, 3)},
+        "bytes/bond-step": round(moved),
+        "share of copy bandwidth": round(median * moved / bandwidth, 3),
+    }
+
+
+def difference(loop_of, lattice: bd.Lattice, steps: int = 1000) -> float:
+    """Largest difference of displacements between CPU and device after `steps`, over the largest displacement [-]."""
+    model, dt, start = moving(lattice)
+    plan = Plan(duration=steps * dt, dt=dt, every=0)
+    cpu, gpu = (integrate(model, plan, state=start.copy(), loop_of=loop).state for loop in (None, loop_of))
+    return float(np.abs(gpu.displacement - cpu.displacement).max() / np.abs(cpu.displacement).max())
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--elements", type=int, nargs="+", default=[100_000, 1_000_000, 10_000_000])
+    parser.add_argument("--compare", type=int, default=10_000)
+    parser.add_argument("--repeat", type=int, default=5)
+    options = parser.parse_args()
+    try:
+        boundary = importlib.import_module("bondem._compile_cuda")
+    except ImportError as error:
+        sys.exit(f'nothing measured: numba-cuda is missing ({error}); pip install "bondem[gpu]"')
+    reason = boundary.missing()
+    if reason is not None or boundary.SIMULATED:
+        sys.exit(f"nothing measured: {reason or 'this is the simulator, which says nothing about speed'}")
+    loop_of = importlib.import_module("bondem.solve.gpu").GpuLoop
+    bandwidth = copy_bandwidth(boundary.cuda)
+    result = {
+        "device": str(boundary.cuda.get_current_device().name),
+        "copy GB/s": round(bandwidth / 1e9),
+        "CPU against device, 1000 steps": difference(loop_of, specimen(options.compare)),
+        "runs": [],
+    }
+    print(json.dumps(result), flush=True)
+    for elements in options.elements:
+        result["runs"].append(rate(loop_of, specimen(elements, largest=100_000), options.repeat, bandwidth))
+        print(json.dumps(result["runs"][-1]), flush=True)
+    print(json.dumps(result, indent=2))
+
+
+if __name__ == "__main__":
+    main()
