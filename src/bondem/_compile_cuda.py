@@ -55,7 +55,7 @@ def launch(kernel: Any, count: int, *arguments: Any, stream: Any = 0) -> None:
 def upload(array: np.ndarray) -> Array:
     """A copy on the device; an empty array gets one unused entry along its empty axes."""
     full = array if array.size else np.zeros([max(1, length) for length in array.shape], array.dtype)
-    return cuda.to_device(np.ascontiguousarray(full))
+    return cuda.to_device(np.require(full, requirements=["C", "W"]))
 
 
 def zeros(*shape: int, like: type = float) -> Array:
