@@ -63,6 +63,7 @@ def main(counts: list[int]) -> None:
         clock("  of it preconditioner", lambda s=system: Iteration(s))
         if len(lattice.particles) < 50_000:
             clock("eight modes", lambda m=model: bd.solve_modes(m))
+            clock("relaxed to 1e-6", lambda m=model: bd.solve_relaxed(m))
             clock("static, non-linear", lambda m=model: bd.solve_static(m, nonlinear=True))
 
 

@@ -1,6 +1,10 @@
 """The stable time step, what happens above it, and that nothing happens below; callbacks at outputs."""
 
+import json
 import math
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -251,3 +255,18 @@ def test_a_callback_may_stop_the_run() -> None:
     assert "stopped by the callback" in run.message
     with pytest.raises(InputError, match="every="):
         bd.solve_explicit(model, duration=dt, dt=dt, every=0, callback=lambda now, record: None)
+
+
+# ---- energy
+
+
+def test_the_cylinder_keeps_its_energy_to_second_order_without_drift(tmp_path: Path) -> None:
+    """The benchmark of a million steps, on a smaller scale."""
+    script = Path(__file__).parents[2] / "benchmarks" / "energy_drift.py"
+    out = tmp_path / "drift.json"
+    options = ["--elements", "300", "--steps", "20000", "--order-steps", "2000", "--out", str(out)]
+    subprocess.run([sys.executable, str(script), *options], check=True, capture_output=True)
+    found = json.loads(out.read_text())
+    np.testing.assert_allclose(found["orders"], 2.0, atol=0.1)
+    assert abs(found["drift, in its standard errors"]) < 5.0
+    assert abs(found["drift over the run"]) < 0.1 * found["largest error"]
