@@ -36,14 +36,19 @@ def values(variable) -> np.ndarray:
     return np.array([list(node.GetSolutionStepValue(variable)) for node in nodes])
 
 
+def touching() -> int:
+    """Pairs that bear force, bonds and contacts."""
+    # it wants to be given the spread of the coordination number, which is not used
+    return round(0.5 * stage._GetSolver().cplusplus_strategy.ComputeCoordinationNumber(0.0) * len(nodes))
+
+
 go(check)
+bonds = touching()
 position = np.array([[node.X, node.Y, node.Z] for node in nodes])
 seconds = go(steps)
-# spread of the coordination number, which its function wants, is not used
-coordination = stage._GetSolver().cplusplus_strategy.ComputeCoordinationNumber(0.0)
 Outcome(
     seconds=seconds,
-    bonds=round(0.5 * coordination * len(nodes)),
+    bonds=min(bonds, touching()),
     position=position,
     velocity=values(Core.VELOCITY),
     spin=values(Core.ANGULAR_VELOCITY),

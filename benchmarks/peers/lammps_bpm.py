@@ -24,7 +24,8 @@ class Lammps:
         " neither can be left out",
     )
 
-    def __init__(self) -> None:
+    def __init__(self, *, contacts: bool = False) -> None:
+        self.contacts = contacts
         self.executable = os.environ.get("LAMMPS", "lmp")
 
     def missing(self) -> str:
@@ -37,7 +38,7 @@ class Lammps:
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         write_data(folder / "specimen.data", specimen)
-        (folder / "in.bonds").write_text(script(specimen, check, steps))
+        (folder / "in.bonds").write_text(script(specimen, check, steps, contacts=self.contacts))
         command = [self.executable, "-in", "in.bonds", "-nocite", "-screen", "none", "-log", "log"]
         subprocess.run(command, cwd=folder, check=True, env=self._environment(), capture_output=True)
         return read(folder)
@@ -76,8 +77,8 @@ def write_data(path: Path, specimen: Specimen) -> None:
     path.write_text("\n".join(lines) + "\n")
 
 
-def script(specimen: Specimen, check: int, steps: int) -> str:
-    """Elastic bonds and nothing else: no pair forces, no neighbour lists after the first, no output in the loop."""
+def script(specimen: Specimen, check: int, steps: int, *, contacts: bool = False) -> str:
+    """Elastic bonds and no output in the loop; pair forces of those that no bond joins where wanted."""
     _, length = classes(specimen)
     # products with powers of L are the same for all bonds
     L = specimen.length
@@ -89,18 +90,22 @@ def script(specimen: Specimen, check: int, steps: int) -> str:
         for t, l in enumerate(length, start=1)
     )
     reach = 2.2 * specimen.radius.max()
+    special, pair, overlay = "lj/coul 1 1 1", "pair_style none", "yes"
+    if contacts:
+        special, overlay = "lj 0 1 1 coul 1 1 1", "no"
+        pair = f"pair_style gran/hooke/history {specimen.kn.mean():.17g} NULL 0 NULL 0 1\npair_coeff * *"
     return f"""units si
 dimension 3
 boundary f f f
 atom_style bpm/sphere
 newton on off
-special_bonds lj/coul 1 1 1
+special_bonds {special}
 comm_modify vel yes cutoff {reach:.17g}
 # without a pair style atoms are sorted only where a bin size is given
 atom_modify sort 100 {reach:.17g} map array
 read_data specimen.data
-pair_style none
-bond_style bpm/rotational overlay/pair yes smooth no break no
+{pair}
+bond_style bpm/rotational overlay/pair {overlay} smooth no break no
 {coefficients}
 neighbor {0.1 * specimen.radius.max():.17g} bin
 neigh_modify every 1 delay 0 check yes

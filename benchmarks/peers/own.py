@@ -1,4 +1,4 @@
-"""bondem itself, in a process of its own like any peer: `python own.py FOLDER CHECK STEPS`."""
+"""bondem itself, in a process of its own like any peer: `python own.py FOLDER CHECK STEPS CONTACTS`."""
 
 import os
 import subprocess
@@ -17,24 +17,28 @@ class Bondem:
     differs = ()
     alike = True
 
+    def __init__(self, *, contacts: bool = False) -> None:
+        self.contacts = contacts
+
     def missing(self) -> str:
         return ""
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         specimen.save(folder / "specimen.npz")
-        command = [sys.executable, __file__, str(folder), str(check), str(steps)]
+        command = [sys.executable, __file__, str(folder), str(check), str(steps), str(int(self.contacts))]
         subprocess.run(command, check=True, env={**os.environ, "NUMBA_NUM_THREADS": "1"})
         return Outcome.load(folder / "outcome.npz")
 
 
-def _run(specimen: Specimen, check: int, steps: int) -> Outcome:
+def _run(specimen: Specimen, check: int, steps: int, contacts: bool) -> Outcome:
     import bondem as bd
     from bondem.model.state import State
     from bondem.solve.explicit import Plan, integrate
 
     lattice = bd.Lattice(bd.Particles(specimen.position, specimen.radius), specimen.pairs)
     law = bd.EulerBernoulli(E=YOUNG, nu=POISSON, radius_ratio=RADIUS_RATIO)
-    model = bd.Model(lattice, law, DENSITY)
+    contact = bd.LinearContact(E=RADIUS_RATIO**2 * YOUNG) if contacts else None
+    model = bd.Model(lattice, law, DENSITY, contact=contact)
     state = State(model)
     state.set_motion(velocity=specimen.velocity)
     dt = float(specimen.dt)
@@ -59,4 +63,5 @@ def _run(specimen: Specimen, check: int, steps: int) -> Outcome:
 
 if __name__ == "__main__":
     here = Path(sys.argv[1])
-    _run(Specimen.load(here / "specimen.npz"), int(sys.argv[2]), int(sys.argv[3])).save(here / "outcome.npz")
+    check, steps, contacts = (int(word) for word in sys.argv[2:])
+    _run(Specimen.load(here / "specimen.npz"), check, steps, bool(contacts)).save(here / "outcome.npz")

@@ -17,11 +17,11 @@ class Yade:
     alike = True
     differs = (
         "bonds shear where the spheres touch, not in the middle",
-        "no collider: with one, as any run with contacts needs, it is slower still",
         "bonds compute their strength, which is never reached",
     )
 
-    def __init__(self) -> None:
+    def __init__(self, *, contacts: bool = False) -> None:
+        self.contacts = contacts
         self.executable = os.environ.get("YADE", "yade")
 
     def missing(self) -> str:
@@ -36,6 +36,7 @@ class Yade:
         answer = folder / "outcome.npz"
         answer.unlink(missing_ok=True)
         command = [self.executable, "-n", "-x", "-j1", str(_SCRIPT), str(folder), str(check), str(steps)]
+        command.append(str(int(self.contacts)))
         environment = {**os.environ, "PYTHONPATH": str(_SCRIPT.parent), "OMP_NUM_THREADS": "1"}
         done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
         # its exit status says nothing of errors in the script

@@ -1,4 +1,4 @@
-"""Runs inside Yade: `yade -n -x -j1 yade_script.py FOLDER CHECK STEPS`.
+"""Runs inside Yade: `yade -n -x -j1 yade_script.py FOLDER CHECK STEPS CONTACTS`.
 
 This folder is on PYTHONPATH, as Yade does not say where a script is.
 """
@@ -12,10 +12,11 @@ import numpy as np
 from outcome import Outcome
 from specimen import DENSITY, POISSON, YOUNG, Specimen
 
-folder, check, steps = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
+folder = Path(sys.argv[1])
+check, steps, contacts = (int(word) for word in sys.argv[2:5])
 specimen = Specimen.load(folder / "specimen.npz")
 material = CohFrictMat(
-    young=YOUNG, poisson=POISSON, density=DENSITY, frictionAngle=0.5, isCohesive=True, momentRotationLaw=True,
+    young=YOUNG, poisson=POISSON, density=DENSITY, frictionAngle=0.0, isCohesive=True, momentRotationLaw=True,
     normalCohesion=1e30, shearCohesion=1e30, etaRoll=-1, etaTwist=-1, alphaKr=1.0, alphaKtw=1.0,
 )  # fmt: skip
 O.materials.append(material)
@@ -25,15 +26,18 @@ for x, r, v in zip(specimen.position, specimen.radius, specimen.velocity):  # no
 
 loop = InteractionLoop(
     [Ig2_Sphere_Sphere_ScGeom6D()],
-    [Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionNow=True, setCohesionOnNewContacts=False)],
+    [Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionNow=False, setCohesionOnNewContacts=False)],
     [Law2_ScGeom6D_CohFrictPhys_CohesionMoment(always_use_moment_law=True)],
 )
-# No collider: there are no other interactions than bonds. Elements move first: shear adds up from velocities, and in
-# the usual order it would begin with a step that was not made.
-O.engines = [NewtonIntegrator(damping=0.0), ForceResetter(), loop]
+# Without contacts there is no collider, as there are no other interactions than bonds. Elements move first: shear
+# adds up from velocities, and in the usual order it would begin with a step that was not made.
+collider = [InsertionSortCollider([Bo1_Sphere_Aabb()])] if contacts else []
+O.engines = [NewtonIntegrator(damping=0.0), ForceResetter(), *collider, loop]
 O.dt = float(specimen.dt)
+bonds = []
 for k, (i, j) in enumerate(specimen.pairs):
     bond = createInteraction(int(i), int(j))
+    bonds.append(bond)
     bond.phys.kn, bond.phys.ks = float(specimen.kn[k]), float(specimen.ks[k])
     bond.phys.kr, bond.phys.ktw = float(specimen.kb[k]), float(specimen.kt[k])
     # bonds know no rest length: without it overlaps would be stretched bonds
@@ -48,7 +52,7 @@ O.run(steps, True)
 seconds = time.perf_counter() - start
 Outcome(
     seconds=seconds,
-    bonds=sum(1 for bond in O.interactions if bond.isReal and not bond.phys.cohesionBroken),
+    bonds=sum(1 for bond in bonds if bond.isReal and not bond.phys.cohesionBroken),
     position=position,
     velocity=np.array([body.state.vel for body in O.bodies]),
     spin=np.array([body.state.angVel for body in O.bodies]),
