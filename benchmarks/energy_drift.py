@@ -1,8 +1,8 @@
 """Energy of the freely vibrating silica cylinder: its error over a long run, and that it goes with the square of dt.
 
 A free cylinder is set to bend, stretch and twist, and let go. The error of the total energy over that at the start
-swings with the vibration, with an amplitude that goes as dt². It may drift, which a symplectic scheme does not, and it
-takes the random walk of rounding. The slope is fitted to means over blocks of the run, so that swinging drops out,
+swings with the vibration, with an amplitude that goes as dt². It may drift, which a symplectic scheme does not, and
+it takes the random walk of rounding. The slope is fitted to means over blocks of the run, so that swinging drops out,
 and is given with its standard error: a drift is a slope of several errors.
 
 python benchmarks/energy_drift.py [--elements 10000] [--steps 1000000] [--order-steps 20000] [--out drift.json]

@@ -192,7 +192,7 @@ def integrate(
     warning = f"; {remark}" if remark else ""
     turned = ""
     while state.step < total and not stop:
-        goal = min(total, state.step + _CHUNK)
+        goal = min(total, kept[-1].step + _CHUNK)
         looked = plan.every if plan.until or callback is not None else 0
         for interval in (plan.save_every, looked):
             if interval:
