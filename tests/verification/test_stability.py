@@ -16,6 +16,7 @@ from bondem.kernels.advance import GUARD_INTERVAL
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
 from bondem.model.state import State
 from bondem.solve.explicit import Plan, Status, integrate
+from bondem.solve.threads import one_blas_thread
 from bondem.solve.timestep import critical_step, highest_frequency
 
 LAW = bd.EulerBernoulli(E=2.0e6, nu=0.25, radius_ratio=0.5)
@@ -32,6 +33,7 @@ def block(law=LAW, *, seed: int = 0, **options) -> bd.Model:
     return bd.Model(bd.connect(particles, reach=1.5), bond=law, density=1200.0, **options)
 
 
+@one_blas_thread
 def exact_frequency(model: bd.Model) -> float:
     K, m = stiffness_matrix(model).toarray(), mass_diagonal(model)
     return math.sqrt(np.linalg.eigvalsh(K / np.sqrt(m[:, None] * m))[-1])
