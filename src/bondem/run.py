@@ -7,7 +7,7 @@ from pathlib import Path
 
 from bondem.errors import InputError
 from bondem.io.runfile import RunFile, read_run
-from bondem.laws.damping import LocalDamping
+from bondem.laws.damping import AnyDamping
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -28,7 +28,7 @@ def solve_explicit(
     duration: float,
     dt: float | None = None,
     scheme: Scheme | None = None,
-    damping: LocalDamping | None = None,
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
     gauges: Mapping[str, Gauge] | None = None,
     every: int = 100,
     save_every: int = 0,
@@ -47,7 +47,7 @@ def solve_explicit(
         duration: physical time [s]; round(duration / dt) steps are taken.
         dt: time step [s]; None for `safety` times the critical one of the assembled lattice.
         scheme: time integration; velocity Verlet unless given.
-        damping: of the elements' motion; none unless asked.
+        damping: of elements or bonds, one kind or several in a tuple; none unless asked.
         gauges: what to record, by name.
         every: steps between records; 0 for none.
         save_every: steps between checkpoints; 0 for the last state only.

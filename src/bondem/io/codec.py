@@ -14,13 +14,14 @@ import numpy as np
 from bondem.errors import RunFileError
 from bondem.laws.contact import LinearContact
 from bondem.laws.contact_bond import ContactBond
-from bondem.laws.damping import LocalDamping
+from bondem.laws.damping import BondDamping, LocalDamping, MassDamping
 from bondem.laws.euler_bernoulli import EulerBernoulli
 from bondem.laws.obermayr import Obermayr
 from bondem.laws.parallel_bond import ParallelBond
 from bondem.laws.timoshenko import Timoshenko
 from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge, WallGauge
+from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.model.schedules import Constant, Ramp, Table
 from bondem.model.walls import CylinderWall, Driven, PlaneWall, Servo
 from bondem.solve.events import AtRest
@@ -35,9 +36,9 @@ _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
         ContactBond, EulerBernoulli, Obermayr, ParallelBond, Timoshenko,
-        LocalDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
+        LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
         LinearContact, PlaneWall, CylinderWall, Driven, Servo,
-        Drive, Fix, Load, Gauge, WallGauge, Constant, Ramp, Table,
+        Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
         Difference, Everything, Face, Index, Intersection, Union, Within,
     )

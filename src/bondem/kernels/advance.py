@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import bond_energies, rotation_guard
-from bondem.kernels.boundary import apply_schedules
+from bondem.kernels.boundary import apply_added, apply_schedules
 from bondem.kernels.contact_pass import advance_walls, contact_energy, contact_loads, outdated
 from bondem.kernels.element_pass import open_step, open_step_serial
 from bondem.kernels.incremental import incremental_energies
@@ -143,14 +143,17 @@ def evaluate(
     rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts, part,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
-    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, records,
+    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, added, strain, records,
 ):  # fmt: skip
     """Find the acceleration of the present state where it is stale, and record the state."""
     apply_schedules(
         t0 + step * dt, dt, times, values, start, drive_row, drive_dof, drive_schedule, drive_rate,
         load_row, load_schedule, load_value, row_force, row_half, row_full,
     )  # fmt: skip
-    load = None if contacts is None else contacts.load
+    apply_added(
+        t0 + step * dt, dt, True, added, strain, times, values, start, pose, i, j, period, constants, shear, lever,
+        integrity, work,
+    )  # fmt: skip
     if stale:
         if contacts is not None:
             contact_loads(pose, motion, loss, period, 0.0, contacts)
@@ -160,7 +163,7 @@ def evaluate(
             part,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
             # not the literal False, for which all of it would be compiled once more
-            0.0, 0.0, 0.0, 0.0, gamma, loss, not stale, load,
+            0.0, 0.0, 0.0, 0.0, gamma, loss, not stale, added,
         )  # fmt: skip
     sample(
         t0 + step * dt, pose, motion, i, j, constants, shear, bending, lever, integrity, history, period,
@@ -176,7 +179,7 @@ def advance(
     rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts, part,
     times, values, start, drive_row, drive_dof, drive_schedule, drive_rate, load_row, load_schedule, load_value,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work, loss,
-    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, budget, records,
+    rest, gauge_start, gauge_element, gauge_quantity, gauge_reduction, contacts, added, strain, budget, records,
 ):  # fmt: skip
     """Go from `step` to `step + steps`; write a record whenever the step number is a multiple of `every`.
 
@@ -192,7 +195,11 @@ def advance(
         contacts is out of date).
     """
     threaded = len(i) >= SERIAL_BONDS
-    load = None if contacts is None else contacts.load
+    if not moved:
+        apply_added(
+            t0 + step * dt, dt, True, added, strain, times, values, start, pose, i, j, period, constants, shear,
+            lever, integrity, work,
+        )  # fmt: skip
     done = 0
     written = 0
     wide = 0
@@ -209,12 +216,12 @@ def advance(
             if threaded:
                 open_step(
                     pose, motion, acceleration, row_of, row_fixed, row_force, row_half, row_reaction, work,
-                    dt, begin, extra,
+                    dt, begin, extra, added,
                 )  # fmt: skip
             else:
                 open_step_serial(
                     pose, motion, acceleration, row_of, row_fixed, row_force, row_half, row_reaction, work,
-                    dt, begin, extra,
+                    dt, begin, extra, added,
                 )  # fmt: skip
         if contacts is not None:
             if not moved:
@@ -232,12 +239,16 @@ def advance(
             t, dt, times, values, start, drive_row, drive_dof, drive_schedule, drive_rate,
             load_row, load_schedule, load_value, row_force, row_half, row_full,
         )  # fmt: skip
+        apply_added(
+            t, dt, False, added, strain, times, values, start, pose, i, j, period, constants, shear, lever,
+            integrity, work,
+        )  # fmt: skip
         step_forces(
             pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
             rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts,
             part,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-            dt, finish, begin, extra, gamma, loss, not paused, load,
+            dt, finish, begin, extra, gamma, loss, not paused, added,
         )  # fmt: skip
         if now % GUARD_INTERVAL == 0 or done == steps:
             turned, lost, broken = rotation_guard(pose, i, j, constants, integrity, period)

@@ -5,6 +5,7 @@ See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 
 from bondem._compile import kernel, prange
 from bondem.kernels.bond_pass import add_forces, bond_forces
+from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect, move
 from bondem.kernels.incremental import incremental_forces
 
@@ -17,7 +18,7 @@ def sweep(
     pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
     rows, row_i, row_j, sums, block_bond, block_move, ready, ready_row,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-    dt, finish, begin, extra, gamma, loss, go_on, first, last, load,
+    dt, finish, begin, extra, gamma, loss, go_on, first, last, added,
 ):  # fmt: skip
     """The blocks first … last: bonds, sums, and the elements whose sums are complete."""
     fx, fy, fz = rows[0], rows[1], rows[2]
@@ -36,9 +37,12 @@ def sweep(
                     pose, i, j, constants, same, integrity, period, k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz
                 )
             add_forces(sums, row_i, row_j, k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz)
+            damp_bonds(
+                added, pose, motion, i, j, integrity, period, row_i, row_j, k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz
+            )
         move(
             pose, motion, acceleration, sums, ready, ready_row, row_of, row_fixed, row_force, row_half, row_full,
-            row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, block_move[b], block_move[b + 1], load,
+            row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, block_move[b], block_move[b + 1], added,
         )  # fmt: skip
 
 
@@ -47,7 +51,7 @@ def sweep_domains(
     pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
     rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts, part,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-    dt, finish, begin, extra, gamma, loss, go_on, load,
+    dt, finish, begin, extra, gamma, loss, go_on, added,
 ):  # fmt: skip
     """All domains, each on a thread of its own, then the elements they share."""
     count = len(domain) - 1
@@ -56,14 +60,15 @@ def sweep_domains(
             pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
             rows[d], row_i, row_j, sums, block_bond, block_move, ready, ready_row,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-            dt, finish, begin, extra, gamma, loss, go_on, domain[d], domain[d + 1], load,
+            dt, finish, begin, extra, gamma, loss, go_on, domain[d], domain[d + 1], added,
         )  # fmt: skip
     for d in prange(count):
         first, last = len(shared) * d // count, len(shared) * (d + 1) // count
         collect(sums, shared_row, parts, part, first, last)
+        collect_dashpots(added, shared_row, parts, part, first, last)
         move(
             pose, motion, acceleration, sums, shared, shared_row, row_of, row_fixed, row_force, row_half, row_full,
-            row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, first, last, load,
+            row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, first, last, added,
         )  # fmt: skip
 
 
@@ -72,7 +77,7 @@ def step_forces(
     pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
     rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts, part,
     row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-    dt, finish, begin, extra, gamma, loss, go_on, load,
+    dt, finish, begin, extra, gamma, loss, go_on, added,
 ):  # fmt: skip
     """Forces of all bonds now, and what elements do with them: close the step, and open the next or not."""
     if len(domain) == 2:
@@ -80,7 +85,7 @@ def step_forces(
             pose, motion, acceleration, i, j, constants, same, shear, bending, lever, integrity, history, period,
             rows[0], row_i, row_j, sums, block_bond, block_move, ready, ready_row,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-            dt, finish, begin, extra, gamma, loss, go_on, domain[0], domain[1], load,
+            dt, finish, begin, extra, gamma, loss, go_on, domain[0], domain[1], added,
         )  # fmt: skip
     else:
         sweep_domains(
@@ -88,5 +93,5 @@ def step_forces(
             rows, row_i, row_j, sums, domain, block_bond, block_move, ready, ready_row, shared, shared_row, parts,
             part,
             row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-            dt, finish, begin, extra, gamma, loss, go_on, load,
+            dt, finish, begin, extra, gamma, loss, go_on, added,
         )  # fmt: skip

@@ -1,7 +1,8 @@
-"""Damping of the elements' own motion."""
+"""Damping of the elements' own motion and of the bonds between them."""
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from bondem._compile import device
 from bondem.errors import InputError
@@ -12,7 +13,8 @@ class LocalDamping:
     """Each component of force and torque is reduced against the motion: F_i - γ |F_i| sign(v_i).
 
     It vanishes in equilibrium and where the net force does, and does not depend on the mass; it has no
-    counterpart in a real material. Reference: Chen et al. (2022) eqs (11), (12), whose printed F U/U is F.
+    counterpart in a real material. A free oscillation loses the factor √((1 - γ) / (1 + γ)) of its amplitude every
+    half period. Reference: Chen et al. (2022) eqs (11), (12), whose printed F U/U is F.
 
     Attributes:
         gamma: damping coefficient γ [-], in [0, 1).
@@ -25,6 +27,88 @@ class LocalDamping:
             raise InputError(f"LocalDamping: gamma = {self.gamma}; give a coefficient in [0, 1)")
 
 
+@dataclass(frozen=True)
+class MassDamping:
+    """Every element is slowed in proportion to its motion: -α m v, -α I ω (Rayleigh's α).
+
+    All modes decay as exp(-α t / 2), slow ones within fewer periods, and rigid motion decays as exp(-α t): momentum
+    is not conserved. It does not lower the time step.
+
+    Attributes:
+        alpha: α [1/s].
+    """
+
+    alpha: float
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.alpha) and self.alpha >= 0.0):
+            raise InputError(f"MassDamping: alpha = {self.alpha}; give a rate of zero or more [1/s]")
+
+
+@dataclass(frozen=True)
+class BondDamping:
+    """A dashpot beside each spring of a bond, against the relative motion of its ends at the contact point.
+
+        c = 2 η √(k m̄) + β k for k = kn, ks,    c = 2 η √(k Ī) + β k for k = kb, kt
+
+    with m̄ = mi mj / (mi + mj), Ī likewise. It conserves momentum and angular momentum and leaves rigid motion alone.
+    η is the share of the critical damping of a pair; β damps a mode of frequency ω by the share β ω / 2 (Rayleigh's
+    β). Both lower the critical time step. Reference: Chen et al. (2022) eqs (9), (10), each component with its own k.
+
+    Attributes:
+        eta: η [-].
+        beta: β [s].
+    """
+
+    eta: float = 0.0
+    beta: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("eta", "beta"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value >= 0.0):
+                raise InputError(f"BondDamping: {name} = {value}; give a value of zero or more")
+
+
+AnyDamping = LocalDamping | MassDamping | BondDamping
+
+
+@dataclass(frozen=True)
+class DampingTerms:
+    """The coefficients of all damping of a run.
+
+    Attributes:
+        gamma: of local damping [-].
+        alpha: of mass damping [1/s].
+        eta, beta: of bond damping [-, s].
+    """
+
+    gamma: float = 0.0
+    alpha: float = 0.0
+    eta: float = 0.0
+    beta: float = 0.0
+
+    @classmethod
+    def of(cls, damping: Any) -> "DampingTerms":
+        """The terms of one kind of damping, of several in a sequence, or of None.
+
+        Raises:
+            InputError: something else than damping, or one kind given twice.
+        """
+        kinds = () if damping is None else damping if isinstance(damping, tuple | list) else (damping,)
+        values: dict[str, float] = {}
+        for kind in kinds:
+            if not isinstance(kind, AnyDamping):
+                raise InputError(
+                    f"damping= takes bd.LocalDamping, bd.MassDamping, bd.BondDamping or several of them, not {kind!r}"
+                )
+            own = vars(kind)
+            if values.keys() & own.keys():
+                raise InputError(f"damping= has two {type(kind).__name__}; give one of each kind")
+            values |= own
+        return cls(**values)
+
+
 @device
 def local_damping(force, velocity, gamma):
     """One component of force [N] or torque [N·m], damped."""
@@ -33,3 +117,35 @@ def local_damping(force, velocity, gamma):
     if velocity < 0.0:
         return force + gamma * math.fabs(force)
     return force
+
+
+@device
+def dashpot_force(dx, dy, dz, vx, vy, vz, px, py, pz, qx, qy, qz, share, cn, cs, cb, ct):
+    """Force on j and torques on i and j [N, N·m] of the dashpots of one bond; the force on i is the opposite.
+
+    Args:
+        dx, dy, dz: centre j minus centre i [m].
+        vx, vy, vz: velocity of j minus that of i [m/s].
+        px, py, pz: angular velocity of i; qx … of j [rad/s].
+        share: where the contact point divides the distance, from i [-]: levers that add up to the present length, so
+            that there is no net moment, and none of it in rigid motion.
+        cn, cs, cb, ct: dashpots [N·s/m, N·m·s].
+    """
+    l = math.sqrt(dx * dx + dy * dy + dz * dz)
+    inverse = 1.0 / l
+    nx, ny, nz = dx * inverse, dy * inverse, dz * inverse
+    near = share * l
+    far = l - near
+    sx, sy, sz = near * px + far * qx, near * py + far * qy, near * pz + far * qz
+    ux = vx - (sy * nz - sz * ny)
+    uy = vy - (sz * nx - sx * nz)
+    uz = vz - (sx * ny - sy * nx)
+    along = (cn - cs) * (ux * nx + uy * ny + uz * nz)
+    fx, fy, fz = -cs * ux - along * nx, -cs * uy - along * ny, -cs * uz - along * nz
+    wx, wy, wz = qx - px, qy - py, qz - pz
+    twist = (ct - cb) * (wx * nx + wy * ny + wz * nz)
+    mx, my, mz = cb * wx + twist * nx, cb * wy + twist * ny, cb * wz + twist * nz
+    tx, ty, tz = ny * fz - nz * fy, nz * fx - nx * fz, nx * fy - ny * fx
+    return (
+        fx, fy, fz, mx - near * tx, my - near * ty, mz - near * tz, -mx - far * tx, -my - far * ty, -mz - far * tz
+    )  # fmt: skip

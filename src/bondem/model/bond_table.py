@@ -1,6 +1,6 @@
 """Constants of the bonds in the kernels' order and form."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -47,6 +47,19 @@ class BondTable:
         constants[7] = ks * b * b + k
         constants[8] = kt
         return cls(constants, ks.copy(), kb.copy(), a, stiffness.radius[order])
+
+    def stretched(self, strain: PerBond) -> "BondTable":
+        """The same bonds with rest lengths L (1 + ε*); the moments' constants stay as they are.
+
+        Args:
+            strain: ε* [-], shape (m,), or (0,) for none.
+        """
+        if strain.size == 0:
+            return self
+        stretch = 1.0 + strain
+        constants = self.constants.copy()
+        constants[3] *= stretch
+        return replace(self, constants=constants, shear=self.shear / stretch**2, lever=self.lever * stretch)
 
 
 # Rounding that products of constants and length may differ by.

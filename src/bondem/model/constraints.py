@@ -5,10 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import InputError
 from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
 from bondem.model.layout import Layout
+from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.model.schedules import Schedule
 from bondem.specimen.lattice import Lattice
 
@@ -25,6 +26,12 @@ class Constraints:
         drive_row, drive_dof, drive_schedule, drive_rate: one entry a driven degree of freedom; `drive_rate`
             tells velocities (1) from displacements (0).
         load_row, load_schedule, load_value: one entry a loaded element; values [N, N·m] are (…, 6).
+        absorbing: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], zero where motion is prescribed,
+            shape (r, 6), or (0, 6) without any.
+        body_on: which elements each body force acts on, shape (b, n); body_value, body_schedule: its
+            acceleration [m/s²], (b, 3), and schedule, (b,).
+        strain_part: stress-free strain of each bond, shape (g, m); strain_schedule: (g,).
+        weight: mass of each element that is connected, else 0 [kg], shape (n,).
     """
 
     element: np.ndarray
@@ -40,23 +47,36 @@ class Constraints:
     load_row: np.ndarray
     load_schedule: np.ndarray
     load_value: Floats
+    absorbing: Floats
+    body_on: np.ndarray
+    body_value: Floats
+    body_schedule: np.ndarray
+    strain_part: Floats
+    strain_schedule: np.ndarray
+    weight: PerElement
 
     @classmethod
-    def of(cls, lattice: Lattice, layout: Layout, boundary: Sequence[BoundaryCondition]) -> "Constraints":
-        """Resolve the boundary conditions of a model.
+    def of(
+        cls, lattice: Lattice, layout: Layout, boundary: Sequence[BoundaryCondition], mass: PerElement
+    ) -> "Constraints":
+        """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
 
         Raises:
             InputError: a degree of freedom held or driven twice by different conditions.
             EmptyRegionError: a region that selects nothing.
         """
-        n = len(lattice.particles)
+        n, m = len(lattice.particles), len(lattice.pairs)
         fixed = np.zeros((n, 6), dtype=np.uint8)
         driven = np.zeros((n, 6), dtype=bool)
         owns = np.zeros(n, dtype=bool)
         schedules: list[Schedule] = []
         drives: list[tuple[np.ndarray, int, int, bool]] = []
         loads: list[tuple[np.ndarray, int, Floats]] = []
+        dashpots = np.zeros((n, 6))
+        bodies: list[tuple[np.ndarray, tuple[float, float, float], int]] = []
+        strains: list[tuple[PerBond, int]] = []
         for condition in boundary:
+            chosen = np.zeros(0, dtype=np.int64)
             match condition:
                 case Fix():
                     chosen = layout.rank[condition.region.select(lattice)]
@@ -71,13 +91,29 @@ class Constraints:
                         driven[chosen, dof] = True
                         drives.append((chosen, dof, len(schedules), rate))
                         schedules.append(schedule)
-                case Load():
+                case Load() | Pressure():
                     chosen, nodal = condition.nodal(lattice)
                     chosen = layout.rank[chosen]
                     loads.append((chosen, len(schedules), nodal))
                     schedules.append(condition.schedule)
+                case Absorbing():
+                    chosen, viscous = condition.dashpots(lattice)
+                    chosen = layout.rank[chosen]
+                    dashpots[chosen] += viscous
+                case BodyForce():
+                    condition.region.select(lattice)  # refuses an empty region
+                    bodies.append(
+                        (condition.region.mask(lattice)[layout.order], condition.acceleration, len(schedules))
+                    )
+                    schedules.append(condition.schedule)
+                case Eigenstrain():
+                    strains.append((condition.parts(lattice)[layout.bond_order], len(schedules)))
+                    schedules.append(condition.schedule)
                 case _:
-                    raise InputError(f"{condition!r} is no boundary condition; give Fix, Drive or Load")
+                    raise InputError(
+                        f"{condition!r} is no boundary condition; give Fix, Drive, Load, Pressure, BodyForce,"
+                        " Absorbing or Eigenstrain"
+                    )
             owns[chosen] = True
         if (fixed.astype(bool) & driven).any():
             raise InputError("an element is both fixed and driven in one component; subtract the regions")
@@ -85,6 +121,8 @@ class Constraints:
         element = np.flatnonzero(owns)
         row_of = np.full(n, -1, dtype=np.int64)
         row_of[element] = np.arange(len(element))
+        for d, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
+            dashpots[(fixed[:, a] | fixed[:, b]) > 0, d] = 0.0
         tables = [schedule.table for schedule in schedules]
         lengths = [len(times) for times, _ in tables]
         return cls(
@@ -101,14 +139,37 @@ class Constraints:
             load_row=_joined_rows([row_of[chosen] for chosen, *_ in loads]),
             load_schedule=_joined_rows([np.full(len(c), s) for c, s, _ in loads]),
             load_value=np.concatenate([nodal for *_, nodal in loads]) if loads else np.zeros((0, 6)),
+            absorbing=dashpots[element] if dashpots.any() else np.zeros((0, 6)),
+            body_on=np.array([on for on, *_ in bodies], dtype=bool).reshape(len(bodies), n),
+            body_value=np.array([value for _, value, _ in bodies], dtype=float).reshape(-1, 3),
+            body_schedule=np.array([s for *_, s in bodies], dtype=np.int64),
+            strain_part=np.array([part for part, _ in strains], dtype=float).reshape(len(strains), m),
+            strain_schedule=np.array([s for _, s in strains], dtype=np.int64),
+            weight=np.where(lattice.connected, mass, 0.0)[layout.order],
         )
 
     def final_load(self, n: int) -> Floats:
         """Forces and torques at the end of all schedules [N, N·m], internal order, shape (n, 6)."""
         load = np.zeros((n, 6))
-        last = self.values[self.start[self.load_schedule + 1] - 1]
+        last = self._final(self.load_schedule)
         np.add.at(load, self.element[self.load_row], last[:, None] * self.load_value)
+        pull = self._final(self.body_schedule)[:, None] * self.body_value
+        load[:, :3] += self.weight[:, None] * (self.body_on.T.astype(float) @ pull)
         return load
+
+    def final_strain(self) -> PerBond:
+        """Stress-free strain of each bond at the end of all schedules [-], internal order, shape (m,)."""
+        return self._final(self.strain_schedule) @ self.strain_part
+
+    def _final(self, schedules: np.ndarray) -> Floats:
+        return self.values[self.start[schedules + 1] - 1]
+
+    @property
+    def works(self) -> tuple[int, int, int]:
+        """Where the works of body forces, one an element, and of strains begin in the list of works, and its end."""
+        body = len(self.element)
+        strain = body + (len(self.row_of) if len(self.body_on) else 0)
+        return body, strain, strain + (1 if len(self.strain_part) else 0)
 
     def final_motion(self, n: int) -> Floats:
         """Prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).
@@ -119,7 +180,7 @@ class Constraints:
         if self.drive_rate.any():
             raise InputError("a static solution needs displacements: replace vx= … wz= of Drive by x= … rz=")
         motion = np.zeros((n, 6))
-        motion[self.element[self.drive_row], self.drive_dof] = self.values[self.start[self.drive_schedule + 1] - 1]
+        motion[self.element[self.drive_row], self.drive_dof] = self._final(self.drive_schedule)
         return motion
 
     def held(self, n: int) -> np.ndarray:

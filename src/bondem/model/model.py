@@ -29,7 +29,7 @@ class Model:
         lattice: elements and bonds.
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
         density: of the elements themselves, ρ_μ [kg/m³]; a number or shape (n,).
-        boundary: what is fixed, driven and loaded.
+        boundary: what is fixed, driven, loaded, absorbed or strained.
         contact: law of the contacts between elements that no intact bond joins, and with walls; None for none.
         walls: rigid planes and cylinders; they need a `contact` law.
 
@@ -59,6 +59,11 @@ class Model:
             raise InputError("walls need a law of contact: give contact=bd.LinearContact(E=...)")
         self.constraints  # noqa: B018  regions and laws are checked when the model is made
         self.stiffness  # noqa: B018
+        self._check_strain()
+
+    def _check_strain(self) -> None:
+        if len(self.constraints.strain_part) and self.formulation == "incremental":
+            raise InputError("Eigenstrain needs stored rest lengths: use formulation='total'")
 
     @cached_property
     def layout(self) -> Layout:
@@ -95,7 +100,7 @@ class Model:
     @cached_property
     def constraints(self) -> Constraints:
         """Boundary conditions resolved to elements."""
-        return Constraints.of(self.lattice, self.layout, self.boundary)
+        return Constraints.of(self.lattice, self.layout, self.boundary, self.mass)
 
     @cached_property
     def mass(self) -> PerElement:
@@ -121,5 +126,5 @@ class Model:
         object.__setattr__(other, "boundary", tuple(boundary))
         for name in ("layout", "_assigned", "bonds", "mass", "inertia"):
             other.__dict__[name] = getattr(self, name)
-        other.constraints  # noqa: B018
+        other._check_strain()
         return other

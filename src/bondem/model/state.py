@@ -22,7 +22,8 @@ class State:
         eigenstrain: stress-free strain ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,)
             where none was set.
         reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
-        work: of loads and drives on each row since the start [J], shape (r,).
+        work: of loads and drives on each row since the start [J], shape (r,); then, where there are any, of body
+            forces on each element, and of strains.
         loss: energy damping has taken from each element, its present power, and energy lost to friction
             [J, W, J], shape (n, 3).
         touching: internal pairs i < j in contact, sorted by j, then i, shape (c, 2).
@@ -52,7 +53,7 @@ class State:
         self.history = np.zeros((6, m if model.formulation == "incremental" else 0))
         self.eigenstrain = np.zeros(0)
         self.reaction = np.zeros((rows, 6))
-        self.work = np.zeros(rows)
+        self.work = np.zeros(model.constraints.works[2])
         self.loss = np.zeros((n, 3))
         self.touching = np.zeros((0, 2), dtype=np.int64)
         self.stretch = np.zeros((0, 6))
@@ -91,7 +92,7 @@ class State:
             raise InputError("state belongs to another lattice; start from a state of this one, or leave state= out")
         rows = len(model.constraints.element)
         self.reaction = np.zeros((rows, 6))
-        self.work = np.zeros(rows)
+        self.work = np.zeros(model.constraints.works[2])
         self.loss[:] = 0.0
         if len(self.walls) != len(model.walls):
             self.walls = np.zeros((len(model.walls), COLUMNS))

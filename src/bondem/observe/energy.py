@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import PerElement3
+from bondem._types import PerBond, PerElement3
 from bondem.kernels.bond_pass import bond_energies
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -32,11 +32,14 @@ class EnergyParts:
         return self.normal + self.shear + self.bending + self.twisting
 
 
-def linear_energy(model: Model, displacement: PerElement3, rotation: PerElement3) -> EnergyParts:
+def linear_energy(
+    model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond | None = None
+) -> EnergyParts:
     """Energy of small displacements [m] and rotations [rad] about the reference, user's order, (n, 3) each.
 
     With X the direction of a bond, its slip is δ = u_j - u_i + X × (a θ_i + b θ_j), its relative rotation
-    ρ = θ_j - θ_i, and the parts are ½ kn (δ·X)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)².
+    ρ = θ_j - θ_i, and the parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)².
+    `strain` is ε* of each bond [-], in the kernels' order.
     """
     lattice, k = model.lattice, model.stiffness
     i, j = lattice.pairs.T
@@ -46,11 +49,14 @@ def linear_energy(model: Model, displacement: PerElement3, rotation: PerElement3
     slip = displacement[j] - displacement[i] + np.cross(direction, a * rotation[i] + b * rotation[j])
     turn = rotation[j] - rotation[i]
     normal = (slip * direction).sum(axis=1)
+    elongation = normal.copy()
+    if strain is not None:
+        elongation[model.layout.bond_order] -= lattice.length[model.layout.bond_order] * strain
     twist = (turn * direction).sum(axis=1)
     across = ((slip - normal[:, None] * direction) ** 2).sum(axis=1)
     bend = ((turn - twist[:, None] * direction) ** 2).sum(axis=1)
     return EnergyParts(
-        normal=0.5 * float((k.kn * normal**2).sum()),
+        normal=0.5 * float((k.kn * elongation**2).sum()),
         shear=0.5 * float((k.ks * across).sum()),
         bending=0.5 * float((k.kb * bend).sum()),
         twisting=0.5 * float((k.kt * twist**2).sum()),

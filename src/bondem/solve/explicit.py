@@ -24,12 +24,13 @@ from bondem.kernels.advance import (
 )
 from bondem.kernels.contact_pass import Contacts
 from bondem.kernels.sweep import TILE
-from bondem.laws.damping import LocalDamping
+from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.model.blocks import Blocks
 from bondem.model.bond_table import BondTable, alike
 from bondem.model.gauges import QUANTITIES, REDUCTIONS, WALL_QUANTITIES, AnyGauge, Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.solve.added import added, changing_strain
 from bondem.solve.contacts import ContactList
 from bondem.solve.events import Event
 from bondem.solve.history import History
@@ -67,7 +68,7 @@ class Plan:
         duration: physical time [s]; the run takes round(duration / dt) steps.
         dt: time step [s]; None for `safety` times the critical one.
         scheme: time integration.
-        damping: of the elements' motion, or None.
+        damping: of elements or bonds, one kind or several in a tuple, or None.
         gauges: what to record, by name.
         every: steps between records; 0 for none.
         save_every: steps between checkpoints; 0 for none but the last.
@@ -78,7 +79,7 @@ class Plan:
     duration: float
     dt: float | None = None
     scheme: Scheme = field(default_factory=VelocityVerlet)
-    damping: LocalDamping | None = None
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None
     gauges: Mapping[str, AnyGauge] = field(default_factory=dict)
     every: int = 100
     save_every: int = 0
@@ -96,6 +97,7 @@ class Plan:
         if self.until and not self.every:
             raise InputError("events are looked at with each record: give every= at least 1 where there is until=")
         object.__setattr__(self, "until", tuple(self.until))
+        DampingTerms.of(self.damping)
 
 
 @dataclass(frozen=True, eq=False)
@@ -242,13 +244,9 @@ _CAUSES = {
 
 
 def rested(bonds: BondTable, eigenstrain: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Constants, shear stiffness and lever with rest lengths L (1 + ε*); the moments' constants stay the same."""
-    if eigenstrain.size == 0:
-        return bonds.constants, bonds.shear, bonds.lever
-    stretch = 1.0 + eigenstrain
-    constants = bonds.constants.copy()
-    constants[3] *= stretch
-    return constants, bonds.shear / stretch**2, bonds.lever * stretch
+    """Constants, shear stiffness and lever with rest lengths L (1 + ε*)."""
+    table = bonds.stretched(eigenstrain)
+    return table.constants, table.shear, table.lever
 
 
 class _Loop:
@@ -262,13 +260,16 @@ class _Loop:
         layout, bonds, held = model.layout, model.bonds, model.constraints
         self.width = FIXED_COLUMNS + 3 * len(plan.gauges)
         constants, shear, lever = rested(bonds, state.eigenstrain)
+        same = alike(constants)
+        if len(held.strain_part):  # they change while it runs
+            constants, shear, lever, same = constants.copy(), shear.copy(), lever.copy(), None
         domains = current_threads() if len(layout.i) >= SERIAL_BONDS else 1
         blocks = Blocks.of(layout, BLOCK, domains)
         rows = np.zeros((2, len(held.element), 6))
-        gamma = plan.damping.gamma if plan.damping is not None else 0.0
-        self.scheme = (*plan.scheme.coefficients(dt), gamma)
+        terms = DampingTerms.of(plan.damping)
+        self.scheme = (*plan.scheme.coefficients(dt), terms.gamma)
         self.arrays = (
-            state.pose, state.motion, state.acceleration, layout.i, layout.j, constants, alike(constants), shear,
+            state.pose, state.motion, state.acceleration, layout.i, layout.j, constants, same, shear,
             bonds.bending, lever, state.integrity, state.history, model.period,
             np.empty((domains, 9, TILE)), blocks.row_i, blocks.row_j, np.zeros((blocks.rows, 8)),
             blocks.domain, blocks.bond, blocks.move, blocks.ready, blocks.ready_row, blocks.shared, blocks.shared_row,
@@ -282,13 +283,15 @@ class _Loop:
         self.contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
         self.budget = np.zeros(2)  # as `kernels.advance.guard` has it
         self._still = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
+        contact = None if self.contacts is None else self.contacts.arrays.load
+        self.added = added(model, terms, contact, blocks.rows), changing_strain(model, state)
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
         records = np.empty((1, self.width))
         evaluate(
             self.state.step, self.origin, self.dt, self.scheme[3], self.state.stale, *self.arrays,
-            self._contact_arrays, records,
+            self._contact_arrays, *self.added, records,
         )  # fmt: skip
         self.state.stale = False
         self.budget[0] = max(self.budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
@@ -310,7 +313,7 @@ class _Loop:
         while sick == FINE:
             gone, new, turned, lost, sick, moved = advance(
                 state.step + done, steps - done, every, self.origin, self.dt, moved, *self.scheme, *self.arrays,
-                self._contact_arrays, self.budget, records[written:],
+                self._contact_arrays, *self.added, self.budget, records[written:],
             )  # fmt: skip
             done, written, wide = done + gone, written + new, max(wide, turned)
             if not moved or self.contacts is None:

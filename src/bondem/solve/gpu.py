@@ -20,7 +20,7 @@ from bondem.kernels.advance import FIXED_COLUMNS, GUARD_INTERVAL
 from bondem.kernels.cuda import sample
 from bondem.kernels.cuda.bonds import bond_forces, rotation_guard
 from bondem.kernels.cuda.elements import move, open_step, schedule_rows
-from bondem.laws.damping import LocalDamping
+from bondem.laws.damping import DampingTerms, LocalDamping
 from bondem.model.bond_table import alike
 from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge
@@ -50,7 +50,7 @@ class GpuLoop:
         self._dt = dt
         self._origin = state.time - state.step * dt
         self._finish, self._begin, self._extra = plan.scheme.coefficients(dt)
-        self._gamma = float(plan.damping.gamma) if plan.damping is not None else 0.0
+        self._gamma = DampingTerms.of(plan.damping).gamma
         layout, held = model.layout, model.constraints
         n, self._bonds, self._rows = len(layout.order), len(layout.i), len(held.element)
         self._elements = n

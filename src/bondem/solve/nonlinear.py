@@ -5,6 +5,7 @@ differences of its exact gradient. Loads keep their direction. Load and prescrib
 steps that turn no element by more than a fraction of a radian, so that the path from rest is followed.
 """
 
+from copy import copy
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -56,7 +57,7 @@ def follow(model: Model, system: System) -> Bent:
     done, step = 0.0, 1.0
     while done < 1.0:
         step = min(step, 1.0 - done)
-        trial = _advance(model, system, state, load * (done + step), motion * step)
+        trial = _advance(strained(model, done + step), system, state, load * (done + step), motion * step)
         if isinstance(trial, State):
             state, done, step = trial, done + step, 2.0 * step
         else:
@@ -67,7 +68,17 @@ def follow(model: Model, system: System) -> Bent:
                     " lower it, bond with more and shorter bonds, or use solve_explicit with damping"
                 )
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
-    return Bent(state, turned, _forces(model, state.pose))
+    return Bent(state, turned, _forces(strained(model, 1.0), state.pose))
+
+
+def strained(model: Model, share: float) -> Model:
+    """The model with a share of its stress-free strains at the end of their schedules in the bonds."""
+    strain = share * model.constraints.final_strain()
+    if not strain.any():
+        return model
+    twin = copy(model)
+    twin.__dict__["bonds"] = model.bonds.stretched(strain)
+    return twin
 
 
 def _advance(model: Model, system: System, start: State, load: Floats, motion: Floats) -> State | float:

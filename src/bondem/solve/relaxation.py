@@ -11,7 +11,7 @@ from bondem.model.bond_table import alike
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.energy import elastic_energy
-from bondem.solve.nonlinear import rotation_vector
+from bondem.solve.nonlinear import rotation_vector, strained
 from bondem.solve.static import StaticResult
 from bondem.solve.timestep import stiffest
 
@@ -56,7 +56,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     mass, inertia = masses(model)
     inverse = np.column_stack([1.0 / mass, 1.0 / inertia]) * connected[:, None]
 
-    state = State(model)
+    state, model = State(model), strained(model, 1.0)
     constants = model.bonds.constants
     fastest = max(np.abs(motion[:, :3]).max() / constants[3].min(initial=np.inf), np.abs(motion[:, 3:]).max())
     ramp = max(1, int(np.ceil(fastest / _PACE)))

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats, PerElement3, PerElement6
+from bondem._types import Floats, PerBond, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.observe.energy import EnergyParts, elastic_energy, linear_energy
 from bondem.solve.linear import System, solver
-from bondem.solve.nonlinear import follow
+from bondem.solve.nonlinear import follow, strained
 from bondem.solve.threads import one_blas_thread
 
 
@@ -53,10 +53,12 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
         bent = follow(model, system)
         values = bent.motion[layout.rank]
         reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n), 0.0)
-        energy = elastic_energy(model, bent.state)
+        energy = elastic_energy(strained(model, 1.0), bent.state)
         return StaticResult(values[:, :3].copy(), values[:, 3:].copy(), reaction[layout.rank], energy)
     motion, load = constraints.final_motion(n).ravel(), constraints.final_load(n).ravel()
     _check_balance(system, load)
+    strain = constraints.final_strain()
+    load = load + strain_load(model, strain)
     right = load - system.matrix @ motion if motion.any() else load
     start = None
     if guess is not None:
@@ -69,8 +71,19 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
         displacement=displacement,
         rotation=rotation,
         reaction=reaction[layout.rank],
-        energy=linear_energy(model, displacement, rotation),
+        energy=linear_energy(model, displacement, rotation, strain),
     )
+
+
+def strain_load(model: Model, strain: PerBond) -> Floats:
+    """Forces by which bonds with a stress-free strain push their ends apart [N], internal order, (6 n,)."""
+    layout, constants = model.layout, model.bonds.constants
+    push = constants[4] * constants[3] * strain * constants[:3]
+    load = np.zeros((len(layout.order), 6))
+    for d in range(3):
+        load[:, d] = np.bincount(layout.j, weights=push[d], minlength=len(load))
+        load[:, d] -= np.bincount(layout.i, weights=push[d], minlength=len(load))
+    return load.ravel()
 
 
 def _check_balance(system: System, load: Floats) -> None:

@@ -10,9 +10,10 @@ from scipy.linalg import eigh_tridiagonal
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import StepWarning, UnstableStepError
 from bondem.kernels.bond_pass import add_forces, bond_forces
-from bondem.laws.damping import LocalDamping
+from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.model.bond_table import alike
 from bondem.model.model import Model
+from bondem.solve.added import bond_delay
 from bondem.solve.schemes import Scheme
 from bondem.solve.threads import one_blas_thread
 
@@ -102,21 +103,27 @@ def stiffest(
 
 
 def critical_step(
-    model: Model, scheme: Scheme, damping: LocalDamping | None = None, *, integrity: PerBond | None = None
+    model: Model,
+    scheme: Scheme,
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
+    *,
+    integrity: PerBond | None = None,
 ) -> float:
     """The largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
     It holds for contacts before they appear, as each is counted with the most that can touch at once. Local damping
-    raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots of contacts lower the
-    limit by √(1 + ζ²) - ζ, with ζ = ω c / 2 k.
+    raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots of bonds and contacts
+    lower the limit by √(1 + ζ²) - ζ, with ζ = ω c / 2 k. Mass damping and absorbing boundaries do not.
 
     Args:
         model: what will move.
         scheme: time integration.
-        damping: of the elements' motion.
+        damping: of elements and bonds.
         integrity: of the bonds as they are now (`State.integrity`), (m,); all intact when None.
     """
-    raised = 1.0 if damping is None else math.sqrt(1.0 + damping.gamma)
+    terms = DampingTerms.of(damping)
+    raised = math.sqrt(1.0 + terms.gamma)
+    dashpots = bond_delay(model, terms)
     bonds = highest_frequency(model, integrity=integrity)
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
     if model.contacts is not None:
@@ -127,7 +134,7 @@ def critical_step(
     for frequency, delay in motions:
         omega = raised * math.hypot(bonds, frequency)
         if omega > 0.0:
-            zeta = 0.5 * omega * delay
+            zeta = 0.5 * omega * max(delay, dashpots)
             limits.append(scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
     return min(limits)
 
@@ -146,7 +153,12 @@ class Step:
 
 
 def choose_step(
-    model: Model, scheme: Scheme, dt: float | None, *, safety: float, damping: LocalDamping | None = None
+    model: Model,
+    scheme: Scheme,
+    dt: float | None,
+    *,
+    safety: float,
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
 ) -> Step:
     """The time step to use: the given one if it is stable, else `safety` times the critical one.
 

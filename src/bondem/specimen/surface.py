@@ -114,6 +114,11 @@ class Surface(Shape):
     def _side(self) -> Triangles:
         return Triangles(self.vertices, self.triangles[self._on_face["side"]])
 
+    def face_triangles(self, face: str) -> Ints:
+        """Numbers of the triangles of a face."""
+        self._check_face(face)
+        return self._on_face[face]
+
     @property
     def bounds(self) -> tuple[Vector, Vector]:
         return self.vertices.min(axis=0), self.vertices.max(axis=0)

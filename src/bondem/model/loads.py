@@ -1,0 +1,192 @@
+"""Loads that act on faces, volumes and bonds: body forces, pressure, absorbing boundaries, stress-free strain."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._types import Floats, Ints, PerBond
+from bondem.errors import InputError
+from bondem.model.balance import balanced_forces
+from bondem.model.schedules import Constant, Schedule
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.patches import face_patches
+from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region
+
+# Size of the patches of a face, over the mean radius.
+_PATCH = 0.25
+
+
+@dataclass(frozen=True)
+class BodyForce:
+    """A force on every element in proportion to its mass, such as weight.
+
+    In explicit runs it acts on loose elements of the region too; a static solution has none of these.
+
+    Attributes:
+        acceleration: force over mass [m/s²], (3,).
+        region: who.
+        schedule: factor over time [-].
+    """
+
+    acceleration: tuple[float, float, float]
+    region: Region = Everything()
+    schedule: Schedule = Constant(1.0)
+
+    def __post_init__(self) -> None:
+        value = np.asarray(self.acceleration, dtype=float)
+        if value.shape != (3,) or not np.isfinite(value).all():
+            raise InputError(f"BodyForce: acceleration = {self.acceleration}; give three finite components [m/s²]")
+        object.__setattr__(self, "acceleration", tuple(value.tolist()))
+
+
+@dataclass(frozen=True)
+class Pressure:
+    """A pressure on a face, along its outward normal and inwards: the force is -∫ p n dA.
+
+    The face is cut into patches of a quarter of the mean radius; each hands its force to the nearest element of the
+    face. Resultant and moment are those of the patches: what moving their forces to the centres of the elements adds
+    to the moment is taken out by the smallest forces. The normals are those of the reference.
+
+    Attributes:
+        region: a face, or part of one: `Face("side") & Within(...)`, `Face("x_max") - Index(...)`.
+        pressure: [Pa]; tension is negative.
+        schedule: factor over time [-].
+    """
+
+    region: Region
+    pressure: float
+    schedule: Schedule = Constant(1.0)
+
+    def __post_init__(self) -> None:
+        face_of("Pressure", self.region)
+        if not math.isfinite(self.pressure):
+            raise InputError(f"Pressure: pressure = {self.pressure}; give a finite value [Pa]")
+
+    def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
+        """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
+        chosen, owner, centre, area = _shared("Pressure", self.region, lattice)
+        force = -self.pressure * area
+        values = np.zeros((len(chosen), 6))
+        for d in range(3):
+            values[:, d] = np.bincount(owner, weights=force[:, d], minlength=len(chosen))
+        position = lattice.particles.position[chosen]
+        missing = np.cross(centre - position[owner], force).sum(axis=0)
+        arms = position - position.mean(axis=0)
+        turning = balanced_forces(arms, np.zeros(3), missing)
+        values[:, :3] += turning
+        values[:, 3:] = (missing - np.cross(arms, turning).sum(axis=0)) / len(chosen)
+        return chosen, values
+
+
+@dataclass(frozen=True)
+class Absorbing:
+    """A boundary that lets waves out: dashpots ρ cp A along the normal and ρ cs A across.
+
+    Waves that arrive at right angles leave entirely, slanting ones in part. Static solutions take no notice of it.
+
+    Attributes:
+        region: a face, or part of one, as of `Pressure`; areas are shared out in the same way.
+        density: of the specimen, mass over volume [kg/m³]; not that of the elements.
+        E: Young's modulus of the specimen [Pa].
+        nu: Poisson's ratio of the specimen [-].
+        c: celerity of the waves along the normal [m/s], such as √(E/ρ) in a thin bar; None for that of plane waves.
+
+    Reference: Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859–877.
+    """
+
+    region: Region
+    density: float
+    E: float
+    nu: float
+    c: float | None = None
+
+    def __post_init__(self) -> None:
+        face_of("Absorbing", self.region)
+        for name in ("density", "E"):
+            if not (math.isfinite(getattr(self, name)) and getattr(self, name) > 0.0):
+                raise InputError(f"Absorbing: {name} = {getattr(self, name)}; give a positive value")
+        if not -1.0 < self.nu < 0.5:
+            raise InputError(f"Absorbing: nu = {self.nu}; give Poisson's ratio in (-1, 0.5)")
+        if self.c is not None and not (math.isfinite(self.c) and self.c > 0.0):
+            raise InputError(f"Absorbing: c = {self.c} m/s; give a positive celerity, or None")
+
+    @property
+    def celerities(self) -> tuple[float, float]:
+        """Of the waves it absorbs, along the normal and across [m/s]."""
+        E, nu = self.E, self.nu
+        plane = math.sqrt(E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)) / self.density)
+        return self.c if self.c is not None else plane, math.sqrt(0.5 * E / (1.0 + nu) / self.density)
+
+    def dashpots(self, lattice: Lattice) -> tuple[Ints, Floats]:
+        """Elements (k,) and their dashpots xx, yy, zz, xy, xz, yz [N·s/m], (k, 6)."""
+        chosen, owner, _, area = _shared("Absorbing", self.region, lattice)
+        along, across = (self.density * c for c in self.celerities)
+        size = np.linalg.norm(area, axis=1)
+        normal = area / size[:, None]
+        values = np.zeros((len(chosen), 6))
+        for d, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
+            part = size * ((along - across) * normal[:, a] * normal[:, b] + (across if a == b else 0.0))
+            values[:, d] = np.bincount(owner, weights=part, minlength=len(chosen))
+        return chosen, values
+
+
+@dataclass(frozen=True)
+class Eigenstrain:
+    """A stress-free strain of the bonds: heat, shrinkage, swelling, initial stress. Rest lengths are L (1 + ε*(t)).
+
+    Bonds between an element of the region and another get half of it, as half of them lies inside. A free specimen
+    grows by ε* without stress; one held between two walls bears -E ε*. Several strains on a bond add up.
+
+    Attributes:
+        strain: ε* at factor 1 [-], such as α ΔT.
+        region: who.
+        schedule: factor over time [-].
+    """
+
+    strain: float
+    region: Region = Everything()
+    schedule: Schedule = Constant(1.0)
+
+    def __post_init__(self) -> None:
+        if not math.isfinite(self.strain) or not (1.0 + self.strain * self.schedule.table[1] > 0.0).all():
+            raise InputError(f"Eigenstrain: strain = {self.strain}; give a finite value that stays above -1")
+
+    def parts(self, lattice: Lattice) -> PerBond:
+        """Strain of each bond at factor 1 [-], user's order, (m,)."""
+        inside = np.zeros(len(lattice.particles))
+        inside[self.region.select(lattice)] = 1.0
+        return self.strain * inside[lattice.pairs].mean(axis=1)
+
+
+def face_of(owner: str, region: Region) -> Face:
+    """The face that a region is, or is part of.
+
+    Raises:
+        InputError: there is none.
+    """
+    match region:
+        case Face():
+            return region
+        case Difference(first=first):
+            return face_of(owner, first)
+        case Intersection(first=first, second=second):
+            return face_of(owner, first if isinstance(first, Face | Difference | Intersection) else second)
+    raise InputError(
+        f'{owner}: {region} is no face; give bd.Face("x_min") or a part of one, and one {owner} for each face'
+    )
+
+
+def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
+    """Elements of a face, and patches: which of the elements has each, its centre and its area times normal."""
+    face, particles = face_of(owner, region), lattice.particles
+    whole, chosen = face.select(lattice), region.select(lattice)
+    centre, area = face_patches(particles.envelope, face.name, _PATCH * particles.mean_radius)
+    nearest = whole[KDTree(particles.position[whole]).query(centre)[1]]
+    place = np.full(len(particles), -1)
+    place[chosen] = np.arange(len(chosen))
+    mine = place[nearest] >= 0
+    if not mine.any():
+        raise InputError(f"{owner}: no part of {region} is nearest to its elements; take a larger part of the face")
+    return chosen, place[nearest[mine]], centre[mine], area[mine]

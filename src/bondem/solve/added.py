@@ -1,0 +1,83 @@
+"""What only some runs have, gathered for the kernels: body forces, strains, dashpots, mass damping."""
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.kernels.boundary import Added, Strain
+from bondem.laws.damping import DampingTerms
+from bondem.model.model import Model
+from bondem.model.state import State
+
+
+def added(model: Model, terms: DampingTerms, contact: Floats | None, rows: int) -> Added | None:
+    """The rest of a run but for strains, or None for a plain one.
+
+    Args:
+        model: what is run.
+        terms: of damping.
+        contact: forces of contacts, where there are any, shape (n, 6).
+        rows: of the sums of bond forces.
+    """
+    held, plain = model.constraints, model.bonds
+    damped = terms.eta > 0.0 or terms.beta > 0.0
+    viscous = damped or len(held.absorbing) > 0 or terms.alpha > 0.0
+    if not viscous and contact is None and not len(held.body_on):
+        return None
+    member, group = np.unique(held.body_on.T, axis=0, return_inverse=True)
+    return Added(
+        contact=np.zeros((0, 6)) if contact is None else contact,
+        group=(group.ravel() if len(held.body_on) else np.zeros(0)).astype(np.int64),
+        member=member.astype(float),
+        pull=held.body_value,
+        schedule=held.body_schedule,
+        present=np.zeros((len(member), 3)),
+        place=held.works[0],
+        absorbing=held.absorbing,
+        alpha=terms.alpha,
+        dashpot=bond_dashpots(model, terms) if damped else np.zeros((4, 0)),
+        share=plain.lever / plain.constants[3],
+        dashed=np.zeros((rows if damped else 0, 8)),
+        viscous=viscous,
+    )
+
+
+def changing_strain(model: Model, state: State) -> Strain | None:
+    """The stress-free strains of the boundary conditions, on top of those of the state; None without any."""
+    held, plain = model.constraints, model.bonds
+    if not len(held.strain_part):
+        return None
+    bond = np.flatnonzero((held.strain_part != 0.0).any(axis=0))
+    return Strain(
+        schedule=held.strain_schedule,
+        bond=bond.astype(np.uint32),
+        part=np.ascontiguousarray(held.strain_part[:, bond]),
+        still=1.0 + (state.eigenstrain[bond] if state.eigenstrain.size else np.zeros(len(bond))),
+        length=plain.constants[3, bond],
+        shear=plain.shear[bond],
+        lever=plain.lever[bond],
+        factor=np.zeros((4, len(held.strain_part))),
+        place=held.works[1],
+    )
+
+
+def bond_dashpots(model: Model, terms: DampingTerms) -> Floats:
+    """cn, cs [N·s/m], cb, ct [N·m·s] of each bond, internal order, shape (4, m)."""
+    stiffness, inert = _stiffness(model)
+    return 2.0 * terms.eta * np.sqrt(stiffness * inert) + terms.beta * stiffness
+
+
+def bond_delay(model: Model, terms: DampingTerms) -> float:
+    """Largest c / k of the bonds [s]; with it, C is at most delay times K."""
+    stiffness, inert = _stiffness(model)
+    there = stiffness > 0.0
+    if not there.any():
+        return 0.0
+    return 2.0 * terms.eta * float(np.sqrt(inert[there] / stiffness[there]).max()) + terms.beta
+
+
+def _stiffness(model: Model) -> tuple[Floats, Floats]:
+    """kn, ks, kb, kt and reduced masses and moments of inertia of each bond, internal order, (4, m) each."""
+    layout, bonds = model.layout, model.bonds
+    mass, inertia = model.mass[layout.order], model.inertia[layout.order]
+    m, I = (1.0 / (1.0 / v[layout.i] + 1.0 / v[layout.j]) for v in (mass, inertia))
+    return np.array([bonds.constants[4], bonds.shear, bonds.bending, bonds.constants[8]]), np.array([m, m, I, I])
