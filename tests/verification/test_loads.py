@@ -1,7 +1,9 @@
 """Body forces, pressure, absorbing boundaries and stress-free strain against closed forms."""
 
 import math
+import runpy
 from collections.abc import Iterator
+from pathlib import Path
 
 import numba
 import numpy as np
@@ -225,6 +227,13 @@ def test_the_ledger_of_all_loads_closes_to_second_order(schedule: bd.Ramp | bd.T
         errors.append(np.abs(history.energy["balance"]).max() / size)
     assert history.energy["loss"][-1] > 1e-3 * size
     np.testing.assert_allclose(np.log2(np.array(errors[:-1]) / errors[1:]), 2.0, atol=0.4)
+
+
+def test_the_example_of_a_heated_bar() -> None:
+    path = Path(__file__).parents[2] / "examples" / "thermal_bar.py"
+    answer = runpy.run_path(str(path))["main"](1500)
+    assert answer.growth == pytest.approx(1e-3, rel=1e-6)
+    assert answer.stress == pytest.approx(1.0, abs=0.08)
 
 
 # ---- absorbing boundary
