@@ -12,6 +12,20 @@ from bondem.kernels.incremental import incremental_forces
 # Bonds whose forces are computed before they are added up: nine rows of them fit into the nearest cache.
 TILE = 512
 
+# Elements from which on their rows do not stay in the last cache from one step to the next. Those that a tile needs
+# are then read before it: nothing but loads waits for many lines of memory at once, while between two bonds there
+# is too much to do.
+FAR = 200_000
+
+
+@kernel(parallel=False)
+def fetch(table, which, first, last):
+    """Bring rows of a table into the cache; the sum is only there so that they are read."""
+    total = 0.0
+    for e in range(first, last):
+        total += table[which[e], 0]
+    return total
+
 
 @kernel(parallel=False)
 def sweep(
@@ -24,9 +38,12 @@ def sweep(
     fx, fy, fz = rows[0], rows[1], rows[2]
     ax, ay, az = rows[3], rows[4], rows[5]
     bx, by, bz = rows[6], rows[7], rows[8]
+    far = len(pose) >= FAR
     for b in range(first, last):
         for k0 in range(block_bond[b], block_bond[b + 1], TILE):
             k1 = min(k0 + TILE, block_bond[b + 1])
+            if far:
+                fx[0] = fetch(pose, i, k0, k1)
             if history.shape[1] > 0:
                 incremental_forces(
                     pose, motion, i, j, constants, shear, bending, lever, integrity, history, period, dt,
@@ -40,10 +57,14 @@ def sweep(
             damp_bonds(
                 added, pose, motion, i, j, integrity, period, row_i, row_j, k0, k1, fx, fy, fz, ax, ay, az, bx, by, bz
             )
-        move(
-            pose, motion, acceleration, sums, ready, ready_row, row_of, row_fixed, row_force, row_half, row_full,
-            row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, block_move[b], block_move[b + 1], added,
-        )  # fmt: skip
+        for e0 in range(block_move[b], block_move[b + 1], TILE):
+            e1 = min(e0 + TILE, block_move[b + 1])
+            if far:
+                fx[0] = fetch(pose, ready, e0, e1) + fetch(motion, ready, e0, e1)
+            move(
+                pose, motion, acceleration, sums, ready, ready_row, row_of, row_fixed, row_force, row_half, row_full,
+                row_reaction, work, dt, finish, begin, extra, gamma, loss, go_on, e0, e1, added,
+            )  # fmt: skip
 
 
 @kernel(parallel=True)
