@@ -71,6 +71,8 @@ if "NUMBA_THREADING_LAYER" not in os.environ and "NUMBA_THREADING_LAYER_PRIORITY
 # Threads that spin while they wait cost a factor of four as soon as anything else wants a core, and waking
 # them costs a few µs a launch. libgomp reads this when the first threaded kernel loads it.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+# Some microseconds of spinning are in order: they spare most of the waking between two loops of a step.
+os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 
 
 @contextmanager

@@ -15,7 +15,7 @@ TILE = 512
 # Elements from which on their rows do not stay in the last cache from one step to the next. Those that a tile needs
 # are then read before it: nothing but loads waits for many lines of memory at once, while between two bonds there
 # is too much to do.
-FAR = 200_000
+FAR = 50_000
 
 
 @kernel(parallel=False)

@@ -17,7 +17,9 @@ def rotate(w, x, y, z, a, b, c):
 
 @device
 def half_angle(h2):
-    """cos(h) and sin(h)/h of the half angle from its square; the series is exact to rounding below 0.2 rad."""
+    """cos(h) and sin(h)/h of the half angle from its square; the series are exact to rounding below 0.2 rad."""
+    if h2 < 1e-5:  # a usual step
+        return 1.0 + h2 * (-1 / 2 + h2 * (1 / 24 - h2 / 720)), 1.0 + h2 * (-1 / 6 + h2 * (1 / 120 - h2 / 5040))
     if h2 < 0.04:
         cosine = 1.0 + h2 * (-1 / 2 + h2 * (1 / 24 + h2 * (-1 / 720 + h2 * (1 / 40320 - h2 / 3628800))))
         sinc = 1.0 + h2 * (-1 / 6 + h2 * (1 / 120 + h2 * (-1 / 5040 + h2 * (1 / 362880 - h2 / 39916800))))
