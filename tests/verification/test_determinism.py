@@ -1,5 +1,10 @@
 """The same bits whatever the number of threads, and wherever a run pauses."""
 
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import numba
 import numpy as np
 import pytest
@@ -107,3 +112,41 @@ def test_a_second_stage_may_be_split_too() -> None:
     whole = go_on(first.copy(), 300)
     split = go_on(go_on(go_on(first.copy(), 33).state, 150).state, 300)
     assert_same_bits(whole, split)
+
+
+MANY_THREADS = """
+import hashlib, sys
+sys.path.insert(0, sys.argv[1])
+from test_determinism import DAMPING, Plan, State, bar, bd, critical_step, integrate, state_of, threads
+
+grip = [bd.Fix(bd.Face("x_min", depth=0.5)), bd.Drive(bd.Index([600]), y=bd.Table((0.0, 1.0, 2.0), (0.0, 0.02, 0.0)))]
+pull = [bd.Load(bd.Face("x_max", depth=0.5), force=(3e3, -1e3, 2e3), schedule=bd.Ramp(0.0, 1.0, 0.5))]
+model = bar((12, 10, 10)).with_boundary([*grip, *pull])
+dt = 0.8 * critical_step(model, bd.VelocityVerlet(), DAMPING)
+
+
+def slow(model):
+    state = state_of(model)
+    state.motion[:, :3] *= 0.1
+    return state
+
+
+for count in (1, 2, 3, 4):
+    with threads(count):
+        run = integrate(model, Plan(duration=10_000 * dt, dt=dt, damping=DAMPING, every=1000), state=slow(model))
+    assert run.steps == 10_000, run.message
+    bits = b"".join(getattr(run.state, name).tobytes() for name in State.ARRAYS) + run.history.records.tobytes()
+    print(hashlib.sha256(bits).hexdigest())
+"""
+
+
+def test_ten_thousand_steps_on_more_threads_than_cores() -> None:
+    """Damped, held, driven and loaded, on 1 to 4 threads; in a process of its own, which may have that many."""
+    found = subprocess.run(
+        [sys.executable, "-c", MANY_THREADS, str(Path(__file__).parent)],
+        env=os.environ | {"NUMBA_NUM_THREADS": "4"}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert found.returncode == 0, found.stderr
+    bits = found.stdout.split()
+    assert len(bits) == 4
+    assert len(set(bits)) == 1
