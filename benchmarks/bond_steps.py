@@ -17,16 +17,11 @@ from bondem._compile import threads
 from bondem.model.state import State
 from bondem.solve.explicit import Plan, integrate
 from bondem.solve.timestep import critical_step
+from tiled import specimen
 
 
 def peak_bytes() -> int:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
-
-
-def specimen(elements: int) -> bd.Lattice:
-    """A dense random packing in a periodic cell of 1 mm spheres, κ = 25 %, bonded at its contacts."""
-    edge = (elements * 4.0 / 3.0 * np.pi * 1e-9 / 0.64) ** (1.0 / 3.0)
-    return bd.connect(bd.pack(bd.Cell(size=(edge, edge, edge)), count=elements, spread=0.25, seed=1))
 
 
 def main() -> None:
@@ -35,7 +30,7 @@ def main() -> None:
     parser.add_argument("--threads", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--repeat", type=int, default=7)
     options = parser.parse_args()
-    lattice = specimen(options.elements)
+    lattice = specimen(options.elements, largest=100_000)
     bonds = len(lattice.pairs)
     model = bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), 2500.0)
     dt = 0.9 * critical_step(model, bd.VelocityVerlet())
@@ -45,7 +40,7 @@ def main() -> None:
     integrate(model, Plan(duration=2 * dt, dt=dt, every=0), state=state)
     solver = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    steps = max(20, 40_000_000 // bonds)
+    steps = max(60, 40_000_000 // bonds)
     result = {"elements": options.elements, "bonds": bonds, "steps": steps}
     for count in options.threads:
         with threads(count):
