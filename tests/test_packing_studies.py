@@ -143,6 +143,8 @@ def test_an_interrupted_run_ends_at_once(tmp_path):
     run = subprocess.Popen(
         [sys.executable, "-m", "bondem", "study", *arguments, "--processes", "2"],
         cwd=tmp_path, stderr=subprocess.PIPE, text=True,
+        # tests started in the background of a shell would hand on that ^C is ignored
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )  # fmt: skip
     deadline = time.monotonic() + 120.0
     while not list(tmp_path.glob("out/rows/*.json")):
