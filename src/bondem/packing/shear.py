@@ -59,7 +59,8 @@ class Compaction:
         radius: [m], (n,).
         length: extent left by the pressure wall along x [m].
         history: gauges "pressure wall" (displacement), "pressure" (force), "shear wall" (displacement of the wall at
-            y_max, or growth of the mantle) and "shear" (force on it); energies. Density and pressure are 1.
+            y_max, or growth of the mantle) and "shear" (force on it); energies [J], whose ledger begins anew with the
+            second run, after the radii were fitted. Density [kg/m³] and pressure [Pa] are 1.
         steps: time steps taken.
     """
 
