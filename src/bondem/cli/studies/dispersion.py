@@ -1,0 +1,33 @@
+"""`bondem study dispersion --out DIR`."""
+
+from pathlib import Path
+
+import click
+
+from bondem.cli.studies.options import numbers, of_study, show
+from bondem.cli.terminal import progress_bars
+from bondem.packing import METHODS
+from bondem.study.dispersion import SPREADS, Dispersion, run_dispersion
+from bondem.study.packing_rows import TARGETS
+
+
+@click.command("dispersion")
+@of_study
+@click.option("--count", type=click.IntRange(min=10), default=3000, show_default=True, help="Spheres of a packing.")
+@click.option(
+    "--kappa", "spreads", default=",".join(f"{100 * spread:.0f}" for spread in SPREADS), show_default=True,
+    callback=numbers(lambda item: float(item) / 100.0, "dispersions in percent"),
+    help="Dispersions (R_max − R_min) / R̄ in percent.",
+)  # fmt: skip
+@click.option("--seeds", type=click.IntRange(min=1), default=1, show_default=True, help="Packings of each κ.")
+@click.option("--method", type=click.Choice(METHODS), default="shear", show_default=True, help="How to pack.")
+@click.option("--target", type=click.Choice(TARGETS), default="contacts", show_default=True,
+              help="Where a packing ends: 6.2 contacts a sphere, or the onset of jamming.")  # fmt: skip
+def command(
+    out: Path, processes: int | None, count: int, spreads: tuple[float, ...], seeds: int, method: str, target: str
+) -> None:
+    """Isotropy over the dispersion of the radii: figures 5 to 7 of André et al. (2012)."""
+    study = Dispersion(count=count, spreads=spreads, seeds=seeds, method=method, target=target)
+    with progress_bars() as progress:
+        run_dispersion(study, out, processes=processes, progress=progress)
+    show(out)

@@ -1,0 +1,34 @@
+"""What the commands of studies share: where results go, how many processes, lists of numbers."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import click
+
+
+def numbers(kind: Callable[[str], Any], what: str) -> Callable[..., tuple[Any, ...]]:
+    """Callback of an option: numbers with commas between."""
+
+    def read(_context: click.Context, _parameter: click.Parameter, text: str) -> tuple[Any, ...]:
+        try:
+            return tuple(kind(item) for item in text.split(","))
+        except ValueError:
+            raise click.BadParameter(f"'{text}': give {what} with commas between") from None
+
+    return read
+
+
+def of_study(function: Callable[..., Any]) -> Callable[..., Any]:
+    """--out DIR and --processes, which every study has."""
+    out = click.Path(path_type=Path)
+    function = click.option(
+        "--processes", type=click.IntRange(min=1), help="Packings made at once; one a core unless given."
+    )(function)
+    return click.option("--out", required=True, metavar="DIR", type=out, help="Where results go.")(function)
+
+
+def show(out: Path) -> None:
+    """Print the means and where everything is."""
+    click.echo(f"\n{(out / 'table.md').read_text(encoding='utf-8')}")
+    click.echo(f"{out / 'report.html'}\n{out / 'results.json'}")

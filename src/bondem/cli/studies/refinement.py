@@ -1,0 +1,39 @@
+"""`bondem study refinement --out DIR`."""
+
+from pathlib import Path
+
+import click
+
+from bondem.cli.studies.options import numbers, of_study, show
+from bondem.cli.terminal import progress_bars
+from bondem.packing import METHODS
+from bondem.study.packing_rows import TARGETS
+from bondem.study.refinement import COUNTS, Refinement, run_refinement
+
+
+@click.command("refinement")
+@of_study
+@click.option(
+    "--counts", default=",".join(map(str, COUNTS)), show_default=True, callback=numbers(int, "numbers of spheres"),
+    help="Numbers of spheres.",
+)  # fmt: skip
+@click.option("--packings", type=click.IntRange(min=1), default=5, show_default=True, help="Packings of each size.")
+@click.option("--periodic", type=click.IntRange(min=0), default=3, show_default=True,
+              help="Packings without walls, to hold the limits against.")  # fmt: skip
+@click.option("--kappa", type=click.FloatRange(0.0, 200.0, max_open=True), default=25.0, show_default=True,
+              help="Dispersion of the radii in percent.")  # fmt: skip
+@click.option("--method", type=click.Choice(METHODS), default="quench", show_default=True, help="How to pack.")
+@click.option("--target", type=click.Choice((*TARGETS, "both")), default="both", show_default=True,
+              help="Where a packing ends: the onset of jamming, 6.2 contacts a sphere, or one of each.")  # fmt: skip
+def command(
+    out: Path, processes: int | None, counts: tuple[int, ...], packings: int, periodic: int, kappa: float,
+    method: str, target: str,
+) -> None:  # fmt: skip
+    """Density, contacts and isotropy over the number of spheres: figure 8 of André et al. (2012)."""
+    study = Refinement(
+        counts=counts, packings=packings, spread=round(kappa / 100.0, 6), method=method,
+        targets=TARGETS if target == "both" else (target,), periodic=periodic,
+    )  # fmt: skip
+    with progress_bars() as progress:
+        run_refinement(study, out, processes=processes, progress=progress)
+    show(out)
