@@ -45,7 +45,7 @@ _PUBLIC = {
     "bondem.labtests.bulk": ("bulk_moduli",),
     "bondem.calibration": ("calibrate",),
 }
-_MODULES = ("errors", "labtests")
+_MODULES = {"errors": "bondem.errors", "labtests": "bondem.labtests", "materials": "bondem.specimen.materials"}
 _HOME = {name: module for module, names in _PUBLIC.items() for name in names}
 
 __all__ = ["__version__", *sorted(_HOME), *_MODULES]
@@ -55,7 +55,7 @@ def __getattr__(name: str) -> Any:
     if name in _HOME:
         return getattr(importlib.import_module(_HOME[name]), name)
     if name in _MODULES:
-        return importlib.import_module(f"bondem.{name}")
+        return importlib.import_module(_MODULES[name])
     raise AttributeError(f"module 'bondem' has no attribute '{name}'")
 
 

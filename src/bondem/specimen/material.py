@@ -15,6 +15,7 @@ class Material:
         E: Young's modulus [Pa].
         nu: Poisson's ratio [-], strictly between -1 and 0.5.
         rho: density [kg/m³].
+        source: where the values are from, in words.
 
     Raises:
         InputError: a value is not finite or outside its physical range.
@@ -24,6 +25,7 @@ class Material:
     E: float
     nu: float
     rho: float
+    source: str = ""
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.E) and self.E > 0.0):

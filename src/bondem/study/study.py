@@ -14,6 +14,7 @@ from bondem.laws.euler_bernoulli import EulerBernoulli
 from bondem.laws.obermayr import Obermayr
 from bondem.laws.parallel_bond import ParallelBond
 from bondem.laws.timoshenko import Timoshenko
+from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
 from bondem.study.section import Section
@@ -195,12 +196,25 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
 
 
 def _material(table: Section) -> Material:
+    """One's own, or one of the library, of which single values may be overruled."""
     with table:
+        if not table.has("library"):
+            return Material(
+                table.text("name"),
+                E=table.number("E", "Pa", above=0.0),
+                nu=table.number("nu", "-", above=-1.0, below=0.5),
+                rho=table.number("rho", "kg/m³", above=0.0),
+                source=table.text("source", default=""),
+            )
+        known = materials.get(table.text("library", choices=materials.names()))
+        own = [key for key in ("E", "nu", "rho") if table.has(key)]
+        remark = f"; {', '.join(own)} overruled by the study" if own else ""
         return Material(
-            table.text("name"),
-            E=table.number("E", "Pa", above=0.0),
-            nu=table.number("nu", "-", above=-1.0, below=0.5),
-            rho=table.number("rho", "kg/m³", above=0.0),
+            table.text("name", default=known.name),
+            E=table.number("E", "Pa", default=known.E, above=0.0),
+            nu=table.number("nu", "-", default=known.nu, above=-1.0, below=0.5),
+            rho=table.number("rho", "kg/m³", default=known.rho, above=0.0),
+            source=table.text("source", default=known.source + remark),
         )
 
 
