@@ -34,6 +34,11 @@ class AffineField:
         gradient = np.linalg.lstsq(position - centre, displacement - shift, rcond=None)[0].T
         return cls(centre, shift, gradient)
 
+    @staticmethod
+    def weights(position: PerElement3) -> PerElement3:
+        """w of each point [1/m], (n, 3), with which the fitted ∂u_i/∂x_j is Σ w_j u_i over all points."""
+        return np.linalg.pinv(position - position.mean(axis=0)).T
+
     @property
     def strain(self) -> Floats:
         """Symmetric part of the gradient [-], (3, 3)."""

@@ -10,7 +10,8 @@ from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Load
 from bondem.model.model import Model
-from bondem.solve.static import StaticResult, solve_static
+from bondem.observe.bond_strain import BondStrain
+from bondem.solve.static import StaticResult, Statics
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -62,23 +63,29 @@ def static_tension(
         EmptyRegionError: no connected element at a face.
         InputError: too few elements in the middle half.
     """
-    section = lattice.particles.envelope.section()
-    force = stress * section
-    model = Model(
-        lattice,
-        law,
-        boundary=[
-            Load(Face("x_max", depth), force=(force, 0.0, 0.0)),
-            Load(Face("x_min", depth), force=(-force, 0.0, 0.0)),
-        ],
-    )
-    solution = solve_static(model)
+    return tension_of(Statics(tension_model(lattice, law, stress=stress, depth=depth)), stress=stress, depth=depth)
+
+
+def tension_model(lattice: Lattice, law: BondAssignment, *, stress: float = 1e6, depth: float = 0.02) -> Model:
+    """The free specimen under the two forces of a tension test; see `static_tension`."""
+    force = stress * lattice.particles.envelope.section()
+    pull = [(Face("x_max", depth), force), (Face("x_min", depth), -force)]
+    return Model(lattice, law, boundary=[Load(face, force=(along, 0.0, 0.0)) for face, along in pull])
+
+
+def tension_of(
+    statics: Statics, *, stress: float = 1e6, depth: float = 0.02, guess: StaticResult | None = None
+) -> Tension:
+    """The tension test of a `tension_model`, whose statics may serve for other loads, too."""
+    model = statics.model
+    lattice = model.lattice
+    solution = statics.equilibrium(guess=guess)
     chosen = middle_half(lattice)
     position = lattice.particles.position
     field = AffineField.fit(position[chosen], solution.displacement[chosen])
     axial, *lateral = np.diag(field.strain)
     moved = field.without_rigid_motion(position, solution.displacement)
-    E_paper, nu_paper = _paper_moduli(lattice, moved, force, depth)
+    E_paper, nu_paper = _paper_moduli(lattice, moved, stress * lattice.particles.envelope.section(), depth)
     return Tension(
         E=stress / axial,
         nu=-0.5 * sum(lateral) / axial,
@@ -111,15 +118,8 @@ def force_gyration(model: Model, solution: StaticResult) -> Floats:
 
 def bond_forces(model: Model, solution: StaticResult) -> Floats:
     """Force of each bond on its element i in a linear equilibrium, tension pointing to j [N], (m, 3)."""
-    lattice, k = model.lattice, model.stiffness
-    i, j = lattice.pairs.T
-    direction = lattice.branch / lattice.length[:, None]
-    a = k.lever[:, None]
-    b = lattice.length[:, None] - a
-    u, turn = solution.displacement, solution.rotation
-    slip = u[j] - u[i] + np.cross(direction, a * turn[i] + b * turn[j])
-    along = (slip * direction).sum(axis=1)[:, None] * direction
-    return k.kn[:, None] * along + k.ks[:, None] * (slip - along)
+    k = model.stiffness
+    return BondStrain.of(model.lattice, k.lever, solution.displacement, solution.rotation).forces(k)
 
 
 def paper_length(lattice: Lattice, depth: float = 0.02) -> float:

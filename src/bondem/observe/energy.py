@@ -2,12 +2,11 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from bondem._types import PerBond, PerElement3
 from bondem.kernels.bond_pass import bond_energies
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.observe.bond_strain import BondStrain
 
 
 @dataclass(frozen=True)
@@ -37,29 +36,19 @@ def linear_energy(
 ) -> EnergyParts:
     """Energy of small displacements [m] and rotations [rad] about the reference, user's order, (n, 3) each.
 
-    With X the direction of a bond, its slip is δ = u_j - u_i + X × (a θ_i + b θ_j), its relative rotation
-    ρ = θ_j - θ_i, and the parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)².
+    The parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)² of `BondStrain`.
     `strain` is ε* of each bond [-], in the kernels' order.
     """
     lattice, k = model.lattice, model.stiffness
-    i, j = lattice.pairs.T
-    direction = lattice.branch / lattice.length[:, None]
-    a = k.lever[:, None]
-    b = lattice.length[:, None] - a
-    slip = displacement[j] - displacement[i] + np.cross(direction, a * rotation[i] + b * rotation[j])
-    turn = rotation[j] - rotation[i]
-    normal = (slip * direction).sum(axis=1)
-    elongation = normal.copy()
+    bonds = BondStrain.of(lattice, k.lever, displacement, rotation)
+    elongation = bonds.normal.copy()
     if strain is not None:
         elongation[model.layout.bond_order] -= lattice.length[model.layout.bond_order] * strain
-    twist = (turn * direction).sum(axis=1)
-    across = ((slip - normal[:, None] * direction) ** 2).sum(axis=1)
-    bend = ((turn - twist[:, None] * direction) ** 2).sum(axis=1)
     return EnergyParts(
         normal=0.5 * float((k.kn * elongation**2).sum()),
-        shear=0.5 * float((k.ks * across).sum()),
-        bending=0.5 * float((k.kb * bend).sum()),
-        twisting=0.5 * float((k.kt * twist**2).sum()),
+        shear=0.5 * float((k.ks * (bonds.shear**2).sum(axis=1)).sum()),
+        bending=0.5 * float((k.kb * (bonds.bend**2).sum(axis=1)).sum()),
+        twisting=0.5 * float((k.kt * bonds.twist**2).sum()),
     )
 
 

@@ -46,33 +46,61 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
         InputError: unbalanced loads on a specimen that is free to move, or a prescribed velocity.
         ConvergenceError: a load that no bond resists.
     """
+    if not nonlinear:
+        return Statics(model).equilibrium(guess=guess)
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
-    system = System.of(model)
-    if nonlinear:
-        bent = follow(model, system)
-        values = bent.motion[layout.rank]
-        reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n), 0.0)
-        energy = elastic_energy(strained(model, 1.0), bent.state)
-        return StaticResult(values[:, :3].copy(), values[:, 3:].copy(), reaction[layout.rank], energy)
-    motion, load = constraints.final_motion(n).ravel(), constraints.final_load(n).ravel()
-    _check_balance(system, load)
-    strain = constraints.final_strain()
-    load = load + strain_load(model, strain)
-    right = load - system.matrix @ motion if motion.any() else load
-    start = None
-    if guess is not None:
-        start = np.hstack([guess.displacement, guess.rotation])[layout.order].ravel()
-    solution = motion + solver(system).solve(right, guess=start)
-    reaction = np.where(constraints.held(n), (system.matrix @ solution - load).reshape(n, 6), 0.0)
-    values = solution.reshape(n, 6)[layout.rank]
-    displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
-    return StaticResult(
-        displacement=displacement,
-        rotation=rotation,
-        reaction=reaction[layout.rank],
-        energy=linear_energy(model, displacement, rotation, strain),
-    )
+    bent = follow(model, System.of(model))
+    values = bent.motion[layout.rank]
+    reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n), 0.0)
+    energy = elastic_energy(strained(model, 1.0), bent.state)
+    return StaticResult(values[:, :3].copy(), values[:, 3:].copy(), reaction[layout.rank], energy)
+
+
+class Statics:
+    """The linear statics of a model: one matrix and one factorisation for any number of loads."""
+
+    @one_blas_thread
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self._system = System.of(model)
+        self._solver = solver(self._system)
+
+    @one_blas_thread
+    def equilibrium(self, *, guess: StaticResult | None = None) -> StaticResult:
+        """Where the model rests under its own loads; see `solve_static`."""
+        model, system = self.model, self._system
+        layout, constraints = model.layout, model.constraints
+        n = len(layout.order)
+        motion, load = constraints.final_motion(n).ravel(), constraints.final_load(n).ravel()
+        _check_balance(system, load)
+        strain = constraints.final_strain()
+        load = load + strain_load(model, strain)
+        right = load - system.matrix @ motion if motion.any() else load
+        start = None
+        if guess is not None:
+            start = np.hstack([guess.displacement, guess.rotation])[layout.order].ravel()
+        solution = motion + self._solver.solve(right, guess=start)
+        reaction = np.where(constraints.held(n), (system.matrix @ solution - load).reshape(n, 6), 0.0)
+        values = solution.reshape(n, 6)[layout.rank]
+        displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
+        return StaticResult(
+            displacement=displacement,
+            rotation=rotation,
+            reaction=reaction[layout.rank],
+            energy=linear_energy(model, displacement, rotation, strain),
+        )
+
+    @one_blas_thread
+    def response(self, load: PerElement6) -> PerElement6:
+        """Displacements and rotations [m, rad] under other nodal forces and moments [N, N·m], (n, 6) each.
+
+        Supports are at rest. User's order; loads on a specimen that is free to move must be balanced.
+        """
+        layout = self.model.layout
+        load = load[layout.order].ravel()
+        _check_balance(self._system, load)
+        return self._solver.solve(load).reshape(-1, 6)[layout.rank]
 
 
 def strain_load(model: Model, strain: PerBond) -> Floats:
