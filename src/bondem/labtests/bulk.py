@@ -1,6 +1,6 @@
 """Elastic moduli of a periodic cell: no wall, no end, no gauge."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -8,12 +8,14 @@ from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.model.assignment import BondAssignment
 from bondem.model.model import Model
-from bondem.solve.linear import System, solver
-from bondem.solve.threads import one_blas_thread
+from bondem.observe.bond_strain import BondStrain
+from bondem.solve.static import Statics
 from bondem.specimen.lattice import Lattice
 
 # Voigt order xx, yy, zz, yz, xz, xy, with engineering shear strains.
 _VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+# C is stationary in the motions, so that their error comes in squared.
+_RTOL = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,22 +24,36 @@ class BulkModuli:
 
     Attributes:
         stiffness: C, σ = C ε in the order xx, yy, zz, yz, xz, xy with engineering shear strains [Pa], (6, 6).
+        strains: deformation of the bonds under each of the six unit strains.
+        motions: of the elements beside that strain (u, θ) [m, rad], six of (n, 6).
+        volume: of the cell [m³].
     """
 
     stiffness: Floats
+    strains: tuple[BondStrain, ...]
+    motions: tuple[Floats, ...]
+    volume: float
+
+    def stiffness_of(self, k: Floats) -> Floats:
+        """C [Pa], (6, 6), if kn, ks, kb, kt of the bonds, (4, m), did the work of these deformations.
+
+        With their derivatives to a parameter it is the derivative of C.
+        """
+        C = np.zeros((6, 6))
+        for s, one in enumerate(self.strains):
+            for t in range(s, 6):
+                C[s, t] = C[t, s] = np.vdot(k, one.products(self.strains[t])) / self.volume
+        return C
 
     @property
     def K(self) -> float:
         """Bulk modulus of the isotropic (Voigt) average [Pa]."""
-        C = self.stiffness
-        return float(C[:3, :3].sum()) / 9.0
+        return isotropic_average(self.stiffness)[0]
 
     @property
     def G(self) -> float:
         """Shear modulus of the isotropic (Voigt) average [Pa]."""
-        C = self.stiffness
-        longitudinal, lateral = np.trace(C[:3, :3]), C[0, 1] + C[0, 2] + C[1, 2]
-        return float(longitudinal - lateral + 3.0 * np.trace(C[3:, 3:])) / 15.0
+        return isotropic_average(self.stiffness)[1]
 
     @property
     def E(self) -> float:
@@ -50,18 +66,26 @@ class BulkModuli:
         return (3.0 * self.K - 2.0 * self.G) / (2.0 * (3.0 * self.K + self.G))
 
 
-@one_blas_thread
-def bulk_moduli(lattice: Lattice, law: BondAssignment) -> BulkModuli:
+def isotropic_average(stiffness: Floats) -> tuple[float, float]:
+    """K and G of the isotropic (Voigt) average of a stiffness (6, 6), linear in it."""
+    C = stiffness
+    longitudinal, lateral = np.trace(C[:3, :3]), C[0, 1] + C[0, 2] + C[1, 2]
+    return float(C[:3, :3].sum()) / 9.0, float(longitudinal - lateral + 3.0 * np.trace(C[3:, 3:])) / 15.0
+
+
+def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | None = None) -> BulkModuli:
     """Stiffness tensor of a periodic lattice.
 
     Six macroscopic strains ε are imposed. Every bond is stretched by ε times its branch vector, taken over
     the nearest image, and the elements then move and turn, the same in every image of the cell, until they
-    rest: u = ε x + v. With the slips g of the bonds under ε alone and k their stiffness, C is the energy of
-    that motion: V C = gᵀ k g - fᵀ v, where K v = f balances the forces of ε.
+    rest: u = ε x + v. C is the energy of the bonds in that motion, V C_st = Σ kn δn_s δn_t + ks δs_s·δs_t + …
+    As v makes it stationary, its derivative to any parameter of the bonds is that sum with the derivatives of
+    the stiffnesses: no other solution is needed.
 
     Args:
         lattice: bonded elements of a `Cell`, or of particles with a `period`.
         law: a bond law, or laws by region.
+        guess: moduli of the same lattice with similar bonds, to start from.
 
     Raises:
         InputError: the lattice is not periodic.
@@ -71,51 +95,51 @@ def bulk_moduli(lattice: Lattice, law: BondAssignment) -> BulkModuli:
         raise InputError(
             "bulk_moduli needs a periodic cell: pack a bd.Cell, or give Particles their period= [m]"
         )
-    model = Model(lattice, law)
-    system = System.of(model)
-    slip = _slips(lattice.branch)
-    direction = lattice.branch / lattice.length[:, None]
-    k = model.stiffness
-    along = np.einsum("mi,mis->ms", direction, slip)
-    force = k.ks[:, None, None] * slip + ((k.kn - k.ks)[:, None] * along)[:, None, :] * direction[:, :, None]
-    moving = (lattice.connected[lattice.pairs[:, 0]])[:, None, None]
-    load = _nodal(model, np.where(moving, force, 0.0))
-    # in a crystal nothing moves but by rounding
-    load[:, np.linalg.norm(load, axis=0) <= 1e-12 * np.linalg.norm(force)] = 0.0
-    solve = solver(system).solve
-    fluctuation = np.stack([solve(column) for column in load.T.copy()], axis=1)
-    affine = np.einsum("mis,mit->st", np.where(moving, slip, 0.0), force)
-    stiffness = (affine - load.T @ fluctuation) / period.prod()
-    return BulkModuli(0.5 * (stiffness + stiffness.T))
+    statics = Statics(Model(lattice, law))
+    k = statics.model.stiffness
+    moving = lattice.connected[lattice.pairs[:, 0], None]
+    still = np.zeros((len(lattice.particles), 3))
+    strains: list[BondStrain] = []
+    motions: list[Floats] = []
+    for slip, start in zip(_slips(lattice.branch), guess.motions if guess is not None else [None] * 6, strict=True):
+        slip = np.where(moving, slip, 0.0)
+        force = BondStrain.of(lattice, k.lever, still, still, slip=slip).forces(k)
+        load = _nodal(statics.model, force)
+        # in a crystal nothing moves but by rounding
+        if np.linalg.norm(load[:, :3]) <= 1e-12 * np.linalg.norm(force):
+            load[:] = 0.0
+        motion = statics.response(load, guess=start, rtol=_RTOL)
+        strains.append(BondStrain.of(lattice, k.lever, motion[:, :3], motion[:, 3:], slip=slip))
+        motions.append(motion)
+    moduli = BulkModuli(np.empty((6, 6)), tuple(strains), tuple(motions), float(period.prod()))
+    return replace(moduli, stiffness=moduli.stiffness_of(np.stack([k.kn, k.ks, k.kb, k.kt])))
 
 
 def _slips(branch: Floats) -> Floats:
-    """ε · branch of each bond for six unit strains [m], shape (m, 3, 6)."""
-    slip = np.zeros((len(branch), 3, 6))
+    """ε · branch of each bond for six unit strains [m], shape (6, m, 3)."""
+    slip = np.zeros((6, len(branch), 3))
     for s, (a, b) in enumerate(_VOIGT):
         if a == b:
-            slip[:, a, s] = branch[:, a]
+            slip[s, :, a] = branch[:, a]
         else:
-            slip[:, a, s] = 0.5 * branch[:, b]
-            slip[:, b, s] = 0.5 * branch[:, a]
+            slip[s, :, a] = 0.5 * branch[:, b]
+            slip[s, :, b] = 0.5 * branch[:, a]
     return slip
 
 
 def _nodal(model: Model, force: Floats) -> Floats:
-    """What bonds with these forces on their far ends (m, 3, s) do to the elements, (6 n, s), internal order.
+    """What bonds with these forces on their far ends [N], (m, 3), do to the elements [N, N·m], (n, 6).
 
     The bond pulls i by +F and j by -F, and turns both the same way, by the levers of its contact point.
     """
     lattice = model.lattice
-    n = len(lattice.particles)
     i, j = lattice.pairs.T
-    direction = lattice.branch / lattice.length[:, None]
-    arm = np.cross(direction[:, :, None], force, axis=1)
-    a = model.stiffness.lever[:, None, None]
-    b = lattice.length[:, None, None] - a
-    load = np.zeros((n, 6, force.shape[2]))
+    arm = np.cross(lattice.branch / lattice.length[:, None], force)
+    a = model.stiffness.lever[:, None]
+    b = lattice.length[:, None] - a
+    load = np.zeros((len(lattice.particles), 6))
     np.add.at(load[:, :3], i, force)
     np.add.at(load[:, :3], j, -force)
     np.add.at(load[:, 3:], i, a * arm)
     np.add.at(load[:, 3:], j, b * arm)
-    return load[model.layout.order].reshape(6 * n, -1)
+    return load

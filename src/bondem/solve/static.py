@@ -92,15 +92,23 @@ class Statics:
         )
 
     @one_blas_thread
-    def response(self, load: PerElement6) -> PerElement6:
+    def response(
+        self, load: PerElement6, *, guess: PerElement6 | None = None, rtol: float = 1e-10
+    ) -> PerElement6:
         """Displacements and rotations [m, rad] under other nodal forces and moments [N, N·m], (n, 6) each.
 
-        Supports are at rest. User's order; loads on a specimen that is free to move must be balanced.
+        Supports are at rest. Loads on a specimen that is free to move must be balanced.
+
+        Args:
+            load: user's order.
+            guess: where an iteration starts.
+            rtol: when it ends, residual over load.
         """
-        layout = self.model.layout
-        load = load[layout.order].ravel()
+        order, rank = self.model.layout.order, self.model.layout.rank
+        load = load[order].ravel()
         _check_balance(self._system, load)
-        return self._solver.solve(load).reshape(-1, 6)[layout.rank]
+        start = None if guess is None else guess[order].ravel()
+        return self._solver.solve(load, guess=start, rtol=rtol).reshape(-1, 6)[rank]
 
 
 def strain_load(model: Model, strain: PerBond) -> Floats:
