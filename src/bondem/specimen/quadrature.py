@@ -4,7 +4,7 @@ A depth changes no faster than distance: a cell whose centre is deeper than half
 and only cells at the surface are halved further. The work grows with the surface, not with the volume.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,28 +39,58 @@ def content(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Ve
     Returns:
         Volume, exact to about 1e-3 for plain shapes, and area, to about 1e-2.
     """
+    axes = int(np.count_nonzero(upper > lower))
+    inside = area = 0.0
+    for cells in cell_levels(depth, lower, upper):
+        inside += cells.size * float(cells.share.sum())
+        if cells.last:
+            width = cells.size ** (1.0 / axes)
+            area += cells.size / width * float(np.maximum(0.0, 1.0 - np.abs(cells.depth) / width).sum())
+    return Content(inside, area)
+
+
+@dataclass(frozen=True, eq=False)
+class Cells:
+    """Cells of one size that need not be halved further.
+
+    Attributes:
+        centre: [m], (k, 3).
+        edge: [m], (3,).
+        size: volume of each [m³]; of a flat region its area [m²].
+        depth: of the centres [m], (k,).
+        share: of each that lies in the region, 0 … 1, (k,).
+        last: whether these are the smallest, which the surface runs through.
+    """
+
+    centre: PerElement3
+    edge: Vector
+    size: float
+    depth: PerElement
+    share: PerElement
+    last: bool
+
+
+def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Vector) -> Iterator[Cells]:
+    """The cells that make up a box, from the largest to the smallest; arguments as of `content`."""
     axes = np.flatnonzero(upper > lower)
     count = np.ones(3, dtype=int)
     # Cells a little off a cube are as good; the box is filled exactly, so that its own walls are too.
     count[axes] = np.maximum(1, np.ceil(_CELLS * (upper - lower)[axes] / (upper - lower).max())).astype(int)
     edge = (upper - lower) / count
     index = np.indices(tuple(map(int, count))).reshape(3, -1).T
-    inside = area = 0.0
     halvings = _HALVINGS[len(axes)]
     finest = edge.max() / 2**halvings
     for level in range(halvings + 1):
         centre = lower + (index + 0.5) * edge
         d = depth(centre)
         size, half = float(np.prod(edge[axes])), 0.5 * float(np.linalg.norm(edge))
-        width = size ** (1.0 / len(axes))
         if level == halvings:
-            inside += size * float(np.clip(0.5 + d / width, 0.0, 1.0).sum())
-            area += size / width * float(np.maximum(0.0, 1.0 - np.abs(d) / width).sum())
-            break
+            width = size ** (1.0 / len(axes))
+            yield Cells(centre, edge, size, d, np.clip(0.5 + d / width, 0.0, 1.0), True)
+            return
         cut = np.abs(d) < half + finest
-        inside += size * float((d[~cut] > 0.0).sum())
+        yield Cells(centre[~cut], edge, size, d[~cut], (d[~cut] > 0.0).astype(float), False)
         index, edge = _halved(index[cut], axes), 0.5 * edge
-    return Content(inside, area)
 
 
 def _halved(index: np.ndarray, axes: np.ndarray) -> np.ndarray:
