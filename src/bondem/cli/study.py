@@ -4,7 +4,7 @@ import importlib
 
 import click
 
-_STUDIES = ("dispersion", "refinement")
+_STUDIES = ("abacus", "dispersion", "refinement")
 
 
 class _Studies(click.Group):
