@@ -18,10 +18,11 @@ from bondem.errors import InputError, PackingError
 from bondem.report.limit import limit
 from bondem.report.packing_curves import LARGEST_POSSIBLE, PRINTED_THRESHOLD
 from bondem.study.dispersion import Dispersion
-from bondem.study.packing_rows import PackingRequest, kept_lattice, kept_row, packed_row, random_isotropy_error
+from bondem.study.packing_rows import PackingRequest, kept_lattice, random_isotropy_error
 from bondem.study.packing_runs import complain
 from bondem.study.packing_tables import summary
 from bondem.study.refinement import Refinement
+from bondem.study.request import kept_row, made_row
 
 SMALL = ("--counts", "200,260,340", "--packings", "2", "--target", "jamming", "--periodic", "0")
 
@@ -225,7 +226,7 @@ def test_the_sizes_are_those_of_the_paper():
 
 def test_a_changed_request_or_version_is_not_taken_for_the_old(tmp_path, monkeypatch):
     one = request(tmp_path)
-    row = packed_row(one, tmp_path)
+    row = made_row(one, tmp_path)
     assert kept_row(one, tmp_path) == row
     others = [request(tmp_path, **change) for change in (
         {"count": 61}, {"spread": 0.2}, {"method": "growth"}, {"target": "contacts"}, {"seed": 2}, {"periodic": True},
@@ -238,7 +239,7 @@ def test_a_changed_request_or_version_is_not_taken_for_the_old(tmp_path, monkeyp
 
 def test_half_a_row_is_no_row(tmp_path):
     one = request(tmp_path)
-    packed_row(one, tmp_path)
+    made_row(one, tmp_path)
     text = one.row_file(tmp_path).read_text()
     for damaged in (text[: len(text) // 2], "[]", "{}", ""):
         one.row_file(tmp_path).write_text(damaged)
@@ -247,7 +248,7 @@ def test_half_a_row_is_no_row(tmp_path):
 
 def test_a_failed_packing_is_a_row_and_is_told(tmp_path):
     one = request(tmp_path, method="shake")
-    row = packed_row(one, tmp_path)
+    row = made_row(one, tmp_path)
     assert "shake" in row["error"]
     assert kept_row(one, tmp_path) == row
     with pytest.raises(PackingError, match=r"1 of 1 packings failed.*shake"):

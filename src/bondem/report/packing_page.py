@@ -10,7 +10,13 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 
 from bondem.io.atomic import write_text
 
-_TITLES = {"dispersion": "Packings and the dispersion of radii", "refinement": "Packings and their number of spheres"}
+_TITLES = {
+    "abacus": "Calibration curves",
+    "assembly": "Elastic constants and the number of elements",
+    "dispersion": "Packings and the dispersion of radii",
+    "influence": "Elastic constants and the parameters of bonds",
+    "refinement": "Packings and their number of spheres",
+}
 
 
 def write_page(out: Path, study: str, results: Mapping[str, Any]) -> None:
@@ -18,7 +24,7 @@ def write_page(out: Path, study: str, results: Mapping[str, Any]) -> None:
 
     Args:
         out: folder of the study, its figures and tables drawn.
-        study: "dispersion" or "refinement", which is also the name of the template.
+        study: its name, which is also that of the template.
         results: what `results.json` holds.
     """
     environment = Environment(

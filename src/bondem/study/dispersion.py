@@ -1,18 +1,17 @@
 """How a packing depends on the dispersion of its radii (André et al. 2012, figs 5–7): `bondem study dispersion`."""
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from bondem.errors import InputError
 from bondem.report.packing_curves import LARGEST_POSSIBLE, PRINTED_THRESHOLD, draw_dispersion
 from bondem.report.packing_figures import draw_histograms, draw_packings
-from bondem.report.packing_page import write_page
 from bondem.specimen.fabric import LIMITS
+from bondem.study.frame import PackingStudy, Row
 from bondem.study.packing_rows import PackingRequest, kept_lattice
-from bondem.study.packing_runs import complain, gather
-from bondem.study.packing_tables import keep_results, markdown, summary
+from bondem.study.packing_tables import markdown, summary
 
 #: κ from 0 to 40 % [-].
 SPREADS = tuple(0.05 * step for step in range(9))
@@ -40,7 +39,7 @@ _COLUMNS = {
 
 
 @dataclass(frozen=True)
-class Dispersion:
+class Dispersion(PackingStudy):
     """What to pack: cubes of the same number of spheres, more and more unequal.
 
     Attributes:
@@ -50,6 +49,8 @@ class Dispersion:
         method: of `bd.pack`; the paper's is "shear".
         target: one of `TARGETS`.
     """
+
+    name: ClassVar[str] = "dispersion"
 
     count: int = 3000
     spreads: tuple[float, ...] = SPREADS
@@ -76,64 +77,36 @@ class Dispersion:
             for seed in range(1, self.seeds + 1)
         ]
 
+    @property
+    def stages(self) -> tuple[tuple[str, Sequence[PackingRequest]], ...]:
+        """See `PackingStudy`."""
+        return (("pack", self.requests),)
 
-def run_dispersion(
-    study: Dispersion,
-    out: str | Path,
-    *,
-    processes: int | None = None,
-    progress: Callable[[str, float], None] | None = None,
-) -> dict[str, Any]:
-    """Pack what is missing and leave `results.json`, tables, figures 5, 6, 7 and `report.html` in a folder.
+    def results(self, rows: Sequence[Row]) -> dict[str, Any]:
+        """See `PackingStudy`."""
+        return {
+            "count": self.count,
+            "method": self.method,
+            "target": self.target,
+            "seeds": self.seeds,
+            "isotropy_error_in_print": PRINTED_THRESHOLD,
+            "isotropy_error_largest_possible": LARGEST_POSSIBLE,
+            "summary": summary(rows, ("spread",)),
+        }
 
-    Args:
-        study: what to pack.
-        out: folder for the results, of an earlier run or new.
-        processes: how many pack at once; one a core unless given.
-        progress: told the stage and the share of it that is done.
+    def table(self, results: dict[str, Any]) -> str:
+        """See `PackingStudy`."""
+        return markdown(_COLUMNS, results["summary"])
 
-    Returns:
-        What `results.json` holds.
-
-    Raises:
-        InputError: the folder cannot be written to.
-        PackingError: a packing failed; the results of all others are there.
-        UnstableRunError: a run that packs became unstable; likewise.
-    """
-    out = Path(out)
-    tell = progress or (lambda stage, share: None)
-    rows = gather(study.requests, out, processes=processes, progress=lambda share: tell("pack", share))
-    by_spread = summary(rows, ("spread",))
-    results = {
-        "study": "dispersion",
-        "count": study.count,
-        "method": study.method,
-        "target": study.target,
-        "seeds": study.seeds,
-        "isotropy_error_in_print": PRINTED_THRESHOLD,
-        "isotropy_error_largest_possible": LARGEST_POSSIBLE,
-        "summary": by_spread,
-        "rows": rows,
-    }
-    results = keep_results(out, results, markdown(_COLUMNS, by_spread))
-    good = [row for row in rows if not row["error"]]
-    if good:
-        tell("report", 0.0)
-        _draw(study, out, good)
-        write_page(out, "dispersion", results)
-    tell("report", 1.0)
-    complain(rows, out)
-    return results
-
-
-def _draw(study: Dispersion, out: Path, rows: list[dict[str, Any]]) -> None:
-    figures = out / "figures"
-    first = {row["spread"]: row["seed"] for row in reversed(rows)}
-    # Where the paper's two are not there, those nearest to them.
-    shown = sorted({min(first, key=lambda spread: abs(spread - wanted)) for wanted in _SHOWN})
-    requests = {(request.spread, request.seed): request for request in study.requests}
-    lattices = [kept_lattice(requests[spread, first[spread]], out) for spread in shown]
-    titles = [f"κ = {100.0 * spread:g} %" for spread in shown]
-    draw_packings(figures / "packings.png", lattices, titles)
-    draw_histograms(figures / "histograms.png", lattices, titles)
-    draw_dispersion(figures / "dispersion.png", rows, verdict=LIMITS["rms_excess"])
+    def draw(self, out: Path, rows: Sequence[Row], results: dict[str, Any]) -> None:
+        """Figures 5, 6 and 7."""
+        figures = out / "figures"
+        first = {row["spread"]: row["seed"] for row in reversed(rows)}
+        # Where the paper's two are not there, those nearest to them.
+        shown = sorted({min(first, key=lambda spread: abs(spread - wanted)) for wanted in _SHOWN})
+        requests = {(request.spread, request.seed): request for request in self.requests}
+        lattices = [kept_lattice(requests[spread, first[spread]], out) for spread in shown]
+        titles = [f"κ = {100.0 * spread:g} %" for spread in shown]
+        draw_packings(figures / "packings.png", lattices, titles)
+        draw_histograms(figures / "histograms.png", lattices, titles)
+        draw_dispersion(figures / "dispersion.png", rows, verdict=LIMITS["rms_excess"])

@@ -1,13 +1,9 @@
-"""One packing of a study: what was asked for, and the row of numbers it gave, kept in two files.
+"""One packing of a study: what was asked for, and the row of numbers it gave.
 
-    DIR/rows/NAME.json        the row
-    DIR/packings/NAME.h5      the spheres and their bonds, so that figures need no packing again
-
-NAME ends in a hash of the request and of all the code that packs: a row of another request, or of another version, is
-never taken for this one. The row comes last and in one move, so that where it is, all is.
+Its spheres and bonds are kept beside the rows, in DIR/packings/NAME.h5, so that figures and tests of it need no
+packing again.
 """
 
-import json
 import math
 import time
 from dataclasses import asdict, dataclass
@@ -16,35 +12,36 @@ from typing import Any
 
 import numpy as np
 
-from bondem.errors import BondemError, UnstableRunError
-from bondem.io.atomic import write_text
 from bondem.io.packing_cache import key
 from bondem.io.particles_file import load_bonded, save_particles
 from bondem.packing import pack
-from bondem.solve.threads import one_blas_thread
 from bondem.specimen.bonding import connect
 from bondem.specimen.core import region
 from bondem.specimen.fabric import fabric
 from bondem.specimen.geode import geode
-from bondem.specimen.geometry import Box, Cell, Shape
+from bondem.specimen.geometry import Box, Cell, Cylinder, Shape
 from bondem.specimen.lattice import Lattice
+from bondem.study.request import Request
 
 #: What `pack` can be asked for here: the onset of jamming, or 6.2 contacts a sphere, its default.
 TARGETS = ("jamming", "contacts")
 
-# The same for all; nothing that is measured depends on the edge [m].
+# Nothing that is measured of a packing depends on the edge [m].
 _EDGES = (0.01, 0.01, 0.01)
 
+#: What is packed: a cube, or the bar of the paper's §5.1, 10 mm thick and 40 mm long.
+FORMS: dict[str, Shape] = {"cube": Box(_EDGES), "bar": Cylinder(radius=5e-3, length=40e-3)}
+
 # To be raised when rows hold something else than before.
-_SCHEMA = 1
+_SCHEMA = 2
 
 # Contacts of spheres this far from the walls [mean radii] are free of them.
 _DEEP = 3.0
 
 
 @dataclass(frozen=True)
-class PackingRequest:
-    """One packing of a study, in a cube.
+class PackingRequest(Request):
+    """One packing of a study.
 
     Attributes:
         count: number of spheres.
@@ -53,6 +50,7 @@ class PackingRequest:
         target: one of `TARGETS`.
         seed: which of the random packings.
         periodic: whether the cube goes on beyond its faces, instead of having walls.
+        form: one of `FORMS`.
     """
 
     count: int
@@ -61,37 +59,56 @@ class PackingRequest:
     target: str
     seed: int
     periodic: bool = False
+    form: str = "cube"
 
     @property
     def shape(self) -> Shape:
-        """The cube."""
-        return Cell(_EDGES) if self.periodic else Box(_EDGES)
+        """What is filled."""
+        return Cell(_EDGES) if self.periodic else FORMS[self.form]
 
     @property
     def name(self) -> str:
-        """What its files are called: readable, and unlike that of any other request or version."""
+        """See `Request`."""
         request = asdict(self) | {"shape": self.shape, "row": _SCHEMA}
-        walls = "_periodic" if self.periodic else ""
-        readable = f"{self.method}_{self.target}{walls}_k{100.0 * self.spread:g}_n{self.count}_seed{self.seed}"
+        where = "_periodic" if self.periodic else "" if self.form == "cube" else f"_{self.form}"
+        readable = f"{self.method}_{self.target}{where}_k{100.0 * self.spread:g}_n{self.count}_seed{self.seed}"
         return f"{readable}_{key(request)[:12]}"
 
-    def row_file(self, folder: Path) -> Path:
-        """Where its row is kept."""
-        return folder / "rows" / f"{self.name}.json"
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return float(self.count)
+
+    @property
+    def needs(self) -> None:
+        """See `Request`."""
+        return
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        return asdict(self)
 
     def packing_file(self, folder: Path) -> Path:
         """Where its spheres and bonds are kept."""
         return folder / "packings" / f"{self.name}.h5"
 
+    def whole(self, folder: Path) -> bool:
+        """See `Request`."""
+        return self.packing_file(folder).is_file()
 
-def kept_row(request: PackingRequest, folder: Path) -> dict[str, Any] | None:
-    """The row of a request that is there already, or None; a failed packing is a row with an `error`."""
-    try:
-        row = json.loads(request.row_file(folder).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return None
-    whole = isinstance(row, dict) and "error" in row
-    return row if whole and (row["error"] or request.packing_file(folder).is_file()) else None
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """Pack, bond and measure, and keep the packing; the time is that of packing."""
+        start = time.perf_counter()
+        particles = pack(
+            self.shape, count=self.count, spread=self.spread, method=self.method, seed=self.seed,
+            jamming=self.target == "jamming",
+        )  # fmt: skip
+        seconds = round(time.perf_counter() - start, 3)
+        lattice = connect(particles)
+        found = _measures(lattice)
+        save_particles(self.packing_file(folder), lattice, provenance=asdict(self))
+        return {"seconds": seconds} | found
 
 
 def kept_lattice(request: PackingRequest, folder: Path) -> Lattice:
@@ -99,31 +116,6 @@ def kept_lattice(request: PackingRequest, folder: Path) -> Lattice:
     particles, pairs = load_bonded(request.packing_file(folder))
     assert pairs is not None
     return Lattice(particles, pairs)
-
-
-@one_blas_thread
-def packed_row(request: PackingRequest, folder: Path) -> dict[str, Any]:
-    """Pack, bond and measure, and keep the packing and its row.
-
-    Returns:
-        The row. A packing that failed has a row, too, with the reason; to try it again, delete its file.
-    """
-    row: dict[str, Any] = asdict(request) | {"error": "", "unstable": False}
-    start = time.perf_counter()
-    try:
-        particles = pack(
-            request.shape, count=request.count, spread=request.spread, method=request.method, seed=request.seed,
-            jamming=request.target == "jamming",
-        )  # fmt: skip
-        row["seconds"] = round(time.perf_counter() - start, 3)
-        lattice = connect(particles)
-        row |= _measures(lattice)
-        save_particles(request.packing_file(folder), lattice, provenance=asdict(request))
-    except BondemError as error:
-        row |= {"error": str(error), "unstable": isinstance(error, UnstableRunError)}
-        row.setdefault("seconds", round(time.perf_counter() - start, 3))
-    write_text(request.row_file(folder), json.dumps(row, indent=1, allow_nan=False) + "\n")
-    return row
 
 
 def _measures(lattice: Lattice) -> dict[str, Any]:

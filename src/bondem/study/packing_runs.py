@@ -1,6 +1,6 @@
-"""All packings of a study: over several processes, each kept as soon as it is there, and only what is missing.
+"""All rows of a study: over several processes, each kept as soon as it is there, and only what is missing.
 
-Processes are spawned, since OpenMP does not survive a fork, and pack on one thread each: many packings at once use
+Processes are spawned, since OpenMP does not survive a fork, and work on one thread each: many packings at once use
 cores better than threads within one do.
 """
 
@@ -11,7 +11,6 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
-from dataclasses import asdict
 from multiprocessing.connection import wait
 from pathlib import Path
 from typing import Any
@@ -19,26 +18,26 @@ from typing import Any
 from bondem._compile import threads
 from bondem.errors import BondemError, InputError, PackingError, UnstableRunError
 from bondem.io.atomic import require_folder
-from bondem.study.packing_rows import PackingRequest, kept_row, packed_row
+from bondem.study.request import Request, kept_row, made_row
 
 
 def gather(
-    requests: Sequence[PackingRequest],
+    requests: Sequence[Request],
     folder: Path,
     *,
     processes: int | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> list[dict[str, Any]]:
-    """The rows of all requests, in their order; those not in the folder yet are packed now, largest first.
+    """The rows of all requests, in their order; those not in the folder yet are made now, largest first.
 
     Args:
-        requests: the packings.
+        requests: what is asked for, of one kind.
         folder: where rows and packings are kept; made if it is not there.
-        processes: how many pack at once; one a core unless given.
-        progress: told the share of spheres packed, 0 … 1.
+        processes: how many work at once; one a core unless given.
+        progress: told the share of the work that is done, 0 … 1.
 
     Returns:
-        A row a request; one with an `error` where the packing failed.
+        A row a request; one with an `error` where it failed.
 
     Raises:
         InputError: the folder cannot be written to, or fewer than one process.
@@ -49,22 +48,22 @@ def gather(
     for part in ("rows", "packings"):
         (folder / part).mkdir(parents=True, exist_ok=True)
     rows = {request: kept_row(request, folder) for request in requests}
-    missing = sorted((request for request, row in rows.items() if row is None), key=lambda one: -one.count)
-    done, whole = 0, sum(request.count for request in missing)
-    for request, row in _packed(missing, folder, min(processes or os.cpu_count() or 1, max(len(missing), 1))):
+    missing = sorted((request for request, row in rows.items() if row is None), key=lambda one: -one.weight)
+    done, whole = 0.0, sum(request.weight for request in missing)
+    for request, row in _made(missing, folder, min(processes or os.cpu_count() or 1, max(len(missing), 1))):
         rows[request] = row
-        done += request.count
+        done += request.weight
         if progress is not None:
             progress(done / whole)
     return [row for request in requests if (row := rows[request]) is not None]
 
 
-def complain(rows: Sequence[dict[str, Any]], folder: Path) -> None:
-    """Raise if packings failed; all that could be made has been kept by then.
+def complain(rows: Sequence[dict[str, Any]], folder: Path, *, what: str = "packings") -> None:
+    """Raise if rows failed; all that could be made has been kept by then.
 
     Raises:
         UnstableRunError: a run that packs became unstable.
-        PackingError: a packing failed for another reason.
+        PackingError: one failed for another reason.
     """
     failed = [row for row in rows if row["error"]]
     if not failed:
@@ -72,26 +71,26 @@ def complain(rows: Sequence[dict[str, Any]], folder: Path) -> None:
     kind = UnstableRunError if any(row["unstable"] for row in failed) else PackingError
     first = failed[0]
     raise kind(
-        f"{len(failed)} of {len(rows)} packings failed, the others are in '{folder}'; first {first['count']} spheres"
+        f"{len(failed)} of {len(rows)} {what} failed, the others are in '{folder}'; first {first['count']} spheres"
         f" of κ = {first['spread']:.0%}, seed {first['seed']}: {first['error']}"
     )
 
 
-def _packed(
-    missing: Sequence[PackingRequest], folder: Path, processes: int
-) -> Iterator[tuple[PackingRequest, dict[str, Any]]]:
+def _made(
+    missing: Sequence[Request], folder: Path, processes: int
+) -> Iterator[tuple[Request, dict[str, Any]]]:
     """Each request and its row, as they come."""
     if not missing:
         return
     pool = ProcessPoolExecutor(processes, multiprocessing.get_context("spawn"), initializer=_settle)
     try:
-        jobs: dict[Future[dict[str, Any]], PackingRequest] = {
+        jobs: dict[Future[dict[str, Any]], Request] = {
             pool.submit(_on_one_thread, request, folder): request for request in missing
         }
         for job in as_completed(jobs):
             yield jobs[job], _outcome(job, jobs[job])
     except BaseException:
-        # Interrupted: what is being packed now is lost, and waiting for it would be a surprise.
+        # Interrupted: what is being made now is lost, and waiting for it would be a surprise.
         for child in multiprocessing.active_children():
             child.terminate()
         pool.shutdown(wait=False, cancel_futures=True)
@@ -99,7 +98,7 @@ def _packed(
     pool.shutdown()
 
 
-def _outcome(job: Future[dict[str, Any]], request: PackingRequest) -> dict[str, Any]:
+def _outcome(job: Future[dict[str, Any]], request: Request) -> dict[str, Any]:
     # A death by signal or for want of memory is no property of the request: its row is not kept, so that the next
     # run tries again.
     try:
@@ -110,16 +109,16 @@ def _outcome(job: Future[dict[str, Any]], request: PackingRequest) -> dict[str, 
         reason = "there is not enough memory; run it again, with fewer --processes"
     except BondemError as error:
         reason = str(error)
-    return asdict(request) | {"error": reason, "unstable": False, "seconds": None}
+    return request.asked | {"error": reason, "unstable": False, "seconds": None}
 
 
-def _on_one_thread(request: PackingRequest, folder: Path) -> dict[str, Any]:
+def _on_one_thread(request: Request, folder: Path) -> dict[str, Any]:
     with threads(1):
-        return packed_row(request, folder)
+        return made_row(request, folder)
 
 
 def _settle() -> None:
-    """What a process does before it packs."""
+    """What a process does before it works."""
     # Times are those of packing; rows and packings are kept by the study itself.
     os.environ["BONDEM_PACKING_CACHE"] = "off"
     # ^C reaches all processes of a terminal; the parent ends its children.

@@ -22,27 +22,32 @@ _MEASURED = (
 )  # fmt: skip
 
 
-def summary(rows: Sequence[Mapping[str, Any]], by: tuple[str, ...]) -> list[dict[str, Any]]:
-    """Mean and standard deviation of what was measured over the packings that agree in `by`, in order of appearance.
+def summary(
+    rows: Sequence[Mapping[str, Any]], by: tuple[str, ...], measured: Sequence[str] = _MEASURED
+) -> list[dict[str, Any]]:
+    """Mean and standard deviation of what was measured over the rows that agree in `by`, in order of appearance.
 
     Returns:
-        A dictionary a group: `by`, the number of packings, of those that failed and of those whose fabric passed, and
-        {"mean", "std"} of each quantity, null where there is no number or no second one.
+        A dictionary a group: `by`, the number of packings, of those that failed and of those whose fabric passed
+        (all, where it was not looked at), and {"mean", "std"} of each quantity, null where there is no number or no
+        second one.
     """
     groups: dict[tuple[Any, ...], list[Mapping[str, Any]]] = {}
     for row in rows:
         groups.setdefault(tuple(row[name] for name in by), []).append(row)
-    return [_summarised(dict(zip(by, group, strict=True)), members) for group, members in groups.items()]
+    return [_summarised(dict(zip(by, group, strict=True)), members, measured) for group, members in groups.items()]
 
 
-def _summarised(group: dict[str, Any], members: list[Mapping[str, Any]]) -> dict[str, Any]:
+def _summarised(
+    group: dict[str, Any], members: list[Mapping[str, Any]], measured: Sequence[str]
+) -> dict[str, Any]:
     good = [row for row in members if not row["error"]]
     found: dict[str, Any] = {
         "packings": len(members),
         "failed": len(members) - len(good),
-        "passed": sum(row["passed"] for row in good),
+        "passed": sum(row.get("passed", True) for row in good),
     }
-    for name in _MEASURED:
+    for name in measured:
         values = np.array([row[name] for row in good if row[name] is not None], dtype=float)
         found[name] = {
             "mean": float(values.mean()) if len(values) else None,
@@ -70,13 +75,13 @@ def _cell(group: Mapping[str, Any], column: Column) -> str:
 
 
 def keep_results(out: Path, results: Mapping[str, Any], table: str) -> dict[str, Any]:
-    """Write `results.json`, `table.csv` with a line a packing, and `table.md` with the means.
+    """Write `results.json`, `table.csv` with a line a row, and `table.md` with the means.
 
     Returns:
-        What `results.json` holds: the results, how many packings failed and the version.
+        What `results.json` holds: the results and the version.
     """
     rows = results["rows"]
-    whole = {**results, "failed": sum(bool(row["error"]) for row in rows), "version": __version__}
+    whole = {**results, "version": __version__}
     write_text(out / "results.json", json.dumps(whole, indent=1, allow_nan=False) + "\n")
     write_text(out / "table.md", table)
     columns = list(dict.fromkeys(name for row in rows for name in row))

@@ -1,19 +1,18 @@
 """How a packing depends on its number of spheres (André et al. 2012, §4.3, fig. 8): `bondem study refinement`."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from bondem.errors import InputError
 from bondem.report.limit import Limit, limit
 from bondem.report.packing_curves import NAMES, draw_refinement
-from bondem.report.packing_page import write_page
+from bondem.study.frame import PackingStudy, Row
 from bondem.study.packing_rows import TARGETS, PackingRequest
-from bondem.study.packing_runs import complain, gather
-from bondem.study.packing_tables import keep_results, markdown, summary
+from bondem.study.packing_tables import markdown, summary
 
 #: 22 sizes in equal ratios. Below 200 spheres, six contacts a sphere between walls take overlaps of half a radius.
 COUNTS = tuple(int(float(f"{count:.2g}")) for count in np.geomspace(200, 50_000, 22))
@@ -43,7 +42,7 @@ _COLUMNS = {
 
 
 @dataclass(frozen=True)
-class Refinement:
+class Refinement(PackingStudy):
     """What to pack: `packings` cubes of every number of spheres, to every target.
 
     Attributes:
@@ -55,6 +54,8 @@ class Refinement:
         periodic: packings of the largest size up to 10 000 in a periodic cell, seeds 1 … periodic, to hold the
             limits against: there are no walls in them.
     """
+
+    name: ClassVar[str] = "refinement"
 
     counts: tuple[int, ...] = COUNTS
     packings: int = 5
@@ -83,65 +84,43 @@ class Refinement:
             for count, seed, periodic in (*cubes, *cells)
         ]
 
+    @property
+    def stages(self) -> tuple[tuple[str, Sequence[PackingRequest]], ...]:
+        """See `PackingStudy`."""
+        return (("pack", self.requests),)
 
-def run_refinement(
-    study: Refinement,
-    out: str | Path,
-    *,
-    processes: int | None = None,
-    progress: Callable[[str, float], None] | None = None,
-) -> dict[str, Any]:
-    """Pack what is missing and leave `results.json`, tables, figure 8 and `report.html` in a folder.
+    def results(self, rows: Sequence[Row]) -> dict[str, Any]:
+        """See `PackingStudy`."""
+        good = [row for row in rows if not row["error"]]
+        return {
+            "spread": self.spread,
+            "method": self.method,
+            "packings": self.packings,
+            "limits": {
+                target: {name: fit and fit.as_dict() for name, fit in _limits(good, target).items()}
+                for target in self.targets
+            },
+            "summary": summary(rows, ("target", "periodic", "count")),
+        }
 
-    Args:
-        study: what to pack.
-        out: folder for the results, of an earlier run or new.
-        processes: how many pack at once; one a core unless given.
-        progress: told the stage and the share of it that is done.
+    def table(self, results: dict[str, Any]) -> str:
+        """See `PackingStudy`."""
+        return "\n".join(self._tables(results["summary"]))
 
-    Returns:
-        What `results.json` holds.
+    def _tables(self, groups: Sequence[Row]) -> Iterator[str]:
+        for target in self.targets:
+            for periodic, where in ((False, "cube"), (True, "periodic cell, no walls")):
+                chosen = [one for one in groups if one["target"] == target and one["periodic"] is periodic]
+                if chosen:
+                    yield f"{NAMES[target].capitalize()}, {where}\n\n{markdown(_COLUMNS, chosen)}"
 
-    Raises:
-        InputError: the folder cannot be written to.
-        PackingError: a packing failed; the results of all others are there.
-        UnstableRunError: a run that packs became unstable; likewise.
-    """
-    out = Path(out)
-    tell = progress or (lambda stage, share: None)
-    rows = gather(study.requests, out, processes=processes, progress=lambda share: tell("pack", share))
-    by_size = summary(rows, ("target", "periodic", "count"))
-    good = [row for row in rows if not row["error"]]
-    limits = {target: _limits(good, target) for target in study.targets}
-    results = {
-        "study": "refinement",
-        "spread": study.spread,
-        "method": study.method,
-        "packings": study.packings,
-        "limits": {
-            target: {name: fit and fit.as_dict() for name, fit in found.items()} for target, found in limits.items()
-        },
-        "summary": by_size,
-        "rows": rows,
-    }
-    results = keep_results(out, results, "\n".join(_tables(study, by_size)))
-    if good:
-        draw_refinement(out / "figures" / "refinement.png", good, limits)
-        write_page(out, "refinement", results)
-    tell("report", 1.0)
-    complain(rows, out)
-    return results
+    def draw(self, out: Path, rows: Sequence[Row], results: dict[str, Any]) -> None:
+        """Figure 8."""
+        limits = {target: _limits(rows, target) for target in self.targets}
+        draw_refinement(out / "figures" / "refinement.png", rows, limits)
 
 
-def _tables(study: Refinement, groups: Sequence[dict[str, Any]]) -> Iterator[str]:
-    for target in study.targets:
-        for periodic, where in ((False, "cube"), (True, "periodic cell, no walls")):
-            chosen = [one for one in groups if one["target"] == target and one["periodic"] is periodic]
-            if chosen:
-                yield f"{NAMES[target].capitalize()}, {where}\n\n{markdown(_COLUMNS, chosen)}"
-
-
-def _limits(rows: Sequence[dict[str, Any]], target: str) -> dict[str, Limit | None]:
+def _limits(rows: Sequence[Row], target: str) -> dict[str, Limit | None]:
     used = [row for row in rows if row["target"] == target and not row["periodic"] and row["count"] >= _ASYMPTOTIC]
     count = np.array([row["count"] for row in used], dtype=float)
     return {

@@ -4,10 +4,9 @@ from pathlib import Path
 
 import click
 
-from bondem.cli.studies.options import numbers, of_study, show
-from bondem.cli.terminal import progress_bars
+from bondem.cli.studies.options import carry_out, numbers, of_study
 from bondem.packing import METHODS
-from bondem.study.dispersion import SPREADS, Dispersion, run_dispersion
+from bondem.study.dispersion import SPREADS, Dispersion
 from bondem.study.packing_rows import TARGETS
 
 
@@ -28,6 +27,4 @@ def command(
 ) -> None:
     """Isotropy over the dispersion of the radii: figures 5 to 7 of André et al. (2012)."""
     study = Dispersion(count=count, spreads=spreads, seeds=seeds, method=method, target=target)
-    with progress_bars() as progress:
-        run_dispersion(study, out, processes=processes, progress=progress)
-    show(out)
+    carry_out(study, out, processes)

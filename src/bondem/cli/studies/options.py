@@ -6,6 +6,9 @@ from typing import Any
 
 import click
 
+from bondem.cli.terminal import progress_bars
+from bondem.study.frame import PackingStudy, run_study
+
 
 def numbers(kind: Callable[[str], Any], what: str) -> Callable[..., tuple[Any, ...]]:
     """Callback of an option: numbers with commas between."""
@@ -23,12 +26,14 @@ def of_study(function: Callable[..., Any]) -> Callable[..., Any]:
     """--out DIR and --processes, which every study has."""
     out = click.Path(path_type=Path)
     function = click.option(
-        "--processes", type=click.IntRange(min=1), help="Packings made at once; one a core unless given."
+        "--processes", type=click.IntRange(min=1), help="How many work at once; one a core unless given."
     )(function)
     return click.option("--out", required=True, metavar="DIR", type=out, help="Where results go.")(function)
 
 
-def show(out: Path) -> None:
-    """Print the means and where everything is."""
+def carry_out(study: PackingStudy, out: Path, processes: int | None) -> None:
+    """Run a study, then print its tables and where everything is."""
+    with progress_bars() as progress:
+        run_study(study, out, processes=processes, progress=progress)
     click.echo(f"\n{(out / 'table.md').read_text(encoding='utf-8')}")
     click.echo(f"{out / 'report.html'}\n{out / 'results.json'}")

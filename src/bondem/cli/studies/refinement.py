@@ -4,11 +4,10 @@ from pathlib import Path
 
 import click
 
-from bondem.cli.studies.options import numbers, of_study, show
-from bondem.cli.terminal import progress_bars
+from bondem.cli.studies.options import carry_out, numbers, of_study
 from bondem.packing import METHODS
 from bondem.study.packing_rows import TARGETS
-from bondem.study.refinement import COUNTS, Refinement, run_refinement
+from bondem.study.refinement import COUNTS, Refinement
 
 
 @click.command("refinement")
@@ -34,6 +33,4 @@ def command(
         counts=counts, packings=packings, spread=round(kappa / 100.0, 6), method=method,
         targets=TARGETS if target == "both" else (target,), periodic=periodic,
     )  # fmt: skip
-    with progress_bars() as progress:
-        run_refinement(study, out, processes=processes, progress=progress)
-    show(out)
+    carry_out(study, out, processes)

@@ -1,0 +1,90 @@
+"""A row of a study: what is asked for, and what was measured, kept in a file as soon as it is there.
+
+    DIR/rows/NAME.json
+
+NAME ends in a hash of the request and of all the code that decides its numbers: a row of another request, or of
+another version, is never taken for this one. The row comes last and in one move, so that where it is, all is.
+"""
+
+import json
+import time
+from abc import ABC, abstractmethod
+from pathlib import Path
+from typing import Any, final
+
+from bondem.errors import BondemError, UnstableRunError
+from bondem.io.atomic import write_text
+from bondem.solve.threads import one_blas_thread
+
+
+class Request(ABC):
+    """One row of a study. Equal requests are one; all are frozen dataclasses."""
+
+    @property
+    @abstractmethod
+    def name(self) -> str:
+        """What its files are called: readable, and unlike that of any other request or version."""
+
+    @property
+    @abstractmethod
+    def weight(self) -> float:
+        """How much work it is, against others of its kind."""
+
+    @property
+    @abstractmethod
+    def needs(self) -> "Request | None":
+        """What must have been made before, in an earlier stage."""
+
+    @property
+    @abstractmethod
+    def asked(self) -> dict[str, Any]:
+        """The columns of the row that say what was asked for."""
+
+    @abstractmethod
+    def whole(self, folder: Path) -> bool:
+        """Whether all that belongs to the row is there."""
+
+    @abstractmethod
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """Do the work.
+
+        Returns:
+            The columns of the row that say what came out, numbers finite or None; "seconds" where not all of the
+            time counts.
+
+        Raises:
+            BondemError: why it cannot be done.
+        """
+
+    @final
+    def row_file(self, folder: Path) -> Path:
+        """Where its row is kept."""
+        return folder / "rows" / f"{self.name}.json"
+
+
+def kept_row(request: Request, folder: Path) -> dict[str, Any] | None:
+    """The row of a request that is there already, or None; one that failed has an `error`."""
+    try:
+        row = json.loads(request.row_file(folder).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    complete = isinstance(row, dict) and "error" in row
+    return row if complete and (row["error"] or request.whole(folder)) else None
+
+
+@one_blas_thread
+def made_row(request: Request, folder: Path) -> dict[str, Any]:
+    """Do the work of a request and keep its row.
+
+    Returns:
+        The row. What failed has a row, too, with the reason; to try it again, delete its file.
+    """
+    row: dict[str, Any] = request.asked | {"error": "", "unstable": False}
+    start = time.perf_counter()
+    try:
+        row |= request.measured(folder)
+    except BondemError as error:
+        row |= {"error": str(error), "unstable": isinstance(error, UnstableRunError)}
+    row.setdefault("seconds", round(time.perf_counter() - start, 3))
+    write_text(request.row_file(folder), json.dumps(row, indent=1, allow_nan=False) + "\n")
+    return row
