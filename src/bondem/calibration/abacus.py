@@ -1,0 +1,99 @@
+"""The calibration curves of every law, computed once: ν and E/E_μ of packings over the parameter that sets ν.
+
+`abacus.json` beside this file is what `bondem study abacus` found in periodic cells: André et al. (2012), figs 15 and
+16, for four laws. Where a curve is, the search for the value of a parameter starts next to its end.
+"""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+
+from bondem._types import Floats
+from bondem.laws.bond import BondLaw
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """ν and E/E_μ of packings of 6.2 contacts a sphere, in bulk, over one parameter of a law.
+
+    Attributes:
+        law: name of the law.
+        parameter: its parameter that varies: "radius_ratio", "kappa" or "alpha_s".
+        fixed: its other parameters; ν_μ is 0.3.
+        values: of the parameter, ascending [-], shape (k,).
+        nu, nu_std: mean and standard deviation of Poisson's ratio over packings [-], shape (k,).
+        stiffness_ratio, stiffness_ratio_std: those of E/E_μ [-], shape (k,).
+    """
+
+    law: str
+    parameter: str
+    fixed: Mapping[str, float]
+    values: Floats
+    nu: Floats
+    nu_std: Floats
+    stiffness_ratio: Floats
+    stiffness_ratio_std: Floats
+
+    @classmethod
+    def read(cls, law: str, data: Mapping[str, Any]) -> "Curve":
+        """The curve of a law in an `abacus.json`."""
+        arrays = ("values", "nu", "nu_std", "stiffness_ratio", "stiffness_ratio_std")
+        return cls(law, data["parameter"], dict(data["fixed"]),
+                   **{name: np.array(data[name], dtype=float) for name in arrays})  # fmt: skip
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Smallest and largest ν on the curve [-]."""
+        return float(self.nu.min()), float(self.nu.max())
+
+    def value_for(self, nu: float) -> float | None:
+        """The value of the parameter that gives ν [-], or None where the curve does not reach.
+
+        Monotone cubic interpolation over the logarithm of the parameter; where ν turns, on the longer branch.
+        """
+        branch = self._branch
+        order = np.argsort(self.nu[branch])
+        known, value = self.nu[branch][order], np.log(self.values[branch][order])
+        if not known[0] <= nu <= known[-1]:
+            return None
+        return float(np.exp(PchipInterpolator(known, value)(nu)))
+
+    def nu_at(self, value: float) -> float | None:
+        """ν at a value of the parameter [-], or None beyond the ends of the curve."""
+        return self._at(self.nu, value)
+
+    def stiffness_ratio_at(self, value: float) -> float | None:
+        """E/E_μ at a value of the parameter [-], or None beyond the ends of the curve."""
+        ratio = self._at(np.log(self.stiffness_ratio), value)
+        return None if ratio is None else float(np.exp(ratio))
+
+    def _at(self, quantity: Floats, value: float) -> float | None:
+        if not self.values[0] <= value <= self.values[-1]:
+            return None
+        return float(PchipInterpolator(np.log(self.values), quantity)(np.log(value)))
+
+    @property
+    def _branch(self) -> slice:
+        """The longest stretch over which ν is strictly monotone."""
+        rising = np.sign(np.diff(self.nu))
+        turns = [0, *(np.flatnonzero(rising[1:] != rising[:-1]) + 1), len(rising)]
+        first, last = max(pairwise(turns), key=lambda ends: ends[1] - ends[0])
+        return slice(int(first), int(last) + 1)
+
+
+def curve(law: type[BondLaw]) -> Curve | None:
+    """The curve that comes with bondem for a family of laws, or None."""
+    return _shipped().get(law.__name__)
+
+
+@cache
+def _shipped() -> dict[str, Curve]:
+    text = files("bondem.calibration").joinpath("abacus.json").read_text(encoding="utf-8")
+    return {law: Curve.read(law, data) for law, data in json.loads(text)["laws"].items()}
