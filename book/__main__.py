@@ -1,0 +1,59 @@
+"""`python -m book`: see the package."""
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+from book.chapters import MEASUREMENTS
+from book.errors import BookError
+from book.fast import fast
+from book.markdown import counts
+from book.measure import BUILD, measure
+from book.pages import chapters, differences, write
+from book.results import ROOT
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Exit status 0 when all went well, 1 when a page differs or a row of the fast part is missed, 2 on an error."""
+    parser = argparse.ArgumentParser(prog="python -m book", description="The calibration and validation book.")
+    action = parser.add_mutually_exclusive_group()
+    action.add_argument("--check", action="store_true", help="are the pages what the results render to?")
+    action.add_argument("--list", action="store_true", help="what is measured, and how")
+    action.add_argument("--measure", nargs="*", metavar="NAME", help="measure again; all without names")
+    action.add_argument("--fast", nargs="?", const="", metavar="DIR", help="a small part from nothing; in DIR if given")
+    parser.add_argument("--no-run", action="store_true", help="with --measure: take in what the folder holds already")
+    parser.add_argument("--build", type=Path, default=BUILD, help="with --measure: where commands leave their own")
+    options = parser.parse_args(arguments)
+    try:
+        if options.list:
+            for one in MEASUREMENTS:
+                print(f"{one.name:20} {one.command}{f'   ({one.takes})' if one.takes else ''}")
+            return 0
+        if options.fast is not None:
+            return _fast(options.fast)
+        if options.check:
+            found = list(differences())
+            print("\n".join(found) or "the book is what the results render to")
+            return bool(found)
+        if options.measure is not None:
+            measure(options.measure, build=options.build, run=not options.no_run)
+        for path in write():
+            print(f"wrote {path.relative_to(ROOT)}")
+        rows = [row for chapter in chapters() for row in chapter.rows]
+        print(f"{len(rows)} rows: {counts(rows)}")
+    except BookError as error:
+        print(f"book: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def _fast(folder: str) -> int:
+    if folder:
+        return fast(Path(folder))
+    with tempfile.TemporaryDirectory() as temporary:
+        return fast(Path(temporary))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,68 @@
+"""Chapters: sections of rows, with what is to be said and seen about them."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+from book.results import Measurement
+from book.row import Row
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure in `docs/figures` and what is to be seen on it."""
+
+    name: str
+    caption: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Section:
+    """A table under a title.
+
+    Attributes:
+        title: of the section.
+        rows: of the table; none for a section of words and figures.
+        before, after: Markdown around the table; links are from the folder `docs`.
+        figures: below it.
+    """
+
+    title: str
+    rows: tuple[Row, ...] = ()
+    before: str = ""
+    after: str = ""
+    figures: tuple[Figure, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Chapter:
+    """A chapter.
+
+    Attributes:
+        name: of its page, `docs/validation/NAME.md`.
+        title: in the contents.
+        summary: what it shows, in a sentence or two.
+        sections: of it.
+        in_front: on the first page, instead of a page of its own.
+    """
+
+    name: str
+    title: str
+    summary: str
+    sections: tuple[Section, ...]
+    in_front: bool = False
+
+    @property
+    def rows(self) -> Iterator[Row]:
+        for section in self.sections:
+            yield from section.rows
+
+
+class ChapterFile(Protocol):
+    """What a file in `book/chapters` has."""
+
+    MEASUREMENTS: tuple[Measurement, ...]
+
+    def chapter(self) -> Chapter:
+        """The chapter, read from its results."""
+        ...

@@ -1,0 +1,59 @@
+"""Measure again: run the commands behind chapters and take in what they leave."""
+
+import json
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+from book.chapters import MEASUREMENTS
+from book.errors import BookError
+from book.figures import take
+from book.results import ROOT, Measurement
+
+BUILD = ROOT / "build" / "book"
+
+
+def measure(names: list[str], *, build: Path = BUILD, run: bool = True) -> None:
+    """Run the commands of some measurements, or of all, and take in their results.
+
+    Args:
+        names: of measurements; none for all.
+        build: folder in which a command leaves its own, as NAME.
+        run: False takes in what is there already.
+
+    Raises:
+        BookError: no such measurement, or a command that fails.
+    """
+    known = {one.name: one for one in MEASUREMENTS}
+    if unknown := sorted(set(names) - set(known)):
+        raise BookError(f"no measurement '{unknown[0]}'; there are {', '.join(known)}")
+    for name in names or list(known):
+        if run:
+            _run(known[name], build)
+        _take_in(known[name], build)
+
+
+def _run(one: Measurement, build: Path) -> None:
+    build.mkdir(parents=True, exist_ok=True)
+    for command in one.command.split("; "):
+        print(f"{one.name}: {command}", flush=True)
+        words = shlex.split(command.replace("BUILD", str(build)))
+        words = [*{"python": [sys.executable]}.get(words[0], [str(Path(sys.executable).with_name(words[0]))]), *words[1:]]
+        # benchmarks import each other
+        path = os.pathsep.join(filter(None, (str(ROOT / "benchmarks"), os.environ.get("PYTHONPATH"))))
+        done = subprocess.run(words, cwd=ROOT, env=os.environ | {"PYTHONPATH": path}, check=False)
+        if done.returncode:
+            raise BookError(f"{one.name}: '{command}' ended with status {done.returncode}; see what it printed above")
+
+
+def _take_in(one: Measurement, build: Path) -> None:
+    folder = build / one.name
+    if one.condense is not None:
+        if not folder.exists():
+            raise BookError(f"{folder} is not there; run the command too, without --no-run")
+        text = json.dumps(one.condense(folder), indent=1, ensure_ascii=False, allow_nan=False)
+        one.path.write_text(f"{text}\n", encoding="utf-8")
+    for source, target in one.figures.items():
+        take(folder / source, ROOT / "docs" / "figures" / target)

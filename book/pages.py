@@ -1,0 +1,50 @@
+"""The pages of the book: what they should hold, and whether they do."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from book.chapter import Chapter
+from book.chapters import FILES
+from book.markdown import front, page
+from book.results import ROOT
+from book.studies_page import filled
+
+DOCS = ROOT / "docs"
+#: A figure beyond this is not for a repository.
+LARGEST_FIGURE = 1_000_000
+
+
+def chapters() -> list[Chapter]:
+    """All chapters in their order; an error if a row lacks its number."""
+    return [file.chapter() for file in FILES]
+
+
+def rendered(book: list[Chapter]) -> dict[Path, str]:
+    """Every page that the book writes, and its text."""
+    pages = {DOCS / "validation.md": front(book), DOCS / "studies.md": filled(DOCS / "studies.md")}
+    return pages | {DOCS / "validation" / f"{one.name}.md": page(one) for one in book if not one.in_front}
+
+
+def write() -> list[Path]:
+    """Bring the pages to what the results render to; returns those that changed."""
+    changed = []
+    for path, text in rendered(chapters()).items():
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+            changed.append(path)
+    return changed
+
+
+def differences() -> Iterator[str]:
+    """What is not as the results render it, a sentence each; nothing when the book is up to date."""
+    book = chapters()
+    for path, text in rendered(book).items():
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            yield f"{path.relative_to(ROOT)} is not what the results render to; run python -m book"
+    for chapter in book:
+        for figure in (figure for section in chapter.sections for figure in section.figures):
+            path = DOCS / "figures" / figure.name
+            if not path.exists():
+                yield f"docs/figures/{figure.name} of '{chapter.title}' is not there; measure it: python -m book --list"
+            elif path.stat().st_size > LARGEST_FIGURE:
+                yield f"docs/figures/{figure.name} has {path.stat().st_size} bytes, more than {LARGEST_FIGURE}"

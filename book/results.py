@@ -1,0 +1,122 @@
+"""Where numbers come from: JSON of a measurement, and `recorded.toml`. A number that is not there is an error."""
+
+import json
+import tomllib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from book.errors import BookError
+from book.row import Measured, Origin
+
+ROOT = Path(__file__).resolve().parents[1]
+RESULTS = ROOT / "benchmarks" / "results"
+RECORDED = Path(__file__).with_name("recorded.toml")
+
+#: A key, a position, or what the wanted member of a list has: {"case": "1", "law": "TBBM"}.
+Step = str | int | Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """A command whose results are kept as `benchmarks/results/NAME.json`.
+
+    Attributes:
+        name: of the results.
+        command: BUILD in it stands for the folder of builds.
+        takes: how long, in words.
+        condense: what to keep of the folder BUILD/NAME that the command leaves; None where the command
+            writes `benchmarks/results/NAME.json` itself.
+        figures: those to keep: path in BUILD/NAME → name in `docs/figures`.
+        file: the JSON, where it is not that of the name.
+    """
+
+    name: str
+    command: str
+    takes: str = ""
+    condense: Callable[[Path], dict[str, Any]] | None = None
+    figures: Mapping[str, str] = field(default_factory=dict)
+    file: Path | None = None
+
+    @property
+    def path(self) -> Path:
+        return self.file or RESULTS / f"{self.name}.json"
+
+    @property
+    def origin(self) -> Origin:
+        kept = self.path.relative_to(ROOT) if self.path.is_relative_to(ROOT) else Path(self.path.name)
+        return Origin(self.command, str(kept))
+
+    @property
+    def data(self) -> Any:
+        """All that was kept."""
+        try:
+            return _read(self.path)
+        except FileNotFoundError:
+            raise BookError(f"{self.origin.kept} is not there; measure it: python -m book --measure {self.name}") from None
+
+    def at(self, *steps: Step) -> Any:
+        """What stands at a place, whatever it is."""
+        found = self.data
+        for k, step in enumerate(steps):
+            where = f"{self.origin.kept}: {' → '.join(map(str, steps[: k + 1]))}"
+            if isinstance(step, Mapping):
+                fitting = [one for one in found if all(one.get(key) == value for key, value in step.items())]
+                if len(fitting) != 1:
+                    raise BookError(f"{where}: {len(fitting)} members have this instead of one")
+                found = fitting[0]
+                continue
+            try:
+                found = found[step]
+            except (KeyError, IndexError, TypeError):
+                raise BookError(f"{where} is not there; measure it: python -m book --measure {self.name}") from None
+        return found
+
+    def number(self, *steps: Step, scatter: tuple[Step, ...] | None = None, factor: float = 1.0) -> Measured:
+        """A number at a place, with the scatter at another; `factor` on both."""
+        spread = None if scatter is None else factor * self._float(*scatter)
+        return Measured((factor * self._float(*steps),), self.origin, spread)
+
+    def of(self, *values: float | None, scatter: float | None = None) -> Measured:
+        """Numbers that were worked out from what is kept."""
+        if any(value is None for value in values):
+            raise BookError(f"{self.origin.kept}: a number is missing; measure it: python -m book --measure {self.name}")
+        return Measured(tuple(float(value) for value in values if value is not None), self.origin, scatter)
+
+    def mean(self, values: list[float]) -> Measured:
+        """Mean and standard deviation of a sample."""
+        return Measured((float(np.mean(values)),), self.origin, float(np.std(values, ddof=1)))
+
+    def _float(self, *steps: Step) -> float:
+        found = self.at(*steps)
+        if isinstance(found, str) or not isinstance(found, float | int):
+            raise BookError(f"{self.origin.kept}: {' → '.join(map(str, steps))} is {found!r}, not a number")
+        return float(found)
+
+
+def recorded(name: str) -> Measured:
+    """A number of `recorded.toml`: `value`, with `scatter` or not, or `values`."""
+    entry = _recorded().get(name)
+    if entry is None:
+        raise BookError(f"book/recorded.toml has no [{name}]; measure it and write it there, with command and date")
+    lacking = {"what", "command", "date"} - set(entry)
+    if lacking or ("value" in entry) is ("values" in entry):
+        raise BookError(f"book/recorded.toml [{name}] needs what, command, date, and value or values")
+    values = entry.get("values", [entry.get("value")])
+    machine = f", {entry['machine']}" if "machine" in entry else ""
+    origin = Origin(entry["command"], "book/recorded.toml", f"{entry['date']}{machine}")
+    return Measured(tuple(float(value) for value in values), origin, entry.get("scatter"))
+
+
+@cache
+def _read(path: Path) -> Any:
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+@cache
+def _recorded() -> dict[str, Any]:
+    return tomllib.loads(RECORDED.read_text(encoding="utf-8"))

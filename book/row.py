@@ -1,0 +1,116 @@
+"""A row of the book: one case, what is printed, what we have, and a verdict that is computed from them."""
+
+import math
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import Enum
+
+from book.errors import BookError
+from book.forms import PLAIN, Form, Said
+from book.tolerances import Tolerance
+
+
+class Verdict(Enum):
+    """What a row comes to."""
+
+    MET = "met"
+    MISSED = "missed"
+    DIFFERS = "differs"
+    NO_PAPER = "no paper value"
+
+
+@dataclass(frozen=True)
+class Origin:
+    """How a number was come by.
+
+    Attributes:
+        command: that measures it.
+        kept: the file that holds it, from the root of the project.
+        when: it was measured and on what, for a number that was written down; "" for JSON.
+    """
+
+    command: str
+    kept: str
+    when: str = ""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A number that was measured.
+
+    Attributes:
+        values: one, or several of one kind, which all have to satisfy the tolerance.
+        scatter: standard deviation over packings or runs, if it is known.
+        origin: how it was come by.
+    """
+
+    values: tuple[float, ...]
+    origin: Origin
+    scatter: float | None = None
+
+    def __post_init__(self) -> None:
+        if not self.values or not all(math.isfinite(value) for value in self.values):
+            raise BookError(f"{self.values} of {self.origin.kept}: not finite numbers; measure again: {self.origin.command}")
+
+    def text(self, form: Form | Said) -> str:
+        """Mean ± scatter, or from the least to the largest."""
+        texts = list(dict.fromkeys(form.bare(value) for value in (min(self.values), max(self.values))))
+        if len(texts) > 1:
+            between = "–" if min(self.values) >= 0.0 and "e" not in "".join(texts) else " … "
+            return f"{texts[0]}{between}{form.text(max(self.values))}"
+        if self.scatter is None:
+            return form.text(self.values[0])
+        return f"{texts[0]} ± {form.text(self.scatter, signed=False)}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """One case.
+
+    Attributes:
+        case: what is looked at.
+        ours: what we have.
+        source: of the paper's number: table, figure or equation.
+        paper: what is printed, a number or, where it is none, words.
+        tolerance: when the two agree, or when what is asked for is met; None where nothing is printed or asked.
+        form: how the numbers are printed.
+        reason: why it differs from the paper. A requirement of our own has none: it is met or missed.
+        note: what else to say.
+    """
+
+    case: str
+    ours: Measured
+    source: str = ""
+    paper: float | str | None = None
+    tolerance: Tolerance | None = None
+    form: Form | Said = PLAIN
+    reason: str = ""
+    note: str = ""
+
+    def __post_init__(self) -> None:
+        if isinstance(self.paper, float | int) and self.tolerance is None:
+            raise BookError(f"'{self.case}': a paper's number needs a tolerance, or there is no verdict")
+        if self.reason and self.paper is None:
+            raise BookError(f"'{self.case}': a reason is for a difference from a paper; say it as a note")
+
+    @property
+    def verdict(self) -> Verdict:
+        """Computed from the numbers."""
+        if self.tolerance is None:
+            return Verdict.NO_PAPER
+        paper = self.paper if isinstance(self.paper, float | int) else None
+        if self.tolerance.holds(self.ours.values, paper):
+            return Verdict.MET
+        return Verdict.DIFFERS if self.reason else Verdict.MISSED
+
+    @property
+    def remark(self) -> str:
+        """The note, and where the row differs the reason."""
+        said = [self.reason] if self.verdict is Verdict.DIFFERS else []
+        return "; ".join(said + [self.note] * bool(self.note))
+
+
+def tally(rows: Iterable[Row]) -> Counter[Verdict]:
+    """How many rows come to each verdict."""
+    return Counter(row.verdict for row in rows)

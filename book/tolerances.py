@@ -1,0 +1,131 @@
+"""Tolerances: when a number agrees with what it is held against."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import final
+
+from book.errors import BookError
+from book.forms import Form, Said
+
+
+class Tolerance(ABC):
+    """A condition on a measured number, and the number of a paper if it refers to one."""
+
+    @abstractmethod
+    def holds(self, values: Sequence[float], paper: float | None) -> bool:
+        """Whether the condition is met by all values."""
+
+    @abstractmethod
+    def words(self, form: Form | Said) -> str:
+        """The condition as it stands in a table."""
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Near(Tolerance):
+    """Not farther from the paper's number, or from `target`, than a share of it or an amount."""
+
+    relative: float | None = None
+    absolute: float | None = None
+    target: float | None = None
+
+    def __post_init__(self) -> None:
+        if (self.relative is None) is (self.absolute is None):
+            raise BookError("Near: give relative= or absolute=, one of them")
+
+    def holds(self, values: Sequence[float], paper: float | None) -> bool:
+        about = _given(self.target, paper)
+        room = self.absolute if self.absolute is not None else (self.relative or 0.0) * abs(about)
+        return all(abs(value - about) <= room for value in values)
+
+    def words(self, form: Form | Said) -> str:
+        about = "" if self.target is None else f"{form.bare(self.target)} "
+        if self.absolute is not None:
+            return f"{about}± {form.text(self.absolute, signed=False)}"
+        return f"{about}± {100.0 * (self.relative or 0.0):g} %"
+
+
+@final
+@dataclass(frozen=True)
+class AtMost(Tolerance):
+    """Size not above a limit, the paper's number unless given."""
+
+    limit: float | None = None
+
+    def holds(self, values: Sequence[float], paper: float | None) -> bool:
+        return max(map(abs, values)) <= abs(_given(self.limit, paper))
+
+    def words(self, form: Form | Said) -> str:
+        return "≤ the paper's" if self.limit is None else f"≤ {form.text(self.limit, signed=False)}"
+
+
+@final
+@dataclass(frozen=True)
+class AtLeast(Tolerance):
+    """Not below a limit, the paper's number unless given."""
+
+    limit: float | None = None
+
+    def holds(self, values: Sequence[float], paper: float | None) -> bool:
+        return min(values) >= _given(self.limit, paper)
+
+    def words(self, form: Form | Said) -> str:
+        return "≥ the paper's" if self.limit is None else f"≥ {form.text(self.limit, signed=False)}"
+
+
+@final
+@dataclass(frozen=True)
+class Between(Tolerance):
+    """From one number to another."""
+
+    low: float
+    high: float
+
+    def holds(self, values: Sequence[float], paper: float | None) -> bool:
+        del paper
+        return all(self.low <= value <= self.high for value in values)
+
+    def words(self, form: Form | Said) -> str:
+        return f"{form.bare(self.low)}–{form.text(self.high)}"
+
+
+@final
+@dataclass(frozen=True)
+class Spans(Tolerance):
+    """The least and the largest are these, but for rounding."""
+
+    low: float
+    high: float
+
+    def holds(self, values: Sequence[float], paper: float | None) -> bool:
+        del paper
+        room = 1e-9 * max(abs(self.low), abs(self.high))
+        return abs(min(values) - self.low) <= room and abs(max(values) - self.high) <= room
+
+    def words(self, form: Form | Said) -> str:
+        del form
+        return "the same"
+
+
+@final
+@dataclass(frozen=True)
+class So(Tolerance):
+    """What is asked for is so; with False, is not."""
+
+    wanted: bool = True
+
+    def holds(self, values: Sequence[float], paper: float | None) -> bool:
+        del paper
+        return all(bool(value) is self.wanted for value in values)
+
+    def words(self, form: Form | Said) -> str:
+        return form.text(float(self.wanted))
+
+
+def _given(limit: float | None, paper: float | None) -> float:
+    if limit is not None:
+        return limit
+    if paper is None:
+        raise BookError("a tolerance refers to the paper's number and the row has none; give the limit")
+    return paper
