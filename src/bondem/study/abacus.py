@@ -20,9 +20,8 @@ from bondem.laws.obermayr import Obermayr
 from bondem.laws.parallel_bond import ParallelBond
 from bondem.laws.timoshenko import Timoshenko
 from bondem.report.abacus_figures import draw_abacus, draw_reach, draw_silica
-from bondem.study.elastic_rows import MEASURED, ElasticRequest
+from bondem.study.elastic_rows import MEASURED, SHAPES, ElasticRequest, cells_and_bars
 from bondem.study.frame import PackingStudy, Row
-from bondem.study.packing_rows import PackingRequest
 from bondem.study.packing_tables import summary
 from bondem.study.request import Request
 
@@ -71,8 +70,6 @@ _SWEEPS = (
 #: The laws by name.
 SWEEPS = {sweep.law.__name__: sweep for sweep in _SWEEPS}
 
-_SHAPES = {True: "periodic cell", False: "cylinder 10 x 40 mm"}
-
 
 @dataclass(frozen=True)
 class Abacus(PackingStudy):
@@ -106,11 +103,7 @@ class Abacus(PackingStudy):
     @property
     def stages(self) -> tuple[tuple[str, Sequence[Request]], ...]:
         """See `PackingStudy`."""
-        packings = [
-            PackingRequest(self.count, self.spread, "quench", "contacts", seed, form == "cube", form)
-            for form, last in (("cube", self.packings), ("bar", self.bars))
-            for seed in range(1, last + 1)
-        ]
+        packings = cells_and_bars(self.count, self.spread, cells=self.packings, bars=self.bars)
         bonds = [law for name in self.laws for law in SWEEPS[name].laws]
         return ("pack", packings), ("solve", [ElasticRequest(one, law) for one in packings for law in bonds])
 
@@ -120,7 +113,7 @@ class Abacus(PackingStudy):
         groups = summary(rows, by, MEASURED)
         curves = {
             shape: {name: found for name in self.laws if (found := _curve(SWEEPS[name], groups, periodic))}
-            for periodic, shape in _SHAPES.items()
+            for periodic, shape in SHAPES.items()
         }
         curves = {shape: found for shape, found in curves.items() if found}
         return {
@@ -155,7 +148,7 @@ class Abacus(PackingStudy):
         self._write_data(out, rows, results["curves"])
 
     def _write_data(self, out: Path, rows: Sequence[Row], curves: Mapping[str, Any]) -> None:
-        for periodic, shape in _SHAPES.items():
+        for periodic, shape in SHAPES.items():
             if shape not in curves:
                 continue
             seeds = sorted({row["seed"] for row in rows if row["periodic"] is periodic})

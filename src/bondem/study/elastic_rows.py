@@ -9,20 +9,23 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
-import bondem.labtests
+from bondem.calibration import response
+from bondem.calibration.response import Response
 from bondem.io.packing_cache import key
-from bondem.labtests.bulk import bulk_moduli
-from bondem.labtests.tension import static_tension
+from bondem.labtests import bulk, gauge_length, tension
 from bondem.laws.bond import BondLaw
 from bondem.specimen.lattice import Lattice
 from bondem.study.packing_rows import PackingRequest, kept_lattice
 from bondem.study.request import Request
 
-#: What is measured in every packing, and in bars only.
-MEASURED = ("E", "nu", "stiffness_ratio", "E_paper", "nu_paper", "axial_share", "seconds")
+#: What is measured; some of it in bars only, and slopes where they are asked for.
+MEASURED = ("E", "nu", "stiffness_ratio", "E_paper", "nu_paper", "axial_share", "exponent", "nu_slope", "seconds")
+
+#: Where: without walls, or in the paper's bar; told by `periodic` of a row.
+SHAPES = {True: "periodic cell", False: "cylinder 10 x 40 mm"}
 
 # To be raised when rows hold something else than before.
-_SCHEMA = 1
+_SCHEMA = 2
 
 
 @dataclass(frozen=True)
@@ -32,15 +35,18 @@ class ElasticRequest(Request):
     Attributes:
         packing: the packing, made before.
         law: its bonds.
+        slopes: whether to find how E and ν change with r̃, too.
     """
 
     packing: PackingRequest
     law: BondLaw
+    slopes: bool = False
 
     @property
     def name(self) -> str:
         """See `Request`."""
-        request = {"packing": self.packing.name, "law": self.law, "row": _SCHEMA, "measuring": _measuring()}
+        code = {"row": _SCHEMA, "measuring": _measuring()}
+        request = code | {"packing": self.packing.name, "law": self.law, "slopes": self.slopes}
         where = "periodic" if self.packing.periodic else self.packing.form
         law = type(self.law).__name__
         return f"{law}_{where}_n{self.packing.count}_seed{self.packing.seed}_{key(request)[:16]}"
@@ -67,22 +73,37 @@ class ElasticRequest(Request):
         return True
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        """Solve: E [Pa], ν, E/E_μ; of bars also eqs (14), (15) and the share of the energy in bonds' elongation."""
+        """Solve.
+
+        Returns:
+            E [Pa], ν and E/E_μ; of bars also eqs (14) and (15) and the share of the energy that is in the elongation
+            of bonds; where slopes are asked for, d ln E / d ln r̃ and dν / dr̃, by adjoints.
+        """
         lattice = _lattice(self.packing, folder)
-        if self.packing.periodic:
-            bulk = bulk_moduli(lattice, self.law)
-            return {"E": bulk.E, "nu": bulk.nu, "stiffness_ratio": bulk.E / self.law.E,
-                    "E_paper": None, "nu_paper": None, "axial_share": None}  # fmt: skip
-        tension = static_tension(lattice, self.law)
-        energy = tension.solution.energy
-        return {
-            "E": tension.E,
-            "nu": tension.nu,
-            "stiffness_ratio": tension.E / self.law.E,
-            "E_paper": tension.E_paper,
-            "nu_paper": tension.nu_paper,
-            "axial_share": energy.normal / energy.total,
-        }
+        solved = Response(lattice, self.law)
+        found: dict[str, Any] = dict.fromkeys(MEASURED[:-1])
+        found |= {"E": solved.E, "nu": solved.nu, "stiffness_ratio": solved.E / self.law.E}
+        if solved.tension is not None:
+            energy = solved.tension.solution.energy
+            found |= {
+                "E_paper": solved.tension.E_paper,
+                "nu_paper": solved.tension.nu_paper,
+                "axial_share": energy.normal / energy.total,
+            }
+        if self.slopes:
+            slope = solved.slope("radius_ratio")
+            assert self.law.radius_ratio is not None
+            found |= {"exponent": self.law.radius_ratio * slope.log_E, "nu_slope": slope.nu}
+        return found
+
+
+def cells_and_bars(count: int, spread: float, *, cells: int, bars: int) -> list[PackingRequest]:
+    """Packings of 6.2 contacts an element: periodic cells, seeds 1 … cells, then bars, seeds 1 … bars."""
+    return [
+        PackingRequest(count, spread, "quench", "contacts", seed, form == "cube", form)
+        for form, last in (("cube", cells), ("bar", bars))
+        for seed in range(1, last + 1)
+    ]
 
 
 @lru_cache(maxsize=2)
@@ -95,6 +116,6 @@ def _lattice(packing: PackingRequest, folder: Path) -> Lattice:
 def _measuring() -> str:
     """A hash of the code that measures; that which packs and solves is in `key`."""
     digest = hashlib.sha256()
-    for source in sorted(Path(bondem.labtests.__path__[0]).glob("*.py")):
-        digest.update(source.read_bytes())
+    for module in (response, bulk, tension, gauge_length):
+        digest.update(Path(str(module.__file__)).read_bytes())
     return digest.hexdigest()
