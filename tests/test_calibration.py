@@ -1,12 +1,17 @@
 """Calibration: what comes out has the target's E, nu and mass, or an error says what is in reach."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.stats import t as student
 
 import bondem as bd
 from bondem.calibration.free_parameter import FreeParameter
+from bondem.calibration.reach import reach, recommend
+from bondem.calibration.response import Response
+from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError, UnreachableTargetError
 
 SILICA = bd.Material("fused silica", E=72.5e9, nu=0.17, rho=2201.0)
@@ -76,17 +81,153 @@ def test_a_target_out_of_reach_names_the_reach(lattices):
         bd.calibrate(lattices[0], SILICA, law=bd.Timoshenko, search=(0.4, 0.9))
 
 
-@pytest.mark.parametrize("slope", [-1.0, 1.0])
+@pytest.mark.parametrize("rising", [False, True])
 @pytest.mark.parametrize("target", [0.12, 0.2, 0.33])
-def test_the_root_is_found_wherever_it_lies(slope, target):
-    free = FreeParameter("x", 0.1, 0.9, (0.5, 0.7))
+@pytest.mark.parametrize("start", [None, 0.15, 0.85])
+def test_the_root_is_found_wherever_it_lies(rising, target, start):
+    free = FreeParameter("x", 0.1, 0.9)
+    seen = []
 
-    def nu(value: float) -> float:
-        share = value if slope > 0 else 1.0 - value
-        return 0.1 + 0.3 * share**1.7
+    def nu(value: float) -> tuple[float, float]:
+        seen.append(value)
+        share, way = (value, 1.0) if rising else (1.0 - value, -1.0)
+        return 0.1 + 0.3 * share**1.7, way * 0.51 * share**0.7
 
-    found = free.solve(nu, target, tolerance=1e-10, who="test bonds")
-    assert nu(found) == pytest.approx(target, abs=1e-10)
+    found = free.solve(nu, target, start=start, tolerance=1e-10, who="test bonds")
+    assert nu(found)[0] == pytest.approx(target, abs=1e-10)
+    assert len(seen) <= 9
+    assert all(0.1 <= value <= 0.9 for value in seen)
+
+
+@pytest.mark.parametrize("start", [None, 0.1, 0.9])
+@pytest.mark.parametrize("target", [0.05, 0.39])
+def test_a_root_beyond_the_ends_is_refused_with_the_reach(start, target):
+    free = FreeParameter("x", 0.1, 0.9)
+    with pytest.raises(UnreachableTargetError, match=r"outside 0\.106 … 0\.351"):
+        free.solve(
+            lambda x: (0.1 + 0.3 * x**1.7, 0.51 * x**0.7), target, start=start, tolerance=1e-10, who="test bonds"
+        )
+
+
+def test_bonds_of_obermayr_are_calibrated_by_alpha_s(lattices):
+    fit = bd.calibrate(lattices[0], SILICA, law=bd.Obermayr)
+    assert fit.parameter == "alpha_s"
+    assert fit.law.radius_ratio == 1.0
+    assert fit.nu == pytest.approx(0.17, abs=2e-5)
+    # its shear stiffness is that of a parallel bond with κ = 2 (1 + ν_μ) / α_s, which hardly differs otherwise
+    twin = bd.calibrate(lattices[0], SILICA, law=bd.ParallelBond)
+    assert 2.6 / fit.law.alpha_s == pytest.approx(twin.law.kappa, rel=2e-3)
+
+
+def test_a_periodic_cell_is_calibrated_by_its_bulk_moduli():
+    cell = bd.connect(bd.pack(bd.Cell((1e-2, 1e-2, 1e-2)), count=600, spread=0.25, seed=1))
+    fit = bd.calibrate(cell, SILICA, law=bd.EulerBernoulli)
+    moduli = bd.bulk_moduli(cell, fit.law)
+    assert pytest.approx(72.5e9, rel=1e-9) == moduli.E
+    assert moduli.nu == pytest.approx(0.17, abs=1e-5)
+    assert fit.tensions == ()
+
+
+def test_without_a_law_one_that_reaches_the_material_is_taken(lattices):
+    fit = bd.calibrate(lattices[0], SILICA)
+    assert isinstance(fit.law, bd.EulerBernoulli)
+    assert "EulerBernoulli bonds reach" in fit.reason
+    stiff = recommend(0.05)
+    assert stiff.law is not bd.EulerBernoulli
+    assert "not reached by EulerBernoulli" in stiff.reason
+    with pytest.raises(UnreachableTargetError, match=r"no bond law reaches nu = 0\.49"):
+        recommend(0.49)
+
+
+def test_what_a_law_reaches_is_computed(lattices):
+    found = reach(lattices[0], bd.ParallelBond, points=3)
+    assert found.parameter == "kappa"
+    assert found.values == pytest.approx((0.5, 5.0, 50.0))
+    tension = bd.labtests.static_tension(lattices[0], bd.ParallelBond(E=1e9, nu=0.3, radius_ratio=1.0, kappa=5.0))
+    assert found.nu[1] == pytest.approx(tension.nu, rel=1e-9)
+    assert found.smallest == found.nu[0] < found.nu[1] < found.nu[2] == found.largest
+
+
+LAWS = {
+    "radius_ratio": bd.EulerBernoulli(E=2e9, nu=0.3, radius_ratio=0.7),
+    "nu": bd.Timoshenko(E=2e9, nu=0.25, radius_ratio=0.6),
+    "kappa": bd.ParallelBond(E=2e9, nu=0.3, radius_ratio=0.9, kappa=3.0),
+    "alpha_s": bd.Obermayr(E=2e9, nu=0.3, radius_ratio=0.9),
+}
+
+
+@pytest.mark.parametrize("parameter", LAWS)
+@pytest.mark.parametrize("periodic", [False, True])
+def test_slopes_of_the_adjoint_are_those_of_differences(lattices, parameter, periodic):
+    lattice = lattices[0]
+    if periodic:
+        lattice = bd.connect(bd.pack(bd.Cell((1e-2, 1e-2, 1e-2)), count=400, spread=0.25, seed=1))
+    law = LAWS[parameter]
+    value = getattr(law, parameter)
+    step = 1e-4 * value
+    above, below = (Response(lattice, replace(law, **{parameter: value + s * step})) for s in (1.0, -1.0))
+    slope = Response(lattice, law).slope(parameter)
+    # differences are right to the square of the step and to the solver's 1e-10 over it
+    assert slope.log_E == pytest.approx(math.log(above.E / below.E) / (2.0 * step), rel=1e-6)
+    assert slope.nu == pytest.approx((above.nu - below.nu) / (2.0 * step), rel=1e-6)
+
+
+def test_each_packing_would_have_these_bonds_by_itself(lattices):
+    fit = bd.calibrate(lattices, SILICA, law=bd.EulerBernoulli)
+    alone = [bd.calibrate(one, SILICA, law=bd.EulerBernoulli) for one in lattices]
+    value, E_mu = fit.sample("value").values, fit.sample("E_mu").values
+    shift = max(abs(one.value - fit.value) for one in alone)
+    # first order: what is left is of the square of the shift
+    assert value == pytest.approx([one.value for one in alone], abs=3.0 * shift**2)
+    assert E_mu == pytest.approx([one.law.E for one in alone], rel=10.0 * shift**2)
+    assert np.ptp(E_mu) > 1e-3 * fit.law.E
+    low, high = fit.interval("E_mu")
+    assert low < fit.law.E < high
+
+
+def test_intervals_are_those_of_student():
+    # n = 4, mean 10, s = 2; t(0.975, 3) = 3.182446
+    sample = Sample(np.array([10.0 - 2.0, 10.0 - 2.0 / math.sqrt(2.0), 10.0 + 2.0 / math.sqrt(2.0), 12.0]))
+    assert sample.std == pytest.approx(2.0)
+    assert sample.interval() == pytest.approx((10.0 - 3.182446, 10.0 + 3.182446), rel=1e-6)
+    half = 3.182446 * 2.0 * math.sqrt(1.25)
+    assert sample.interval(kind="prediction") == pytest.approx((10.0 - half, 10.0 + half), rel=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["confidence", "prediction"])
+def test_intervals_cover_what_they_say(kind):
+    rng = np.random.default_rng(7)
+    draws = 4000
+    hits = 0
+    for _ in range(draws):
+        low, high = Sample(rng.normal(3.0, 0.5, 4)).interval(kind=kind, level=0.9)
+        hits += low <= (3.0 if kind == "confidence" else rng.normal(3.0, 0.5)) <= high
+    # binomial: three standard deviations
+    assert hits / draws == pytest.approx(0.9, abs=3.0 * math.sqrt(0.9 * 0.1 / draws))
+
+
+def test_packings_for_a_precision_are_as_few_as_can_be():
+    rng = np.random.default_rng(1)
+    values = rng.normal(0.0, 1.0, 6)
+    sample = Sample(100.0 + (values - values.mean()) / values.std(ddof=1))  # 1 %
+    n = sample.packings_for(0.01)
+
+    def half(count: int) -> float:
+        return student.ppf(0.975, count - 1) * sample.std / math.sqrt(count) / sample.mean
+
+    assert half(n) <= 0.01 < half(n - 1)
+    assert n == 7
+
+
+def test_one_packing_has_no_interval(fit):
+    with pytest.raises(InputError, match="two or more"):
+        fit.interval("E")
+    with pytest.raises(InputError, match="two or more"):
+        fit.packings_for(0.01)
+    with pytest.raises(InputError, match="quantity = 'G'"):
+        fit.interval("G")
+    with pytest.raises(InputError, match="kind = 'sure'"):
+        Sample(np.array([1.0, 2.0])).interval(kind="sure")
 
 
 def test_bad_input_says_what_to_do(lattices):
@@ -95,7 +236,7 @@ def test_bad_input_says_what_to_do(lattices):
     with pytest.raises(InputError, match="not an instance"):
         bd.calibrate(lattices[0], SILICA, law=bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.5))
     with pytest.raises(InputError, match="no fixed parameter 'radius_ratio'"):
-        bd.calibrate(lattices[0], SILICA, radius_ratio=0.5)
+        bd.calibrate(lattices[0], SILICA, law=bd.EulerBernoulli, radius_ratio=0.5)
     with pytest.raises(InputError, match="no fixed parameter 'kapa'"):
         bd.calibrate(lattices[0], SILICA, law=bd.ParallelBond, kapa=2.0)
     with pytest.raises(InputError, match="search"):

@@ -1,4 +1,4 @@
-"""Elastic calibration: bond parameters with which a specimen has given E, ν and ρ."""
+"""Elastic calibration: bond parameters with which specimens have given E, ν and ρ."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
@@ -6,12 +6,15 @@ from typing import Any
 
 import numpy as np
 
+from bondem.calibration.abacus import curve
 from bondem.calibration.density import element_density
 from bondem.calibration.free_parameter import FreeParameter
+from bondem.calibration.reach import recommend
+from bondem.calibration.response import Response, Slope
+from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError
-from bondem.labtests.tension import Tension, static_tension
+from bondem.labtests.tension import Tension
 from bondem.laws.bond import BondLaw
-from bondem.laws.euler_bernoulli import EulerBernoulli
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 
@@ -38,43 +41,103 @@ class Calibration:
     Attributes:
         law: the bond law to use.
         density: of the elements, ρ_μ [kg/m³].
-        parameter: name of the parameter found for ν, "radius_ratio" or "kappa".
+        material: the target.
+        parameter: name of the parameter found for ν: "radius_ratio", "kappa" or "alpha_s".
         table: every evaluation, in ascending order of the parameter.
-        tensions: the tension test of each calibrating lattice with the final law.
+        responses: what each calibrating lattice does with the final law.
+        slopes: of each lattice to the parameter.
+        reason: why this law was taken, where it was not chosen.
     """
 
     law: BondLaw
     density: float
+    material: Material
     parameter: str
     table: tuple[Trial, ...]
-    tensions: tuple[Tension, ...]
+    responses: tuple[Response, ...]
+    slopes: tuple[Slope, ...]
+    reason: str = ""
+
+    @property
+    def tensions(self) -> tuple[Tension, ...]:
+        """The tension test of each calibrating lattice with the final law; none of periodic cells."""
+        return tuple(one.tension for one in self.responses if one.tension is not None)
+
+    @property
+    def value(self) -> float:
+        """Of the parameter [-]."""
+        return float(getattr(self.law, self.parameter))
 
     @property
     def E(self) -> float:
         """Young's modulus achieved, mean over the lattices [Pa]."""
-        return float(np.mean([tension.E for tension in self.tensions]))
+        return self.sample("E").mean
 
     @property
     def nu(self) -> float:
         """Poisson's ratio achieved, mean over the lattices [-]."""
-        return float(np.mean([tension.nu for tension in self.tensions]))
+        return self.sample("nu").mean
 
     @property
     def E_std(self) -> float:
         """Standard deviation of E over the lattices [Pa]; 0 for one."""
-        return _deviation([tension.E for tension in self.tensions])
+        return self.sample("E").std
 
     @property
     def nu_std(self) -> float:
         """Standard deviation of ν over the lattices [-]; 0 for one."""
-        return _deviation([tension.nu for tension in self.tensions])
+        return self.sample("nu").std
+
+    def sample(self, quantity: str) -> Sample:
+        """One quantity of each calibrating lattice.
+
+        Args:
+            quantity: "E" [Pa] or "nu" [-] with the calibrated law; "E_mu" [Pa] or "value" [-], the modulus and the
+                parameter of bonds that each lattice would have by itself, to first order in its difference.
+
+        Raises:
+            InputError: another quantity.
+        """
+        E, nu = (np.array([getattr(one, name) for one in self.responses]) for name in ("E", "nu"))
+        if quantity in ("E", "nu"):
+            return Sample(E if quantity == "E" else nu)
+        if quantity not in ("E_mu", "value"):
+            raise InputError(f"quantity = '{quantity}'; choose from E, nu, E_mu, value")
+        shift = (nu.mean() - nu) / np.array([slope.nu for slope in self.slopes])
+        if quantity == "value":
+            return Sample(self.value + shift)
+        log_E = np.log(E / E.mean()) + np.array([slope.log_E for slope in self.slopes]) * shift
+        return Sample(self.law.E * np.exp(-log_E))
+
+    def interval(self, quantity: str, *, kind: str = "confidence", level: float = 0.95) -> tuple[float, float]:
+        """Interval of the mean of all packings ("confidence") or of one new packing ("prediction").
+
+        For packings made like those of the calibration; see `Sample.interval`.
+
+        Args:
+            quantity: "E", "nu", "E_mu" or "value"; see `sample`.
+            kind: "confidence" or "prediction".
+            level: share of cases in which the interval is right [-].
+
+        Raises:
+            InputError: calibrated on one packing, or an unknown quantity or kind.
+        """
+        return self.sample(quantity).interval(kind=kind, level=level)
+
+    def packings_for(self, precision: float, *, quantity: str = "E", level: float = 0.95) -> int:
+        """Number of calibrating packings for a mean within ± precision [-], at the scatter seen here."""
+        return self.sample(quantity).packings_for(precision, level=level)
+
+    def sensitivity(self, parameter: str) -> Slope:
+        """d ln E / dp and dν / dp to any parameter of the law, mean over the lattices."""
+        return _mean_slope([one.slope(parameter) for one in self.responses])
 
 
 def calibrate(
     lattice: Lattice | Sequence[Lattice],
     material: Material,
     *,
-    law: type[BondLaw] = EulerBernoulli,
+    law: type[BondLaw] | None = None,
     nu_mu: float = 0.3,
     search: tuple[float, float] | None = None,
     tolerance: float = 1e-5,
@@ -83,18 +146,21 @@ def calibrate(
     """Find the law of a family with which specimens have the E, ν and ρ of a material.
 
     In linear elasticity ν does not depend on E_μ and E is proportional to it: one root in the law's free
-    parameter gives ν (r̃, or κ for parallel and contact bonds), one division gives E. Moduli are those of
-    `labtests.static_tension` along x; over several lattices, their means are calibrated.
+    parameter gives ν (r̃, or κ for parallel and contact bonds, or α_s for those of Obermayr), one division gives E.
+    The root is Newton's, with the derivative of the adjoint problem, begun on the curve of the law that comes with
+    bondem: two or three evaluations. Moduli are those of `labtests.static_tension` along x, or of `bulk_moduli`
+    for periodic cells; over several lattices, their means are calibrated.
 
     Args:
         lattice: the specimen, or several packings of it.
         material: the target.
-        law: family of bond laws.
+        law: family of bond laws; the one that `recommend` names unless given.
         nu_mu: Poisson's ratio of the bonds, ν_μ [-]; it hardly matters for Euler–Bernoulli bonds.
-        search: between which values of the free parameter to look; r̃ in (0.1, 0.9), κ in (0.5, 50).
+        search: between which values of the free parameter to look; r̃ in (0.1, 0.9), κ in (0.5, 50), α_s in
+            (0.05, 2.5).
         tolerance: on ν [-].
-        **parameters: further parameters of the law, held fixed (radius_rule=, alpha_s=, radius_ratio= of
-            parallel bonds, which is 1 unless given).
+        **parameters: further parameters of the law, held fixed (radius_rule=, formulation=, and radius_ratio= of
+            parallel bonds and those of Obermayr, which is 1 unless given).
 
     Raises:
         UnreachableTargetError: the law cannot give this ν on this lattice; the message names its reach.
@@ -103,37 +169,55 @@ def calibrate(
     lattices = [lattice] if isinstance(lattice, Lattice) else list(lattice)
     if not lattices:
         raise InputError("calibrate needs at least one lattice; pass bd.connect(particles)")
-    if not (isinstance(law, type) and issubclass(law, BondLaw)):
+    if law is not None and not (isinstance(law, type) and issubclass(law, BondLaw)):
         raise InputError(f"law = {law!r}; pass a bond law class, such as bd.EulerBernoulli, not an instance")
     if search is not None and not 0.0 < search[0] < search[1]:
         raise InputError(f"search = {search}; give two positive values, the smaller first")
+    reason = ""
+    if law is None:
+        choice = recommend(material.nu)
+        law, reason = choice.law, choice.reason
     free = FreeParameter.of(law, search)
     fixed = _fixed_parameters(law, free, parameters) | {"nu": nu_mu}
-    trials: list[Trial] = []
+    trials: dict[float, Trial] = {}
+    found: list[Response] = []
 
     def bonds(E: float, value: float) -> BondLaw:
         varied: dict[str, Any] = {"E": E, free.name: value}
         return law(**fixed, **varied)
 
-    def measure(candidate: BondLaw) -> list[Tension]:
-        return [static_tension(specimen, candidate) for specimen in lattices]
+    def measured(candidate: BondLaw) -> list[Response]:
+        known = found or [None] * len(lattices)
+        return [Response(one, candidate, guess=last) for one, last in zip(lattices, known, strict=True)]
 
-    def nu_of(value: float) -> float:
-        tensions = measure(bonds(material.E, value))
-        E, nu = (float(np.mean([getattr(t, name) for t in tensions])) for name in ("E", "nu"))
-        trials.append(Trial(value, E / material.E, nu))
-        return nu
+    def nu_of(value: float) -> tuple[float, float]:
+        found[:] = measured(bonds(material.E, value))
+        slope = _mean_slope([one.slope(free.name) for one in found])
+        for one in found:
+            one.forget_matrix()
+        E, nu = (float(np.mean([getattr(one, name) for one in found])) for name in ("E", "nu"))
+        trials[value] = Trial(value, E / material.E, nu)
+        return nu, slope.nu
 
-    value = free.solve(nu_of, material.nu, tolerance=tolerance, who=f"{law.__name__} bonds")
-    ratio = next(trial.stiffness_ratio for trial in trials if trial.value == value)
-    calibrated = bonds(material.E / ratio, value)
+    known = curve(law)
+    start = known.value_for(material.nu) if known is not None and known.parameter == free.name else None
+    value = free.solve(nu_of, material.nu, start=start, tolerance=tolerance, who=f"{law.__name__} bonds")
+    slopes = tuple(one.slope(free.name) for one in found)
+    calibrated = bonds(material.E / trials[value].stiffness_ratio, value)
     return Calibration(
         law=calibrated,
         density=element_density(lattices, material.rho),
+        material=material,
         parameter=free.name,
-        table=tuple(sorted(trials, key=lambda trial: trial.value)),
-        tensions=tuple(measure(calibrated)),
+        table=tuple(trials[key] for key in sorted(trials)),
+        responses=tuple(measured(calibrated)),
+        slopes=slopes,
+        reason=reason,
     )
+
+
+def _mean_slope(slopes: Sequence[Slope]) -> Slope:
+    return Slope(*(float(np.mean([getattr(one, name) for one in slopes])) for name in ("log_E", "nu")))
 
 
 def _fixed_parameters(law: type[BondLaw], free: FreeParameter, given: dict[str, Any]) -> dict[str, Any]:
@@ -149,7 +233,3 @@ def _fixed_parameters(law: type[BondLaw], free: FreeParameter, given: dict[str, 
     if free.name != "radius_ratio" and not {"radius_ratio", "radius"} & set(given):
         return {"radius_ratio": 1.0} | given
     return dict(given)
-
-
-def _deviation(values: list[float]) -> float:
-    return float(np.std(values, ddof=1)) if len(values) > 1 else 0.0

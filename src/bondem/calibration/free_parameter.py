@@ -6,98 +6,135 @@ from dataclasses import dataclass
 
 from bondem.errors import ConvergenceError, UnreachableTargetError
 from bondem.laws.bond import BondLaw
+from bondem.laws.obermayr import Obermayr
 from bondem.laws.parallel_bond import ParallelBond
 
 
 @dataclass(frozen=True)
 class FreeParameter:
-    """A law parameter that ν depends on, monotonically, and where to look for it.
+    """A positive law parameter that ν depends on, monotonically, and where to look for it.
 
     Attributes:
         name: keyword of the law.
         low, high: ends of the search.
-        first: the two values tried first, in ascending order.
     """
 
     name: str
     low: float
     high: float
-    first: tuple[float, float]
 
     @classmethod
-    def of(cls, law: type[BondLaw], search: tuple[float, float] | None) -> "FreeParameter":
-        """κ for bonds whose shear stiffness is kn/κ, else r̃: parallel bonds barely change ν with r̃."""
+    def of(cls, law: type[BondLaw], search: tuple[float, float] | None = None) -> "FreeParameter":
+        """κ or α_s for bonds whose shear stiffness does not know their slenderness, else r̃.
+
+        Parallel bonds and those of Obermayr barely change ν with r̃: all their stiffnesses but the moments grow
+        as r̃².
+        """
         if issubclass(law, ParallelBond):
-            low, high = search or (0.5, 50.0)
-            return cls("kappa", low, high, (low * (high / low) ** 0.25, low * (high / low) ** 0.6))
-        low, high = search or (0.1, 0.9)
-        return cls("radius_ratio", low, high, (low + 0.6 * (high - low), low + 0.85 * (high - low)))
+            return cls("kappa", *(search or (0.5, 50.0)))
+        if issubclass(law, Obermayr):
+            return cls("alpha_s", *(search or (0.05, 2.5)))
+        return cls("radius_ratio", *(search or (0.1, 0.9)))
 
     def solve(
-        self, nu_of: Callable[[float], float], target: float, *, tolerance: float, who: str
+        self,
+        measure: Callable[[float], tuple[float, float]],
+        target: float,
+        *,
+        start: float | None = None,
+        tolerance: float,
+        who: str,
     ) -> float:
-        """The value at which nu_of(value) is within `tolerance` of the target.
+        """The value at which ν is within `tolerance` of the target.
 
-        Inverse interpolation through the nearest trials, kept inside a bracket: ν is smooth and monotone in
-        the parameter, so five or six evaluations do.
+        Newton's method in the logarithm of the value, with a cubic through two values and their slopes from the
+        second step on, inside a bracket as soon as there is one: two or three evaluations do.
+
+        Args:
+            measure: ν and its derivative at a value.
+            target: of ν [-].
+            start: first value, from curves of similar specimens; the geometric mean of the ends unless given.
+            tolerance: on ν [-].
+            who: whose parameter it is, for messages.
 
         Raises:
             UnreachableTargetError: ν does not pass the target between `low` and `high`.
             ConvergenceError: ν is too rough for the tolerance.
         """
-        trials: dict[float, float] = {}
+        points: list[_Point] = []
+        ends = math.log(self.low), math.log(self.high)
 
-        def miss(value: float) -> float:
-            if value not in trials:
-                trials[value] = nu_of(value) - target
-            return trials[value]
+        def visit(x: float) -> _Point:
+            nu, slope = measure(self._value(x))
+            points.append(_Point(x, nu - target, slope * self._value(x)))
+            return points[-1]
 
-        bracket = self._bracket(miss, target, trials, who)
-        for _ in range(40):
-            best = min(trials, key=lambda value: abs(trials[value]))
-            if abs(trials[best]) <= tolerance:
-                return best
-            guess = _inverse_interpolation(trials)
-            low, high = sorted(bracket)
-            if not low < guess < high:
-                guess = 0.5 * (low + high)
-            side = 0 if math.copysign(1.0, miss(guess)) == math.copysign(1.0, miss(bracket[0])) else 1
-            bracket = (guess, bracket[1]) if side == 0 else (bracket[0], guess)
-        raise ConvergenceError(
-            f"{self.name} for nu = {target} did not settle to within {tolerance:g}; raise tolerance="
-        )
+        first = math.sqrt(self.low * self.high) if start is None else start
+        here = visit(math.log(min(max(first, self.low), self.high)))
+        while abs(here.miss) > tolerance:
+            if len(points) > 30:
+                raise ConvergenceError(
+                    f"{self.name} for nu = {target} did not settle to within {tolerance:g}; raise tolerance="
+                )
+            low = max((p.x for p in points if p.miss * _rising(points) < 0.0), default=ends[0])
+            high = min((p.x for p in points if p.miss * _rising(points) > 0.0), default=ends[1])
+            here = visit(self._next(points, low, high, ends))
+            if here.x in ends and abs(here.miss) > tolerance and _beyond(here, points, ends):
+                visit(ends[0] if here.x == ends[1] else ends[1])
+                reach = sorted(target + point.miss for point in points)
+                raise UnreachableTargetError(
+                    f"nu = {target:g} is outside {reach[0]:.3f} … {reach[-1]:.3f}, which {who} reach on this"
+                    f" lattice for {self.name} in [{self.low:g}, {self.high:g}]; choose another law, or search= wider"
+                )
+        return self._value(here.x)
 
-    def _bracket(
-        self, miss: Callable[[float], float], target: float, trials: dict[float, float], who: str
-    ) -> tuple[float, float]:
-        """Two values on either side of the target; the ends of the search are tried only if they must be."""
-        inner = self.first
-        if miss(inner[0]) * miss(inner[1]) <= 0.0:
-            return inner
-        falling = trials[inner[1]] < trials[inner[0]]
-        upward = falling == (trials[inner[1]] > 0.0)
-        near, end = (inner[1], self.high) if upward else (inner[0], self.low)
-        if miss(near) * miss(end) <= 0.0:
-            return near, end
-        for value in (self.low, self.high):
-            miss(value)
-        reach = sorted(target + error for error in trials.values())
-        raise UnreachableTargetError(
-            f"nu = {target:g} is outside {reach[0]:.3f} … {reach[-1]:.3f}, which {who} reach on this lattice"
-            f" for {self.name} in [{self.low:g}, {self.high:g}]; choose another law, or search= wider"
-        )
+    def _value(self, x: float) -> float:
+        # the ends come back as they were given
+        return min(max(math.exp(x), self.low), self.high)
+
+    @staticmethod
+    def _next(points: list["_Point"], low: float, high: float, ends: tuple[float, float]) -> float:
+        best = sorted(points, key=lambda point: abs(point.miss))[:2]
+        guess = best[0].x - best[0].miss / best[0].slope if best[0].slope else math.nan
+        if len(best) == 2 and best[0].slope * best[1].slope > 0.0 and best[0].miss != best[1].miss:
+            guess = _through(*best)
+        seen = {point.x for point in points}
+        if not low < guess < high:
+            # an end of the search that was not tried yet, else the middle
+            end = low if guess <= low else high
+            return end if end in ends and end not in seen else 0.5 * (low + high)
+        return guess
 
 
-def _inverse_interpolation(trials: dict[float, float]) -> float:
-    """Where the polynomial value(miss) through the (at most four) best trials crosses miss = 0."""
-    nearest = sorted(trials.items(), key=lambda item: abs(item[1]))[:4]
-    total = 0.0
-    for value, error in nearest:
-        weight = 1.0
-        for other_value, other in nearest:
-            if other_value != value:
-                if other == error:
-                    return math.nan
-                weight *= other / (other - error)
-        total += weight * value
-    return total
+@dataclass(frozen=True)
+class _Point:
+    """One evaluation: x the logarithm of the value, the miss of ν and its derivative to x."""
+
+    x: float
+    miss: float
+    slope: float
+
+
+def _rising(points: list[_Point]) -> float:
+    """+1 where ν rises with the parameter, -1 where it falls: as the points lie, else as the slope says."""
+    left, right = min(points, key=lambda point: point.x), max(points, key=lambda point: point.x)
+    return math.copysign(1.0, right.miss - left.miss if right.x > left.x else left.slope)
+
+
+def _beyond(here: _Point, points: list[_Point], ends: tuple[float, float]) -> bool:
+    """Whether the target lies outside of the end that was just tried."""
+    outward = 1.0 if here.x == ends[1] else -1.0
+    return here.miss * _rising(points) * outward < 0.0
+
+
+def _through(a: _Point, b: _Point) -> float:
+    """x(miss) at miss = 0 by the cubic through two points and their slopes."""
+    width = b.miss - a.miss
+    t = -a.miss / width
+    start, end = width / a.slope, width / b.slope
+    return (
+        (1.0 + 2.0 * t) * (1.0 - t) ** 2 * a.x
+        + t * (1.0 - t) ** 2 * start
+        + t * t * (3.0 - 2.0 * t) * b.x
+        + t * t * (t - 1.0) * end
+    )

@@ -12,7 +12,7 @@ import click
 from bondem import __version__
 from bondem.errors import BondemError, UnstableRunError
 
-_COMMANDS = ("resume", "run", "study")
+_COMMANDS = ("calibrate", "resume", "run", "study")
 
 OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130
 

@@ -12,6 +12,13 @@ from bondem.specimen.regions import Region
 BondAssignment = BondLaw | Mapping[Region | tuple[Region, Region], BondLaw]
 
 
+def bond_geometry(lattice: Lattice) -> BondGeometry:
+    """What laws may know of the bonds of a lattice, user's order."""
+    i, j = lattice.pairs.T
+    r = lattice.particles.radius
+    return BondGeometry(lattice.length, r[i], r[j], lattice.particles.mean_radius)
+
+
 def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondStiffness, str]:
     """Stiffnesses of all bonds in the user's order, and the formulation.
 
@@ -26,8 +33,7 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
             raise InputError("the lattice has bonds: give bond= a bond law, or a lattice without bonds")
         return BondStiffness.empty(0), "total"
     i, j = lattice.pairs.T
-    r = lattice.particles.radius
-    geometry = BondGeometry(lattice.length, r[i], r[j], lattice.particles.mean_radius)
+    geometry = bond_geometry(lattice)
     if isinstance(bond, BondLaw):
         return bond.stiffness(geometry), bond.formulation
     if not isinstance(bond, Mapping) or not bond:

@@ -1,6 +1,6 @@
 """Static equilibrium: where a model comes to rest under its final loads."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,6 +28,10 @@ class StaticResult:
     rotation: PerElement3
     reaction: PerElement6
     energy: EnergyParts
+
+    def scaled(self, factor: float) -> "StaticResult":
+        """The same with motions times a factor, as a guess for bonds of another modulus."""
+        return replace(self, displacement=factor * self.displacement, rotation=factor * self.rotation)
 
 
 @one_blas_thread

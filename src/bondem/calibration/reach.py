@@ -1,0 +1,114 @@
+"""What Poisson's ratios a bond law can give, and which law to take for a material."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from bondem.calibration.abacus import curve
+from bondem.calibration.free_parameter import FreeParameter
+from bondem.calibration.response import Response
+from bondem.errors import UnreachableTargetError
+from bondem.laws.bond import BondLaw
+from bondem.laws.euler_bernoulli import EulerBernoulli
+from bondem.laws.obermayr import Obermayr
+from bondem.laws.parallel_bond import ParallelBond
+from bondem.laws.timoshenko import Timoshenko
+from bondem.specimen.lattice import Lattice
+
+# Packings differ from the curves by about a hundredth.
+_MARGIN = 0.01
+
+# In the order in which they are recommended: Euler–Bernoulli bonds are those of the paper that bondem follows, with
+# one parameter beside E_μ that is a length one can see; those of Obermayr and parallel bonds reach the widest range
+# of ν by a factor on the shear stiffness alone; those of Timoshenko barely change ν at all.
+_PREFERRED: tuple[type[BondLaw], ...] = (EulerBernoulli, Obermayr, ParallelBond, Timoshenko)
+
+
+@dataclass(frozen=True)
+class Reach:
+    """Poisson's ratios that a law gives on a lattice.
+
+    Attributes:
+        law: family of bond laws.
+        parameter: what is varied.
+        values: of the parameter, in ascending order.
+        nu: Poisson's ratio at each [-].
+        stiffness_ratio: E / E_μ at each [-].
+    """
+
+    law: type[BondLaw]
+    parameter: str
+    values: tuple[float, ...]
+    nu: tuple[float, ...]
+    stiffness_ratio: tuple[float, ...]
+
+    @property
+    def smallest(self) -> float:
+        """Smallest ν found [-]."""
+        return min(self.nu)
+
+    @property
+    def largest(self) -> float:
+        """Largest ν found [-]."""
+        return max(self.nu)
+
+
+@dataclass(frozen=True)
+class Recommendation:
+    """A law for a material.
+
+    Attributes:
+        law: family of bond laws.
+        reason: a sentence.
+    """
+
+    law: type[BondLaw]
+    reason: str
+
+
+def reach(
+    lattice: Lattice, law: type[BondLaw], *, nu_mu: float = 0.3, points: int = 5, **fixed: Any
+) -> Reach:
+    """Compute what ν a law gives on a lattice over the range that calibration searches.
+
+    Args:
+        lattice: the specimen, or a periodic cell.
+        law: family of bond laws.
+        nu_mu: Poisson's ratio of the bonds [-].
+        points: number of values, in equal ratios.
+        **fixed: further parameters of the law; radius_ratio is 1 where it is not what varies.
+    """
+    free = FreeParameter.of(law)
+    if free.name != "radius_ratio" and "radius" not in fixed:
+        fixed = {"radius_ratio": 1.0} | fixed
+    values = tuple(free.low * (free.high / free.low) ** (k / (points - 1)) for k in range(points))
+    found: list[Response] = []
+    for value in values:
+        varied: dict[str, Any] = {"E": 1e9, "nu": nu_mu, free.name: value}
+        found.append(Response(lattice, law(**fixed, **varied)))
+    return Reach(law, free.name, values, tuple(one.nu for one in found), tuple(one.E / 1e9 for one in found))
+
+
+def recommend(nu: float) -> Recommendation:
+    """The law to take for a Poisson's ratio: the first in order of preference whose curve passes it with room.
+
+    The curves are those of `bondem study abacus`, for packings of 6.2 contacts a sphere.
+
+    Raises:
+        UnreachableTargetError: no law reaches ν.
+    """
+    reaches = []
+    for law in _PREFERRED:
+        known = curve(law)
+        if known is None:
+            continue
+        low, high = known.reach
+        reaches.append(f"{law.__name__} {low:.2f} … {high:.2f}")
+        if low + _MARGIN <= nu <= high - _MARGIN:
+            passed = f"; not reached by {', '.join(reaches[:-1])}" if len(reaches) > 1 else ""
+            return Recommendation(
+                law, f"{law.__name__} bonds reach ν from {low:.2f} to {high:.2f} by {known.parameter}{passed}"
+            )
+    raise UnreachableTargetError(
+        f"no bond law reaches nu = {nu:g} by more than {_MARGIN:g}: {', '.join(reaches)}; choose law= and search="
+        " yourself"
+    )

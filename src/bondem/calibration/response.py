@@ -1,0 +1,130 @@
+"""What one lattice does with a bond law: E and ν, and how both change with the parameters of the law.
+
+Both are linear functionals of a static solution, or its energy, so their derivatives need no difference of two
+solutions. With K u = f, ε = cᵀ u and the adjoint K λ = c,
+
+    dε/dp = - λᵀ (dK/dp) u = - Σ bonds, (dk/dp) × (products of the bond's deformation under u and under λ),
+
+and in a periodic cell, whose stiffness is stationary in the motions, the same sum with u for λ.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.labtests.bulk import BulkModuli, bulk_moduli, isotropic_average
+from bondem.labtests.gauge_length import AffineField, middle_half
+from bondem.labtests.tension import Tension, tension_model, tension_of
+from bondem.laws.bond import BondGeometry, BondLaw
+from bondem.model.assignment import bond_geometry
+from bondem.observe.bond_strain import BondStrain
+from bondem.solve.static import Statics
+from bondem.specimen.lattice import Lattice
+
+# Central differences of closed forms over this share of a parameter: right to ten digits.
+_STEP = 1e-5
+
+
+@dataclass(frozen=True)
+class Slope:
+    """How a lattice changes with a parameter p of its bonds.
+
+    Attributes:
+        log_E: d ln E / dp.
+        nu: dν / dp.
+    """
+
+    log_E: float
+    nu: float
+
+
+class Response:
+    """E and ν of one lattice with one law: bulk moduli of a periodic cell, else a tension test along x.
+
+    Attributes:
+        lattice: the specimen.
+        law: its bonds.
+        E: Young's modulus [Pa].
+        nu: Poisson's ratio [-].
+        tension: the tension test, or None.
+        moduli: the bulk moduli, or None.
+    """
+
+    def __init__(self, lattice: Lattice, law: BondLaw, *, guess: "Response | None" = None) -> None:
+        self.lattice, self.law = lattice, law
+        self.tension: Tension | None = None
+        self.moduli: BulkModuli | None = None
+        self._adjoint: tuple[BondStrain, ...] | None = None
+        self._statics: Statics | None = None
+        if lattice.particles.period is not None:
+            self.moduli = bulk_moduli(lattice, law, guess=guess.moduli if guess is not None else None)
+            self.E, self.nu = self.moduli.E, self.moduli.nu
+        else:
+            self._statics = Statics(tension_model(lattice, law))
+            start = None
+            if guess is not None and guess.tension is not None:
+                start = guess.tension.solution.scaled(guess.law.E / law.E)
+            self.tension = tension_of(self._statics, guess=start)
+            self.E, self.nu = self.tension.E, self.tension.nu
+
+    def slope(self, parameter: str) -> Slope:
+        """Derivatives to a parameter of the law: "radius_ratio", "nu", "kappa" or "alpha_s".
+
+        A tension test solves two adjoint problems, once for all parameters; bulk moduli need none.
+        """
+        change = stiffness_slope(self.lattice, self.law, parameter)
+        if self.moduli is not None:
+            return _slope_of_moduli(self.moduli, self.moduli.stiffness_of(change))
+        assert self.tension is not None
+        u, axial, lateral = self._deformations()
+        d_axial, d_lateral = (-float(np.vdot(change, adjoint.products(u))) for adjoint in (axial, lateral))
+        strain = np.diag(self.tension.strain)
+        return Slope(float(-d_axial / strain[0]), float(-(d_lateral + self.nu * d_axial) / strain[0]))
+
+    def forget_matrix(self) -> None:
+        """Free the matrix it was solved with; it is assembled again where slopes are first asked for later."""
+        self._statics = None
+
+    def _deformations(self) -> tuple[BondStrain, ...]:
+        """Of the bonds under the tension and under the adjoints of axial and mean lateral strain."""
+        if self._adjoint is None:
+            assert self.tension is not None
+            if self._statics is None:
+                self._statics = Statics(tension_model(self.lattice, self.law))
+            lattice, lever = self.lattice, self._statics.model.stiffness.lever
+            chosen = middle_half(lattice)
+            weight = AffineField.weights(lattice.particles.position[chosen])
+            loads = np.zeros((2, len(lattice.particles), 6))
+            loads[0, chosen, 0] = weight[:, 0]
+            loads[1, chosen, 1:3] = 0.5 * weight[:, 1:]
+            statics = self._statics
+            motions = [statics.response(load) for load in loads]
+            solution = self.tension.solution
+            motions.insert(0, np.hstack([solution.displacement, solution.rotation]))
+            self._adjoint = tuple(BondStrain.of(lattice, lever, m[:, :3], m[:, 3:]) for m in motions)
+        return self._adjoint
+
+
+def stiffness_slope(lattice: Lattice, law: BondLaw, parameter: str) -> Floats:
+    """Derivatives of kn, ks, kb and kt of every bond to a parameter of the law, (4, m)."""
+    bonds = bond_geometry(lattice)
+    value = float(getattr(law, parameter))
+    step = _STEP * max(abs(value), 1e-3)
+    above, below = (_stiffness(law, bonds, {parameter: value + sign * step}) for sign in (1.0, -1.0))
+    return (above - below) / (2.0 * step)
+
+
+def _stiffness(law: BondLaw, bonds: BondGeometry, changed: dict[str, Any]) -> Floats:
+    k = replace(law, **changed).stiffness(bonds)
+    return np.stack([k.kn, k.ks, k.kb, k.kt])
+
+
+def _slope_of_moduli(moduli: BulkModuli, change: Floats) -> Slope:
+    (K, G), (dK, dG) = isotropic_average(moduli.stiffness), isotropic_average(change)
+    whole = 3.0 * K + G
+    return Slope(
+        log_E=(dK * G / K + 3.0 * dG * K / G) / whole,
+        nu=4.5 * (dK * G - dG * K) / whole**2,
+    )

@@ -1,0 +1,116 @@
+"""`bondem calibrate --E 72.5e9 --nu 0.17 --rho 2201`: bonds for a material, in one command."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import click
+from rich.console import Console
+from rich.table import Table
+
+from bondem.cli.terminal import on_threads, progress_bars
+from bondem.errors import InputError
+from bondem.laws.bond import BondLaw
+from bondem.report.numbers import percent, quantity, words
+from bondem.specimen import materials
+from bondem.specimen.material import Material
+from bondem.study.calibration import SHAPES, CalibrationPlan, run_calibration
+from bondem.study.study import LAWS
+
+_LAWS: dict[str, type[BondLaw]] = {
+    "euler-bernoulli": LAWS["EulerBernoulli"],
+    "timoshenko": LAWS["Timoshenko"],
+    "parallel": LAWS["ParallelBond"],
+    "obermayr": LAWS["Obermayr"],
+}
+_SYMBOLS = {"radius_ratio": "r̃", "kappa": "κ", "alpha_s": "α_s"}
+
+
+@click.command("calibrate")
+@click.option("--material", metavar="NAME", help="From the library, such as granite; --E, --nu, --rho change it.")
+@click.option("--E", "E", type=float, help="Young's modulus [Pa].")
+@click.option("--nu", type=float, help="Poisson's ratio [-].")
+@click.option("--rho", type=float, help="Density [kg/m³].")
+@click.option("--law", type=click.Choice(tuple(_LAWS)), help="Bond law; the recommended one unless given.")
+@click.option("--count", type=click.IntRange(min=200), default=10_000, show_default=True, help="Elements each.")
+@click.option("--packings", type=click.IntRange(min=1), default=3, show_default=True, help="Packings.")
+@click.option("--shape", type=click.Choice(tuple(SHAPES)), default="cell", show_default=True,
+              help="A periodic cell (bulk, no surfaces) or the cylinder of André et al. (2012).")  # fmt: skip
+@click.option("--spread", type=click.FloatRange(0.0, 2.0, max_open=True), default=0.25, show_default=True,
+              help="Full range of the radii over their mean, κ.")  # fmt: skip
+@click.option("--nu-mu", type=float, default=0.3, show_default=True, help="Poisson's ratio of the bonds.")
+@click.option("--seed", type=click.IntRange(min=0), default=1, show_default=True, help="Of the first packing.")
+@click.option("--out", metavar="DIR", type=click.Path(path_type=Path), help="Where calibration.json goes.")
+@click.option("--threads", type=click.IntRange(min=1), help="Number of threads; all cores unless given.")
+def command(
+    material: str | None, E: float | None, nu: float | None, rho: float | None, law: str | None, count: int,
+    packings: int, shape: str, spread: float, nu_mu: float, seed: int, out: Path | None, threads: int | None,
+) -> None:  # fmt: skip
+    """Find the bonds with which a material has its E, ν and ρ, and say how sure that is."""
+    plan = CalibrationPlan(
+        material=_material(material, E, nu, rho), law=_LAWS[law] if law else None, count=count, packings=packings,
+        shape=shape, spread=spread, nu_mu=nu_mu, seed=seed,
+    )  # fmt: skip
+    with on_threads(threads), progress_bars() as progress:
+        _, found = run_calibration(plan, out, progress=progress)
+    _show(found)
+    if out is not None:
+        click.echo(f"\n  {out / 'calibration.json'}\n  {out / 'calibration.png'}")
+
+
+def _material(name: str | None, E: float | None, nu: float | None, rho: float | None) -> Material:
+    given = {"E": E, "nu": nu, "rho": rho}
+    if name is None:
+        missing = [f"--{key}" for key, value in given.items() if value is None]
+        if missing:
+            raise InputError(f"{' and '.join(missing)} missing; give --E, --nu and --rho, or --material NAME")
+        assert E is not None
+        assert nu is not None
+        assert rho is not None
+        return Material("the material", E=E, nu=nu, rho=rho)
+    known = materials.get(name)
+    return replace(known, **{key: value for key, value in given.items() if value is not None})
+
+
+def _show(found: dict[str, Any]) -> None:
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console.width = 120
+    micro, specimen, timing = found["micro"], found["specimen"], found["timing"]
+    symbol = _SYMBOLS[found["parameter"]]
+    target = found["material"]
+    console.print(
+        f"\n[bold]{words(found['law'])} bonds[/bold] for {target['name']} (E = {quantity(target['E'], 'Pa')},"
+        f" ν = {target['nu']:g}, ρ = {quantity(target['rho'], 'kg/m³')})", soft_wrap=True,
+    )  # fmt: skip
+    if found["reason"]:
+        console.print(f"  {found['reason']}", soft_wrap=True)
+    radius = "" if found["parameter"] == "radius_ratio" else f", r̃ = {micro['r_mu_ratio']:g}"
+    console.print(
+        f"\n  E_μ = {quantity(micro['E_mu'], 'Pa')}, {symbol} = {micro[found['parameter']]:.4f}{radius},"
+        f" ν_μ = {micro['nu_mu']:g}, ρ_μ = {quantity(micro['rho_mu'], 'kg/m³')}\n", soft_wrap=True,
+    )  # fmt: skip
+    table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
+    for name in ("", "achieved", "scatter", "mean of all packings, 95 %", "one new packing, 95 %"):
+        table.add_column(name, justify="right" if name else "left", no_wrap=True)
+    rows = (("E", "  E", "Pa"), ("nu", "  ν", "-"), ("E_mu", "  E_μ", "Pa"), ("value", f"  {symbol}", "-"))
+    for key, label, unit in rows:
+        one = found["quantities"][key]
+        scatter = "–" if one["std"] is None else percent(one["std"] / one["mean"])
+        table.add_row(label, quantity(one["mean"], unit), scatter, _interval(one["confidence_95"], unit),
+                      _interval(one["prediction_95"], unit))  # fmt: skip
+    console.print(table, soft_wrap=True)
+    place = "periodic cell" if specimen["shape"] == "cell" else specimen["shape"]
+    needed = found["packings_for_1_percent"]
+    more = "" if needed["E"] is None else (
+        f"\n  for a mean within 1 % at 95 %: {needed['E']} packings for E, {needed['nu']} for ν"
+    )  # fmt: skip
+    console.print(
+        f"\n  {specimen['packings']} × {specimen['elements']} elements, {place}, z ="
+        f" {', '.join(f'{z:.2f}' for z in specimen['coordination_number'])}{more}\n"
+        f"  packed in {timing['pack_s']:.1f} s, calibrated in {timing['calibrate_s']:.1f} s", soft_wrap=True,
+    )  # fmt: skip
+
+
+def _interval(interval: tuple[float, float] | None, unit: str) -> str:
+    return "–" if interval is None else " … ".join(quantity(value, unit) for value in interval)

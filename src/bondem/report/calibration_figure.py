@@ -1,0 +1,47 @@
+"""A calibration as a figure: the curves it walks along, where it ends, and how packings scatter."""
+
+from pathlib import Path
+
+import numpy as np
+
+from bondem.calibration.abacus import curve
+from bondem.calibration.elastic import Calibration
+from bondem.report.numbers import quantity, words
+from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
+
+_NAMES = {"radius_ratio": "radius ratio r̃ [-]", "kappa": "stiffness ratio κ [-]", "alpha_s": "shear factor α_s [-]"}
+
+
+def draw_calibration(path: Path, fit: Calibration) -> None:
+    """ν and E/E_μ over the free parameter, and E and ν of every calibrating packing.
+
+    Args:
+        path: PNG to write.
+        fit: the calibration.
+    """
+    known = curve(type(fit.law))
+    trial = np.array([(one.value, one.nu, one.stiffness_ratio) for one in fit.table]).T
+    with sheet(path, 10.2, 3.5, 1, 3) as (_, (left, middle, right)):
+        for ax, row, label, name in (
+            (left, 1, "Poisson's ratio ν [-]", "nu"), (middle, 2, "E / E_μ [-]", "stiffness_ratio"),
+        ):  # fmt: skip
+            if known is not None and known.parameter == fit.parameter:
+                ax.plot(known.values, getattr(known, name), color=GREY, linewidth=1.2, label="curve in bulk")
+            ax.plot(trial[0], trial[row], "o", color=BLUE, markersize=4.5, label="evaluations")
+            ax.axvline(fit.value, color=ORANGE, linewidth=1.0)
+            ax.set(xlabel=_NAMES[fit.parameter], ylabel=label)
+            if fit.parameter != "radius_ratio":
+                ax.set_xscale("log")
+        left.axhline(fit.material.nu, color=ORANGE, linewidth=1.0, label=f"wanted: {fit.material.nu:g}")
+        left.set_title(f"{words(type(fit.law).__name__)} bonds: {fit.value:.4g}")
+        middle.set_title(f"E_μ = {quantity(fit.law.E, 'Pa')}")
+        for ax in (left, middle):
+            ax.legend(fontsize=8.0)
+        E, nu = (fit.sample(name).values for name in ("E", "nu"))
+        off = 100.0 * np.stack([E / fit.material.E - 1.0, nu / fit.material.nu - 1.0])
+        right.plot(*off, "o", color=BLUE)
+        for line in (right.axhline, right.axvline):
+            line(0.0, color=INK, linewidth=0.8)
+        size = 1.3 * max(np.abs(off).max(), 0.01)
+        right.set(xlim=(-size, size), ylim=(-size, size), title=f"{len(E)} packing" + ("s" if len(E) > 1 else ""),
+                  xlabel="E against target [%]", ylabel="ν against target [%]")  # fmt: skip
