@@ -75,7 +75,9 @@ def test_parallel_bonds_are_calibrated_by_kappa(lattices):
 
 def test_a_target_out_of_reach_names_the_reach(lattices):
     with pytest.raises(UnreachableTargetError, match=r"nu = 0\.45 is outside 0\.\d+ … 0\.\d+, which EulerBernoulli"):
-        bd.calibrate(lattices[0], bd.Material("rubber", E=1e6, nu=0.45, rho=1000.0), search=(0.5, 0.8))
+        bd.calibrate(
+            lattices[0], bd.Material("rubber", E=1e6, nu=0.45, rho=1000.0), law=bd.EulerBernoulli, search=(0.5, 0.8)
+        )
     # shear-flexible bonds do not come down to 0.17 below r̃ = 0.9
     with pytest.raises(UnreachableTargetError, match=r"Timoshenko bonds .* radius_ratio in \[0\.4, 0\.9\]"):
         bd.calibrate(lattices[0], SILICA, law=bd.Timoshenko, search=(0.4, 0.9))

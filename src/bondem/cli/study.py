@@ -4,7 +4,7 @@ import importlib
 
 import click
 
-_STUDIES = ("abacus", "dispersion", "refinement")
+_STUDIES = ("abacus", "coverage", "dispersion", "quasistatic", "refinement", "section", "vibration", "wave")
 
 
 class _Studies(click.Group):

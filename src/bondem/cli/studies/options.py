@@ -35,5 +35,10 @@ def carry_out(study: PackingStudy, out: Path, processes: int | None) -> None:
     """Run a study, then print its tables and where everything is."""
     with progress_bars() as progress:
         run_study(study, out, processes=processes, progress=progress)
+    show(out)
+
+
+def show(out: Path) -> None:
+    """Print the tables of a study and where everything is."""
     click.echo(f"\n{(out / 'table.md').read_text(encoding='utf-8')}")
     click.echo(f"{out / 'report.html'}\n{out / 'results.json'}")
