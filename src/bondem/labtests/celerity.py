@@ -2,17 +2,12 @@
 
 import numpy as np
 
-from bondem.errors import InputError, UnstableRunError
+from bondem.errors import InputError
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.outcome import Outcome
+from bondem.labtests.wave import first_passage, strike
 from bondem.model.assignment import BondAssignment
-from bondem.model.boundary import Drive
-from bondem.model.gauges import Gauge
-from bondem.model.model import Model
-from bondem.run import solve_explicit
-from bondem.solve.explicit import Status
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
 
 
 def impact(
@@ -49,26 +44,14 @@ def impact(
     """
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, depth=depth)
     expected = bar.paper.length / bar.paper.wave_speed
-    near, far = Face("x_max", depth), Face("x_min", depth)
-    run = solve_explicit(
-        Model(lattice, law, density=density, boundary=[Drive(near, vx=-velocity)]),
-        duration=2.7 * expected,
-        gauges={"near": Gauge(near, "velocity"), "far": Gauge(far, "velocity")},
-        every=1,
-    )
-    if run.status is Status.UNSTABLE:
-        raise UnstableRunError(run.message)
-    time = run.history.time
-    v = -run.history["far"][:, 0]
-    plateau = v[time >= 1.4 * expected].mean()
+    wave = strike(lattice, law, density=density, duration=2.7 * expected, velocity=velocity, depth=depth)
+    plateau = wave.far[wave.time >= 1.4 * expected].mean()
     if not plateau > velocity:
         raise InputError(
             f"no wave arrived: the far face moves at {plateau:.3g} m/s, not near {2.0 * velocity:g};"
             " check E=, rho= and density=, or use a finer specimen"
         )
-    first = int(np.argmax(v >= 0.5 * plateau))
-    before = max(first - 1, 0)
-    arrival = float(np.interp(0.5 * plateau, v[[before, first]], time[[before, first]]))
+    arrival = first_passage(wave.time, wave.far, 0.5 * plateau)
     path = float(lattice.particles.position[bar.loaded, 0].mean() - lattice.particles.envelope.bounds[0][0])
     speed = bar.paper.wave_speed
     return Outcome(
@@ -79,9 +62,9 @@ def impact(
         theory_refined=speed * bar.paper.length / path,
         unit="m/s",
         curves={
-            "time": time,
-            "near": -run.history["near"][:, 0],
-            "far": v,
+            "time": wave.time,
+            "near": wave.near,
+            "far": wave.far,
             "arrival": np.array(arrival),
             "plateau": np.array(plateau),
         },

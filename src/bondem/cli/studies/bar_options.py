@@ -1,0 +1,41 @@
+"""What the commands of the dynamic studies share: where results go, and which packings of the cylinder."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import click
+
+from bondem.cli.terminal import progress_bars
+
+Command = Callable[..., Any]
+
+
+def of_bar(packings: int) -> Callable[[Command], Command]:
+    """--out DIR, --count, --seed and, unless one packing is all that is looked at, --packings."""
+
+    def options(function: Command) -> Command:
+        if packings > 1:
+            function = click.option(
+                "--packings", type=click.IntRange(min=1), default=packings, show_default=True,
+                help="Packings of the cylinder, seeds in sequence.",
+            )(function)  # fmt: skip
+        function = click.option(
+            "--seed", type=click.IntRange(min=0), default=1, show_default=True,
+            help="Of the first packing, on which the bonds are calibrated.",
+        )(function)  # fmt: skip
+        function = click.option(
+            "--count", type=click.IntRange(min=500), default=10_000, show_default=True, help="Spheres of a packing."
+        )(function)
+        out = click.Path(path_type=Path)
+        return click.option("--out", required=True, metavar="DIR", type=out, help="Where results go.")(function)
+
+    return options
+
+
+def carry_out(run: Callable[..., Any], study: object, out: Path) -> None:
+    """Run a study, then print its tables and where everything is."""
+    with progress_bars() as progress:
+        run(study, out, progress=progress)
+    click.echo(f"\n{(out / 'table.md').read_text(encoding='utf-8')}")
+    click.echo(f"{out / 'report.html'}\n{out / 'results.json'}")

@@ -1,0 +1,22 @@
+"""`bondem study quasistatic --out DIR`."""
+
+from pathlib import Path
+
+import click
+
+from bondem.cli.studies.bar_options import carry_out, of_bar
+from bondem.study.calibrated_bar import BarRequest
+from bondem.study.quasistatic import QuasiStatic, run_quasistatic
+
+
+@click.command("quasistatic")
+@of_bar(packings=1)
+@click.option("--steps", type=click.IntRange(min=1000), default=100_000, show_default=True, help="Steps of the run.")
+@click.option("--ramp", type=click.FloatRange(0.0, 100.0, min_open=True, max_open=True), default=50.0,
+              show_default=True, help="Part of the steps in which the load grows, in percent.")  # fmt: skip
+@click.option("--phi", type=click.FloatRange(min=1.0), default=1.3, show_default=True,
+              help="Dissipation of the scheme of Tchamwa and Wielgosz.")  # fmt: skip
+def command(out: Path, count: int, seed: int, steps: int, ramp: float, phi: float) -> None:
+    """A slow tensile test by explicit dynamics: figures 10 and 12 of André et al. (2012)."""
+    study = QuasiStatic(bar=BarRequest(count, seed), steps=steps, ramp=ramp / 100.0, phi=phi)
+    carry_out(run_quasistatic, study, out)

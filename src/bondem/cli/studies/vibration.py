@@ -1,0 +1,20 @@
+"""`bondem study vibration --out DIR`."""
+
+from pathlib import Path
+
+import click
+
+from bondem.cli.studies.bar_options import carry_out, of_bar
+from bondem.study.calibrated_bar import BarRequest
+from bondem.study.vibration import Vibration, run_vibration
+
+
+@click.command("vibration")
+@of_bar(packings=5)
+@click.option("--steps", type=click.IntRange(min=1000), default=50_000, show_default=True, help="Steps of the run.")
+@click.option("--ramp", type=click.FloatRange(0.0, 100.0, min_open=True, max_open=True), default=40.0,
+              show_default=True, help="Part of the steps in which the loads grow, in percent.")  # fmt: skip
+def command(out: Path, count: int, seed: int, packings: int, steps: int, ramp: float) -> None:
+    """Energies of a free vibration, and the specimen's inertia: figure 19 and eq (19) of André et al. (2012)."""
+    study = Vibration(bar=BarRequest(count, seed, packings), steps=steps, ramp=ramp / 100.0)
+    carry_out(run_vibration, study, out)

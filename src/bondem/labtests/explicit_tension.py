@@ -1,0 +1,161 @@
+"""Tension of a free specimen by explicit dynamics: loads grow slowly, and the scheme damps (André et al. 2012)."""
+
+import math
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import InputError, UnstableRunError
+from bondem.labtests.gauge_length import AffineField, middle_half
+from bondem.model.assignment import BondAssignment
+from bondem.model.boundary import Load
+from bondem.model.model import Model
+from bondem.model.schedules import Ramp
+from bondem.model.state import State
+from bondem.solve.explicit import Plan, Status, integrate, settled
+from bondem.solve.history import History
+from bondem.solve.schemes import TchamwaWielgosz
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face
+
+# Records of a run: enough for a curve, and for a mean over the last of them.
+_RECORDS = 1000
+# The last tenth of a run is what it has come to.
+_TAIL = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class ExplicitTension:
+    """What a slow tension test by explicit dynamics went through.
+
+    Attributes:
+        time: [s], (s,).
+        strain: affine fit over the middle half, along x and the mean of y and z [-], (s, 2).
+        energy: ledger of the run, `History.energy` [J], each (s,).
+        stress: F / S at full load [Pa].
+        ramp: how long the load grew [s].
+        dt: time step [s].
+        steps: taken.
+        seconds: of wall time the steps took [s].
+    """
+
+    time: Floats
+    strain: Floats
+    energy: Mapping[str, Floats]
+    stress: float
+    ramp: float
+    dt: float
+    steps: int
+    seconds: float
+
+    @property
+    def E(self) -> float:
+        """Young's modulus: F / S over the mean strain of the last tenth of the run [Pa]."""
+        return self.stress / float(self._tail[:, 0].mean())
+
+    @property
+    def nu(self) -> float:
+        """Poisson's ratio, from the same means [-]."""
+        return -float(self._tail[:, 1].mean() / self._tail[:, 0].mean())
+
+    @property
+    def E_last(self) -> float:
+        """Young's modulus from the last instant alone [Pa]."""
+        return self.stress / float(self.strain[-1, 0])
+
+    @property
+    def nu_last(self) -> float:
+        """Poisson's ratio from the last instant alone [-]."""
+        return -float(self.strain[-1, 1] / self.strain[-1, 0])
+
+    @property
+    def kinetic(self) -> Floats:
+        """Kinetic energy [J], (s,)."""
+        return self.energy["translation"] + self.energy["rotation"]
+
+    @property
+    def elastic(self) -> Floats:
+        """Elastic energy of the bonds [J], (s,)."""
+        return sum((self.energy[name] for name in ("normal", "shear", "bending", "twisting")), np.zeros(1))
+
+    def settling(self, E: float, tolerance: float) -> int | None:
+        """Steps after which stress over strain stays within `tolerance` of E [Pa]; None where it never does."""
+        moving = np.abs(self.stress / E / np.where(self.strain[:, 0] == 0.0, math.inf, self.strain[:, 0]) - 1.0)
+        late = np.flatnonzero((moving > tolerance) | (self.time < self.ramp))
+        first = int(late[-1]) + 1 if len(late) else 0
+        return round(float(self.time[first]) / self.dt) if first < len(self.time) else None
+
+    @property
+    def _tail(self) -> Floats:
+        return self.strain[self.time >= (1.0 - _TAIL) * self.time[-1]]
+
+
+def explicit_tension(
+    lattice: Lattice,
+    law: BondAssignment,
+    *,
+    density: float,
+    steps: int = 100_000,
+    ramp: float = 0.5,
+    phi: float = 1.3,
+    stress: float = 1e5,
+    depth: float = 0.02,
+    progress: Callable[[float], None] | None = None,
+) -> ExplicitTension:
+    """Pull a free specimen as `static_tension` does, step by step: a linear ramp, then the load stays.
+
+    Args:
+        lattice: the specimen.
+        law: its bonds.
+        density: of the elements, ρ_μ [kg/m³].
+        steps: of 0.9 of the critical time step.
+        ramp: share of the steps in which the load grows [-].
+        phi: of the scheme of Tchamwa and Wielgosz, which damps [-].
+        stress: F / S at full load [Pa]; so small that geometry stays linear to a part in a million.
+        depth: of the loaded faces, in mean radii [-].
+        progress: told the share of steps done, 0 … 1.
+
+    Raises:
+        InputError: fewer than 1000 steps, or a ramp that leaves nothing to hold.
+        EmptyRegionError: no connected element at a face.
+    """
+    if steps < 1000:
+        raise InputError(f"steps = {steps}; a slow test takes at least 1000, and some ten thousands to be slow")
+    if not 0.0 < ramp < 1.0:
+        raise InputError(f"ramp = {ramp}; give the share of the steps in which the load grows, in (0, 1)")
+    free = Model(lattice, law, density=density)
+    plan = settled(free, Plan(duration=0.0, scheme=TchamwaWielgosz(phi), every=max(steps // _RECORDS, 1)))
+    assert plan.dt is not None
+    duration = ramp * steps * plan.dt
+    force = stress * lattice.particles.envelope.section()
+    grows = Ramp(0.0, 1.0, duration)
+    model = free.with_boundary([
+        Load(Face("x_max", depth), force=(force, 0.0, 0.0), schedule=grows),
+        Load(Face("x_min", depth), force=(-force, 0.0, 0.0), schedule=grows),
+    ])  # fmt: skip
+    chosen = middle_half(lattice)
+    position = lattice.particles.position[chosen]
+    strain: list[tuple[float, float]] = []
+
+    def read(state: State, _record: History) -> None:
+        axial, *lateral = np.diag(AffineField.fit(position, state.displacement[chosen]).strain)
+        strain.append((axial, 0.5 * sum(lateral)))
+
+    began = time.perf_counter()
+    run = integrate(model, replace(plan, duration=steps * plan.dt), callback=read, progress=progress)
+    seconds = time.perf_counter() - began
+    if run.status is Status.UNSTABLE:
+        raise UnstableRunError(run.message)
+    return ExplicitTension(
+        time=run.history.time[: len(strain)],
+        strain=np.array(strain),
+        energy={name: values[: len(strain)] for name, values in run.history.energy.items()},
+        stress=stress,
+        ramp=duration,
+        dt=run.dt,
+        steps=run.steps,
+        seconds=seconds,
+    )

@@ -1,0 +1,136 @@
+"""A longitudinal wave along a specimen, struck at x_max: what the faces and the sections do."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, PerElement3
+from bondem.errors import InputError, UnstableRunError
+from bondem.model.assignment import BondAssignment
+from bondem.model.boundary import Drive
+from bondem.model.gauges import Gauge
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.run import solve_explicit
+from bondem.solve.explicit import Status
+from bondem.solve.history import History
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face
+
+
+@dataclass(frozen=True, eq=False)
+class Wave:
+    """Velocities after a strike. Those along x are towards the far face, x_min.
+
+    Attributes:
+        time: of every step [s], (s,).
+        near: mean velocity of the struck elements, at x_max [m/s], (s,).
+        far: the same of those at x_min, (s,).
+        place: middle of each slice of the specimen along x [m], (b,).
+        sections: mean velocity of the connected elements of each slice [m/s], (s, b); NaN where there is none.
+        snapshots: time [s] and velocity of every element [m/s], (n, 3), along x, y and z.
+    """
+
+    time: Floats
+    near: Floats
+    far: Floats
+    place: Floats
+    sections: Floats
+    snapshots: tuple[tuple[float, PerElement3], ...]
+
+
+def strike(
+    lattice: Lattice,
+    law: BondAssignment,
+    *,
+    density: float,
+    duration: float,
+    velocity: float = 0.1,
+    held: bool = True,
+    slices: int = 0,
+    moments: tuple[float, ...] = (),
+    depth: float = 0.02,
+) -> Wave:
+    """Give the elements at x_max a velocity towards x_min, and look on.
+
+    Args:
+        lattice: the specimen, free but for what is struck.
+        law: its bonds.
+        density: of the elements, ρ_μ [kg/m³].
+        duration: [s].
+        velocity: of the struck elements [m/s].
+        held: whether they keep it; else it is only what they begin with.
+        slices: along x, for `Wave.sections`.
+        moments: of the snapshots, the step nearest each [s].
+        depth: of the two faces, in mean radii [-].
+
+    Raises:
+        UnstableRunError: the velocity is too high for the time step.
+    """
+    near, far = Face("x_max", depth), Face("x_min", depth)
+    model = Model(lattice, law, density=density, boundary=[Drive(near, vx=-velocity)] if held else [])
+    state = State(model)
+    if not held:
+        start = np.zeros((len(lattice.particles), 3))
+        start[near.select(lattice), 0] = -velocity
+        state.set_motion(velocity=start)
+    lower, upper = lattice.particles.envelope.bounds
+    edges = np.linspace(lower[0], upper[0], slices + 1)
+    inside = np.flatnonzero(lattice.connected)
+    number = np.searchsorted(edges[1:-1], lattice.particles.position[inside, 0], side="right")
+    members = np.bincount(number, minlength=slices).astype(float)
+    sections: list[Floats] = []
+    snapshots: list[tuple[float, PerElement3]] = []
+    waiting = sorted(moments)
+    last = 0.0
+
+    def look(state: State, _record: History) -> None:
+        nonlocal last
+        if not slices and not waiting:
+            return
+        now = state.velocity
+        if slices:
+            total = np.bincount(number, weights=-now[inside, 0], minlength=slices)
+            sections.append(np.divide(total, members, out=np.full(slices, np.nan), where=members > 0.0))
+        # the nearest step: this one, once the next one would be further away
+        step, last = state.time - last, state.time
+        while waiting and state.time + 0.5 * step >= waiting[0]:
+            waiting.pop(0)
+            snapshots.append((state.time, now))
+
+    run = solve_explicit(
+        model,
+        duration=duration,
+        gauges={"near": Gauge(near, "velocity"), "far": Gauge(far, "velocity")},
+        every=1,
+        state=state,
+        callback=look if slices or waiting else None,
+    )
+    if run.status is Status.UNSTABLE:
+        raise UnstableRunError(run.message)
+    return Wave(
+        time=run.history.time,
+        near=-run.history["near"][:, 0],
+        far=-run.history["far"][:, 0],
+        place=0.5 * (edges[1:] + edges[:-1]),
+        sections=np.array(sections) if slices else np.zeros((len(run.history), 0)),
+        snapshots=tuple(snapshots),
+    )
+
+
+def first_passage(time: Floats, signal: Floats, level: float) -> float:
+    """When a signal first passes a level, between its samples [s].
+
+    Args:
+        time: [s], (s,).
+        signal: (s,).
+        level: above the signal at its start.
+
+    Raises:
+        InputError: it never does.
+    """
+    if not (signal >= level).any():
+        raise InputError(f"the signal stays below {level:.3g}, at most {signal.max():.3g}; record longer")
+    first = int(np.argmax(signal >= level))
+    before = max(first - 1, 0)
+    return float(np.interp(level, signal[[before, first]], time[[before, first]]))

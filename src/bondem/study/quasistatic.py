@@ -1,0 +1,225 @@
+"""A slow tensile test by explicit dynamics (André et al. 2012, figs 10, 12): `bondem study quasistatic`."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from bondem.labtests.explicit_tension import ExplicitTension, explicit_tension
+from bondem.observe.energy import EnergyParts
+from bondem.report.energy_curves import draw_breakdown, draw_quasistatic, draw_settling
+from bondem.report.study_page import write_study_page
+from bondem.study.calibrated_bar import BarRequest, CalibratedBar, calibrated_bars
+from bondem.study.study_files import keep_study, study_folder, table, thinned
+
+# Shorter runs beside the one asked for: what steps buy.
+_SHORTER = (0.1, 0.3)
+_TOLERANCES = (1e-2, 1e-3, 1e-4)
+_PARTS = ("normal", "shear", "bending", "twisting")
+
+# How many points a curve of the paper has is not printed; fewer than five show no curve.
+_POINTS = 5
+#: Runs behind the parametric study of the paper: fig. 11 is one curve over ν_μ, figs 13 and 14 one grid of E_μ × r̃,
+#: off which fig. 15 can be read, fig. 16 one curve over E_μ at the r̃ found.
+STUDY_RUNS = {"fig 11": _POINTS, "figs 13, 14, 15": _POINTS**2, "fig 16": _POINTS}
+#: What a calibration cannot do without.
+CALIBRATING_RUNS = {"fig 15": _POINTS, "fig 16": _POINTS}
+
+_CAPTIONS = {
+    "quasistatic_energy": """Figure 10. Deformation and kinetic energy of the free specimen while equal and opposite
+        forces grow on its ends, and after. Dashed: kinetic energy of a bar stretched at this rate, ρ S L³ ε̇²/24.""",
+    "quasistatic_breakdown": """Figure 12. Elastic energy of the bonds by kind. Left as the paper splits it, where
+        bending is shear and bending at once; right in four, as shares of the whole.""",
+    "quasistatic_settling": """Stress over strain, as a difference from the static solution's E, over the steps of the
+        run; faint where the load still grows.""",
+}
+
+
+@dataclass(frozen=True)
+class QuasiStatic:
+    """What to run.
+
+    Attributes:
+        bar: the packing.
+        steps: of the run.
+        ramp: share of the steps in which the load grows [-].
+        phi: of the scheme of Tchamwa and Wielgosz [-].
+    """
+
+    bar: BarRequest = BarRequest()
+    steps: int = 100_000
+    ramp: float = 0.5
+    phi: float = 1.3
+
+
+def run_quasistatic(
+    study: QuasiStatic, out: str | Path, *, progress: Callable[[str, float], None] | None = None
+) -> dict[str, Any]:
+    """Pull the specimen slowly and leave `results.json`, `table.md`, figures 10 and 12 and `report.html` in a folder.
+
+    Args:
+        study: what to run.
+        out: folder for the results.
+        progress: told the stage and the share of it that is done.
+
+    Returns:
+        What `results.json` holds.
+
+    Raises:
+        InputError: the folder cannot be written to, or too few steps.
+    """
+    out = study_folder(out)
+    tell = progress or (lambda stage, share: None)
+    (bar,) = calibrated_bars(study.bar, tell)
+    runs = {}
+    for share in (*_SHORTER, 1.0):
+        steps = round(share * study.steps)
+        if steps >= 1000 or share == 1.0:
+            runs[steps] = explicit_tension(
+                bar.lattice, bar.law, density=bar.density, steps=steps, ramp=study.ramp, phi=study.phi,
+                progress=lambda done, steps=steps: tell(f"{steps} steps", done),
+            )  # fmt: skip
+    run = runs[study.steps]
+    results = {"study": "quasistatic", **bar.told, **_numbers(study, bar, runs), "curves": _curves(run)}
+    results = keep_study(out, results, _tables(results))
+    figures = out / "figures"
+    draw_quasistatic(figures / "quasistatic_energy.png", run, kinetic=results["energy"]["kinetic_theory"])
+    draw_breakdown(figures / "quasistatic_breakdown.png", run.time, run.energy, mark=run.ramp, mark_name="load full")
+    draw_settling(figures / "quasistatic_settling.png", list(runs.values()), bar.tension.E)
+    write_study_page(
+        out,
+        title="A slow tensile test by explicit dynamics",
+        about=f"André et al. (2012), §5.1.2 and §5.2.1 · {study.bar.count} spheres, {study.steps} steps",
+        verdict=_verdict(results),
+        captions={name: " ".join(text.split()) for name, text in _CAPTIONS.items()},
+    )
+    return results
+
+
+def shares(energy: Mapping[str, float]) -> dict[str, float]:
+    """Parts of the elastic energy over the whole [-], the four and the paper's three."""
+    whole = sum(energy[name] for name in _PARTS)
+    four = {name: energy[name] / whole for name in _PARTS}
+    return four | {
+        "paper_tension": four["normal"],
+        "paper_bending": four["shear"] + four["bending"],
+        "paper_torsion": four["twisting"],
+    }
+
+
+def _numbers(study: QuasiStatic, bar: CalibratedBar, runs: Mapping[int, ExplicitTension]) -> dict[str, Any]:
+    run, static = runs[study.steps], bar.tension
+    length = bar.lattice.particles.envelope.bounds[1][0]
+    speed = (bar.tension.E / bar.rho) ** 0.5
+    elastic = float(run.elastic[-1])
+    growing = (run.time > 0.2 * run.ramp) & (run.time < run.ramp)
+    parts: EnergyParts = static.solution.energy
+    total, few = sum(STUDY_RUNS.values()), sum(CALIBRATING_RUNS.values())
+    return {
+        "run": {
+            "steps": run.steps, "ramp_steps": round(run.ramp / run.dt), "dt": run.dt, "duration": run.time[-1],
+            "phi": study.phi, "stress": run.stress, "seconds": run.seconds, "paper_dt": 3e-7, "paper_steps": 100_000,
+        },
+        "static": {"E": static.E, "nu": static.nu},
+        "explicit": [_compared(one, bar) for one in runs.values()],
+        "energy": {
+            "elastic_final": elastic,
+            "kinetic_ramp": float(run.kinetic[growing].mean()),
+            "kinetic_theory": (length / (speed * run.ramp)) ** 2 / 12.0 * elastic,
+            "kinetic_largest": float(run.kinetic.max()),
+            "kinetic_over_elastic": float(run.kinetic.max()) / elastic,
+            "kinetic_final_over_elastic": float(run.kinetic[-1]) / elastic,
+            "shares": shares({name: float(run.energy[name][-1]) for name in _PARTS}),
+            "shares_static": shares({name: getattr(parts, name) for name in _PARTS}),
+        },
+        "paper_way": {
+            "runs": dict(STUDY_RUNS), "points_per_curve": _POINTS, "runs_all": total, "runs_calibrating": few,
+            "seconds_one": run.seconds, "seconds_all": total * run.seconds, "seconds_calibrating": few * run.seconds,
+        },
+    }  # fmt: skip
+
+
+def _compared(run: ExplicitTension, bar: CalibratedBar) -> dict[str, Any]:
+    static = bar.tension
+    return {
+        "steps": run.steps,
+        "seconds": run.seconds,
+        "E": run.E,
+        "nu": run.nu,
+        "E_ppm": 1e6 * (run.E / static.E - 1.0),
+        "nu_ppm": 1e6 * (run.nu / static.nu - 1.0),
+        "E_last_ppm": 1e6 * (run.E_last / static.E - 1.0),
+        "nu_last_ppm": 1e6 * (run.nu_last / static.nu - 1.0),
+        "settled_after": {f"{tolerance:g}": run.settling(static.E, tolerance) for tolerance in _TOLERANCES},
+    }
+
+
+def _curves(run: ExplicitTension) -> dict[str, Any]:
+    named = {name: run.energy[name] for name in (*_PARTS, "translation", "rotation", "work")}
+    return {name: thinned(np.asarray(curve)) for name, curve in {"time": run.time, **named}.items()}
+
+
+def _tables(results: Mapping[str, Any]) -> str:
+    rows = [
+        [
+            str(one["steps"]),
+            f"{one['E'] / 1e9:.4f}",
+            f"{one['E_ppm']:+.1f}",
+            f"{one['E_last_ppm']:+.1f}",
+            f"{one['nu']:.5f}",
+            f"{one['nu_ppm']:+.1f}",
+            *(_steps(one["settled_after"][f"{tolerance:g}"]) for tolerance in _TOLERANCES),
+            f"{one['seconds']:.1f}",
+        ]
+        for one in results["explicit"]
+    ]
+    static = results["static"]
+    rows.append(["static", f"{static['E'] / 1e9:.4f}", "", "", f"{static['nu']:.5f}", "", "", "", "", ""])
+    moduli = table(
+        "Moduli of explicit runs (mean of the last tenth) and of the static solution",
+        ["steps", "E [GPa]", "from static [ppm]", "last instant [ppm]", "ν", "from static [ppm]",
+         "within 1 % after", "0.1 %", "0.01 %", "time [s]"],
+        rows,
+    )  # fmt: skip
+    names = {
+        "paper_tension": "tension", "paper_bending": "bending (paper: shear + bending)", "shear": "of it shear",
+        "bending": "of it bending", "paper_torsion": "torsion",
+    }  # fmt: skip
+    energy = results["energy"]
+    breakdown = table(
+        "Elastic energy of the bonds at full load, per cent",
+        ["part", "explicit, last step", "static"],
+        [
+            [label, f"{100.0 * energy['shares'][name]:.3f}", f"{100.0 * energy['shares_static'][name]:.3f}"]
+            for name, label in names.items()
+        ],
+    )
+    way = results["paper_way"]
+    runs = table(
+        f"The paper's way: runs its curves need, {way['points_per_curve']} points to a curve assumed",
+        ["figure", "runs", "time, extrapolated from one run [s]"],
+        [
+            *([name, str(count), f"{count * way['seconds_one']:.0f}"] for name, count in way["runs"].items()),
+            ["calibration alone: figs 15, 16", str(way["runs_calibrating"]), f"{way['seconds_calibrating']:.0f}"],
+            ["whole parametric study", str(way["runs_all"]), f"{way['seconds_all']:.0f}"],
+        ],
+    )
+    return "\n".join([moduli, breakdown, runs])
+
+
+def _steps(count: int | None) -> str:
+    return "not" if count is None else str(count)
+
+
+def _verdict(results: Mapping[str, Any]) -> str:
+    energy, run = results["energy"], results["run"]
+    last = results["explicit"][-1]
+    return (
+        f"After {run['steps']} steps the explicit run gives E within {abs(last['E_ppm']):.0f} ppm and ν within"
+        f" {abs(last['nu_ppm']):.0f} ppm of the static solution, in {run['seconds']:.0f} s. Kinetic energy never"
+        f" exceeds {energy['kinetic_over_elastic']:.1e} of the deformation energy. Torsion of the bonds holds"
+        f" {100.0 * energy['shares']['paper_torsion']:.2f} % of it. The time step the paper prints, 3·10⁻⁷ s, is"
+        f" {3e-7 / run['dt']:.0f} times what is stable here."
+    )
