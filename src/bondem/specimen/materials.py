@@ -29,7 +29,7 @@ alumina = Material(
 
 concrete = Material(
     "concrete", E=40e9, nu=0.2, rho=2400.0,
-    source="Celigueta et al. (2020), concrete of 50 MPa: E measured, ν assumed there. No density is printed: 2400 kg/m³"
+    source="Celigueta et al. (2020), concrete of 50 MPa: E measured, ν assumed there. No density printed: 2400 kg/m³"
     " is usual for plain concrete. Other concretes: E 25 to 45 GPa, ν 0.15 to 0.22, ρ 2000 to 2600 kg/m³ (EN 206)",
 )  # fmt: skip
 
