@@ -1,5 +1,7 @@
 """The incremental formulation beside the total one, and stress-free strains of bonds."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -84,3 +86,97 @@ def test_bad_eigenstrain_is_refused():
     law = bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.2, formulation="incremental")
     with pytest.raises(InputError, match="total"):
         State(tip_loaded(law)).set_eigenstrain(0.0)
+
+
+# ---- paths along which every element is driven
+
+
+def follow(lattice: bd.Lattice, law, legs) -> tuple[float, np.ndarray]:
+    """Elastic energy and force on the last element after legs of (positions of every step, angular velocities)."""
+    state, run, last = None, None, bd.Gauge(bd.Index([len(lattice.particles) - 1]), "force")
+    for path, rate in legs:
+        times = tuple(float(t) for t in range(len(path)))
+        drives = []
+        for k, places in enumerate((path - path[0]).transpose(1, 2, 0)):
+            x, y, z = (bd.Table(times, tuple(values.tolist())) for values in places)
+            drives.append(bd.Drive(bd.Index([k]), x=x, y=y, z=z, wx=rate[k, 0], wy=rate[k, 1], wz=rate[k, 2]))
+        model = bd.Model(lattice, law, 7800.0, boundary=drives)
+        if state is not None:
+            state.begin(model)
+            state.time = 0.0
+        plan = Plan(duration=times[-1], dt=1.0, every=len(path) - 1, gauges={"last": last})
+        run = integrate(model, plan, state=state)
+        state = run.state
+    assert run is not None
+    ledger = run.history.energy
+    return sum(ledger[name][-1] for name in ("normal", "shear", "bending", "twisting")), run.history["last"][-1]
+
+
+def deformed(strain: float, steps: int):
+    """A rod that is stretched, bent and twisted in proportion: its lattice, its law, the way there."""
+    lattice = bd.connect(bd.Particles(np.arange(6)[:, None] * np.array([0.4, 0.0, 0.0]), 0.2))
+    couple = 0.25 * np.pi * 0.2**3 * strain * 200e9
+    pull = bd.Load(bd.Index([5]), force=(np.pi * 0.04 * strain * 200e9, 0.0, 0.0), moment=(couple, couple, couple))
+    law = bd.EulerBernoulli(E=200e9, nu=0.3, radius=0.2)
+    static = bd.solve_static(bd.Model(lattice, law, 7800.0, boundary=[bd.Fix(bd.Index([0])), pull]))
+    share = np.linspace(0.0, 1.0, steps + 1)[:, None, None]
+    return lattice, law, (lattice.particles.position + share * static.displacement, static.rotation / steps)
+
+
+def turned(start: np.ndarray, turns: int, steps: int):
+    """The way of a body turned about z by `turns` turns of `steps` steps each."""
+    angle = 2.0 * np.pi / steps * np.arange(turns * steps + 1)[:, None, None]
+    flat = start * [1.0, 1.0, 0.0]
+    path = np.cos(angle) * flat + np.sin(angle) * np.cross([0.0, 0.0, 1.0], flat) + start * [0.0, 0.0, 1.0]
+    return path, np.tile([0.0, 0.0, 2.0 * np.pi / steps], (len(start), 1))
+
+
+def test_ten_turns_leave_the_total_formulation_as_it_was():
+    lattice, law, way = deformed(2e-3, 50)
+    energy, force = follow(lattice, law, [way])
+    after, last = follow(lattice, law, [way, turned(way[0][-1], 10, 200)])
+    # rounding of 2000 steps over the strain
+    assert after == pytest.approx(energy, rel=1e-9)
+    assert np.abs(last - force).max() < 1e-9 * np.abs(force).max()
+
+
+def test_both_formulations_differ_by_the_square_of_the_amplitude():
+    differences = []
+    for strain in (1e-5, 1e-4):
+        lattice, law, way = deformed(strain, 1000)
+        total = follow(lattice, law, [way])[1]
+        rates = follow(lattice, replace(law, formulation="incremental"), [way])[1]
+        differences.append(np.linalg.norm(rates - total) / np.linalg.norm(total))
+    # of the force itself: the first power
+    assert differences[1] < 1e-3
+    assert 9.0 < differences[1] / differences[0] < 11.0
+
+
+@pytest.mark.parametrize("angle", [0.1, 0.3])
+def test_a_closed_cycle_leaves_what_the_rates_say_and_nothing_in_the_total_formulation(angle: float):
+    """Element 1 of a bond is bent about y, twisted, unbent, untwisted, by rotations Ry(β) Rx(τ); both centres stay.
+
+    With m = My + i Mz over kb, and the bond spinning at half the twist rate: bending adds the angle, twisting is
+    m' = ½ i cos α m - i sin α, unbending takes the angle away, untwisting turns m back by half the angle. Shear
+    forces go the same way with ks b instead of kb.
+    """
+    lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [0.4, 0, 0]], 0.2), [(0, 1)])
+    law = bd.Timoshenko(E=200e9, nu=0.3, radius=0.2)
+    steps = 2000
+    still = np.repeat(lattice.particles.position[None], steps + 1, axis=0)
+    y, x = np.array([[0.0, 0, 0], [0.0, 1, 0]]), np.array([[0.0, 0, 0], [1.0, 0, 0]])
+    tilted = np.array([[0.0, 0, 0], [np.cos(angle), 0.0, -np.sin(angle)]])
+    legs = [(still, angle / steps * rate) for rate in (y, tilted, -y, -x)]
+    peak = follow(lattice, law, legs[:2])[0]
+    assert follow(lattice, law, legs)[0] < 1e-20 * peak
+
+    c = 0.5 * np.cos(angle)
+    turn = np.exp(1j * c * angle)
+    left = abs(angle * turn - np.sin(angle) / c * (turn - 1.0) - angle)
+    k = bd.Model(lattice, law, 7800.0).stiffness
+    across = k.kb[0] + k.ks[0] * (0.4 - k.lever[0]) ** 2
+    expected = 0.5 * across * left**2 + 0.5 * k.kt[0] * (angle * (1.0 - np.cos(angle))) ** 2
+    # what is left is of the second order in the angle, and does not depend on the steps
+    found = follow(lattice, replace(law, formulation="incremental"), legs)[0]
+    assert found == pytest.approx(expected, rel=5e-3)
+    assert np.sqrt(expected / peak) > 0.3 * angle
