@@ -14,6 +14,18 @@ KINDS = ("confidence", "prediction")
 _MOST = 100_000
 
 
+def half_width(n: int, *, kind: str, level: float) -> float:
+    """Half an interval over the standard deviation of n packings; see `Sample.interval`."""
+    if kind not in KINDS:
+        raise InputError(f"kind = '{kind}'; choose from {', '.join(KINDS)}")
+    if not 0.0 < level < 1.0:
+        raise InputError(f"level = {level}; give a probability between 0 and 1, such as 0.95")
+    if n < 2:
+        raise InputError("one packing says nothing about the scatter of others; calibrate on two or more")
+    share = 1.0 / n + (1.0 if kind == "prediction" else 0.0)
+    return float(student.ppf(0.5 + 0.5 * level, n - 1)) * math.sqrt(share)
+
+
 @dataclass(frozen=True, eq=False)
 class Sample:
     """One quantity of several packings made alike.
@@ -43,15 +55,7 @@ class Sample:
         Raises:
             InputError: fewer than two packings, which have no scatter to learn from, or an unknown kind.
         """
-        n = len(self.values)
-        if kind not in KINDS:
-            raise InputError(f"kind = '{kind}'; choose from {', '.join(KINDS)}")
-        if not 0.0 < level < 1.0:
-            raise InputError(f"level = {level}; give a probability between 0 and 1, such as 0.95")
-        if n < 2:
-            raise InputError("one packing says nothing about the scatter of others; calibrate on two or more")
-        share = 1.0 / n + (1.0 if kind == "prediction" else 0.0)
-        half = float(student.ppf(0.5 + 0.5 * level, n - 1)) * self.std * math.sqrt(share)
+        half = half_width(len(self.values), kind=kind, level=level) * self.std
         return self.mean - half, self.mean + half
 
     def packings_for(self, precision: float, *, level: float = 0.95) -> int:

@@ -9,6 +9,7 @@ from typing import Any
 
 from bondem import __version__
 from bondem.calibration.elastic import Calibration, calibrate
+from bondem.calibration.reach import recommend
 from bondem.errors import InputError
 from bondem.io.atomic import require_folder, write_text
 from bondem.laws.bond import BondLaw
@@ -79,6 +80,8 @@ def run_calibration(
     if out is not None:
         require_folder(Path(out), "output folder")
     tell = progress or (lambda stage, share: None)
+    if plan.law is None:
+        recommend(plan.material.nu)  # raises before any work
     begun = time.perf_counter()
     lattices: list[Lattice] = []
     for k in range(plan.packings):
