@@ -1,4 +1,4 @@
-"""Chen et al. (2022), Tables 3, 4 and 5: what the cases of `chen_cases.py` are, their static tips, stiffnesses of a bond.
+"""Chen et al. (2022), Tables 3, 4 and 5: what the cases of `chen_cases.py` are, static tips, and a bond's stiffness.
 
     python benchmarks/chen_tables.py [--out FILE]          a few seconds
 

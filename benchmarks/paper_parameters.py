@@ -2,8 +2,8 @@
 
     python benchmarks/paper_parameters.py [--count 10000] [--packings 5] [--out FILE]          about a minute
 
-E_μ = 265 GPa, ν_μ = 0.3, r̃ = 0.71 in the paper's cylinder, packed to 6.2 contacts a sphere (its limit) and to the onset of
-jamming: what E and ν come to depends on the packing. Leaves benchmarks/results/paper_parameters.json, SI.
+E_μ = 265 GPa, ν_μ = 0.3, r̃ = 0.71 in the paper's cylinder, packed to 6.2 contacts a sphere (its limit) and to the
+onset of jamming: what E and ν come to depends on the packing. Leaves benchmarks/results/paper_parameters.json, SI.
 """
 
 import argparse

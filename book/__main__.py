@@ -21,7 +21,8 @@ def main(arguments: list[str] | None = None) -> int:
     action.add_argument("--check", action="store_true", help="are the pages what the results render to?")
     action.add_argument("--list", action="store_true", help="what is measured, and how")
     action.add_argument("--measure", nargs="*", metavar="NAME", help="measure again; all without names")
-    action.add_argument("--fast", nargs="?", const="", metavar="DIR", help="a small part from nothing; in DIR if given")
+    action.add_argument("--fast", nargs="?", const="", metavar="DIR",
+        help="a small part from nothing; in DIR if given")
     parser.add_argument("--no-run", action="store_true", help="with --measure: take in what the folder holds already")
     parser.add_argument("--build", type=Path, default=BUILD, help="with --measure: where commands leave their own")
     options = parser.parse_args(arguments)

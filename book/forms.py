@@ -1,5 +1,6 @@
 """How numbers are printed: unit, scale and digits of a row."""
 
+import re
 from dataclasses import dataclass
 
 
@@ -21,6 +22,9 @@ class Form:
         """The number alone, with a true minus sign and a space between thousands."""
         style = self.style if signed else self.style.replace("+", "")
         text = format(value / self.scale, style).replace(",", " ")
+        text = re.sub(r"e([+-])0*(\d)", lambda power: f"e{power[1].strip('+')}{power[2]}", text)
+        if float(text.replace(" ", "")) == 0.0:
+            return text.lstrip("+-")  # what rounds to zero has no sign
         return f"−{text[1:]}" if text.startswith("-") else text
 
     def text(self, value: float, *, signed: bool = True) -> str:
@@ -48,4 +52,4 @@ PERCENT = Form("%", 1e-2, ".2f")
 SIGNED = Form("%", 1e-2, "+.2f")
 ROUNDING = Form(style=".1g")
 GPA = Form("GPa", 1e9, ".1f")
-SECONDS = Form("s", style=".2g")
+SECONDS = Form("s", style=".3g")

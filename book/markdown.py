@@ -10,29 +10,34 @@ from book.row import Origin, Row, Verdict, tally
 _GENERATED = "<!-- Written by `python -m book`; edit book/, not this file. -->\n"
 _INTRODUCTION = """# Validation
 
-What the papers print, what bondem gives, and the command that measures it. This book is generated: every number of ours is read from
-[`benchmarks/results`](../benchmarks/results) or, where a test or a long run leaves no file, from
-[`book/recorded.toml`](../book/recorded.toml), with its command and date; every verdict is computed from the numbers and a tolerance that
-stands beside it. `python -m book --measure NAME` measures a part again, `python -m book` writes these pages, and CI fails where they are
-not what the results render to. Verification (closed forms, conservation laws) is in `tests/verification/` and runs with the tests.
-Times are of a machine with 2 shared cores."""
-_LEGEND = """**met**: within the tolerance, the worst number of several deciding. **missed**: outside, and nothing excuses it.
-**differs**: outside a tolerance about the paper's number, for a reason that is known and given; what is asked of bondem itself cannot differ,
-only be met or missed. **no paper value**: nothing is printed and nothing asked. ± is one standard deviation over packings or runs. The last
-column is the number of the command in the chapter's list."""
+What the papers print, what bondem gives, and the command that measures it. This book is generated: every number of
+ours is read from [`benchmarks/results`](../benchmarks/results) or, where a test or a long run leaves no file, from
+[`book/recorded.toml`](../book/recorded.toml), with its command and date; every verdict is computed from the numbers
+and a tolerance that stands beside it. `python -m book --measure NAME` measures a part again, `python -m book` writes
+these pages, and CI fails where they are not what the results render to. Verification (closed forms, conservation
+laws) is in `tests/verification/` and runs with the tests. Times are of a machine with 2 shared cores."""
+_LEGEND = """- **met**: within the tolerance, the worst number of several deciding.
+- **missed**: outside, and nothing excuses it.
+- **differs**: outside a tolerance about the paper's number, for a reason that is known and given. What is asked of
+  bondem itself cannot differ, only be met or missed.
+- **no paper value**: nothing is printed and nothing asked.
+
+± is one standard deviation over packings or runs. The last column is the number of the command in the list of its
+chapter; BUILD is a folder of one's own."""
 _LINK = re.compile(r"(\]\()([^)#:\s]+)(\)|#)")
 
 
 def front(chapters: Sequence[Chapter]) -> str:
     """`docs/validation.md`: contents with counts, what is missed and what differs, and the papers' tables."""
     lines = [_GENERATED + _INTRODUCTION, _contents(chapters), _LEGEND]
-    for verdict, title, lead in (
-        (Verdict.MISSED, "What is missed", "Every row that is outside its tolerance without excuse."),
-        (Verdict.DIFFERS, "What differs from the papers", "Rows outside a tolerance about the paper's number, with the reason."),
-    ):
-        found = [(chapter, row) for chapter in chapters for row in chapter.rows if row.verdict is verdict]
-        if found:
-            lines += [f"## {title}", lead, _list(found)]
+    missed, differing = (
+        [(chapter, row) for chapter in chapters for row in chapter.rows if row.verdict is verdict]
+        for verdict in (Verdict.MISSED, Verdict.DIFFERS)
+    )
+    if missed:
+        lines += ["## What is missed", _missed(missed)]
+    if differing:
+        lines += ["## What differs from the papers, and why", _differing(differing)]
     lines += [_body(chapter, "##") for chapter in chapters if chapter.in_front]
     return "\n\n".join(lines) + "\n"
 
@@ -49,21 +54,23 @@ def moved(text: str, folder: str) -> str:
 
 
 def table(rows: Sequence[Row], commands: Sequence[Origin]) -> str:
-    """Rows as a table; columns in which nothing stands are left out."""
+    """Rows as a table, with remarks below it; columns in which nothing stands are left out."""
+    remarks = list(dict.fromkeys(remark for row in rows for remark in row.remarks))
     columns = {
         "case": [row.case for row in rows],
         "source": [row.source for row in rows],
-        "paper": [_paper(row) for row in rows],
+        "paper": [row.paper_text for row in rows],
         "bondem": [row.ours.text(row.form) for row in rows],
         "tolerance": [row.tolerance.words(row.form) if row.tolerance else "" for row in rows],
-        "verdict": [_verdict(row.verdict) for row in rows],
-        "note": [row.remark for row in rows],
-        "by": [str(1 + commands.index(row.ours.origin)) for row in rows],
+        "verdict": [_verdict(row, remarks) for row in rows],
+        "command": [str(1 + commands.index(row.ours.origin)) for row in rows],
     }
     kept = {name: cells for name, cells in columns.items() if any(cells)}
     lines = [f"| {' | '.join(kept)} |", f"|{'---|' * len(kept)}"]
     lines += [f"| {' | '.join(cells)} |" for cells in zip(*kept.values(), strict=True)]
-    return "\n".join(lines)
+    lines += [""] * bool(remarks)
+    lines += [f"<sup>{_letter(k)}</sup> {_sentence(remark)}<br>" for k, remark in enumerate(remarks)]
+    return "\n".join(lines).removesuffix("<br>")
 
 
 def address(chapter: Chapter) -> str:
@@ -81,9 +88,11 @@ def counts(rows: Iterable[Row]) -> str:
 
 
 def _contents(chapters: Sequence[Chapter]) -> str:
-    lines = ["## Contents", "", "| chapter | rows | met | missed | differs | no paper value |", "|---|--:|--:|--:|--:|--:|"]
+    lines = ["## Contents", "", "| chapter | rows | met | missed | differs | no paper value |",
+        "|---|--:|--:|--:|--:|--:|"]
     for chapter in chapters:
-        lines.append(_line(f"[{chapter.title}]({address(chapter).removeprefix('validation.md')})", list(chapter.rows)))
+        lines.append(_line(f"[{chapter.title}]({address(chapter).removeprefix('validation.md')})",
+            list(chapter.rows)))
     lines.append(_line("**all**", [row for chapter in chapters for row in chapter.rows]))
     return "\n".join(lines)
 
@@ -96,15 +105,41 @@ def _line(title: str, rows: Sequence[Row]) -> str:
     return f"| {title} | {len(rows)} | {' | '.join(cells)} |"
 
 
-def _list(found: Sequence[tuple[Chapter, Row]]) -> str:
-    lines = []
+def _missed(found: Sequence[tuple[Chapter, Row]]) -> str:
+    lines = ["| chapter | case | paper | bondem | tolerance |", "|---|---|---|---|---|"]
     for chapter, row in found:
-        where = f"[{chapter.title}]({address(chapter).removeprefix('validation.md')})"
-        against = f"paper {_paper(row)}, " if row.paper is not None else ""
         asked = row.tolerance.words(row.form) if row.tolerance else ""
-        remark = f" {row.remark[0].upper()}{row.remark[1:].rstrip('.')}." if row.remark else ""
-        lines.append(f"- {where}: {row.case}, **{row.ours.text(row.form)}** ({against}{asked}).{remark}")
+        case = f"{row.case} ({'; '.join(row.remarks)})" if row.remarks else row.case
+        cells = (_reference(chapter), case, row.paper_text, f"**{row.ours.text(row.form)}**", asked)
+        lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
+
+
+def _differing(found: Sequence[tuple[Chapter, Row]]) -> str:
+    """By chapter; rows of one reason together."""
+    lines = []
+    for chapter in dict.fromkeys(chapter.title for chapter, _ in found):
+        members = [(one, row) for one, row in found if one.title == chapter]
+        lines.append(f"- {_reference(members[0][0])}")
+        for reason in dict.fromkeys(row.reason for _, row in members):
+            cases = "; ".join(
+                f"{row.case}: {row.ours.text(row.form)}, paper {row.paper_text}" for _,
+                row in members if row.reason == reason
+            )
+            lines.append(f"  - **{_sentence(reason)}** {cases}.")
+    return "\n".join(lines)
+
+
+def _reference(chapter: Chapter) -> str:
+    return f"[{chapter.title}]({address(chapter).removeprefix('validation.md')})"
+
+
+def _sentence(remark: str) -> str:
+    return f"{remark[0].upper()}{remark[1:].rstrip('.')}." if remark[0] not in "eκφνρz" else f"{remark.rstrip('.')}."
+
+
+def _letter(k: int) -> str:
+    return chr(ord("a") + k)
 
 
 def _body(chapter: Chapter, mark: str) -> str:
@@ -132,16 +167,13 @@ def _figure(figure: Figure) -> str:
 def _commands(commands: Sequence[Origin]) -> str:
     lines = []
     for k, origin in enumerate(commands):
-        kept = f"[`{origin.kept}`](../{origin.kept})" + (f", measured {origin.when}" if origin.when else "")
-        lines.append(f"{k + 1}. `{origin.command}` → {kept}")
+        kept = f"[`{origin.kept}`](../{origin.kept})" if "/" in origin.kept else f"`{origin.kept}`"
+        kept += f", measured {origin.when}" if origin.when else ""
+        takes = f" ({origin.takes})" if origin.takes else ""
+        lines.append(f"{k + 1}. `{origin.command}`{takes} → {kept}")
     return "\n".join(lines)
 
 
-def _paper(row: Row) -> str:
-    if row.paper is None:
-        return ""
-    return row.paper if isinstance(row.paper, str) else row.form.text(row.paper)
-
-
-def _verdict(verdict: Verdict) -> str:
-    return f"**{verdict.value}**" if verdict is Verdict.MISSED else verdict.value
+def _verdict(row: Row, remarks: Sequence[str]) -> str:
+    word = f"**{row.verdict.value}**" if row.verdict is Verdict.MISSED else row.verdict.value
+    return word + "".join(f" <sup>{_letter(remarks.index(remark))}</sup>" for remark in row.remarks)

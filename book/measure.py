@@ -40,7 +40,8 @@ def _run(one: Measurement, build: Path) -> None:
     for command in one.command.split("; "):
         print(f"{one.name}: {command}", flush=True)
         words = shlex.split(command.replace("BUILD", str(build)))
-        words = [*{"python": [sys.executable]}.get(words[0], [str(Path(sys.executable).with_name(words[0]))]), *words[1:]]
+        words = [*{"python": [sys.executable]}.get(words[0], [str(Path(sys.executable).with_name(words[0]))]),
+            *words[1:]]
         # benchmarks import each other
         path = os.pathsep.join(filter(None, (str(ROOT / "benchmarks"), os.environ.get("PYTHONPATH"))))
         done = subprocess.run(words, cwd=ROOT, env=os.environ | {"PYTHONPATH": path}, check=False)

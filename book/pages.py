@@ -45,6 +45,6 @@ def differences() -> Iterator[str]:
         for figure in (figure for section in chapter.sections for figure in section.figures):
             path = DOCS / "figures" / figure.name
             if not path.exists():
-                yield f"docs/figures/{figure.name} of '{chapter.title}' is not there; measure it: python -m book --list"
+                yield f"docs/figures/{figure.name} of '{chapter.title}' is not there; see python -m book --list"
             elif path.stat().st_size > LARGEST_FIGURE:
                 yield f"docs/figures/{figure.name} has {path.stat().st_size} bytes, more than {LARGEST_FIGURE}"

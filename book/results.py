@@ -49,7 +49,11 @@ class Measurement:
     @property
     def origin(self) -> Origin:
         kept = self.path.relative_to(ROOT) if self.path.is_relative_to(ROOT) else Path(self.path.name)
-        return Origin(self.command, str(kept))
+        return Origin(self.command, str(kept), takes=self.takes)
+
+    @property
+    def _remedy(self) -> str:
+        return f"measure it: python -m book --measure {self.name}"
 
     @property
     def data(self) -> Any:
@@ -57,7 +61,7 @@ class Measurement:
         try:
             return _read(self.path)
         except FileNotFoundError:
-            raise BookError(f"{self.origin.kept} is not there; measure it: python -m book --measure {self.name}") from None
+            raise BookError(f"{self.origin.kept} is not there; {self._remedy}") from None
 
     def at(self, *steps: Step) -> Any:
         """What stands at a place, whatever it is."""
@@ -73,7 +77,7 @@ class Measurement:
             try:
                 found = found[step]
             except (KeyError, IndexError, TypeError):
-                raise BookError(f"{where} is not there; measure it: python -m book --measure {self.name}") from None
+                raise BookError(f"{where} is not there; {self._remedy}") from None
         return found
 
     def number(self, *steps: Step, scatter: tuple[Step, ...] | None = None, factor: float = 1.0) -> Measured:
@@ -84,7 +88,7 @@ class Measurement:
     def of(self, *values: float | None, scatter: float | None = None) -> Measured:
         """Numbers that were worked out from what is kept."""
         if any(value is None for value in values):
-            raise BookError(f"{self.origin.kept}: a number is missing; measure it: python -m book --measure {self.name}")
+            raise BookError(f"{self.origin.kept}: a number is missing; {self._remedy}")
         return Measured(tuple(float(value) for value in values if value is not None), self.origin, scatter)
 
     def mean(self, values: list[float]) -> Measured:

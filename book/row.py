@@ -28,11 +28,13 @@ class Origin:
         command: that measures it.
         kept: the file that holds it, from the root of the project.
         when: it was measured and on what, for a number that was written down; "" for JSON.
+        takes: how long, in words.
     """
 
     command: str
     kept: str
     when: str = ""
+    takes: str = ""
 
 
 @dataclass(frozen=True)
@@ -51,7 +53,8 @@ class Measured:
 
     def __post_init__(self) -> None:
         if not self.values or not all(math.isfinite(value) for value in self.values):
-            raise BookError(f"{self.values} of {self.origin.kept}: not finite numbers; measure again: {self.origin.command}")
+            where = f"{self.values} of {self.origin.kept}"
+            raise BookError(f"{where}: not finite numbers; measure again: {self.origin.command}")
 
     def text(self, form: Form | Said) -> str:
         """Mean ± scatter, or from the least to the largest."""
@@ -73,6 +76,7 @@ class Row:
         ours: what we have.
         source: of the paper's number: table, figure or equation.
         paper: what is printed, a number or, where it is none, words.
+        printed: the paper's number as it prints it, where `form` would add digits.
         tolerance: when the two agree, or when what is asked for is met; None where nothing is printed or asked.
         form: how the numbers are printed.
         reason: why it differs from the paper. A requirement of our own has none: it is met or missed.
@@ -83,6 +87,7 @@ class Row:
     ours: Measured
     source: str = ""
     paper: float | str | None = None
+    printed: str = ""
     tolerance: Tolerance | None = None
     form: Form | Said = PLAIN
     reason: str = ""
@@ -105,10 +110,16 @@ class Row:
         return Verdict.DIFFERS if self.reason else Verdict.MISSED
 
     @property
-    def remark(self) -> str:
-        """The note, and where the row differs the reason."""
-        said = [self.reason] if self.verdict is Verdict.DIFFERS else []
-        return "; ".join(said + [self.note] * bool(self.note))
+    def remarks(self) -> list[str]:
+        """The reason, where the row differs, and the note."""
+        return [self.reason] * (self.verdict is Verdict.DIFFERS) + [self.note] * bool(self.note)
+
+    @property
+    def paper_text(self) -> str:
+        """The paper's number in words; "" if there is none."""
+        if self.printed or self.paper is None:
+            return self.printed
+        return self.paper if isinstance(self.paper, str) else self.form.text(self.paper, signed=self.paper < 0.0)
 
 
 def tally(rows: Iterable[Row]) -> Counter[Verdict]:

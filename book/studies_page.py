@@ -1,4 +1,4 @@
-"""The tables of `docs/studies.md`: what stands between `<!-- NAME -->` and `<!-- end -->` comes from a study's results."""
+"""The tables of `docs/studies.md`, between `<!-- NAME -->` and `<!-- end -->`: from the results of studies."""
 
 import re
 from pathlib import Path
@@ -13,15 +13,18 @@ def filled(page: Path) -> str:
     text = page.read_text(encoding="utf-8")
     for study in (DISPERSION, REFINEMENT):
         block = _block(study.name, study.data)
-        text, found = re.subn(rf"<!-- {study.name} -->.*?<!-- end -->", lambda _, new=block: new, text, flags=re.DOTALL)
+        text, found = re.subn(rf"<!-- {study.name} -->.*?<!-- end -->", lambda _, new=block: new, text,
+        flags=re.DOTALL)
         if found != 1:
-            raise BookError(f"{page} has {found} places for {study.name}; give it <!-- {study.name} --> and <!-- end -->")
+            marks = f"<!-- {study.name} --> and <!-- end -->"
+            raise BookError(f"{page} has {found} places for {study.name}; give it {marks}, once")
     return text
 
 
 def _block(name: str, results: dict[str, Any]) -> str:
     counts = f'{results["made"]} packings, {results["failed"]} failed, method "{results["method"]}"'
-    parts = [f"<!-- {name} -->", f"{counts}, bondem {results['version']}.", _limits(results), results["table"], "<!-- end -->"]
+    parts = [f"<!-- {name} -->", f"{counts}, bondem {results['version']}.", _limits(results), results["table"],
+        "<!-- end -->"]
     return "\n\n".join(part.strip() for part in parts if part)
 
 

@@ -8,6 +8,9 @@ from typing import final
 from book.errors import BookError
 from book.forms import Form, Said
 
+#: A number that is written down as exactly at a limit is within it.
+_ROUNDING = 1.0 + 1e-9
+
 
 class Tolerance(ABC):
     """A condition on a measured number, and the number of a paper if it refers to one."""
@@ -37,7 +40,7 @@ class Near(Tolerance):
     def holds(self, values: Sequence[float], paper: float | None) -> bool:
         about = _given(self.target, paper)
         room = self.absolute if self.absolute is not None else (self.relative or 0.0) * abs(about)
-        return all(abs(value - about) <= room for value in values)
+        return all(abs(value - about) <= room * _ROUNDING for value in values)
 
     def words(self, form: Form | Said) -> str:
         about = "" if self.target is None else f"{form.bare(self.target)} "
@@ -54,7 +57,7 @@ class AtMost(Tolerance):
     limit: float | None = None
 
     def holds(self, values: Sequence[float], paper: float | None) -> bool:
-        return max(map(abs, values)) <= abs(_given(self.limit, paper))
+        return max(map(abs, values)) <= abs(_given(self.limit, paper)) * _ROUNDING
 
     def words(self, form: Form | Said) -> str:
         return "≤ the paper's" if self.limit is None else f"≤ {form.text(self.limit, signed=False)}"
@@ -68,7 +71,7 @@ class AtLeast(Tolerance):
     limit: float | None = None
 
     def holds(self, values: Sequence[float], paper: float | None) -> bool:
-        return min(values) >= _given(self.limit, paper)
+        return min(values) * _ROUNDING >= _given(self.limit, paper)
 
     def words(self, form: Form | Said) -> str:
         return "≥ the paper's" if self.limit is None else f"≥ {form.text(self.limit, signed=False)}"

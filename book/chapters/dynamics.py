@@ -7,7 +7,8 @@ from book.row import Row
 from book.tolerances import AtMost, Near, So
 
 DRIFT = Measurement(
-    "energy_drift", "python benchmarks/energy_drift.py --out benchmarks/results/energy_drift.json", "7 min on one core"
+    "energy_drift", "python benchmarks/energy_drift.py --out benchmarks/results/energy_drift.json",
+    "7 min on one core"
 )
 MEASUREMENTS = (DRIFT,)
 
@@ -21,7 +22,8 @@ def chapter() -> Chapter:
         name="dynamics",
         title="Bond energy and explicit dynamics",
         summary=(
-            "Forces are the gradient of one energy to rounding; momentum is conserved to rounding and energy to second order, without drift"
+            "Forces are the gradient of one energy to rounding; momentum is conserved to rounding and energy to"
+            " second order, without drift"
             " over a million steps. Loads, damping and boundaries keep the order, and the limit of the step is sharp."
         ),
         sections=(_energy(), _drift(), _loads(), _stability(), _relaxation()),
@@ -32,20 +34,25 @@ def _energy() -> Section:
     return Section(
         title="Bond energy",
         rows=(
-            Row(case="gradient against finite differences", ours=recorded("gradient"), form=ROUNDING, tolerance=AtMost(1e-8)),
+            Row(case="gradient against finite differences", ours=recorded("gradient"), form=ROUNDING,
+                tolerance=AtMost(1e-8)),
             Row(case="second derivative at rest against the 12×12 matrix", ours=recorded("hessian"), form=ROUNDING,
                 tolerance=AtMost(1e-8)),
-            Row(case="force under rigid motion", ours=recorded("rigid_motion"), form=ROUNDING, tolerance=AtMost(1e-12)),
+            Row(case="force under rigid motion", ours=recorded("rigid_motion"), form=ROUNDING,
+                tolerance=AtMost(1e-12)),
             Row(case="momentum over 10 000 steps", ours=recorded("momentum"), form=ROUNDING, tolerance=AtMost(1e-12),
                 note="rounding is asked"),
-            Row(case="angular momentum over 10 000 steps", ours=recorded("angular_momentum"), form=ROUNDING, tolerance=AtMost(1e-12),
+            Row(case="angular momentum over 10 000 steps", ours=recorded("angular_momentum"), form=ROUNDING,
+                tolerance=AtMost(1e-12),
                 note="rounding is asked"),
             Row(case="order of the energy error of a rod in large rotation", ours=recorded("order_rod"), form=ORDER,
                 tolerance=Near(target=2.0, absolute=0.1)),
             Row(case="return after reversing 3000 steps", ours=recorded("reversal"), form=ROUNDING),
-            Row(case="order of the energy balance with loads, drives, damping", ours=recorded("order_loads"), form=ORDER,
+            Row(case="order of the energy balance with loads, drives, damping", ours=recorded("order_loads"),
+                form=ORDER,
                 tolerance=Near(target=2.0, absolute=0.1)),
-            Row(case="1 to 4 threads over 10 000 steps, any pausing, resumed runs", ours=recorded("same_bits"), form=SAME,
+            Row(case="1 to 4 threads over 10 000 steps, any pausing, resumed runs", ours=recorded("same_bits"),
+                form=SAME,
                 tolerance=So()),
         ),
     )  # fmt: skip
@@ -56,13 +63,16 @@ def _drift() -> Section:
     return Section(
         title="The free silica cylinder over a million steps",
         rows=(
-            Row(case="order of the energy error over dt, 9200 elements", ours=DRIFT.of(*DRIFT.at("orders")), form=Form(style=".3f"),
+            Row(case="order of the energy error over dt, 9200 elements", ours=DRIFT.of(*DRIFT.at("orders")),
+                form=Form(style=".3f"),
                 tolerance=Near(target=2.0, absolute=0.1)),
             Row(case="drift of the energy over 1 000 000 steps at 0.8 of the limit, share of the energy",
                 ours=DRIFT.of(drift[0], scatter=drift[1]), form=Form(style=".1e"), note="± one standard error"),
-            Row(case="the same in its standard errors", ours=DRIFT.number("drift, in its standard errors"), form=ORDER,
+            Row(case="the same in its standard errors", ours=DRIFT.number("drift, in its standard errors"),
+                form=ORDER,
                 tolerance=AtMost(2.0), note="none beyond rounding is asked"),
-            Row(case="swing of the error itself", ours=DRIFT.number("standard deviation of the error", 0), form=ROUNDING),
+            Row(case="swing of the error itself", ours=DRIFT.number("standard deviation of the error", 0),
+                form=ROUNDING),
         ),
     )  # fmt: skip
 
@@ -73,12 +83,14 @@ def _loads() -> Section:
         rows=(
             Row(case="plane P pulse on an absorbing boundary, energy that comes back", ours=recorded("absorbed"),
                 form=Form("%", 1e-2, ".2f"), tolerance=AtMost(0.02)),
-            Row(case="the same in a thin bar", ours=recorded("absorbed_bar"), form=Form("%", 1e-2, ".2f"), tolerance=AtMost(0.02)),
+            Row(case="the same in a thin bar", ours=recorded("absorbed_bar"), form=Form("%", 1e-2, ".2f"),
+                tolerance=AtMost(0.02)),
             Row(case="heated bar, free: growth over ε*", ours=recorded("heated_free"), form=Form(style=".3f"),
                 tolerance=Near(target=1.0, absolute=0.01)),
             Row(case="heated bar, clamped: stress over −Eε*", ours=recorded("heated_clamped"), form=Form(style=".3f"),
                 tolerance=Near(target=1.0, absolute=0.01)),
-            Row(case="the same on a chain, error", ours=recorded("heated_chain"), form=ROUNDING, tolerance=AtMost(1e-9)),
+            Row(case="the same on a chain, error", ours=recorded("heated_chain"), form=ROUNDING,
+                tolerance=AtMost(1e-9)),
         ),
     )  # fmt: skip
 
@@ -89,12 +101,15 @@ def _stability() -> Section:
         rows=(
             Row(case="limit with dashpots of bonds, √(1 + ζ²) − ζ: at 0.99 of it", ours=recorded("dashpot_below"),
                 form=Said("stable", "unstable"), tolerance=So()),
-            Row(case="the same, at 1.01 of it", ours=recorded("dashpot_above"), form=Said("unstable", "stable"), tolerance=So()),
-            Row(case="ω_max of the lattice over its exact value, 100 000 elements", ours=recorded("omega_max"), form=Form(style=".3f"),
+            Row(case="the same, at 1.01 of it", ours=recorded("dashpot_above"), form=Said("unstable", "stable"),
+                tolerance=So()),
+            Row(case="ω_max of the lattice over its exact value, 100 000 elements", ours=recorded("omega_max"),
+                form=Form(style=".3f"),
                 tolerance=Near(target=1.0, absolute=0.01), note="from above, so that a step is never too long"),
             Row(case="time for it", ours=recorded("omega_max_time"), form=SECONDS),
             Row(case="time of `eigsh` for the same", ours=recorded("omega_max_eigsh"), form=SECONDS),
-            Row(case="CUDA step in the simulator against the CPU", ours=recorded("cuda"), form=ROUNDING, tolerance=AtMost(1e-12),
+            Row(case="CUDA step in the simulator against the CPU", ours=recorded("cuda"), form=ROUNDING,
+                tolerance=AtMost(1e-12),
                 note="no device was at hand"),
         ),
     )  # fmt: skip
@@ -105,7 +120,8 @@ def _relaxation() -> Section:
         title="Relaxation",
         before="A bent bar of 10 000 elements, to a force tolerance of 1e-6.",
         rows=(
-            Row(case="relaxation against the static solution", ours=recorded("relaxation"), form=ROUNDING, tolerance=AtMost(1e-5)),
+            Row(case="relaxation against the static solution", ours=recorded("relaxation"), form=ROUNDING,
+                tolerance=AtMost(1e-5)),
             Row(case="time of the relaxation", ours=recorded("relaxation_time"), form=SECONDS),
             Row(case="time of the static solution", ours=recorded("relaxation_static"), form=SECONDS),
         ),

@@ -1,0 +1,211 @@
+"""The book: verdicts are computed, a missing number is an error, pages are what the results render to."""
+
+import json
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from book import pages, results
+from book.__main__ import main
+from book.chapter import Chapter, Section
+from book.chapters import MEASUREMENTS
+from book.errors import BookError
+from book.fast import chapter as fast_chapter
+from book.forms import PERCENT, SIGNED, Form, Said
+from book.markdown import front, moved, table
+from book.results import RECORDED, ROOT, Measurement, recorded
+from book.row import Measured, Origin, Row, Verdict
+from book.tolerances import AtLeast, AtMost, Near, So, Spans, Tolerance
+
+ORIGIN = Origin("bondem measure", "benchmarks/results/it.json")
+
+
+def ours(*values: float, scatter: float | None = None) -> Measured:
+    return Measured(values, ORIGIN, scatter)
+
+
+@pytest.fixture(scope="module")
+def fast(tmp_path_factory) -> Path:
+    folder = tmp_path_factory.mktemp("fast")
+    done = subprocess.run(
+        [sys.executable, "-m", "book", "--fast", str(folder)], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("values", "paper", "tolerance", "verdict"),
+    [
+        ((72.6,), 72.5, Near(relative=0.002), Verdict.MET),
+        ((72.7,), 72.5, Near(relative=0.002), Verdict.MISSED),
+        ((0.643,), 0.635, Near(absolute=0.008), Verdict.MET),  # at the limit, but for rounding
+        ((2.01, 2.06), None, Near(target=2.0, absolute=0.05), Verdict.MISSED),  # the worst of several decides
+        ((-0.0148,), 0.0120, AtMost(), Verdict.MISSED),
+        ((-0.0119,), 0.0120, AtMost(), Verdict.MET),
+        ((54.0, 66.0), None, AtLeast(60.0), Verdict.MISSED),
+        ((1.0, 5.0), "1–5", Spans(1, 5), Verdict.MET),
+        ((1.0, 10.0), "1–5", Spans(1, 5), Verdict.MISSED),
+        ((1.0,), None, So(), Verdict.MET),
+        ((1.0,), None, So(wanted=False), Verdict.MISSED),
+        ((3.0,), None, None, Verdict.NO_PAPER),
+    ],
+)
+def test_verdicts_follow_from_the_numbers(
+    values: tuple[float, ...], paper: float | str | None, tolerance: Tolerance | None, verdict: Verdict
+):
+    row = Row(case="it", ours=ours(*values), paper=paper, tolerance=tolerance)
+    assert row.verdict is verdict
+    if paper is not None:
+        excused = Row(case="it", ours=ours(*values), paper=paper, tolerance=tolerance, reason="known")
+        assert excused.verdict is (Verdict.DIFFERS if verdict is Verdict.MISSED else verdict)
+        assert excused.remarks == ["known"] * (verdict is Verdict.MISSED)  # no excuse where none is needed
+
+
+def test_what_makes_no_verdict_is_an_error():
+    with pytest.raises(BookError, match="needs a tolerance"):
+        Row(case="it", ours=ours(1.0), paper=1.0)
+    with pytest.raises(BookError, match="say it as a note"):
+        Row(case="it", ours=ours(1.0), tolerance=AtMost(0.5), reason="we were tired")
+    with pytest.raises(BookError, match="give the limit"):
+        assert Row(case="it", ours=ours(1.0), tolerance=AtMost()).verdict
+    with pytest.raises(BookError, match="one of them"):
+        Near(relative=0.1, absolute=0.1)
+
+
+def test_a_number_that_is_not_there_is_an_error(tmp_path):
+    kept = tmp_path / "it.json"
+    kept.write_text(json.dumps({"a": {"b": 1.5, "c": None, "d": "1.5"}, "rows": [{"n": 1, "y": 2.0}, {"n": 1}]}))
+    it = Measurement("it", "bondem measure", file=kept)
+    assert it.number("a", "b", factor=2.0).values == (3.0,)
+    for steps in (("a", "x"), ("a", "c"), ("a", "d"), ("rows", 5, "y"), ("rows", {"n": 1}, "y"), ("rows", {"n": 2},
+    "y")):
+        with pytest.raises(BookError, match=re.escape("it.json")):
+            it.number(*steps)
+    with pytest.raises(BookError, match="a number is missing"):
+        it.of(1.0, None)
+    for value in (float("nan"), float("inf")):
+        with pytest.raises(BookError, match="not finite"):
+            ours(value)
+    with pytest.raises(BookError, match="--measure gone"):
+        assert Measurement("gone", "bondem measure", file=tmp_path / "gone.json").data
+    with pytest.raises(BookError, match="no \\[of_this_name\\]"):
+        recorded("of_this_name")
+
+
+def test_numbers_are_printed_as_people_read_them():
+    assert SIGNED.text(-0.0148) == "−1.48 %"
+    assert Form("GPa", 1e9, ".1f").text(72.54e9) == "72.5 GPa"
+    assert Form(style=",.0f").text(10_000) == "10 000"
+    assert Form(style=".0e").text(-6e-13) == "−6e-13"
+    assert SIGNED.text(-1e-9) == "0.00 %"
+    assert Said("the same bits", "other bits").text(0.0) == "other bits"
+    assert ours(-0.0148, scatter=0.0060).text(SIGNED) == "−1.48 ± 0.60 %"
+    assert ours(54e6, 66e6).text(Form("M/s", 1e6, ".0f")) == "54–66 M/s"
+
+
+def test_a_table_leaves_out_what_is_empty_and_says_remarks_once():
+    rows = [
+        Row(case="E", source="Table 1", paper=1.0, ours=ours(2.0), tolerance=Near(relative=0.1),
+            reason="walls are soft"),
+        Row(case="F", source="Table 1", paper=1.0, ours=ours(3.0), tolerance=Near(relative=0.1),
+            reason="walls are soft"),
+        Row(case="G", ours=ours(0.5), tolerance=AtMost(0.1), form=PERCENT),
+    ]
+    lines = table(rows, [ORIGIN]).splitlines()
+    assert lines[0] == "| case | source | paper | bondem | tolerance | verdict | command |"
+    assert lines[2] == "| E | Table 1 | 1 | 2 | ± 10 % | differs <sup>a</sup> | 1 |"
+    assert lines[4] == "| G |  |  | 50.00 % | ≤ 10.00 % | **missed** | 1 |"
+    assert lines[-1] == "<sup>a</sup> Walls are soft."
+    assert table(rows[2:], [ORIGIN]).startswith("| case | bondem |")
+
+
+def test_the_front_page_hides_no_missed_row():
+    missed = Row(case="the one", ours=ours(2.0), tolerance=AtMost(1.0))
+    one = Chapter(name="it", title="It", summary="", sections=(Section(title="Rows", rows=(missed,)),))
+    text = front([one])
+    assert "| [It](validation/it.md) | 1 |  | **1** |  |  |" in text
+    assert "| [It](validation/it.md) | the one |  | **2** | ≤ 1 |" in text
+
+
+def test_links_follow_a_page_into_its_folder():
+    text = "[a](studies.md#b) ![c](figures/d.png) [e](https://f.org) [g](#h) [i](validation/chen.md)"
+    there = "[a](../studies.md#b) ![c](../figures/d.png) [e](https://f.org) [g](#h) [i](chen.md)"
+    assert moved(text, "validation") == there
+
+
+def test_the_pages_are_what_the_results_render_to(monkeypatch, capsys):
+    assert main(["--check"]) == 0, capsys.readouterr().out
+    monkeypatch.setattr(pages, "front", lambda chapters: "typed by hand")
+    assert main(["--check"]) == 1
+    assert "docs/validation.md is not what the results render to" in capsys.readouterr().out
+
+
+def test_every_link_of_the_pages_leads_somewhere():
+    lost = []
+    for page in [ROOT / "docs/validation.md", *(ROOT / "docs/validation").glob("*.md")]:
+        text = page.read_text(encoding="utf-8")
+        slugs = {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in re.findall(r"^#+ (.*)$", text,
+            re.M)}
+        for target in re.findall(r"\]\(([^)\s]+)\)", text):
+            path, _, anchor = target.partition("#")
+            if target.startswith("http"):
+                continue
+            if (path and not (page.parent / path).exists()) or (not path and anchor not in slugs):
+                lost.append(f"{page.name}: {target}")
+    assert not lost
+
+
+def test_every_recorded_number_stands_in_the_book(monkeypatch, fast):
+    asked = set()
+
+    class Watched(dict):
+        def get(self, name, default=None):
+            asked.add(name)
+            return super().get(name, default)
+
+    entries = Watched(tomllib.loads(RECORDED.read_text(encoding="utf-8")))
+    monkeypatch.setattr(results, "_recorded", lambda: entries)
+    assert pages.chapters()
+    assert fast_chapter(fast)
+    assert not set(entries) - asked
+
+
+def test_every_row_of_the_papers_tables_is_there():
+    rows = [row for chapter in pages.chapters() for row in chapter.rows]
+    for source, fewest in (("Table 1", 2), ("Table 2", 3), ("Table 3", 3 + 25), ("Table 4", 4 + 8), ("Table 5", 24)):
+        found = [row for row in rows if row.source == source and row.paper is not None]
+        assert len(found) >= fewest, source
+    printed = {row.paper_text for row in rows}
+    assert {"28 %", "16 %", "12 %", "10 %", "7 %", "5 %"} <= printed
+
+
+def test_names_of_measurements_are_unique_and_their_commands_exist():
+    assert len({one.name for one in MEASUREMENTS}) == len(MEASUREMENTS)
+    for one in MEASUREMENTS:
+        for script in re.findall(r"python (\S+\.py)", one.command):
+            assert (ROOT / script).exists(), one.command
+    assert main(["--measure", "of_this_name"]) == 2
+
+
+def test_the_fast_part_is_measured_from_nothing_and_meets_its_tolerances(fast):
+    text = (fast / "fast.md").read_text(encoding="utf-8")
+    assert "**missed**" not in text
+    assert len(list(fast_chapter(fast).rows)) > 80
+
+
+@pytest.mark.parametrize(
+    ("place", "factor"),
+    [(("cell", "cell_E_ratio"), 1.02), (("cylinder", "nu_printed"), 1.1), (("cylinder", "E_printed"), 0.85)],
+)
+def test_the_fast_part_finds_wrong_physics(fast, tmp_path, place, factor):
+    for name in ("small", "chen_tables", "energy_drift"):
+        (tmp_path / f"{name}.json").write_text((fast / f"{name}.json").read_text())
+    wrong = json.loads((fast / "small.json").read_text())
+    wrong[place[0]][place[1]] *= factor
+    (tmp_path / "small.json").write_text(json.dumps(wrong))
+    assert [row.verdict for row in fast_chapter(tmp_path).rows].count(Verdict.MISSED) == 1
