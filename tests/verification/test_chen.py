@@ -143,6 +143,43 @@ def test_parallel_bonds_need_resolution_and_equal_spheres() -> None:
     assert abs(mono) < abs(twice) < abs(four)
 
 
+def shear_share(slenderness: float, nu: float) -> float:
+    """How much Euler-Bernoulli theory misses of a cantilever's deflection [-]: Chen eq (35), unrounded."""
+    return 1.0 / (1.0 + 12.0 * slenderness**2 / (5.0 * (1.0 + nu)))
+
+
+def test_obermayr_converges_at_second_order_to_timoshenko_theory_and_parallel_bonds_do_not() -> None:
+    # Case 3: the bending springs at the midpoints miss L³/12n² of ∫ (L - x)² dx; the shear is right for α_s = 9/10
+    exact = beam_theory(np.array([4.0]), 4.0, 0.2, shear=True)[0]
+    share = shear_share(10.0, NU)
+    for law, limit in ((bd.Obermayr, 0.0), (bd.ParallelBond, -0.1 * share)):
+        for n in (1, 2, 5, 10, 40):
+            lattice = row(4.0, np.full(n + 1, min(0.2, 2.0 / n)))
+            error = deflection(lattice, law(E=E, nu=NU, radius=0.2))[-1] / exact - 1.0
+            assert error == pytest.approx(limit - (1.0 - share) / (4.0 * n**2), rel=1e-5)
+
+
+def test_axial_over_shear_stiffness_of_figure_17() -> None:
+    for n in (1, 2, 4, 6, 8, 10):
+        square = 4.0 / 3.0 * (10.0 / n) ** 2  # eqs (32) to (34)
+        for law, expected in (
+            (bd.ParallelBond, 2.0 * (1.0 + NU)), (bd.EulerBernoulli, square),
+            (bd.Timoshenko, square + 20.0 / 9.0 * (1.0 + NU)), (bd.Obermayr, 2.0 * (1.0 + NU) / 0.9),
+        ):  # fmt: skip
+            k = bd.Model(CASES[f"3, {n} bonds"][0], law(E=E, nu=NU, radius=0.2)).stiffness
+            np.testing.assert_allclose(k.kn / k.ks, expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("nu", [0.0, NU, 0.499999])
+@pytest.mark.parametrize("slenderness", [1.0, 3.0, 10.0])
+def test_what_euler_bernoulli_bonds_miss_of_figure_19(slenderness: float, nu: float) -> None:
+    lattice = row(0.4 * slenderness, np.full(2, 0.2 * slenderness))
+    stiff, soft = (deflection(lattice, law(E=E, nu=nu, radius=0.2))[-1] for law in (bd.EulerBernoulli, bd.Timoshenko))
+    assert 1.0 - stiff / soft == pytest.approx(shear_share(slenderness, nu), rel=1e-9)
+    # the paper's 38 % is that of ν = 1/2, not of its ν_b = 0.3
+    assert shear_share(1.0, 0.5) == pytest.approx(0.3846, abs=1e-4)
+
+
 # ---- explicit dynamics
 
 
