@@ -4,7 +4,7 @@ import importlib
 
 import click
 
-_STUDIES = ("abacus", "coverage", "dispersion", "quasistatic", "refinement", "section", "vibration", "wave")
+_STUDIES = ("abacus", "assembly", "coverage", "dispersion", "influence", "quasistatic", "refinement", "section", "surface", "vibration", "wave")
 
 
 class _Studies(click.Group):
