@@ -1,0 +1,382 @@
+"""Calibrate once, use on any shape: materials × shapes against three-dimensional elasticity.
+
+Each material is calibrated once, in periodic cells without any wall. Its bonds then fill a cube, a slender beam and
+an L-bracket from examples/bracket.stl, and E, ν, the first free frequencies and what loads on a clamped body do are
+compared with benchmarks/continuum.py: with the bonds as they are ("raw"), and with those that the layers at walls ask
+for ("layered").
+
+Free frequencies are the clean comparison: nothing is held. A mode of the specimen is matched with a mode of the
+continuum by its shape (the modal assurance criterion); several modes of one frequency are compared as a group.
+Clamped specimens are held and loaded at the spheres that touch the end, whose centres lie R̄ inside. The continuum is
+therefore solved twice: with its faces held and loaded, and between planes R̄ inside of them, the rest being rigid. The
+second is what the specimen should do; the difference is what holding spheres costs.
+
+Run: python benchmarks/any_specimen.py [--count 20000] [--out out/any_specimen] [--material NAME] [--shape NAME]
+Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped. A whole run also writes
+benchmarks/results/any_specimen.json, any_specimen.md and docs/figures/any_specimen*.png.
+"""
+
+import argparse
+import json
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cache, cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+from any_specimen_figures import draw
+from bondem.calibration.density import balanced_density, element_density
+from bondem.labtests.uniform_stress import uniform_stress
+from bondem.solve.static import Statics
+from continuum import BRACKET, Continuum, Corners, Vibration
+
+ROOT = Path(__file__).resolve().parents[1]
+MATERIALS = ("fused_silica", "soda_lime_glass", "alumina", "granite", "steel")
+FINENESS = (2500, 5000, 10_000, 20_000, 40_000)
+SPREAD = 0.25
+SEED = 1
+WAYS = ("raw", "layered")
+#: Which spheres are at a face: those closer than this to it, in mean radii. Against a triangulated wall some of the
+#: first layer stop up to a tenth of R̄ short of it; the second layer is more than a whole R̄ away.
+DEPTH = 0.25
+#: Modes of the continuum looked at.
+MODES = 9
+#: Allowed error [-] for a thinnest part of at least so many R̄.
+LIMITS = ((25.0, 0.03), (12.0, 0.06))
+FORCE_X, FORCE_Y, FORCE_Z = ((tuple(axis), (0.0, 0.0, 0.0)) for axis in np.eye(3).tolist())
+MOMENT_X = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
+
+
+@dataclass(frozen=True)
+class Body:
+    """A shape and how it is tested.
+
+    Attributes:
+        shape: what is packed.
+        boxes: the same for the continuum.
+        thickness: of its thinnest part [m].
+        cell: of the mesh [m]; frequencies are then within 0.15 % of those of a fine mesh.
+        loaded: face that is loaded; x_min is held.
+        loads: (force, moment) on it, by name.
+    """
+
+    shape: bd.Box | bd.Surface
+    boxes: tuple[Corners, ...]
+    thickness: float
+    cell: float
+    loaded: str
+    loads: dict[str, tuple]
+
+    def continuum(self, inside: float = 0.0) -> Continuum:
+        """The mesh, of what lies between planes `inside` [m] of the held and the loaded face."""
+        boxes = [(list(lower), list(upper)) for lower, upper in self.boxes]
+        boxes[0][0][0] += inside
+        boxes[-1][1]["xyz".index(self.loaded[0])] -= inside
+        length = max(upper[0] for _, upper in boxes)
+        if len(boxes) == 1:
+            return Continuum.of(boxes, cell=self.cell, refined=((inside, length), (), ()))
+        (_, (_, _, height)), ((inner, _, _), _) = boxes
+        return Continuum.of(boxes, cell=self.cell, refined=((inside, inner), (), (height,)))
+
+
+def _box(size: tuple[float, float, float], cell: float) -> Body:
+    loads = {"tension": FORCE_X, "bending": FORCE_Y, "torsion": MOMENT_X}
+    return Body(bd.Box(size), (((0, 0, 0), size),), min(size), cell, "x_max", loads)
+
+
+@cache
+def bodies() -> dict[str, Body]:
+    """The three shapes. On the bracket's arm, forces along x, z and y stretch, bend and twist its foot."""
+    loads = {"tension": FORCE_X, "bending": FORCE_Z, "torsion": FORCE_Y}
+    surface = bd.Surface(ROOT / "examples" / "bracket.stl", unit="mm")
+    return {
+        "cube": _box((10e-3, 10e-3, 10e-3), 1.67e-3),
+        "beam": _box((40e-3, 5e-3, 5e-3), 1.25e-3),
+        "bracket": Body(surface, BRACKET, 8e-3, 2.67e-3, "z_max", loads),
+    }
+
+
+def limit(thickness: float) -> float | None:
+    """Allowed error [-] for a thickness in mean radii."""
+    return next((error for least, error in LIMITS if thickness >= least), None)
+
+
+# --- the continuum -----------------------------------------------------------------------------------------------
+
+
+def groups(frequency: np.ndarray, gap: float = 5e-3) -> list[list[int]]:
+    """Modes of one frequency each, to a gap; the last group, which may be incomplete, is left out."""
+    found = [[0]]
+    for k in range(1, len(frequency)):
+        if frequency[k] > (1.0 + gap) * frequency[k - 1]:
+            found.append([])
+        found[-1].append(k)
+    return found[:-1]
+
+
+@cache
+def mesh(name: str) -> Continuum:
+    return bodies()[name].continuum()
+
+
+@cache
+def free_modes(name: str, nu: float) -> Vibration:
+    """Of the body for E = ρ = 1; frequencies go with √(E/ρ)."""
+    return mesh(name).vibration(1.0, nu, 1.0, count=MODES)
+
+
+@cache
+def clamped(name: str, nu: float, inside: float) -> dict[str, float]:
+    """What each unit load does where it acts, for E = 1, between planes `inside` [m] of the faces."""
+    body = bodies()[name]
+    lever = inside * np.eye(3)["xyz".index(body.loaded[0])]
+    part = body.continuum(inside) if inside else mesh(name)
+    motion = part.response(
+        1.0, nu, held="x_min", loaded=body.loaded, loads=list(body.loads.values()), lever=lever.tolist()
+    )
+    return {
+        load: float(np.dot(np.concatenate(values), moved))
+        for (load, values), moved in zip(body.loads.items(), motion, strict=True)
+    }
+
+
+# --- specimens ---------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Specimen:
+    """A packed and bonded body, the same for every material."""
+
+    name: str
+    count: int
+
+    @cached_property
+    def lattice(self) -> bd.Lattice:
+        return bd.connect(bd.pack(bodies()[self.name].shape, count=self.count, spread=SPREAD, seed=SEED))
+
+    @cached_property
+    def expected(self) -> Callable[[np.ndarray], np.ndarray]:
+        """Turns modes of the mesh into displacements of the connected elements."""
+        lattice = self.lattice
+        return mesh(self.name).sampler(lattice.particles.position[lattice.connected])
+
+    @property
+    def thickness(self) -> float:
+        """Of the thinnest part, in mean radii [-]."""
+        return bodies()[self.name].thickness / self.lattice.particles.mean_radius
+
+    @property
+    def surface(self) -> float:
+        """R̄ S / V [-]."""
+        shape = bodies()[self.name].shape
+        return self.lattice.particles.mean_radius * shape.area / shape.volume
+
+
+@cache
+def specimen(name: str, count: int) -> Specimen:
+    return Specimen(name, count)
+
+
+@cache
+def cells(count: int, number: int) -> list[bd.Lattice]:
+    """Periodic cells to calibrate on: no walls, and no size either, for moduli do not depend on one."""
+    cube = bd.Cell((1e-2, 1e-2, 1e-2))
+    return [bd.connect(bd.pack(cube, count=count, spread=SPREAD, seed=seed)) for seed in range(1, number + 1)]
+
+
+def moduli(part: Specimen, law: Any) -> tuple[float, float]:
+    """E [Pa] and ν: of tension along x, or of uniform stress where there is no bar to pull."""
+    measure = uniform_stress if part.name == "bracket" else bd.labtests.static_tension
+    found = measure(part.lattice, law, depth=DEPTH)
+    return found.E, found.nu
+
+
+def free_frequencies(part: Specimen, law: Any, density: Any, nu: float) -> list[dict[str, Any]]:
+    """Frequencies of a free specimen beside those of the continuum with E = ρ = 1, group by group."""
+    theory = free_modes(part.name, nu)
+    lattice = part.lattice
+    found = bd.solve_modes(bd.Model(lattice, law, density), count=MODES + 3)
+    moving = lattice.connected
+    root = np.sqrt(lattice.particles.volume[moving])[:, None]
+    pair = found.shape[:, moving, :3], part.expected(theory.shape)
+    seen, expected = ((root * shapes).reshape(len(shapes), -1) for shapes in pair)
+    likeness = (seen @ expected.T) ** 2 / np.outer((seen**2).sum(axis=1), (expected**2).sum(axis=1))
+    rows = []
+    for group in groups(theory.frequency):
+        alike = likeness[:, group].sum(axis=1)
+        best = np.argsort(-alike)[: len(group)]
+        measured, reference = (
+            float(np.sqrt((f**2).mean())) for f in (found.frequency[best], theory.frequency[group])
+        )
+        rows.append({"modes": [k + 1 for k in group], "measured": measured, "reference": reference,
+                     "likeness": float(alike[best].min())})  # fmt: skip
+    return rows
+
+
+def deflections(part: Specimen, law: Any) -> dict[str, float]:
+    """What each unit load on the clamped specimen does where it acts [m/N, rad/(N·m)]: its work."""
+    body, lattice = bodies()[part.name], part.lattice
+    statics = Statics(bd.Model(lattice, law, boundary=[bd.Fix(bd.Face("x_min", DEPTH))]))
+    moved = {}
+    for load, (force, moment) in body.loads.items():
+        chosen, values = bd.Load(bd.Face(body.loaded, DEPTH), force=force, moment=moment).nodal(lattice)
+        nodal = np.zeros((len(lattice.particles), 6))
+        nodal[chosen] = values
+        moved[load] = float((statics.response(nodal) * nodal).sum())
+    return moved
+
+
+# --- one case, and all -------------------------------------------------------------------------------------------
+
+
+def case(fit: Any, part: Specimen, *, statics: bool = True) -> dict[str, Any]:
+    """One material in one shape: every quantity beside the continuum's, raw and corrected."""
+    material, lattice = fit.material, part.lattice
+    speed = np.sqrt(material.E / material.rho)
+    sizes = {"face": 0.0, "plane": lattice.particles.mean_radius}
+    soft = {key: clamped(part.name, material.nu, depth) for key, depth in sizes.items()} if statics else {}
+    result: dict[str, Any] = {
+        "material": material.name, "shape": part.name, "count": part.count, "thickness": part.thickness,
+        "surface": part.surface, "limit": limit(part.thickness), "coordination_number": lattice.coordination_number,
+    }  # fmt: skip
+    for way, law, density in ways(fit, lattice):
+        E, nu = moduli(part, law)
+        rows = {"E": _row(E, material.E), "nu": _row(nu, material.nu)}
+        for k, row in enumerate(free_frequencies(part, law, density, material.nu), start=1):
+            rows[f"f{k}"] = _row(row.pop("measured"), speed * row.pop("reference")) | row
+        for load, moved in deflections(part, law).items() if statics else ():
+            face, plane = (soft[key][load] / material.E for key in ("face", "plane"))
+            rows[load] = _row(moved, plane) | {"error_against_face": moved / face - 1.0}
+        result[way] = rows
+    return result
+
+
+def ways(fit: Any, lattice: bd.Lattice) -> Iterator[tuple[str, Any, Any]]:
+    """Name, bonds and density of the elements of each way to use a calibration."""
+    yield "raw", fit.law, element_density([lattice], fit.material.rho)
+    yield "layered", layered(fit, lattice), balanced_density(lattice, fit.material.rho)
+
+
+def layered(fit: Any, lattice: bd.Lattice) -> dict[Any, Any]:
+    """The calibrated bonds at the walls, and inside those of a cell with as many contacts as the inside has.
+
+    A packing of 6.2 contacts a sphere has about five at its walls and the more inside, up to seven: there it is
+    stiffer than the cell that was calibrated. Spheres at the walls, with fewer contacts, carry what they should.
+    """
+    particles = lattice.particles
+    gap = particles.envelope.depth(particles.position) - particles.radius
+    at_wall = gap < DEPTH * particles.mean_radius
+    contacts = np.bincount(lattice.pairs.ravel(), minlength=len(particles))
+    inner = _denser(type(fit.law), fit.material, round(float(contacts[~at_wall].mean()), 2))
+    skin, inside = bd.Index(np.flatnonzero(at_wall)), bd.Index(np.flatnonzero(~at_wall))
+    return {inside: inner, skin: fit.law, (skin, inside): fit.law}
+
+
+@cache
+def _denser(law: type, material: bd.Material, contacts: float) -> Any:
+    """The law calibrated in a cell with this many contacts a sphere."""
+    cube = bd.Cell((1e-2, 1e-2, 1e-2))
+    cell = bd.connect(bd.pack(cube, count=4000, spread=SPREAD, seed=SEED, coordination_number=contacts))
+    return bd.calibrate(cell, material, law=law).law
+
+
+def _row(measured: float, reference: float) -> dict[str, Any]:
+    return {"measured": float(measured), "reference": float(reference), "error": float(measured / reference - 1.0)}
+
+
+class Book:
+    """Cases in a folder: done once, read after."""
+
+    def __init__(self, folder: Path, *, cell: int, number: int) -> None:
+        self.folder, self.cell, self.number = folder, cell, number
+        self._fits: dict[str, Any] = {}
+        folder.mkdir(parents=True, exist_ok=True)
+
+    def fit(self, material: str) -> Any:
+        if material not in self._fits:
+            target = bd.materials.get(material)
+            self._fits[material] = bd.calibrate(cells(self.cell, self.number), target)
+        return self._fits[material]
+
+    def case(self, material: str, shape: str, count: int, *, statics: bool = True) -> dict[str, Any]:
+        file = self.folder / f"{material}-{shape}-{count}.json"
+        if not file.exists():
+            began = time.perf_counter()
+            found = case(self.fit(material), specimen(shape, count), statics=statics)
+            worst = {way: max(abs(found[way][key]["error"]) for key in judged(found[way])) for way in WAYS}
+            errors = ", ".join(f"{100 * error:.1f} % {way}" for way, error in worst.items())
+            print(f"{material}, {shape}, {count}: worst {errors}; {time.perf_counter() - began:.0f} s", flush=True)
+            file.write_text(json.dumps(found))
+        return json.loads(file.read_text())
+
+
+def judged(rows: dict[str, Any]) -> list[str]:
+    """What the limits are for: E, ν and the free frequencies."""
+    return [key for key in rows if key in ("E", "nu") or key[0] == "f"]
+
+
+def condensed(found: dict[str, Any]) -> dict[str, Any]:
+    """Six digits, and a verdict for each way."""
+    for way in WAYS:
+        worst = max(abs(found[way][key]["error"]) for key in judged(found[way]))
+        found[way]["worst"] = worst
+        found[way]["verdict"] = None if found["limit"] is None else worst <= found["limit"]
+    return json.loads(json.dumps(found), parse_float=lambda text: float(f"{float(text):.6g}"))
+
+
+def table(cases: list[dict[str, Any]]) -> str:
+    """Errors in percent."""
+    lines = []
+    for way in WAYS:
+        names = list(dict.fromkeys(key for one in cases for key in one[way] if isinstance(one[way][key], dict)))
+        lines += ["", f"**{way.capitalize()}**, errors [%]", "", "| material | shape | t/R̄ | limit | "
+                  + " | ".join(names) + " | verdict |", "|---" * (5 + len(names)) + "|"]  # fmt: skip
+        for one in cases:
+            cell = [f"{100 * one[way][key]['error']:+.1f}" if key in one[way] else "" for key in names]
+            allowed = "" if one["limit"] is None else f"{100 * one['limit']:.0f}"
+            verdict = {True: "yes", False: "**no**", None: ""}[one[way]["verdict"]]
+            lines.append("| " + " | ".join([one["material"], one["shape"], f"{one['thickness']:.1f}", allowed, *cell,
+                                            verdict]) + " |")  # fmt: skip
+    return "\n".join(lines[1:]) + "\n"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=20_000, help="spheres of each specimen")
+    parser.add_argument("--cell", type=int, default=10_000, help="spheres of each calibrating cell")
+    parser.add_argument("--cells", type=int, default=2, help="number of calibrating cells")
+    parser.add_argument("--material", choices=MATERIALS, action="append", help="only these; nothing is written then")
+    parser.add_argument("--shape", choices=tuple(bodies()), action="append", help="likewise")
+    parser.add_argument("--fineness", type=int, nargs="*", default=FINENESS, help="counts for the convergence")
+    parser.add_argument("--out", type=Path, default=Path("out/any_specimen"), help="folder of the cases")
+    options = parser.parse_args()
+    book = Book(options.out, cell=options.cell, number=options.cells)
+    shapes = options.shape or tuple(bodies())
+    cases = [condensed(book.case(m, s, options.count)) for s in shapes for m in options.material or MATERIALS]
+    first = (options.material or MATERIALS)[0]
+    series = [condensed(book.case(first, s, n)) for s in shapes for n in options.fineness]
+    print(table(cases))
+    print(table(series))
+    if options.material or options.shape:
+        return
+    results = ROOT / "benchmarks" / "results"
+    summary = {"count": options.count, "cell": options.cell, "cells": options.cells, "spread": SPREAD, "seed": SEED,
+               "cases": cases, "convergence": series}  # fmt: skip
+    (results / "any_specimen.json").write_text(json.dumps(summary, indent=1) + "\n")
+    (results / "any_specimen.md").write_text(table(cases) + "\nConvergence\n\n" + table(series))
+    bracket = specimen("bracket", options.count)
+    draw(summary, bracket.lattice, first_mode(book.fit(first), bracket), ROOT / "docs" / "figures")
+
+
+def first_mode(fit: Any, part: Specimen) -> np.ndarray:
+    """Translations of the elements in the first free mode, (n, 3)."""
+    model = bd.Model(part.lattice, fit.law, element_density([part.lattice], fit.material.rho))
+    return bd.solve_modes(model, count=1).shape[0, :, :3]
+
+
+if __name__ == "__main__":
+    main()
