@@ -2,7 +2,7 @@
 
 import posixpath
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from book.chapter import Chapter, Figure, Section
 from book.row import Origin, Row, Verdict, tally
@@ -54,23 +54,31 @@ def moved(text: str, folder: str) -> str:
 
 
 def table(rows: Sequence[Row], commands: Sequence[Origin]) -> str:
-    """Rows as a table, with remarks below it; columns in which nothing stands are left out."""
+    """Rows as a table, with remarks below it."""
     remarks = list(dict.fromkeys(remark for row in rows for remark in row.remarks))
     columns = {
         "case": [row.case for row in rows],
         "source": [row.source for row in rows],
         "paper": [row.paper_text for row in rows],
         "bondem": [row.ours.text(row.form) for row in rows],
-        "tolerance": [row.tolerance.words(row.form) if row.tolerance else "" for row in rows],
+        "tolerance": [_asked(row) for row in rows],
         "verdict": [_verdict(row, remarks) for row in rows],
         "command": [str(1 + commands.index(row.ours.origin)) for row in rows],
     }
-    kept = {name: cells for name, cells in columns.items() if any(cells)}
-    lines = [f"| {' | '.join(kept)} |", f"|{'---|' * len(kept)}"]
-    lines += [f"| {' | '.join(cells)} |" for cells in zip(*kept.values(), strict=True)]
-    lines += [""] * bool(remarks)
+    lines = [_grid(columns), ""] if remarks else [_grid(columns)]
     lines += [f"<sup>{_letter(k)}</sup> {_sentence(remark)}<br>" for k, remark in enumerate(remarks)]
     return "\n".join(lines).removesuffix("<br>")
+
+
+def _grid(columns: Mapping[str, Sequence[str]]) -> str:
+    """Columns in which nothing stands are left out."""
+    kept = {name: cells for name, cells in columns.items() if any(cells)}
+    lines = [f"| {' | '.join(kept)} |", f"|{'---|' * len(kept)}"]
+    return "\n".join(lines + [f"| {' | '.join(cells)} |" for cells in zip(*kept.values(), strict=True)])
+
+
+def _asked(row: Row) -> str:
+    return row.tolerance.words(row.form) if row.tolerance else ""
 
 
 def address(chapter: Chapter) -> str:
@@ -106,13 +114,13 @@ def _line(title: str, rows: Sequence[Row]) -> str:
 
 
 def _missed(found: Sequence[tuple[Chapter, Row]]) -> str:
-    lines = ["| chapter | case | paper | bondem | tolerance |", "|---|---|---|---|---|"]
-    for chapter, row in found:
-        asked = row.tolerance.words(row.form) if row.tolerance else ""
-        case = f"{row.case} ({'; '.join(row.remarks)})" if row.remarks else row.case
-        cells = (_reference(chapter), case, row.paper_text, f"**{row.ours.text(row.form)}**", asked)
-        lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines)
+    return _grid({
+        "chapter": [_reference(chapter) for chapter, _ in found],
+        "case": [f"{row.case} ({'; '.join(row.remarks)})" if row.remarks else row.case for _, row in found],
+        "paper": [row.paper_text for _, row in found],
+        "bondem": [f"**{row.ours.text(row.form)}**" for _, row in found],
+        "tolerance": [_asked(row) for _, row in found],
+    })  # fmt: skip
 
 
 def _differing(found: Sequence[tuple[Chapter, Row]]) -> str:
@@ -126,7 +134,7 @@ def _differing(found: Sequence[tuple[Chapter, Row]]) -> str:
                 f"{row.case}: {row.ours.text(row.form)}, paper {row.paper_text}" for _,
                 row in members if row.reason == reason
             )
-            lines.append(f"  - **{_sentence(reason)}** {cases}.")
+            lines.append(f"  - *{_sentence(reason)}* {cases}.")
     return "\n".join(lines)
 
 
@@ -135,7 +143,9 @@ def _reference(chapter: Chapter) -> str:
 
 
 def _sentence(remark: str) -> str:
-    return f"{remark[0].upper()}{remark[1:].rstrip('.')}." if remark[0] not in "eκφνρz" else f"{remark.rstrip('.')}."
+    """With a capital, unless it begins with a symbol of one letter."""
+    symbol = len(remark.split()[0].strip(",:")) == 1
+    return f"{remark if symbol else remark[0].upper() + remark[1:]}".rstrip(".") + "."
 
 
 def _letter(k: int) -> str:
