@@ -6,6 +6,7 @@ from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_to
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import Tension, static_tension
+from bondem.labtests.uniform_stress import UniformStress, uniform_stress
 from bondem.labtests.vibration import FreeVibration, free_vibration
 
 __all__ = [
@@ -13,6 +14,7 @@ __all__ = [
     "NaturalFrequencies",
     "Outcome",
     "Tension",
+    "UniformStress",
     "clamped_tension",
     "dynamic_bending",
     "dynamic_tension",
@@ -23,4 +25,5 @@ __all__ = [
     "static_bending",
     "static_tension",
     "static_torsion",
+    "uniform_stress",
 ]

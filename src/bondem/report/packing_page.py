@@ -16,6 +16,7 @@ _TITLES = {
     "dispersion": "Packings and the dispersion of radii",
     "influence": "Elastic constants and the parameters of bonds",
     "refinement": "Packings and their number of spheres",
+    "surface": "Bodies against the bulk",
 }
 
 

@@ -1,0 +1,106 @@
+"""First frequencies of cylinders whose elements have one density, eq (19), or the body's mass, centre and inertia.
+
+    python benchmarks/mass_moments.py --count 10000 --packings 4 --out DIR
+
+Every cylinder, 10 x 40 mm and clamped at one end, is compared with bar theory (lengths of eq (12); Timoshenko's beam)
+for its own E and ν of the tension test, and with the refined theory of docs/decisions/0004-measures.md, in which the
+section is the one that the axial force fills and, for one density, the mass fills.
+"""
+
+import argparse
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+from bondem.calibration.density import balanced_density, element_density
+from bondem.specimen.moments import moments
+
+RHO = 2201.0
+SHAPE = bd.Cylinder(radius=5e-3, length=40e-3)
+LAW = bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+KINDS = ("tension", "bending", "torsion")
+
+
+def inertia_error(lattice: bd.Lattice, density: Any) -> list[float]:
+    """Error of the moments of inertia about the axis, and across it, through the centre of the elements [-]."""
+    model, on = bd.Model(lattice, LAW, density=density), lattice.connected
+    m, x = model.mass[on], lattice.particles.position[on]
+    x = x - m @ x / m.sum()
+    own = model.inertia[on].sum()
+    square = m @ x**2
+    found = np.array([square[1] + square[2], square[0] + 0.5 * (square[1] + square[2])]) + own
+    wanted = RHO * np.diag(moments(SHAPE).inertia)[:2]
+    return (found / wanted - 1.0).tolist()
+
+
+def examine(count: int, seed: int) -> dict[str, Any]:
+    """One packing: errors of the first frequencies against theory, with one density and with balanced ones."""
+    lattice = bd.connect(bd.pack(SHAPE, count=count, spread=0.25, seed=seed))
+    tension = bd.labtests.static_tension(lattice, LAW)
+    row: dict[str, Any] = {"seed": seed, "count": count, "E": tension.E, "nu": tension.nu}
+    own = {"E": tension.E, "nu": tension.nu, "rho": RHO, "gyration": tension.gyration}
+    uniform = element_density([lattice], RHO)
+    for name, density in (("one", uniform), ("balanced", balanced_density(lattice, RHO))):
+        modes = bd.labtests.natural_frequencies(lattice, LAW, density=density)
+        tests = [
+            getattr(bd.labtests, f"dynamic_{kind}")(lattice, LAW, density=uniform, modes=modes, **own)
+            for kind in KINDS
+        ]
+        row[name] = {
+            "frequency": [test.measured for test in tests],
+            "error": [test.error if test.error_timoshenko is None else test.error_timoshenko for test in tests],
+            "error_refined": [test.error_refined for test in tests],
+            "inertia_error": inertia_error(lattice, density),
+            "density_spread": float(np.std(np.broadcast_to(density, count) / uniform)),
+        }
+    return row
+
+
+def summary(rows: list[dict[str, Any]]) -> dict[str, Any]:
+    """Mean and standard deviation of every error over the packings."""
+    found: dict[str, Any] = {}
+    for name in ("one", "balanced"):
+        for key in ("error", "error_refined", "inertia_error"):
+            values = np.array([row[name][key] for row in rows])
+            std = values.std(axis=0, ddof=1).tolist() if len(rows) > 1 else [None] * values.shape[1]
+            found.setdefault(name, {})[key] = {"mean": values.mean(axis=0).tolist(), "std": std}
+    return found
+
+
+def table(found: dict[str, Any]) -> str:
+    """The errors in percent."""
+    lines = ["| error in % | one density, eq (19) | balanced |", "|---|---|---|"]
+    names = [(f"{kind}, first frequency", "error", k) for k, kind in enumerate(KINDS)]
+    names += [("moment of inertia about the axis", "inertia_error", 0), ("across it", "inertia_error", 1)]
+    for text, key, k in names:
+        cells = []
+        for name in ("one", "balanced"):
+            mean, std = (100.0 * (found[name][key][part][k] or math.nan) for part in ("mean", "std"))
+            cells.append(f"{mean:+.2f} ± {std:.2f}" if math.isfinite(std) else f"{mean:+.2f}")
+        lines.append(f"| {text} | {cells[0]} | {cells[1]} |")
+    return "\n".join(lines) + "\n"
+
+
+def main() -> None:
+    """Run and keep."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=10_000)
+    parser.add_argument("--packings", type=int, default=4)
+    parser.add_argument("--out", type=Path, required=True)
+    given = parser.parse_args()
+    rows = [examine(given.count, seed) for seed in range(1, given.packings + 1)]
+    found = summary(rows)
+    given.out.mkdir(parents=True, exist_ok=True)
+    results = {"benchmark": "mass_moments", "count": given.count, "packings": given.packings, "kinds": KINDS,
+               "summary": found, "rows": rows}  # fmt: skip
+    (given.out / "results.json").write_text(json.dumps(results, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+    (given.out / "table.md").write_text(table(found), encoding="utf-8")
+    print(table(found))
+
+
+if __name__ == "__main__":
+    main()

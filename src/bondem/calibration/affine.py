@@ -1,0 +1,123 @@
+"""The affine (Voigt) estimate: moduli of a lattice if all elements moved with the mean strain. A sum over bonds."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, PerBond
+from bondem.errors import InputError
+from bondem.labtests.bulk import isotropic_average
+from bondem.model.assignment import BondAssignment, bond_stiffness
+from bondem.specimen.lattice import Lattice
+
+# Voigt order xx, yy, zz, yz, xz, xy, with engineering shear strains.
+_VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+
+# How far section times length may be from the volume of a bar [-].
+_PRISM = 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class AffineEstimate:
+    """Moduli before the elements give way, and what decides how much they do.
+
+    Attributes:
+        stiffness: C = 1/V Σ kn δn δn + ks δs·δs over the bonds, six unit strains [Pa], (6, 6).
+        E: Young's modulus [Pa]: along x of a bar, of the isotropic average of anything else.
+        nu: Poisson's ratio [-], likewise.
+        coordination: mean over the bonds of the number of bonds of the two elements they join [-].
+        wall: R̄ times the free surface over the volume, both of what is counted [-].
+        shear: Σ ks L² / Σ kn L² [-].
+        bending: Σ kb / Σ kn L² [-].
+    """
+
+    stiffness: Floats
+    E: float
+    nu: float
+    coordination: float
+    wall: float
+    shear: float
+    bending: float
+
+
+def is_bar(lattice: Lattice) -> bool:
+    """Whether the shape has the same section all along x, so that its middle half is a gauge for tension."""
+    shape = lattice.particles.envelope
+    return bool(shape.faces) and abs(shape.section() * shape.extent / shape.volume - 1.0) <= _PRISM
+
+
+def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None = None) -> AffineEstimate:
+    """Sum up the bonds of a lattice.
+
+    Of a bar, those in the middle half of its length, where `static_tension` measures: the walls that count are then
+    its sides, and its ends do not. Of any other shape and of a periodic cell, all.
+
+    Args:
+        lattice: elements and bonds.
+        law: a bond law, or laws by region.
+        bar: whether to take it for a bar; as `is_bar` says unless given.
+
+    Raises:
+        InputError: bonds that do not resist every strain, such as those of a plane lattice.
+    """
+    k, _ = bond_stiffness(lattice, law)
+    shape, particles = lattice.particles.envelope, lattice.particles
+    bar = is_bar(lattice) if bar is None else bar
+    moving = lattice.connected[lattice.pairs[:, 0]].astype(float)
+    if bar:
+        weight, volume = moving * _inside_gauge(lattice), 0.5 * shape.extent * shape.section()
+        surface = 0.5 * (shape.area - 2.0 * shape.section())
+    else:
+        period = particles.period
+        weight, volume = moving, shape.volume if period is None else float(period.prod())
+        surface = shape.area if period is None else 0.0
+    bonds = np.bincount(lattice.pairs.ravel(), minlength=len(particles))
+    square = weight * lattice.length**2
+    normal = float(k.kn @ square)
+    stiffness = _sum(lattice, weight * k.kn, weight * k.ks) / volume
+    E, nu = _along_x(stiffness) if bar else _isotropic(stiffness)
+    if not (math.isfinite(E) and E > 0.0):
+        raise InputError("the bonds of this lattice do not resist every strain; pack a body, not a chain or a plane")
+    return AffineEstimate(
+        stiffness=stiffness,
+        E=E,
+        nu=nu,
+        coordination=float(np.average(bonds[lattice.pairs].mean(axis=1), weights=weight)),
+        wall=particles.mean_radius * surface / volume,
+        shear=float(k.ks @ square) / normal,
+        bending=float(k.kb @ weight) / normal,
+    )
+
+
+def _inside_gauge(lattice: Lattice) -> PerBond:
+    """Share of each bond's extent along x that lies in the middle half of the length."""
+    lower, upper = lattice.particles.envelope.bounds
+    x = lattice.particles.position[:, 0] - 0.5 * (lower[0] + upper[0])
+    half = 0.25 * (upper[0] - lower[0])
+    low, high = np.sort(x[lattice.pairs], axis=1).T
+    return np.clip(np.minimum(high, half) - np.maximum(low, -half), 0.0, None) / np.maximum(high - low, 1e-300)
+
+
+def _sum(lattice: Lattice, normal: PerBond, shear: PerBond) -> Floats:
+    direction = lattice.branch / lattice.length[:, None]
+    slip = np.zeros((6, *lattice.branch.shape))
+    for s, (a, b) in enumerate(_VOIGT):
+        slip[s, :, a] += 0.5 * lattice.branch[:, b]
+        slip[s, :, b] += 0.5 * lattice.branch[:, a]
+    along = np.einsum("smi,mi->sm", slip, direction)
+    across = slip - along[:, :, None] * direction
+    return (along * normal) @ along.T + np.einsum("smi,m,tmi->st", across, shear, across, optimize=True)
+
+
+def _along_x(stiffness: Floats) -> tuple[float, float]:
+    try:
+        compliance = np.linalg.inv(stiffness)
+    except np.linalg.LinAlgError:
+        return math.nan, math.nan
+    return float(1.0 / compliance[0, 0]), float(-0.5 * (compliance[0, 1] + compliance[0, 2]) / compliance[0, 0])
+
+
+def _isotropic(stiffness: Floats) -> tuple[float, float]:
+    K, G = isotropic_average(stiffness)
+    return 9.0 * K * G / (3.0 * K + G), (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G))

@@ -1,0 +1,252 @@
+"""The surface correction: what a bond law calibrated in the bulk gives in a body, where walls are near.
+
+Spheres at a wall have fewer neighbours. In a packing with a given mean number of contacts the inside has more of them
+instead, and thin bodies come out stiffer; at the onset of jamming, or cut from a larger packing, nothing makes up for
+the skin, and they come out softer. What decides is the lattice, so that is what the prediction looks at: the affine
+estimate, a sum over its bonds, times a factor for how much the elements give way,
+
+    ln(E / E_affine) = Σ_jk c_jk f_j g_k,    ν - ν_affine = Σ_jk d_jk f_j g_k,
+    f = 1, ln p, ln² p, ln(12 q / p),    p = Σ ks L² / Σ kn L²,  q = Σ kb / Σ kn L²      (the law),
+    g = 1, z - z0, w, (z - z0) w,        z contacts at both ends of a bond, w = R̄ S / V   (the lattice),
+
+with coefficients measured by `bondem study surface`. A sum over bonds costs nothing beside an equilibrium, and is as
+good as the scatter of single packings; to know a specimen better than that, test it.
+"""
+
+import json
+import math
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.calibration.affine import AffineEstimate, affine_estimate
+from bondem.errors import InputError
+from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness
+from bondem.specimen.lattice import Lattice
+
+_DATA = Path(__file__).with_suffix(".json")
+
+#: z0 of the factor: mean contacts at the ends of a bond, about that of a cell with 6.2 contacts a sphere [-].
+COORDINATION = 6.6
+
+
+class ExtrapolationWarning(UserWarning):
+    """A prediction for a law or a lattice beyond those it was fitted to."""
+
+
+def surface_ratio(lattice: Lattice) -> float:
+    """R̄ S / V: mean radius times the area of the shape over its volume [-]; 0 for a periodic cell."""
+    if lattice.particles.period is not None:
+        return 0.0
+    shape = lattice.particles.envelope
+    return lattice.particles.mean_radius * shape.area / shape.volume
+
+
+def law_terms(shear: Any, bending: Any) -> Floats:
+    """f of the model: 1, ln p, ln² p, ln(12 q / p), last axis."""
+    x = np.log(shear)
+    return np.stack([np.ones_like(x), x, x * x, np.log(12.0 * np.asarray(bending)) - x], axis=-1)
+
+
+def lattice_terms(coordination: Any, wall: Any) -> Floats:
+    """g of the model: 1, z - z0, w, (z - z0) w, last axis."""
+    u, w = np.asarray(coordination, dtype=float) - COORDINATION, np.asarray(wall, dtype=float)
+    return np.stack([np.ones_like(u), u, w, u * w], axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceModel:
+    """Coefficients of the correction, and what they were fitted to.
+
+    Attributes:
+        E, nu: c_jk and d_jk, (4, 4).
+        E_curve, nu_curve: of E/E_bulk - 1 and ν/ν_bulk - 1 over R̄S/V in s, s ln p, s², s² ln p, for bodies with 6.2
+            contacts a sphere, (4,).
+        E_error, nu_error: a, b of the relative standard error √(a² + b² / elements) of what is predicted from a
+            lattice, on shapes left out of the fit, (2,).
+        E_curve_error, nu_curve_error: relative standard error of what is predicted from R̄S/V.
+        length: mean length of the bonds in the bulk and its standard deviation, over R̄ [-], (2,).
+        number: of the bonds in the bulk, in a volume R̄³.
+        coordination: of the bulk, as in `AffineEstimate`.
+        fitted: lowest and highest "coordination", "wall", "shear" and "softness" (12 q / p) of the fit.
+    """
+
+    E: Floats
+    nu: Floats
+    E_curve: Floats
+    nu_curve: Floats
+    E_error: tuple[float, float]
+    nu_error: tuple[float, float]
+    E_curve_error: float
+    nu_curve_error: float
+    length: Floats
+    number: float
+    coordination: float
+    fitted: Mapping[str, tuple[float, float]]
+
+    @classmethod
+    def read(cls, data: Mapping[str, Any]) -> "SurfaceModel":
+        """From what a JSON file holds under these names."""
+        E, nu, E_curve, nu_curve, length = (
+            np.array(data[name], dtype=float) for name in ("E", "nu", "E_curve", "nu_curve", "length")
+        )
+        E_error, nu_error, *fitted = (
+            (float(low), float(high)) for low, high in (data["E_error"], data["nu_error"], *data["fitted"].values())
+        )
+        return cls(
+            E=E, nu=nu, E_curve=E_curve, nu_curve=nu_curve, E_error=E_error, nu_error=nu_error,
+            E_curve_error=float(data["E_curve_error"]), nu_curve_error=float(data["nu_curve_error"]), length=length,
+            number=float(data["number"]), coordination=float(data["coordination"]),
+            fitted=dict(zip(data["fitted"], fitted, strict=True)),
+        )  # fmt: skip
+
+    def moduli(self, estimate: AffineEstimate) -> tuple[float, float]:
+        """E [Pa] and ν [-] predicted."""
+        f = law_terms(estimate.shear, estimate.bending)
+        g = lattice_terms(estimate.coordination, estimate.wall)
+        return estimate.E * math.exp(float(f @ self.E @ g)), estimate.nu + float(f @ self.nu @ g)
+
+    def bulk(self, law: BondLaw, mean_radius: float) -> AffineEstimate:
+        """The estimate of a large periodic cell with 6.2 contacts a sphere, an isotropic one."""
+        # two lengths that have this mean and this standard deviation stand for all
+        length = mean_radius * (self.length[0] + self.length[1] * np.array([-1.0, 1.0]))
+        half = 0.5 * length
+        k = law.stiffness(BondGeometry(length, half, half, mean_radius))
+        volume = len(length) * mean_radius**3 / self.number
+        return _isotropic(k, length, volume, self.coordination)
+
+
+def _isotropic(k: BondStiffness, length: Floats, volume: float, coordination: float) -> AffineEstimate:
+    """The estimate of bonds that point all ways alike."""
+    normal, shear = float(k.kn @ length**2), float(k.ks @ length**2)
+    K, G = normal / (9.0 * volume), (normal / 15.0 + shear / 10.0) / volume
+    stiffness = np.diag([2.0 * G] * 3 + [G] * 3)
+    stiffness[:3, :3] += K - 2.0 * G / 3.0
+    return AffineEstimate(
+        stiffness=stiffness,
+        E=9.0 * K * G / (3.0 * K + G),
+        nu=(3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G)),
+        coordination=coordination,
+        wall=0.0,
+        shear=shear / normal,
+        bending=float(k.kb.sum()) / normal,
+    )
+
+
+@cache
+def _default() -> SurfaceModel:
+    return SurfaceModel.read(json.loads(_DATA.read_text(encoding="utf-8")))
+
+
+@dataclass(frozen=True)
+class SurfaceCorrection:
+    """E and ν of a specimen over those of the bulk, for one bond law.
+
+    The bulk is a large periodic cell of default packing (6.2 contacts a sphere, κ = 25 %), as `bd.bulk_moduli`
+    measures it. To go from one calibrated lattice to another, divide: `E(other) / E(calibrated)`; what the reference
+    is then drops out. A bar is predicted as `labtests.static_tension` measures it along x, anything else as a whole.
+
+    Attributes:
+        law: the bonds.
+        model: coefficients.
+    """
+
+    law: BondLaw
+    model: SurfaceModel
+
+    @classmethod
+    def default(cls, law: BondLaw) -> "SurfaceCorrection":
+        """The correction measured by `bondem study surface`.
+
+        Args:
+            law: any bond law; its modulus does not matter.
+        """
+        if not isinstance(law, BondLaw):
+            raise InputError(f"law = {law!r}; give a bond law, such as calibrate(...).law")
+        return cls(law, _default())
+
+    def E(self, where: Lattice | float) -> float:
+        """E over that of the bulk [-].
+
+        Args:
+            where: a lattice; or R̄S/V of a body packed with 6.2 contacts a sphere, which is less exact.
+
+        Warns:
+            ExtrapolationWarning: beyond what the model was fitted to.
+        """
+        if isinstance(where, Lattice):
+            own, bulk = self._both(where)
+            return own[0] / bulk[0]
+        return 1.0 + float(self._curve_terms(where) @ self.model.E_curve)
+
+    def nu(self, where: Lattice | float) -> float:
+        """ν over that of the bulk [-]; argument as of `E`.
+
+        For a body twice as long as it is thick or longer. Equal tractions on the ends of a stubbier one load its
+        soft skin too much, which `static_tension` sees as a ν some percent lower; between rigid plates it has the ν
+        given here.
+        """
+        if isinstance(where, Lattice):
+            own, bulk = self._both(where)
+            return own[1] / bulk[1]
+        return 1.0 + float(self._curve_terms(where) @ self.model.nu_curve)
+
+    def E_error(self, where: Lattice | float) -> float:
+        """Relative standard error of `E` for one packing [-]."""
+        return self._error(where, self.model.E_error, self.model.E_curve_error)
+
+    def nu_error(self, where: Lattice | float) -> float:
+        """Relative standard error of `nu` for one packing [-]."""
+        return self._error(where, self.model.nu_error, self.model.nu_curve_error)
+
+    def _both(self, lattice: Lattice) -> tuple[tuple[float, float], tuple[float, float]]:
+        estimate = affine_estimate(lattice, self.law)
+        self._check(estimate)
+        return self.model.moduli(estimate), self.model.moduli(
+            self.model.bulk(self.law, lattice.particles.mean_radius)
+        )
+
+    def _curve_terms(self, s: float) -> Floats:
+        if self.law.radius is not None:
+            raise InputError(
+                "the correction over R̄S/V needs a law with radius_ratio=, not radius=; or give it a lattice"
+            )
+        bulk = self.model.bulk(self.law, 1.0)
+        self._check(bulk, wall=float(s))
+        x = math.log(bulk.shear)
+        return np.array([s, s * x, s * s, s * s * x])
+
+    @staticmethod
+    def _error(where: Lattice | float, of_lattice: tuple[float, float], of_curve: float) -> float:
+        if isinstance(where, Lattice):
+            return math.hypot(of_lattice[0], of_lattice[1] / math.sqrt(where.connected.sum()))
+        return of_curve
+
+    def _check(self, estimate: AffineEstimate, *, wall: float | None = None) -> None:
+        found = {
+            "coordination": estimate.coordination,
+            "wall": estimate.wall if wall is None else wall,
+            "shear": estimate.shear,
+            "softness": 12.0 * estimate.bending / estimate.shear,
+        }
+        what = {
+            "coordination": "mean contacts at the ends of a bond",
+            "wall": "R̄S/V",
+            "shear": "shear over normal stiffness of the bonds, Σ ks L² / Σ kn L²",
+            "softness": "bending over shear stiffness of the bonds, 12 Σ kb / Σ ks L²",
+        }
+        for name, value in found.items():
+            low, high = self.model.fitted[name]
+            if not low - 0.02 * (high - low) <= value <= high + 0.02 * (high - low):
+                warnings.warn(
+                    f"the surface correction was fitted for {what[name]} from {low:.3g} to {high:.3g}, and here it is"
+                    f" {value:.3g}: test the specimen itself (labtests.static_tension or uniform_stress)",
+                    ExtrapolationWarning,
+                    stacklevel=4,
+                )
