@@ -40,6 +40,7 @@ class ExplicitTension:
         dt: time step [s].
         steps: taken.
         seconds: of wall time the steps took [s].
+        busy: of processor time they took, all threads together [s].
     """
 
     time: Floats
@@ -50,6 +51,7 @@ class ExplicitTension:
     dt: float
     steps: int
     seconds: float
+    busy: float
 
     @property
     def E(self) -> float:
@@ -114,7 +116,7 @@ def explicit_tension(
         steps: of 0.9 of the critical time step.
         ramp: share of the steps in which the load grows [-].
         phi: of the scheme of Tchamwa and Wielgosz, which damps [-].
-        stress: F / S at full load [Pa]; so small that geometry stays linear to a part in a million.
+        stress: F / S at full load [Pa]; so small that geometry stays linear to some parts in a million.
         depth: of the loaded faces, in mean radii [-].
         progress: told the share of steps done, 0 … 1.
 
@@ -144,9 +146,9 @@ def explicit_tension(
         axial, *lateral = np.diag(AffineField.fit(position, state.displacement[chosen]).strain)
         strain.append((axial, 0.5 * sum(lateral)))
 
-    began = time.perf_counter()
+    began, busy = time.perf_counter(), time.process_time()
     run = integrate(model, replace(plan, duration=steps * plan.dt), callback=read, progress=progress)
-    seconds = time.perf_counter() - began
+    seconds, busy = time.perf_counter() - began, time.process_time() - busy
     if run.status is Status.UNSTABLE:
         raise UnstableRunError(run.message)
     return ExplicitTension(
@@ -158,4 +160,5 @@ def explicit_tension(
         dt=run.dt,
         steps=run.steps,
         seconds=seconds,
+        busy=busy,
     )

@@ -26,7 +26,8 @@ _CAPTIONS = {
     "wave_faces": """Figure 20. Mean velocities of the faces, x_max struck and x_min free. Left: x_max keeps its
         velocity. Right, as the paper has it: it is given one and left alone.""",
     "wave_snapshots": """Figure 21. Longitudinal section through the specimen: circles are what a plane through the
-        axis cuts of the elements, coloured by their velocity towards the far face; L/c is the time of a passage.""",
+        axis cuts of the elements (without rattlers), coloured by their velocity towards the far face; L/c is the time
+        of a passage.""",
     "wave_travel": """Mean velocity of the cross-sections over place and time. Dashed: √(E/ρ), there and back.""",
     "wave_arrival": """Celerity over the level at which the wave is said to have arrived, as a difference from √(E/ρ).
         Mean and scatter over the packings. Solid: length by eq (12), as the paper; dashed: path from the centres of
