@@ -1,12 +1,12 @@
 """Standard tests of a specimen, one to a file: each measures one number and puts theory beside it."""
 
+from bondem.labtests.any_shape import UniformStress, uniform_stress
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import Tension, static_tension
-from bondem.labtests.uniform_stress import UniformStress, uniform_stress
 from bondem.labtests.vibration import FreeVibration, free_vibration
 
 __all__ = [

@@ -13,7 +13,8 @@ from bondem.calibration import affine
 from bondem.calibration.affine import affine_estimate, is_bar
 from bondem.io.packing_cache import key
 from bondem.io.particles_file import load_bonded, save_particles
-from bondem.labtests import bulk, gauge_length, tension, uniform_stress
+from bondem.labtests import any_shape, bulk, gauge_length, tension
+from bondem.labtests.any_shape import uniform_stress
 from bondem.labtests.bulk import bulk_moduli
 from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.labtests.tension import static_tension
@@ -217,7 +218,7 @@ def _moduli(lattice: Lattice, law: BondLaw, test: str) -> tuple[float, float]:
         found = bulk_moduli(lattice, law)
         return found.E, found.nu
     if test == "stress":
-        whole = uniform_stress.uniform_stress(lattice, law)
+        whole = uniform_stress(lattice, law)
         return whole.E, whole.nu
     if test == "plates":
         return _between_plates(lattice, law)
@@ -248,7 +249,7 @@ def _lattice(specimen: SpecimenRequest, folder: Path) -> Lattice:
 def _measuring() -> str:
     """A hash of the code that measures; that which packs and solves is in `key`."""
     digest = hashlib.sha256()
-    for module in (affine, bulk, tension, gauge_length, uniform_stress):
+    for module in (affine, bulk, tension, gauge_length, any_shape):
         digest.update(Path(str(module.__file__)).read_bytes())
     digest.update(Path(__file__).read_bytes())
     return digest.hexdigest()
