@@ -1,0 +1,130 @@
+"""Total against incremental formulation, and what Obermayr's bond tends to."""
+
+from typing import Any
+
+from book.chapter import Chapter, Figure, Section
+from book.chapters.chen_tables import CASES
+from book.forms import PERCENT, ROUNDING, Form
+from book.results import Measurement
+from book.row import Row
+from book.tolerances import AtMost, Near
+
+DRIFT = Measurement("incremental_drift", "python benchmarks/incremental_drift.py", "2 min")
+MEASUREMENTS = (DRIFT, CASES)
+
+ORDER = Form(style=".2f")
+TIMES = Form(style=".3g")
+
+
+def chapter() -> Chapter:
+    """The chapter."""
+    return Chapter(
+        name="formulations",
+        title="Total against incremental formulation, and Obermayr's bond",
+        summary=(
+            "The papers integrate rates of force step by step. That drifts when a body turns and leaves something"
+            " behind"
+            " after a closed cycle, however small the steps; the energy of bondem's bonds does neither. At small"
+            " rotations both agree."
+        ),
+        sections=(_turning(), _spinning(), _cycles(), _obermayr()),
+    )
+
+
+def _turning() -> Section:
+    rows = []
+    for body in ("rod", "lattice"):
+        for form, tolerance in (("total", AtMost(1e-9)), ("incremental", None), ("as printed", None)):
+            found = DRIFT.at("turning", {"body": body, "form": form, "steps_a_turn": 2048})
+            rows.append(Row(case=f"{body}, {form}: error of the forces after ten turns", tolerance=tolerance,
+                            ours=DRIFT.of(found["force_error"][-1]),
+                            form=ROUNDING if tolerance else TIMES))  # fmt: skip
+        order = DRIFT.number("orders", f"turning, {body}, as printed: order in dt")
+        rows.append(Row(case=f"{body}, as printed: order of that error in dt", ours=order, form=ORDER,
+                        tolerance=Near(target=1.0, absolute=0.1)))  # fmt: skip
+    found = DRIFT.at("turning", {"body": "rod", "form": "as printed", "steps_a_turn": 8192})
+    rows.append(
+        Row(case="rod, as printed, 8192 steps a turn: error over that of a false strain 2π²N/S", form=ORDER,
+            ours=DRIFT.of(found["force_error"][-1] / found["expected_as_printed"]), tolerance=Near(target=1.0,
+            absolute=0.05))
+    )  # fmt: skip
+    return Section(
+        title="Turned through ten turns as a rigid body",
+        before="Stretched, bent and twisted, then every element driven along its exact circle, 2048 steps a turn.",
+        rows=tuple(rows),
+        figures=(Figure("incremental_drift.png", "Where the incremental formulation drifts"),),
+    )
+
+
+def _spinning() -> Section:
+    rows = []
+    for body in ("rod", "lattice"):
+        total, rates = (_spin(body, form) for form in ("total", "incremental"))
+        expected = rates["strain_expected_as_printed"]
+        rows += [
+            Row(case=f"{body}, total: largest error of the energy", ours=DRIFT.of(total["largest_energy_error"]),
+                form=ROUNDING, tolerance=AtMost(1e-5)),
+            Row(case=f"{body}, total: change of angular momentum", ours=DRIFT.of(total["momentum_error"]),
+                form=ROUNDING,
+                tolerance=AtMost(1e-11)),
+            Row(case=f"{body}, incremental: largest error of the energy", form=PERCENT,
+                ours=DRIFT.of(rates["largest_energy_error"])),
+            Row(case=f"{body}, incremental: change of length", ours=DRIFT.of(rates["length_change"]), form=PERCENT,
+                note=f"the strain that the printed rates feign is {100.0 * expected:.2f} % in the {body}".replace("-",
+                "−")),
+        ]  # fmt: skip
+    return Section(title="Spinning freely through ten turns", before="At 0.8 of the critical step.", rows=tuple(rows))
+
+
+def _spin(body: str, form: str) -> dict[str, Any]:
+    return DRIFT.at("spinning", {"body": body, "form": form, "share_of_critical": 0.8})
+
+
+def _cycles() -> Section:
+    small = DRIFT.at("small_rotations", {"strain": 1e-5})
+    orders = DRIFT.at("orders")
+    chosen = {"angle": 0.4, "steps_a_leg": 2000, "cycles": 10}
+    return Section(
+        title="Small rotations, closed cycles",
+        rows=(
+            Row(case="forces of both formulations at a strain of 1e-5, difference", form=ROUNDING,
+                tolerance=AtMost(1e-4),
+                ours=DRIFT.of(small["force_difference"])),
+            Row(case="order of that difference in the strain", form=ORDER, tolerance=Near(target=1.0, absolute=0.05),
+                ours=DRIFT.of(orders["small rotations: order of the difference of the forces in the strain"])),
+            Row(case="ten closed cycles of 0.4 rad, total: what is left of the forces", form=ROUNDING,
+                tolerance=AtMost(1e-9), ours=DRIFT.of(DRIFT.at("cycles", {"form": "total"} | chosen)["left"][-1])),
+            Row(case="the same, incremental", form=PERCENT,
+                ours=DRIFT.of(DRIFT.at("cycles", {"form": "incremental"} | chosen)["left"][-1])),
+            Row(case="order of what is left in the angle", form=ORDER, tolerance=Near(target=1.0, absolute=0.05),
+                ours=DRIFT.of(orders["cycles: order of what is left in the angle"]),
+                note="it does not fall with dt: rotations do not commute, so rates do not add up to zero"),
+        ),
+        figures=(Figure("incremental_drift_cycles.png", "What closed cycles leave behind"),),
+    )  # fmt: skip
+
+
+def _obermayr() -> Section:
+    rows = []
+    for n in (1, 2, 4, 10, 40, 160):
+        found = CASES.at("shear", "refinement", {"law": "Obermayr", "bonds": n})
+        plural = "s" * (n > 1)
+        rows.append(Row(case=f"Obermayr, case 3, {n} bond{plural}: error of the tip", ours=CASES.of(found["error"]),
+                        form=Form("%", 1e-2, "+.4f")))  # fmt: skip
+    rows += [
+        Row(case="order of that error in the number of bonds", ours=CASES.number("shear", "order_obermayr"),
+            form=Form(style=".3f"), tolerance=Near(target=2.0, absolute=0.01)),
+        # the error of 160 bonds is 1e-5, and a solution has 1e-10
+        Row(case="largest distance from −(1 − s)/4n², s the share of shear", form=ROUNDING, tolerance=AtMost(1e-5),
+            ours=CASES.number("shear", "largest_distance", "Obermayr")),
+        Row(case="what parallel bonds tend to for ever more bonds", ours=CASES.number("shear", "limit_parallel"),
+            form=Form("%", 1e-2, "+.4f"), note="their shear stiffness lacks the factor 9/10"),
+        Row(case="largest distance of parallel bonds from their limit and −(1 − s)/4n²", form=ROUNDING,
+            tolerance=AtMost(1e-5), ours=CASES.number("shear", "largest_distance", "PBM")),
+    ]  # fmt: skip
+    return Section(
+        title="Obermayr's bond, α_s = 9/10",
+        before="The stubby limit of Timoshenko's bond: exact for ever more bonds; the paper only says so.",
+        rows=tuple(rows),
+        figures=(Figure("chen_refinement.png", "Error of the tip over the number of bonds"),),
+    )
