@@ -4,7 +4,10 @@ import importlib
 
 import click
 
-_STUDIES = ("abacus", "assembly", "coverage", "dispersion", "influence", "quasistatic", "refinement", "section", "surface", "vibration", "wave")
+_STUDIES = (
+    "abacus", "assembly", "coverage", "dispersion", "influence", "quasistatic", "refinement", "section",
+    "surface", "vibration", "wave",
+)  # fmt: skip
 
 
 class _Studies(click.Group):
