@@ -103,6 +103,17 @@ def test_a_bar_let_go_swings_at_its_frequencies_and_keeps_its_energy():
     assert 0.0 < energy["rotation"][free].sum() < energy["translation"][free].sum()
 
 
+def test_what_the_ledger_misses_when_loads_go_is_of_second_order(specimen):
+    law = bd.EulerBernoulli(E=E, nu=0.3, radius_ratio=0.7)
+    coarse, fine = (
+        ramped_vibration(specimen, law, density=3000.0, steps=round(1800 / safety), safety=safety)
+        for safety in (0.9, 0.45)
+    )
+    assert coarse.time[-1] == pytest.approx(fine.time[-1], rel=1e-3)
+    assert coarse.energy_error < 2e-3
+    assert coarse.energy_error / fine.energy_error == pytest.approx(4.0, rel=0.15)
+
+
 def test_moments_of_a_chain():
     n = 20
     found = moments(chain(n), density=DENSITY, rho=RHO)

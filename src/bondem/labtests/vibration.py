@@ -117,6 +117,7 @@ def ramped_vibration(
     ramp: float = 0.4,
     stress: float = 1e5,
     depth: float = 0.02,
+    safety: float = 0.9,
     progress: Callable[[float], None] | None = None,
 ) -> FreeVibration:
     """Load a clamped specimen little by little, let go, and record all of it, as the paper does.
@@ -127,10 +128,11 @@ def ramped_vibration(
         lattice: the specimen.
         law: its bonds.
         density: of the elements, ρ_μ [kg/m³].
-        steps: of 0.9 of the critical time step.
+        steps: how many.
         ramp: share of the steps in which the loads grow [-].
         stress: that each load causes at its end, roughly [Pa].
         depth: of the two faces, in mean radii [-].
+        safety: share of the critical time step to take [-].
         progress: told the share of steps done, 0 … 1.
 
     Raises:
@@ -143,7 +145,7 @@ def ramped_vibration(
         raise InputError(f"ramp = {ramp}; give the share of the steps in which the loads grow, in (0, 1)")
     held = Fix(Face("x_min", depth))
     model = Model(lattice, law, density=density, boundary=[held])
-    dt = settled(model, Plan(duration=0.0)).dt
+    dt = settled(model, Plan(duration=0.0, safety=safety)).dt
     assert dt is not None
     tell = progress or (lambda share: None)
     released = growing * dt

@@ -49,7 +49,13 @@ def draw_quasistatic(path: Path, run: ExplicitTension, *, kinetic: float) -> Non
 
 
 def draw_breakdown(
-    path: Path, time: Floats, energy: Mapping[str, Floats], *, mark: float, mark_name: str
+    path: Path,
+    time: Floats,
+    energy: Mapping[str, Floats],
+    *,
+    mark: float,
+    mark_name: str,
+    window: tuple[float, float] | None = None,
 ) -> None:
     """Elastic energy by kind: as the paper splits it, and in four shares.
 
@@ -59,6 +65,7 @@ def draw_breakdown(
         energy: ledger [J], (s,) each.
         mark: a moment to point out [s].
         mark_name: what happened then.
+        window: from when to when the left half shows [s]; all of it unless given.
     """
     three = {
         "tension": (energy["normal"], BLUE),
@@ -84,6 +91,8 @@ def draw_breakdown(
         for ax in (left, right):
             ax.axvline(mark * 1e3, color=GREY, linewidth=0.9, linestyle=(0, (1, 1.5)))
             ax.set_xlim(0.0, time[-1] * 1e3)
+        if window is not None:
+            left.set_xlim(1e3 * window[0], 1e3 * window[1])
         right.annotate(mark_name, (mark * 1e3, 0.48), xycoords=("data", "axes fraction"), xytext=(4, 0),
                        textcoords="offset points", color=GREY)  # fmt: skip
 
@@ -153,6 +162,7 @@ def draw_inertia(path: Path, summary: Mapping[str, Any]) -> None:
         _bars(left, [summary[name] for name in names], 0.0, 0.55, BLUE, None)
         left.set_xticks(range(len(names)), list(names.values()))
         left.set(ylabel="elements / continuum − 1 [%]", title="mass and moments")
+        left.margins(y=0.1)
         groups = {
             "mass": ("mass distribution", ORANGE), "stiffness": ("section of the forces", GREEN),
             "measured": ("all, as measured", GREY),

@@ -25,10 +25,11 @@ _COLUMN = {"tension": 0, "bending": 1, "torsion": 3}
 
 _CAPTIONS = {
     "vibration_breakdown": """Figure 19. Elastic energy of the bonds by kind, while an axial force, a transverse force
-        and a torque grow together on the free end, and after they are let go. Left as the paper splits it, right in
-        four.""",
+        and a torque grow together on the free end, and after they are let go. Left, about
+        that moment, as the paper splits it; right in four shares.""",
     "vibration_energy": """Stored and moving energy; the share of the moving energy that is in the rotation of the
-        elements; and what the ledger of energy misses.""",
+        elements; and what the ledger of energy misses: Verlet keeps an energy of its own, which differs from this one
+        by a share of dt², and by another one once the load is gone.""",
     "vibration_inertia": """Left: mass and moments of inertia of the elements that move, with density after eq (19),
         against the continuum. Right: what the first frequencies owe to it, what they owe to the section that forces
         fill, and the whole difference from theory (for bending Timoshenko's). Mean and scatter over the packings.""",
@@ -96,7 +97,11 @@ def run_vibration(
     }
     results = keep_study(out, results, _tables(results))
     figures = out / "figures"
-    draw_breakdown(figures / "vibration_breakdown.png", run.time, run.energy, mark=run.released, mark_name="let go")
+    after = run.time[-1] - run.released
+    draw_breakdown(
+        figures / "vibration_breakdown.png", run.time, run.energy, mark=run.released, mark_name="let go",
+        window=(run.released - 0.05 * after, run.released + 0.25 * after),
+    )  # fmt: skip
     draw_vibration_energy(figures / "vibration_energy.png", run)
     draw_inertia(figures / "vibration_inertia.png", results["summary"])
     write_study_page(
