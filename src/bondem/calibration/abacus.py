@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 from scipy.interpolate import PchipInterpolator
+from scipy.optimize import brentq
 
 from bondem._types import Floats
 from bondem.laws.bond import BondLaw
@@ -56,17 +57,26 @@ class Curve:
     def value_for(self, nu: float) -> float | None:
         """The value of the parameter that gives ν [-], or None where the curve does not reach.
 
-        Monotone cubic interpolation over the logarithm of the parameter; where ν turns, on the longer branch.
+        The inverse of `nu_at`; where ν turns, on the longer branch.
         """
-        branch = self._branch
-        order = np.argsort(self.nu[branch])
-        known, value = self.nu[branch][order], np.log(self.values[branch][order])
-        if not known[0] <= nu <= known[-1]:
+        first, last = self._branch
+        low, high = sorted((self.nu[first], self.nu[last]))
+        if not low <= nu <= high:
             return None
-        return float(np.exp(PchipInterpolator(known, value)(nu)))
+        known = np.flatnonzero(self.nu[first : last + 1] == nu)
+        if len(known):
+            return float(self.values[first + known[0]])
+        curve = PchipInterpolator(np.log(self.values), self.nu)
+        place: Any = brentq(
+            lambda place: float(curve(place)) - nu, *np.log(self.values[[first, last]]), xtol=1e-14
+        )
+        return float(np.exp(place))
 
     def nu_at(self, value: float) -> float | None:
-        """ν at a value of the parameter [-], or None beyond the ends of the curve."""
+        """ν at a value of the parameter [-], or None beyond the ends of the curve.
+
+        Monotone cubic interpolation over the logarithm of the parameter.
+        """
         return self._at(self.nu, value)
 
     def stiffness_ratio_at(self, value: float) -> float | None:
@@ -80,12 +90,12 @@ class Curve:
         return float(PchipInterpolator(np.log(self.values), quantity)(np.log(value)))
 
     @property
-    def _branch(self) -> slice:
-        """The longest stretch over which ν is strictly monotone."""
+    def _branch(self) -> tuple[int, int]:
+        """Ends of the longest stretch over which ν is strictly monotone."""
         rising = np.sign(np.diff(self.nu))
         turns = [0, *(np.flatnonzero(rising[1:] != rising[:-1]) + 1), len(rising)]
         first, last = max(pairwise(turns), key=lambda ends: ends[1] - ends[0])
-        return slice(int(first), int(last) + 1)
+        return int(first), int(last)
 
 
 def curve(law: type[BondLaw]) -> Curve | None:

@@ -50,7 +50,7 @@ def draw_abacus(path: Path, curves: Mapping[str, Mapping[str, Curve]], silica: M
             if law == "EulerBernoulli":
                 _mark_paper(top, silica["radius_ratio"], silica["nu"], "the paper, r̃ = 0.71")
                 _mark_paper(bottom, silica["radius_ratio"], silica["E"] / silica["E_mu"], "72.5 / 265 GPa")
-            else:
+            if first.parameter != "radius_ratio":
                 bottom.set_xscale("log")
             bottom.set(xlabel=f"{_SYMBOLS[first.parameter]} [-]", yscale="log")
             top.legend(fontsize=7.0, loc="upper right" if first.parameter != "kappa" else "lower right")
@@ -72,8 +72,8 @@ def draw_reach(path: Path, curves: Mapping[str, Mapping[str, Curve]]) -> None:
     with sheet(path, 9.0, 4.2, 1, 2) as (_, (left, right)):
         laws = list(next(iter(curves.values())))
         for name, nu in _MATERIALS:
-            left.axvline(nu, ymax=0.8, color=GREY, linewidth=0.9, linestyle=(0, (1, 1.5)))
-            left.text(nu, -0.72, name, rotation=90, fontsize=7.5, color=INK, ha="center", va="bottom")
+            left.plot([nu, nu], [-0.6, len(laws)], color=GREY, linewidth=0.9, linestyle=(0, (1, 1.5)))
+            left.text(nu, -0.7, name, rotation=90, fontsize=7.0, color=INK, ha="center", va="bottom")
         for row, law in enumerate(laws):
             for found, marker in zip(curves.values(), _MARKS, strict=False):
                 if law not in found:
@@ -83,8 +83,8 @@ def draw_reach(path: Path, curves: Mapping[str, Mapping[str, Curve]]) -> None:
                 left.barh(row + (-0.17 if filled else 0.17), high - low, left=low, height=0.3,
                           color=_LAW_COLOURS[law], alpha=1.0 if filled else 0.45)  # fmt: skip
                 for value, side in ((low, "right"), (high, "left")) if filled else ():
-                    left.text(value + (0.006 if side == "left" else -0.006), row - 0.17, f"{value:.3f}", fontsize=7.5,
-                              va="center", ha=side)  # fmt: skip
+                    left.text(value + (0.006 if side == "left" else -0.006), row - 0.17,
+                              f"{value:.3f}".replace("-", "−"), fontsize=7.5, va="center", ha=side)  # fmt: skip
                 right.plot(own.nu, own.stiffness_ratio, color=_LAW_COLOURS[law], marker=marker, markersize=3.5,
                            linestyle="-" if filled else (0, (3, 2)), linewidth=1.3,
                            markerfacecolor=_LAW_COLOURS[law] if filled else "white",
@@ -92,7 +92,7 @@ def draw_reach(path: Path, curves: Mapping[str, Mapping[str, Curve]]) -> None:
         left.set_yticks(range(len(laws)), [_WORDS.get(law, law) for law in laws])
         lowest = min(own.reach[0] for found in curves.values() for own in found.values())
         left.set_xlim(min(lowest - 0.08, 0.0), 0.5)
-        left.set_ylim(len(laws) - 0.4, -0.6 - 0.5 * len(laws) - 0.4)
+        left.set_ylim(len(laws) - 0.4, -0.75 - 0.5 * len(laws))
         left.grid(axis="y", visible=False)
         left.set(xlabel="Poisson's ratio ν [-]", title="what a law reaches")
         right.set(xlabel="Poisson's ratio ν [-]", ylabel=r"$E\,/\,E_\mu$ [-]", yscale="log", title="how stiff it is")

@@ -77,7 +77,8 @@ def run_study(
         rows = gather(possible, out, processes=processes, progress=partial(tell, stage))
         failed |= {request: row for request, row in zip(possible, rows, strict=True) if row["error"]}
     good = [row for row in rows if not row["error"]]
-    results = {"study": study.name, **study.results(rows), "failed": len(failed), "rows": rows}
+    results = {"study": study.name, **study.results(rows), "failed": len(failed),
+               "errors": [row["error"] for row in failed.values()], "rows": rows}  # fmt: skip
     results = keep_results(out, results, study.table(results))
     if good:
         tell("report", 0.0)

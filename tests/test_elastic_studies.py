@@ -1,0 +1,285 @@
+"""Elastic constants over the parameters of bonds and the number of elements: the curves of bondem, the studies."""
+
+import csv
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.calibration.abacus import Curve, curve
+from bondem.cli import main
+from bondem.errors import InputError, PackingError
+from bondem.report.packing_page import write_page
+from bondem.study.abacus import SWEEPS, Abacus
+from bondem.study.assembly import LAW, Assembly, _scatter
+from bondem.study.elastic_rows import ElasticRequest, cells_and_bars
+from bondem.study.frame import PackingStudy, run_study
+from bondem.study.influence import Influence
+from bondem.study.packing_rows import PackingRequest, kept_lattice
+from bondem.study.request import kept_row, made_row
+
+LAWS = (bd.EulerBernoulli, bd.Timoshenko, bd.ParallelBond, bd.Obermayr)
+
+
+@pytest.fixture(scope="module")
+def abacus(tmp_path_factory):
+    out = tmp_path_factory.mktemp("abacus")
+    study = Abacus(count=200, packings=2, bars=1, laws=("ParallelBond",))
+    return study, out, run_study(study, out, processes=1)
+
+
+def files(folder):
+    return {path.relative_to(folder): path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_every_law_has_a_curve_that_reads_both_ways(law):
+    found = curve(law)
+    assert found is not None
+    assert (found.law, found.parameter) == (law.__name__, SWEEPS[law.__name__].parameter)
+    low, high = found.reach
+    for nu in np.linspace(low, high, 23)[1:-1]:
+        value = found.value_for(nu)
+        assert found.values[0] <= value <= found.values[-1]
+        assert found.nu_at(value) == pytest.approx(nu, abs=1e-9)
+    for value, nu, ratio in zip(found.values, found.nu, found.stiffness_ratio, strict=True):
+        assert found.value_for(nu) == pytest.approx(value, rel=1e-9)
+        assert found.stiffness_ratio_at(value) == pytest.approx(ratio, rel=1e-9)
+    assert found.value_for(low - 1e-6) is None
+    assert found.value_for(high + 1e-6) is None
+    assert found.nu_at(0.5 * found.values[0]) is None
+    assert found.stiffness_ratio_at(2.0 * found.values[-1]) is None
+    assert (found.nu_std < 0.01).all()
+
+
+def test_a_law_without_a_curve_has_none():
+    assert curve(bd.ContactBond) is None
+
+
+def test_where_poissons_ratio_turns_the_longer_branch_is_read():
+    data = {"parameter": "kappa", "fixed": {}, "values": [1.0, 2.0, 4.0, 8.0, 16.0], "nu": [0.2, 0.3, 0.25, 0.2, 0.1],
+            "nu_std": [None] * 5, "stiffness_ratio": [1.0] * 5, "stiffness_ratio_std": [None] * 5}  # fmt: skip
+    found = Curve.read("ParallelBond", data)
+    assert found.value_for(0.2) == pytest.approx(8.0)
+    assert found.value_for(0.3) == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(("law", "nu"), [(bd.EulerBernoulli, 0.17), (bd.Timoshenko, 0.25), (bd.ParallelBond, 0.05),
+                                         (bd.Obermayr, 0.3)])  # fmt: skip
+def test_the_curves_foretell_a_packing_they_never_saw(law, nu):
+    found = curve(law)
+    value = found.value_for(nu)
+    cell = bd.connect(bd.pack(bd.Cell(size=(1e-2,) * 3), count=600, spread=0.25, seed=77))
+    moduli = bd.bulk_moduli(cell, law(E=1e9, nu=0.3, **found.fixed, **{found.parameter: value}))
+    # 600 elements differ by (10 000 / 600)^(1/2) times more than those of the curves
+    assert moduli.nu == pytest.approx(nu, abs=0.006)
+    ratio = moduli.E / 1e9
+    assert ratio == pytest.approx(found.stiffness_ratio_at(value), rel=0.03)
+
+
+def test_the_abacus_leaves_curves_as_data(abacus):
+    _, out, results = abacus
+    data = json.loads((out / "abacus.json").read_text())
+    assert set(data) == {"packing", "nu_mu", "laws", "version"}
+    assert data["packing"] == {"shape": "periodic cell", "count": 200, "packings": 2, "spread": 0.25, "z": 6.2,
+                               "seeds": [1, 2]}  # fmt: skip
+    own = Curve.read("ParallelBond", data["laws"]["ParallelBond"])
+    np.testing.assert_allclose(own.values, SWEEPS["ParallelBond"].values)
+    assert (np.diff(own.nu) > 0.0).all()
+    assert (np.diff(own.stiffness_ratio) < 0.0).all()
+    with open(out / "abacus.csv", newline="") as file:
+        lines = list(csv.DictReader(file))
+    assert [float(line["nu"]) for line in lines if line["shape"] == "periodic cell"] == list(own.nu)
+    assert len(lines) == 2 * len(own.values)
+    assert {path.stem for path in (out / "figures").glob("*.png")} == {"abacus", "reach"}
+    assert (out / "report.html").read_text().count("<img") == 2
+    assert "| periodic cell | ParallelBond | kappa | 0.5 | 50 |" in (out / "table.md").read_text()
+    assert results["failed"] == 0
+    assert len(results["rows"]) == 3 * len(own.values)
+    silica = results["silica"]["periodic cell"]["ParallelBond"]
+    assert silica["E_mu"] == pytest.approx(72.5e9 / own.stiffness_ratio_at(silica["value"]))
+
+
+def test_rows_are_what_the_tests_measure(abacus):
+    _, out, results = abacus
+    for packing in cells_and_bars(200, 0.25, cells=1, bars=1):
+        row = next(one for one in results["rows"] if one["periodic"] is packing.periodic and one["kappa"] == 4.0)
+        law = bd.ParallelBond(E=row["E_mu"], nu=0.3, radius_ratio=1.0, kappa=4.0)
+        lattice = kept_lattice(packing, out)
+        found = bd.bulk_moduli(lattice, law) if packing.periodic else bd.labtests.static_tension(lattice, law)
+        assert (row["E"], row["nu"]) == pytest.approx((found.E, found.nu), rel=1e-9)
+        assert row["stiffness_ratio"] == pytest.approx(found.E / law.E, rel=1e-9)
+        if not packing.periodic:
+            assert (row["E_paper"], row["nu_paper"]) == pytest.approx((found.E_paper, found.nu_paper), rel=1e-9)
+
+
+def test_a_second_run_makes_only_what_is_missing(abacus):
+    study, out, results = abacus
+    before = files(out)
+    lost = next(path for path in sorted((out / "rows").iterdir()) if path.name.startswith("ParallelBond"))
+    lost.unlink()
+    again = run_study(study, out, processes=1)
+    after = files(out)
+    made = [path for path in after if path.parent.name in ("rows", "packings")]
+    written = {path.name for path in made if after[path] != before[path]}
+    assert written == {lost.name}
+    without = [{name: value for name, value in row.items() if name != "seconds"} for row in again["rows"]]
+    assert without == [{name: value for name, value in row.items() if name != "seconds"} for row in results["rows"]]
+
+
+def test_another_law_packing_or_way_to_measure_is_another_row(tmp_path, monkeypatch):
+    (tmp_path / "rows").mkdir()
+    (tmp_path / "packings").mkdir()
+    cell, bar = cells_and_bars(150, 0.25, cells=1, bars=1)
+    one = ElasticRequest(cell, LAW)
+    made_row(cell, tmp_path)
+    row = made_row(one, tmp_path)
+    assert kept_row(one, tmp_path) == row
+    changed = bd.EulerBernoulli(E=LAW.E, nu=LAW.nu, radius_ratio=0.72)
+    others = [ElasticRequest(bar, LAW), ElasticRequest(cell, changed), ElasticRequest(cell, LAW, True)]
+    assert len({other.name for other in others} | {one.name}) == 4
+    monkeypatch.setattr("bondem.study.elastic_rows._measuring", lambda: "measured otherwise")
+    assert kept_row(one, tmp_path) is None
+
+
+class Doomed(PackingStudy):
+    """One packing by a method that does not exist, and one that does."""
+
+    name = "assembly"
+
+    @property
+    def stages(self):
+        packings = [PackingRequest(150, 0.25, method, "contacts", 1, True) for method in ("shake", "quench")]
+        return ("pack", packings), ("solve", [ElasticRequest(one, LAW) for one in packings])
+
+    def results(self, rows):
+        return {"tested": [row["method"] for row in rows]}
+
+    def table(self, results):
+        return ""
+
+    def draw(self, out, rows, results):
+        assert [row["method"] for row in rows] == ["quench"]
+
+
+def test_what_needs_a_packing_that_failed_is_left_out_and_told(tmp_path, monkeypatch):
+    monkeypatch.setattr("bondem.study.frame.write_page", lambda *arguments: None)
+    with pytest.raises(PackingError, match=r"1 of 2 packings and tests failed.*shake"):
+        run_study(Doomed(), tmp_path, processes=1)
+    results = json.loads((tmp_path / "results.json").read_text())
+    assert (results["failed"], results["tested"]) == (1, ["quench"])
+
+
+def test_the_exponent_of_the_radius_is_the_share_of_the_energy():
+    # kn goes with r̃², all else with r̃⁴, and the energy is stationary in the motions
+    bar = bd.connect(bd.pack(bd.Cylinder(5e-3, 40e-3), count=300, spread=0.25, seed=3))
+
+    def energy(radius_ratio):
+        law = bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=radius_ratio)
+        return bd.labtests.static_tension(bar, law).solution.energy
+
+    step = 1e-3
+    slope = np.log(energy(0.5 * np.exp(step)).total / energy(0.5 * np.exp(-step)).total) / (2.0 * step)
+    middle = energy(0.5)
+    assert -slope == pytest.approx(4.0 - 2.0 * middle.normal / middle.total, abs=1e-5)
+    assert 2.2 < -slope < 3.8
+
+
+def test_influence_judges_the_statements_of_the_paper(tmp_path):
+    results = run_study(Influence(count=300, packings=1, bars=1), tmp_path, processes=1)
+    for found in results["verdicts"].values():
+        assert max(found["E_mu"].values()) < 1e-9
+        beam, shear = found["nu_mu"]["EulerBernoulli"], found["nu_mu"]["Timoshenko"]
+        assert max(beam["E_change_high"], -beam["E_change_low"]) < 0.01
+        assert shear["E_change_high"] > 0.02
+        power = found["radius_ratio"]
+        assert 2.2 < power["exponent_low"] < power["power"] < power["exponent_high"] < 3.2
+        assert power["power_misfit"] < power["E_parabola_misfit_relative"] < power["square_misfit"]
+    text = (tmp_path / "table.md").read_text()
+    assert "E ∝ r̃² | exponent" in text
+    names = {path.stem for path in (tmp_path / "figures").glob("*.png")}
+    assert names == {"nu_mu", "E_mu", "radius_ratio", "exponent"}
+    cells = [row for row in results["rows"] if row["periodic"] and row["exponent"] is not None]
+    E = {row["radius_ratio"]: np.log(row["E"]) for row in cells}
+    middle = next(row["exponent"] for row in cells if row["radius_ratio"] == 0.5)
+    assert (E[0.6] - E[0.4]) / np.log(0.6 / 0.4) == pytest.approx(middle, abs=0.02)
+
+
+def test_assembly_leaves_scatter_limits_and_specimens(tmp_path):
+    study = Assembly(counts=(300, 360), packings=2, cells=1)
+    results = run_study(study, tmp_path, processes=1)
+    assert [row["count"] for row in results["rows"]] == [300, 300, 360, 360, 360]
+    bars = [row for row in results["rows"] if not row["periodic"]]
+    found = results["targets"]["contacts"]
+    assert found["limits"] == {"E": None, "nu": None, "E_paper": None, "nu_paper": None}
+    sd = [np.std([row["E"] for row in pair], ddof=1) / np.mean([row["E"] for row in pair]) for pair in
+          (bars[:2], bars[2:])]  # fmt: skip
+    assert found["scatter"]["E"]["c"] == pytest.approx(np.sqrt((300 * sd[0] ** 2 + 360 * sd[1] ** 2) / 2.0))
+    assert {path.stem for path in (tmp_path / "figures").glob("*.png")} == {"assembly", "scatter", "fineness"}
+    assert "| 7% | 12% | 28% |" in (tmp_path / "table.md").read_text()
+
+
+def test_scatter_is_found_again():
+    random = np.random.default_rng(5)
+    found = [
+        _scatter([{"count": count, "E": 70e9 * (1.0 + 1.5 / np.sqrt(count) * random.normal())}
+                  for count in (500, 1000, 2000, 4000, 8000, 16_000) for _ in range(4)], "E")
+        for _ in range(60)
+    ]  # fmt: skip
+    pulls = [(one["c"] - 1.5) / one["c_error"] for one in found]
+    assert abs(np.mean(pulls)) < 0.5
+    assert 0.7 < np.std(pulls) < 1.4
+    pulls = [(one["exponent"] + 0.5) / one["exponent_error"] for one in found]
+    assert abs(np.mean(pulls)) < 0.5
+    assert 0.7 < np.std(pulls) < 1.6
+    assert found[0]["large"] == 8
+    assert all(one["std"] < one["peak_to_peak"] for one in found)
+    assert np.mean([one["within"] ** 2 for one in found]) == pytest.approx(1.5**2 * 1.5 / 16_000, rel=0.25)
+
+
+def test_the_page_says_what_failed(tmp_path):
+    (tmp_path / "table.md").write_text("")
+    row = {"error": "", "seconds": 1.0}
+    target = {"scatter": {"E": {"std": None}}}
+    law = {"radius_ratio": 0.71, "E_mu": 265e9}
+    results = {"failed": 1, "errors": ["no such method"], "rows": [row], "version": "0", "packings": 4,
+               "targets": {"a": target}, "law": law}  # fmt: skip
+    write_page(tmp_path, "assembly", results)
+    assert "no such method" in (tmp_path / "report.html").read_text()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["abacus"], "--out"),
+        (["abacus", "--out", "out", "--law", "NonLocal"], "NonLocal"),
+        (["abacus", "--out", "out", "--count", "20"], "--count"),
+        (["influence", "--out", "out", "--packings", "0"], "--packings"),
+        (["influence", "--out", "file"], "folder"),
+        (["assembly", "--out", "out", "--counts", "100,200"], "at least 300"),
+        (["assembly", "--out", "out", "--counts", "1000,1000"], "different"),
+        (["assembly", "--out", "out", "--counts", "many"], "numbers of elements"),
+        (["assembly", "--out", "out", "--packings", "1"], "--packings"),
+    ],
+)
+def test_what_cannot_be_done_is_told_in_one_line(tmp_path, monkeypatch, capsys, arguments, told):
+    monkeypatch.chdir(tmp_path)
+    Path("file").touch()
+    monkeypatch.setattr(sys, "argv", ["bondem", "study", *arguments])
+    with pytest.raises(SystemExit) as stopped:
+        main()
+    said = capsys.readouterr().err
+    assert stopped.value.code == 2
+    assert said.count("\n") == 1
+    assert told in said
+    assert not Path("out").exists()
+
+
+def test_studies_refuse_what_makes_no_sense():
+    for wrong in (lambda: Abacus(laws=("NonLocal",)), lambda: Abacus(packings=0), lambda: Influence(bars=-1),
+                  lambda: Assembly(cells=-1)):  # fmt: skip
+        with pytest.raises(InputError):
+            wrong()
