@@ -2,7 +2,6 @@
 
 import math
 import runpy
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -11,18 +10,12 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.laws.bond import BondLaw
 from bondem.solve.explicit import Status
 
 E, NU, RHO = 200e9, 0.3, 7800.0
 G = E / (2.0 * (1.0 + NU))
-
-
-@pytest.fixture(autouse=True)
-def _one_thread() -> Iterator[None]:
-    with threads(1):
-        yield
+pytestmark = pytest.mark.usefixtures("one_thread")
 
 
 def row(length: float, radii: np.ndarray) -> bd.Lattice:

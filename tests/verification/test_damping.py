@@ -1,13 +1,11 @@
 """Damping of elements, of bonds and by the scheme, against closed forms."""
 
 import math
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.model.state import State
 from bondem.solve.explicit import Plan, integrate
@@ -16,21 +14,7 @@ from bondem.solve.timestep import critical_step, highest_frequency
 E, RHO = 2.0e6, 1200.0
 LAW = bd.Timoshenko(E=E, nu=0.25, radius_ratio=0.5)
 VERLET = bd.VelocityVerlet()
-
-
-@pytest.fixture(autouse=True)
-def _one_thread() -> Iterator[None]:
-    with threads(1):
-        yield
-
-
-def rod(count: int, **options) -> bd.Model:
-    """A straight rod of touching elements along x, of unequal radii."""
-    radius = 0.5 * (1.0 + 0.2 * np.cos(np.arange(count)))
-    x = np.concatenate([[0.0], np.cumsum(radius[1:] + radius[:-1])])
-    pairs = np.column_stack([np.arange(count - 1), np.arange(1, count)])
-    particles = bd.Particles(np.column_stack([x, 0 * x, 0 * x]), radius)
-    return bd.Model(bd.Lattice(particles, pairs), bond=LAW, density=RHO, **options)
+pytestmark = pytest.mark.usefixtures("one_thread")
 
 
 def decaying(t: np.ndarray, v0: float, omega: float, zeta: float) -> np.ndarray:
@@ -127,7 +111,7 @@ def test_a_rigid_motion_is_not_damped_by_bonds() -> None:
 @pytest.mark.parametrize(
     "damping", [bd.BondDamping(0.2), bd.MassDamping(20.0), (bd.LocalDamping(0.1), bd.BondDamping(0.05))], ids=str
 )
-def test_the_ledger_closes_to_second_order(damping) -> None:
+def test_the_ledger_closes_to_second_order(rod, damping) -> None:
     model = rod(6)
     x = model.lattice.particles.position[:, 0] / 5.0
     errors = []
@@ -142,7 +126,7 @@ def test_the_ledger_closes_to_second_order(damping) -> None:
 
 
 @pytest.mark.parametrize(("zeta", "steps"), [(0.1, 150), (1.0, 600)])
-def test_the_critical_step_of_damped_bonds_is_the_limit(zeta: float, steps: int) -> None:
+def test_the_critical_step_of_damped_bonds_is_the_limit(rod, zeta: float, steps: int) -> None:
     # with C = β K every mode is an oscillator of its own, and the bound is sharp
     model = rod(6)
     omega = highest_frequency(model)
@@ -189,15 +173,16 @@ def mode_run(model: bd.Model, number: int, plan: dict, share: float) -> tuple[np
     return run.history.time, amplitude, omega, dt
 
 
-def held_bar() -> bd.Model:
+@pytest.fixture
+def held_bar(rod) -> bd.Model:
     """Its first modes are transverse, so it is guided: only axial ones are left."""
     model = rod(12)
     guide = bd.Fix(bd.Everything(), translation="yz", rotation="xyz")
     return model.with_boundary([guide, bd.Fix(bd.Index([0]), translation="x", rotation="")])
 
 
-def test_an_axial_mode_decays_with_half_the_rate_of_mass_damping() -> None:
-    model = held_bar()
+def test_an_axial_mode_decays_with_half_the_rate_of_mass_damping(held_bar) -> None:
+    model = held_bar
     errors = []
     for share in (0.02, 0.01):
         omega = 2.0 * math.pi * bd.solve_modes(model, count=1).frequency[0]
@@ -241,9 +226,9 @@ def test_local_damping_takes_a_fixed_share_of_each_swing() -> None:
 
 
 @pytest.mark.parametrize("number", [0, 4, 10])
-def test_a_mode_decays_as_the_amplification_matrix_of_tchamwa_wielgosz(number: int) -> None:
+def test_a_mode_decays_as_the_amplification_matrix_of_tchamwa_wielgosz(held_bar, number: int) -> None:
     phi, share = 1.2, 0.05
-    t, amplitude, omega, dt = mode_run(held_bar(), number, {"scheme": bd.TchamwaWielgosz(phi)}, share)
+    t, amplitude, omega, dt = mode_run(held_bar, number, {"scheme": bd.TchamwaWielgosz(phi)}, share)
     step = np.array([[1.0 - phi * share**2, dt], [-omega * share, 1.0]])
     expected = [(np.linalg.matrix_power(step, round(time / dt)) @ [0.0, 1.0])[0] for time in t]
     assert np.abs(amplitude - expected).max() * omega < 1e-6
@@ -251,7 +236,7 @@ def test_a_mode_decays_as_the_amplification_matrix_of_tchamwa_wielgosz(number: i
     assert kept < 0.95
 
 
-def test_damping_that_makes_no_sense_is_refused() -> None:
+def test_damping_that_makes_no_sense_is_refused(rod) -> None:
     for make in (lambda: bd.MassDamping(-1.0), lambda: bd.BondDamping(-0.1), lambda: bd.BondDamping(beta=math.nan)):
         with pytest.raises(InputError, match="zero or more"):
             make()

@@ -1,13 +1,11 @@
 """Explicit dynamics against closed forms and conservation laws; tolerances from the order of the schemes."""
 
 import math
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError, UnstableStepError
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
 from bondem.model.state import State
@@ -17,21 +15,7 @@ from bondem.solve.timestep import critical_step, highest_frequency
 
 E, RHO = 2.0e6, 1200.0
 LAW = bd.Timoshenko(E=E, nu=0.25, radius_ratio=0.5)
-
-
-@pytest.fixture(autouse=True)
-def _one_thread() -> Iterator[None]:
-    with threads(1):
-        yield
-
-
-def rod(count: int, **options) -> bd.Model:
-    """A straight rod of touching elements along x, of unequal radii."""
-    radius = 0.5 * (1.0 + 0.2 * np.cos(np.arange(count)))
-    x = np.concatenate([[0.0], np.cumsum(radius[1:] + radius[:-1])])
-    position = np.column_stack([x, 0 * x, 0 * x])
-    pairs = np.column_stack([np.arange(count - 1), np.arange(1, count)])
-    return bd.Model(bd.Lattice(bd.Particles(position, radius), pairs), bond=LAW, density=RHO, **options)
+pytestmark = pytest.mark.usefixtures("one_thread")
 
 
 def block(**options) -> bd.Model:
@@ -61,7 +45,8 @@ def total_energy(records) -> np.ndarray:
     return sum(parts[k] for k in ("translation", "rotation", "normal", "shear", "bending", "twisting"))
 
 
-def tumbling_rod() -> tuple[bd.Model, State]:
+@pytest.fixture
+def tumbling_rod(rod) -> tuple[bd.Model, State]:
     """A free rod that spins, bends by tens of degrees between its ends, and twists."""
     model = rod(8)
     x = model.lattice.particles.position[:, 0]
@@ -94,8 +79,8 @@ def test_a_free_lattice_keeps_momentum_and_angular_momentum_to_rounding() -> Non
     np.testing.assert_allclose(h1, h0, rtol=0.0, atol=1e-12 * (model.mass * speed * arm).sum())
 
 
-def test_energy_error_of_a_tumbling_rod_is_second_order_and_does_not_drift() -> None:
-    model, start = tumbling_rod()
+def test_energy_error_of_a_tumbling_rod_is_second_order_and_does_not_drift(tumbling_rod) -> None:
+    model, start = tumbling_rod
     coarse = 0.8 * critical_step(model, bd.VelocityVerlet())
     duration = 2000 * coarse
     errors = []
@@ -118,8 +103,8 @@ def test_energy_error_of_a_tumbling_rod_is_second_order_and_does_not_drift() -> 
     assert np.ptp(parts[-1]) < 8.0 * np.ptp(parts[0])
 
 
-def test_a_run_goes_back_the_way_it_came() -> None:
-    model, start = tumbling_rod()
+def test_a_run_goes_back_the_way_it_came(tumbling_rod) -> None:
+    model, start = tumbling_rod
     dt = 0.5 * critical_step(model, bd.VelocityVerlet())
     plan = Plan(duration=3000 * dt, dt=dt, every=0)
     there = integrate(model, plan, state=start.copy()).state
@@ -219,7 +204,7 @@ def test_oscillator_is_stable_up_to_the_critical_step_of_the_scheme(scheme: Sche
 # ---- the critical time step of a lattice
 
 
-def test_highest_frequency_is_that_of_the_eigenvalue_problem() -> None:
+def test_highest_frequency_is_that_of_the_eigenvalue_problem(rod) -> None:
     for model in (rod(3), rod(30), block()):
         K, m = stiffness_matrix(model).toarray(), mass_diagonal(model)
         exact = math.sqrt(np.linalg.eigvalsh(K / np.sqrt(m[:, None] * m)).max())
@@ -227,7 +212,7 @@ def test_highest_frequency_is_that_of_the_eigenvalue_problem() -> None:
 
 
 @pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz(1.3)], ids=["Verlet", "TW"])
-def test_lattice_is_stable_below_the_critical_step_and_not_above(scheme: Scheme) -> None:
+def test_lattice_is_stable_below_the_critical_step_and_not_above(rod, scheme: Scheme) -> None:
     model = rod(6)
     K, m = stiffness_matrix(model).toarray(), mass_diagonal(model)
     top = np.linalg.eigh(K / np.sqrt(m[:, None] * m))[1][:, -1] / np.sqrt(m)
@@ -244,7 +229,7 @@ def test_lattice_is_stable_below_the_critical_step_and_not_above(scheme: Scheme)
     assert growth[1] > 1e6
 
 
-def test_a_step_above_the_limit_is_refused_and_none_takes_nine_tenths() -> None:
+def test_a_step_above_the_limit_is_refused_and_none_takes_nine_tenths(rod) -> None:
     model = rod(5)
     for scheme in (bd.VelocityVerlet(), bd.TchamwaWielgosz(1.3)):
         limit = critical_step(model, scheme)
@@ -259,7 +244,7 @@ def test_a_step_above_the_limit_is_refused_and_none_takes_nine_tenths() -> None:
     assert run.status is Status.COMPLETED
 
 
-def test_a_second_run_goes_on_where_the_first_ended_under_other_conditions() -> None:
+def test_a_second_run_goes_on_where_the_first_ended_under_other_conditions(rod) -> None:
     model = rod(5, boundary=[bd.Fix(bd.Index([0])), bd.Load(bd.Index([4]), force=(0.0, 5.0, 0.0))])
     dt = 0.5 * critical_step(model, bd.VelocityVerlet())
     whole = bd.solve_explicit(model, duration=200 * dt, dt=dt)
@@ -320,8 +305,8 @@ def test_a_wide_bond_is_reported() -> None:
         assert ("no longer that of a beam" in result.message) == wide
 
 
-def test_a_number_that_is_not_finite_ends_the_run() -> None:
-    model, state = tumbling_rod()
+def test_a_number_that_is_not_finite_ends_the_run(tumbling_rod) -> None:
+    model, state = tumbling_rod
     state.motion[3, 1] = math.nan
     result = integrate(model, Plan(duration=1.0, every=0), state=state)
     assert result.status is Status.UNSTABLE
@@ -331,7 +316,7 @@ def test_a_number_that_is_not_finite_ends_the_run() -> None:
 # ---- prescribed motion
 
 
-def test_a_driven_element_is_where_and_as_fast_as_its_schedule_says() -> None:
+def test_a_driven_element_is_where_and_as_fast_as_its_schedule_says(rod) -> None:
     path = bd.Ramp(0.0, -0.2, duration=0.5, begin=0.125)
     speed = bd.Table((0.0, 0.25, 0.75), (0.0, 0.6, -0.4))
     drive = bd.Drive(bd.Index([5]), x=path, vy=speed, rx=bd.Ramp(0.0, 0.9, 0.5), ry=0.0, rz=0.0)
@@ -359,7 +344,7 @@ DRIVES = {
 
 @pytest.mark.parametrize("damping", [None, bd.LocalDamping(0.3)], ids=["undamped", "damped"])
 @pytest.mark.parametrize("drive", DRIVES.values(), ids=DRIVES.keys())
-def test_the_energy_ledger_closes_to_second_order(drive: tuple, damping: bd.LocalDamping | None) -> None:
+def test_the_energy_ledger_closes_to_second_order(rod, drive: tuple, damping: bd.LocalDamping | None) -> None:
     model = rod(6, boundary=[bd.Fix(bd.Index([0])), *drive])
     whole = 1.0 / 16.0  # kinks of the schedules fall on whole steps
     assert whole / 8 < critical_step(model, bd.VelocityVerlet())

@@ -2,7 +2,6 @@
 
 import math
 import runpy
-from collections.abc import Iterator
 from pathlib import Path
 
 import numba
@@ -21,21 +20,7 @@ from bondem.specimen.patches import face_patches
 LAW = bd.EulerBernoulli(E=2.0e9, nu=0.25, radius_ratio=0.6)
 RHO = 1500.0
 VERLET = bd.VelocityVerlet()
-
-
-@pytest.fixture(autouse=True)
-def _one_thread() -> Iterator[None]:
-    with threads(1):
-        yield
-
-
-def rod(count: int, **options) -> bd.Model:
-    """A straight rod of touching elements along x, of unequal radii."""
-    radius = 0.5 * (1.0 + 0.2 * np.cos(np.arange(count)))
-    x = np.concatenate([[0.0], np.cumsum(radius[1:] + radius[:-1])])
-    pairs = np.column_stack([np.arange(count - 1), np.arange(1, count)])
-    particles = bd.Particles(np.column_stack([x, 0 * x, 0 * x]), radius)
-    return bd.Model(bd.Lattice(particles, pairs), bond=LAW, density=RHO, **options)
+pytestmark = pytest.mark.usefixtures("one_thread")
 
 
 @pytest.fixture(scope="module")
@@ -76,7 +61,7 @@ def test_loose_elements_fall_as_galilei_says() -> None:
     np.testing.assert_allclose(fallen.displacement[:, 2], -0.5 * 9.81, rtol=1e-12)
 
 
-def test_a_hanging_rod_stretches_under_its_weight() -> None:
+def test_a_hanging_rod_stretches_under_its_weight(rod) -> None:
     model = rod(8, boundary=[bd.Fix(bd.Index([0])), bd.BodyForce((9.81, 0.0, 0.0))])
     below = 9.81 * np.cumsum(model.mass[::-1])[::-1]
     expected = np.concatenate([[0.0], np.cumsum(below[1:] / model.stiffness.kn)])
@@ -169,7 +154,7 @@ def test_a_free_body_grows_without_stress(cylinder: bd.Lattice) -> None:
     assert static.energy.total < 1e-12 * reference
 
 
-def test_a_held_chain_bears_the_closed_form_in_every_solver() -> None:
+def test_a_held_chain_bears_the_closed_form_in_every_solver(rod) -> None:
     ends = bd.Fix(bd.Index([0, 7]))
     strain = bd.Eigenstrain(1e-3, schedule=bd.Ramp(0.0, 1.0, 0.05))
     model = rod(8, boundary=[ends, strain])
@@ -207,7 +192,7 @@ SCHEDULES = {"ramp": bd.Ramp(0.0, 1.0, 0.25), "table": bd.Table((0, 0.125, 0.25,
 
 
 @pytest.mark.parametrize("schedule", SCHEDULES.values(), ids=SCHEDULES.keys())
-def test_the_ledger_of_all_loads_closes_to_second_order(schedule: bd.Ramp | bd.Table) -> None:
+def test_the_ledger_of_all_loads_closes_to_second_order(rod, schedule: bd.Ramp | bd.Table) -> None:
     boundary = [
         bd.Fix(bd.Index([0])),
         bd.Eigenstrain(0.02, region=bd.Index([2, 3, 4]), schedule=schedule),
@@ -330,7 +315,7 @@ def test_pauses_and_a_restart_change_no_bit(tmp_path) -> None:
     assert_same(whole, integrate(kept.model, plan, state=kept.state, history=kept.history))
 
 
-def test_loads_that_make_no_sense_are_refused() -> None:
+def test_loads_that_make_no_sense_are_refused(rod) -> None:
     model = rod(3)
     for make, message in (
         (lambda: bd.BodyForce((0.0, 1.0)), "three finite"),
