@@ -13,7 +13,7 @@ from bondem.errors import InputError
 from bondem.labtests.cantilever import mass_gyration
 from bondem.labtests.effective_section import SectionRadii, section_profile
 from bondem.labtests.explicit_tension import ExplicitTension, explicit_tension
-from bondem.labtests.moments import moments
+from bondem.labtests.inertia import inertia_excess
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
 from bondem.model.model import Model
@@ -116,7 +116,7 @@ def test_what_the_ledger_misses_when_loads_go_is_of_second_order(specimen):
 
 def test_moments_of_a_chain():
     n = 20
-    found = moments(chain(n), density=DENSITY, rho=RHO)
+    found = inertia_excess(chain(n), density=DENSITY, rho=RHO)
     whole = RHO * math.pi * R**2 * 2.0 * R * n
     assert found.mass == pytest.approx(whole)
     assert found.mass_excess == pytest.approx(0.0, abs=1e-12)
@@ -131,8 +131,9 @@ def test_moments_of_a_chain():
     assert found.lateral_excess == pytest.approx(lateral / ((3.0 * R * R + length**2) / 12.0) - 1.0)
     # and in the mode of bending to second order in the step
     assert abs(found.frequency["bending"]) < 2e-3
+    lone = bd.Lattice(bd.Particles(np.zeros((1, 3)), R), np.zeros((0, 2), dtype=int))
     with pytest.raises(InputError, match="Cylinder"):
-        moments(bd.Lattice(bd.Particles(np.zeros((1, 3)), R), np.zeros((0, 2), dtype=int)), density=1.0, rho=1.0)
+        inertia_excess(lone, density=1.0, rho=1.0)
 
 
 # --- waves ------------------------------------------------------------------------------------------------

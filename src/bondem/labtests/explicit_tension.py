@@ -116,7 +116,7 @@ def explicit_tension(
         steps: of 0.9 of the critical time step.
         ramp: share of the steps in which the load grows [-].
         phi: of the scheme of Tchamwa and Wielgosz, which damps [-].
-        stress: F / S at full load [Pa]; so small that geometry stays linear to some parts in a million.
+        stress: F / S at full load [Pa]; so small that geometry stays linear to a part in a million.
         depth: of the loaded faces, in mean radii [-].
         progress: told the share of steps done, 0 … 1.
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from bondem.labtests.cantilever import Cantilever
+from bondem.labtests.inertia import inertia_excess, stiffness_effect
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
-from bondem.labtests.moments import Moments, moments, stiffness_effect
 from bondem.labtests.vibration import FreeVibration, ramped_vibration
 from bondem.model.model import Model
 from bondem.report.energy_curves import draw_breakdown, draw_inertia, draw_vibration_energy
@@ -140,7 +140,7 @@ def _numbers(run: FreeVibration, modes: NaturalFrequencies) -> dict[str, Any]:
 
 
 def _weighed(bar: CalibratedBar, found: NaturalFrequencies) -> dict[str, Any]:
-    weighed: Moments = moments(bar.lattice, density=bar.density, rho=bar.rho)
+    weighed = inertia_excess(bar.lattice, density=bar.density, rho=bar.rho)
     beam = Cantilever.of(bar.lattice, **bar.own, gyration=bar.tension.gyration)
     force = stiffness_effect(beam.paper, beam.moving)
     theory = {

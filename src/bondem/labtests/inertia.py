@@ -10,6 +10,7 @@ from bondem.errors import InputError
 from bondem.labtests.beams import Bar
 from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.moments import moments
 
 # (sinh β - sin β) / (cosh β + cos β) and β of the cantilever's first bending mode.
 _BETA = 1.8751040687119611
@@ -17,7 +18,7 @@ _SIGMA = (math.sinh(_BETA) - math.sin(_BETA)) / (math.cosh(_BETA) + math.cos(_BE
 
 
 @dataclass(frozen=True)
-class Moments:
+class InertiaExcess:
     """A cylinder of spheres against a continuum of the same walls; what moves only, so without rattlers.
 
     Attributes:
@@ -40,8 +41,8 @@ class Moments:
     frequency: dict[str, float]
 
 
-def moments(lattice: Lattice, *, density: float, rho: float) -> Moments:
-    """Moments of a cylinder of spheres.
+def inertia_excess(lattice: Lattice, *, density: float, rho: float) -> InertiaExcess:
+    """Mass and moments of a cylinder of spheres over those of the continuum.
 
     Rayleigh's quotient is stationary, so that a change of the mass alone, in the continuum's own mode φ, gives the
     change of the frequency to first order: δf/f = -½ δ(∫ φ² dm) / ∫ φ² dm, with the rotation of the sections,
@@ -65,6 +66,7 @@ def moments(lattice: Lattice, *, density: float, rho: float) -> Moments:
     own = 0.4 * mass * radius**2
     R, L = shape.radius, shape.length
     whole = rho * shape.volume
+    continuum = rho * np.diag(moments(shape).inertia)
     x, y, z = position.T
     axial = float(mass @ (y * y + z * z) + own.sum())
     lateral = float(mass @ ((x - 0.5 * L) ** 2 + 0.5 * (y * y + z * z)) + own.sum())
@@ -81,12 +83,12 @@ def moments(lattice: Lattice, *, density: float, rho: float) -> Moments:
         "bending": float(mass @ mine_bent**2 + (mass * y * y + own) @ mine_turned**2 / L**2)
         / (whole * float(np.trapezoid(bent**2 + rotary * turned**2, s))),
     }
-    return Moments(
+    return InertiaExcess(
         mass=float(mass.sum()),
         mass_excess=float(mass.sum()) / whole - 1.0,
         centre=(float(centre[0]), float(centre[1]), float(centre[2])),
-        axial_excess=axial / (0.5 * whole * R * R) - 1.0,
-        lateral_excess=lateral / (whole * (3.0 * R * R + L * L) / 12.0) - 1.0,
+        axial_excess=axial / float(continuum[0]) - 1.0,
+        lateral_excess=2.0 * lateral / float(continuum[1] + continuum[2]) - 1.0,
         own_share=float(own.sum()) / axial,
         frequency={kind: -0.5 * (value - 1.0) for kind, value in excess.items()},
     )
