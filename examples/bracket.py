@@ -1,0 +1,45 @@
+"""Calibrate once, use on any shape: bonds of a periodic cell in an L-bracket from an STL file.
+
+Physics: bonds are calibrated where there is no wall, then fill a bracket of fused silica (foot 40 mm, arm 30 mm,
+12 mm wide, 8 mm thick). Free, it rings: its arms bend like a tuning fork, twist, and swing in and out. Clamped at
+the end of its foot, its tip gives way to 10 N sideways. Nothing is fitted to the bracket.
+
+Expected, from finite elements (benchmarks/continuum.py): 10.01, 23.17, 26.26 and 28.94 kHz, and 8.62 µm. Spheres
+form layers along walls, which a bracket 14 spheres thick still feels: the frequencies come out within 6 %, the
+deflection within 10 %. Takes about 30 s on two cores. Run it with:  python examples/bracket.py
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+import bondem as bd
+
+STL = Path(__file__).with_name("bracket.stl")
+FREQUENCY = np.array([10.01e3, 23.17e3, 26.26e3, 28.94e3])  # Hz
+DEFLECTION = 8.62e-6  # m
+FORCE = (0.0, 10.0, 0.0)  # N
+
+
+def main(count: int = 6000, cell: int = 6000) -> tuple[np.ndarray, float]:
+    """First free frequencies [Hz], and how far the clamped bracket's tip gives way [m]."""
+    silica = bd.materials.fused_silica
+    bulk = bd.connect(bd.pack(bd.Cell((0.01, 0.01, 0.01)), count=cell, spread=0.25, seed=1))
+    fit = bd.calibrate(bulk, silica, law=bd.EulerBernoulli)
+
+    bracket = bd.Surface(STL, unit="mm")
+    lattice = bd.connect(bd.pack(bracket, count=count, spread=0.25, seed=1))
+    density = silica.rho * bracket.volume / lattice.particles.volume[lattice.connected].sum()
+    ringing = bd.solve_modes(bd.Model(lattice, fit.law, density), count=4)
+
+    # against a triangulated wall some of the first layer stop a little short of it
+    foot, tip = bd.Face("x_min", depth=0.25), bd.Face("z_max", depth=0.25)
+    bent = bd.solve_static(bd.Model(lattice, fit.law, boundary=[bd.Fix(foot), bd.Load(tip, force=FORCE)]))
+    return ringing.frequency, float(bent.displacement[tip.select(lattice), 1].mean())
+
+
+if __name__ == "__main__":
+    frequency, deflection = main()
+    print("free frequencies [kHz]:", *(f"{f / 1e3:.2f} ({100 * (f / g - 1):+.1f} %)"
+                                       for f, g in zip(frequency, FREQUENCY, strict=True)))  # fmt: skip
+    print(f"deflection of the tip: {1e6 * deflection:.2f} µm ({100 * (deflection / DEFLECTION - 1):+.1f} %)")
