@@ -1,6 +1,8 @@
 """The incremental formulation beside the total one, and stress-free strains of bonds."""
 
+import runpy
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -180,3 +182,11 @@ def test_a_closed_cycle_leaves_what_the_rates_say_and_nothing_in_the_total_formu
     found = follow(lattice, replace(law, formulation="incremental"), legs)[0]
     assert found == pytest.approx(expected, rel=5e-3)
     assert np.sqrt(expected / peak) > 0.3 * angle
+
+
+def test_the_example_of_ten_closed_cycles():
+    example = runpy.run_path(str(Path(__file__).parents[2] / "examples/closed_cycle.py"))
+    left = example["main"]()
+    # bending moments of ten cycles, α²/2 each, over the largest: α before, and what is left of nine and a half
+    assert left["total"] < 1e-9
+    assert left["incremental"] == pytest.approx(0.242, abs=2e-3)
