@@ -102,6 +102,25 @@ class Measurement:
         return float(found)
 
 
+def study(name: str, *figures: str, options: str = "", drawn: str = "{study}_{figure}") -> Measurement:
+    """A study of the command line: all of its results but curves and rows, and some figures.
+
+    Args:
+        name: of the study.
+        figures: those to keep, as `docs/figures/STUDY_FIGURE.png`.
+        options: of the command.
+        drawn: name of a figure in the folder that the study leaves.
+    """
+
+    def keep(folder: Path) -> dict[str, Any]:
+        results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
+        return {key: found for key, found in results.items() if key not in ("curves", "profile", "rows")}
+
+    kept = {f"figures/{drawn.format(study=name, figure=one)}.png": f"{name}_{one}.png" for one in figures}
+    command = f"bondem study {name} --out BUILD/{name} {options}".strip()
+    return Measurement(name, command, condense=keep, figures=kept)
+
+
 def recorded(name: str) -> Measured:
     """A number of `recorded.toml`: `value`, with `scatter` or not, or `values`."""
     entry = _recorded().get(name)

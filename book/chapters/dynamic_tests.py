@@ -1,0 +1,201 @@
+"""André et al. (2012), figures 10, 12 and 19 to 22: energies, inertia, waves, the effective section."""
+
+from book.chapter import Chapter, Figure, Section
+from book.forms import PERCENT, ROUNDING, SIGNED, Form
+from book.results import Measurement, study
+from book.row import Measured, Row
+from book.tolerances import AtMost
+
+QUASISTATIC = study("quasistatic", "energy", "breakdown", "settling")
+VIBRATION = study("vibration", "breakdown", "energy", "inertia")
+WAVE = study("wave", "faces", "snapshots", "travel", "arrival")
+SECTION = study("section", "face", "errors")
+MEASUREMENTS = (QUASISTATIC, VIBRATION, WAVE, SECTION)
+
+#: What "negligible" may mean of a quantity and "negligible" or "minor" of a share of an energy; no number is printed.
+NEGLIGIBLE, MINOR = 0.01, 0.05
+MILLIMETRES = Form("mm", 1e-3, ".3f")
+
+
+def chapter() -> Chapter:
+    """The chapter."""
+    return Chapter(
+        name="dynamic_tests",
+        title="André et al. (2012): figures 10, 12 and 19 to 22",
+        summary=(
+            "A slow tensile test by explicit dynamics, a free vibration in three motions at once, a wave, and the"
+            " section"
+            " that forces fill. The paper calls several things negligible or minor without a number: 1 % of a"
+            " quantity, and"
+            " 5 % of an energy, is what that may mean here."
+        ),
+        sections=(_quasistatic(), _vibration(), _inertia(), _wave(), _section()),
+    )
+
+
+def summary(results: Measurement, *steps: str | int) -> Measured:
+    """Mean and scatter over packings; the scatter of a single one is not there."""
+    found = results.at("summary", *steps)
+    return results.of(found["mean"], scatter=found["std"])
+
+
+def _quasistatic() -> Section:
+    last = QUASISTATIC.at("explicit", -1)
+    shares, static = (QUASISTATIC.at("energy", name) for name in ("shares", "shares_static"))
+    off = max(abs(shares[name] - static[name]) for name in ("paper_tension", "paper_bending", "paper_torsion"))
+    rows = [
+        Row(case="largest kinetic over elastic energy", source="fig. 10, §5.1.2", paper="negligible", form=ROUNDING,
+            ours=QUASISTATIC.number("energy", "kinetic_over_elastic"), tolerance=AtMost(NEGLIGIBLE)),
+        Row(case=f"E after {last['steps']} steps, off the static solution", form=ROUNDING, tolerance=AtMost(1e-3),
+            ours=QUASISTATIC.of(1e-6 * last["E_ppm"])),
+        Row(case="ν likewise", form=ROUNDING, tolerance=AtMost(1e-3), ours=QUASISTATIC.of(1e-6 * last["nu_ppm"])),
+        Row(case="elastic energy in tension of the bonds", source="fig. 12", form=PERCENT,
+            ours=QUASISTATIC.of(shares["paper_tension"])),
+        Row(case="in bending, shear included as the paper does", source="fig. 12", form=PERCENT,
+            ours=QUASISTATIC.of(shares["paper_bending"])),
+        Row(case="in torsion", source="fig. 12, §5.2.1", paper="minor", form=PERCENT, tolerance=AtMost(MINOR),
+            ours=QUASISTATIC.of(shares["paper_torsion"])),
+        Row(case="largest difference of these shares from the static solution's", form=ROUNDING,
+            tolerance=AtMost(1e-3),
+            ours=QUASISTATIC.of(off)),
+    ]  # fmt: skip
+    return Section(
+        title="A slow tensile test: figures 10 and 12",
+        rows=tuple(rows),
+        figures=(
+            Figure("quasistatic_energy.png", "Kinetic and elastic energy (figure 10)"),
+            Figure("quasistatic_breakdown.png", "Energies of the bonds (figure 12)"),
+            Figure("quasistatic_settling.png", "When E has settled"),
+        ),
+    )
+
+
+def _vibration() -> Section:
+    shares = VIBRATION.at("run", "shares")
+    rows = [
+        Row(case="elastic energy in tension of the bonds, mean over the vibration", source="fig. 19", form=PERCENT,
+            ours=VIBRATION.of(shares["paper_tension"])),
+        Row(case="in bending, shear included", source="fig. 19", form=PERCENT,
+            ours=VIBRATION.of(shares["paper_bending"])),
+        Row(case="in torsion", source="fig. 19, §6", paper="negligible", form=PERCENT, tolerance=AtMost(MINOR),
+            ours=VIBRATION.of(shares["paper_torsion"])),
+        Row(case="kinetic energy in the rotation of the elements, mean", form=PERCENT, tolerance=AtMost(MINOR),
+            source="§6", paper="negligible", ours=VIBRATION.number("run", "rotational_share_mean")),
+        Row(case="the same, at its largest", form=PERCENT, ours=VIBRATION.number("run", "rotational_share_largest")),
+        Row(case="imbalance of the energies over the work of the loads", form=ROUNDING, tolerance=AtMost(1e-2),
+            ours=VIBRATION.number("run", "energy_error")),
+        Row(case="drift of the energy over the free vibration", form=ROUNDING, tolerance=AtMost(1e-3),
+            ours=VIBRATION.number("run", "total_drift")),
+    ]  # fmt: skip
+    for kind, found in VIBRATION.at("run", "frequency").items():
+        rows.append(Row(case=f"{kind}: frequency of the signal, off the mode's", form=ROUNDING,
+            tolerance=AtMost(1e-3),
+                        ours=VIBRATION.of(found["signal"] / found["mode"] - 1.0)))  # fmt: skip
+    return Section(
+        title="Let go in three motions at once: figure 19",
+        rows=tuple(rows),
+        figures=(
+            Figure("vibration_breakdown.png", "Energies of the bonds (figure 19)"),
+            Figure("vibration_energy.png", "Kinetic energy of translation and of rotation"),
+        ),
+    )
+
+
+def _inertia() -> Section:
+    skin = "between rigid walls the skin holds less mass, so the specimen's moments are smaller than the continuum's"
+    rows = [
+        Row(case=f"{words}, specimen over continuum, less one", source="§6, after eq (19)", paper="negligible",
+            form=SIGNED,
+            ours=summary(VIBRATION, name), tolerance=AtMost(NEGLIGIBLE), reason=skin)
+        for words, name in (("moment of inertia about the axis", "axial_excess"), ("across it", "lateral_excess"))
+    ]  # fmt: skip
+    rows += [
+        Row(case=f"what the mass does to the frequency in {kind}", source="§6, after eq (19)", paper="negligible",
+            form=SIGNED, tolerance=AtMost(NEGLIGIBLE), reason=skin, ours=summary(VIBRATION, "frequency", kind,
+            "mass"))
+        for kind in ("tension", "bending", "torsion")
+    ]  # fmt: skip
+    rows += [
+        Row(case="mass of the specimen, less the continuum's", source="eq (19)", paper="equal", form=SIGNED,
+            tolerance=AtMost(NEGLIGIBLE), ours=summary(VIBRATION, "mass_excess"),
+            note="eq (19) holds for the calibrating packing; others differ by their volume fraction"),
+        Row(case="elements' own moments about the axis, of the whole", form=PERCENT, ours=summary(VIBRATION,
+            "own_share")),
+        Row(case="own moments to be multiplied by, for the continuum's", form=Form(style=".2f"),
+            ours=summary(VIBRATION, "own_factor")),
+    ]  # fmt: skip
+    return Section(
+        title="Inertia after eq (19)",
+        before="Equal mass does not make equal moments of inertia; the paper supposes the difference negligible.",
+        rows=tuple(rows),
+        figures=(Figure("vibration_inertia.png", "Moments of inertia, and what they do to frequencies"),),
+    )
+
+
+def _wave() -> Section:
+    levels = WAVE.at("levels")
+    low, high = (WAVE.at("summary", "held", "error", levels.index(level))["mean"] for level in (0.9, 0.05))
+    moment = (
+        "the paper does not say when a wave has arrived: from 5 to 90 % of the plateau the celerity goes from"
+        f" {100 * high:+.0f} to"
+        f" −{abs(100 * low):.0f} %"
+    )
+    rows = [
+        Row(case="celerity off √(E/ρ), arrival at half the plateau", source="Table 4, figs 20, 21", paper=0.0040,
+            form=SIGNED, ours=summary(WAVE, "error"), tolerance=AtMost(), reason=moment),
+        Row(case="the same: asked", form=SIGNED, ours=summary(WAVE, "error"), tolerance=AtMost(0.03)),
+    ]  # fmt: skip
+    for way, words in (("held", "face held"), ("free", "face struck and free")):
+        rows += [
+            Row(case=f"{words}, arrival at {100 * level:g} %", form=SIGNED, ours=summary(WAVE, way, "error", k))
+            for k, level in enumerate(levels)
+            if level in (0.05, 0.1, 0.5, 0.9)
+        ]
+    return Section(
+        title="A wave along the specimen: figures 20 and 21",
+        before="x_max is struck; the wave arrives at x_min when its mean velocity passes a share of the plateau.",
+        rows=tuple(rows),
+        figures=(
+            Figure("wave_faces.png", "Velocities of both faces (figure 20)"),
+            Figure("wave_snapshots.png", "Snapshots of the wave (figure 21)"),
+            Figure("wave_travel.png", "The wave in space and time"),
+            Figure("wave_arrival.png", "Celerity over the level of arrival"),
+        ),
+    )
+
+
+def _section() -> Section:
+    paper = SECTION.at("paper", "bending_frequency")
+    rows = [
+        Row(case="bending frequency, section of the walls", source="Table 4", paper=paper["walls"], form=SIGNED,
+            ours=summary(SECTION, "error", "walls", "bending_frequency"), tolerance=AtMost()),
+        Row(case="bending frequency, effective section, Euler–Bernoulli", source="§6, fig. 22", paper=paper["force"],
+            ours=summary(SECTION, "error", "force", "bending_frequency"), tolerance=AtMost(), form=SIGNED,
+            reason="the paper does not say how large its effective section is"),
+    ]  # fmt: skip
+    for test, words in (("static_bending_timoshenko", "static bending"), ("static_torsion", "static torsion"),
+                        ("bending_frequency_timoshenko", "bending frequency"),
+                        ("torsional_frequency", "torsional frequency")):  # fmt: skip
+        rows += [
+            Row(case=f"{words}, {name}", form=SIGNED, ours=summary(SECTION, "error", section, test),
+                tolerance=tolerance)
+            for section, name, tolerance in (
+                ("walls", "section of the walls", None), ("force", "effective section", None),
+                ("refined", "effective section, lengths between the sets", AtMost(0.02)),
+            )
+        ]  # fmt: skip
+    for name, words in (("walls", "of the walls"), ("force", "of the axial force: effective section"),
+                        ("mass", "of the mass"), ("centres", "of the centres at the side"),
+                        ("paper", "after eq (13)")):  # fmt: skip
+        rows.append(Row(case=f"radius {words}", form=MILLIMETRES, ours=summary(SECTION, "radius", name)))
+    return Section(
+        title="The effective section: figure 22",
+        before=(
+            "All but the first two against Timoshenko's theory. Radii are those of full sections of the same ⟨y²⟩."
+        ),
+        rows=tuple(rows),
+        figures=(
+            Figure("section_face.png", "Sections on a face (figure 22), and the force over the radius"),
+            Figure("section_errors.png", "Errors with each section"),
+        ),
+    )
