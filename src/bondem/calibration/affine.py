@@ -27,7 +27,8 @@ class AffineEstimate:
         E: Young's modulus [Pa]: along x of a bar, of the isotropic average of anything else.
         nu: Poisson's ratio [-], likewise.
         coordination: mean over the bonds of the number of bonds of the two elements they join [-].
-        wall: R̄ times the free surface over the volume, both of what is counted [-].
+        looseness: mean over the bonds of 1/z_i + 1/z_j, the bonds of the two elements [-]: how much they give way.
+        wall: R̄ times the area along which the load runs over the volume, both of what is counted [-].
         shear: Σ ks L² / Σ kn L² [-].
         bending: Σ kb / Σ kn L² [-].
     """
@@ -36,6 +37,7 @@ class AffineEstimate:
     E: float
     nu: float
     coordination: float
+    looseness: float
     wall: float
     shear: float
     bending: float
@@ -51,7 +53,9 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
     """Sum up the bonds of a lattice.
 
     Of a bar, those in the middle half of its length, where `static_tension` measures: the walls that count are then
-    its sides, and its ends do not. Of any other shape and of a periodic cell, all.
+    its sides, and its ends do not. Of any other shape and of a periodic cell, all, and E is the mean over all
+    directions. What is loaded along a direction is then shorter than the body by a radius at either end, as loads
+    enter at centres: by R̄ times half the surface in volume, as a surface S has a shadow of S/4 on average (Cauchy).
 
     Args:
         lattice: elements and bonds.
@@ -71,20 +75,23 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
     else:
         period = particles.period
         weight, volume = moving, shape.volume if period is None else float(period.prod())
-        surface = shape.area if period is None else 0.0
-    bonds = np.bincount(lattice.pairs.ravel(), minlength=len(particles))
+        surface = 0.5 * shape.area if period is None else 0.0
+    bonds = np.bincount(lattice.pairs.ravel(), minlength=len(particles))[lattice.pairs]
     square = weight * lattice.length**2
     normal = float(k.kn @ square)
     stiffness = _sum(lattice, weight * k.kn, weight * k.ks) / volume
+    wall = particles.mean_radius * surface / volume
     E, nu = _along_x(stiffness) if bar else _isotropic(stiffness)
+    E = E if bar else E / (1.0 - wall)
     if not (math.isfinite(E) and E > 0.0):
         raise InputError("the bonds of this lattice do not resist every strain; pack a body, not a chain or a plane")
     return AffineEstimate(
         stiffness=stiffness,
         E=E,
         nu=nu,
-        coordination=float(np.average(bonds[lattice.pairs].mean(axis=1), weights=weight)),
-        wall=particles.mean_radius * surface / volume,
+        coordination=float(np.average(bonds.mean(axis=1), weights=weight)),
+        looseness=float(np.average((1.0 / bonds).sum(axis=1), weights=weight)),
+        wall=wall,
         shear=float(k.ks @ square) / normal,
         bending=float(k.kb @ weight) / normal,
     )
@@ -95,8 +102,10 @@ def _inside_gauge(lattice: Lattice) -> PerBond:
     lower, upper = lattice.particles.envelope.bounds
     x = lattice.particles.position[:, 0] - 0.5 * (lower[0] + upper[0])
     half = 0.25 * (upper[0] - lower[0])
-    low, high = np.sort(x[lattice.pairs], axis=1).T
-    return np.clip(np.minimum(high, half) - np.maximum(low, -half), 0.0, None) / np.maximum(high - low, 1e-300)
+    middle = x[lattice.pairs].mean(axis=1)
+    # bonds across x, as in a crystal, have an extent too, however small
+    reach = 0.5 * np.maximum(np.abs(lattice.branch[:, 0]), 1e-9 * lattice.length)
+    return np.clip(0.5 * (np.minimum(middle + reach, half) - np.maximum(middle - reach, -half)) / reach, 0.0, 1.0)
 
 
 def _sum(lattice: Lattice, normal: PerBond, shear: PerBond) -> Floats:

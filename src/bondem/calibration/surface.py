@@ -7,7 +7,7 @@ estimate, a sum over its bonds, times a factor for how much the elements give wa
 
     ln(E / E_affine) = Σ_jk c_jk f_j g_k,    ν - ν_affine = Σ_jk d_jk f_j g_k,
     f = 1, ln p, ln² p, ln(12 q / p),    p = Σ ks L² / Σ kn L²,  q = Σ kb / Σ kn L²      (the law),
-    g = 1, z - z0, w, (z - z0) w,        z contacts at both ends of a bond, w = R̄ S / V   (the lattice),
+    g = 1, ln v, w, w ln v, ln z,     v = ⟨1/z_i + 1/z_j⟩,  z = ⟨z_i + z_j⟩ / 2,  w = R̄ S / V   (the lattice),
 
 with coefficients measured by `bondem study surface`. A sum over bonds costs nothing beside an equilibrium, and is as
 good as the scatter of single packings; to know a specimen better than that, test it.
@@ -32,8 +32,8 @@ from bondem.specimen.lattice import Lattice
 
 _DATA = Path(__file__).with_suffix(".json")
 
-#: z0 of the factor: mean contacts at the ends of a bond, about that of a cell with 6.2 contacts a sphere [-].
-COORDINATION = 6.6
+# z and v are taken over those of a cell with 6.2 contacts a sphere, roughly [-].
+_COORDINATION, _LOOSENESS = 6.6, 0.32
 
 
 class ExtrapolationWarning(UserWarning):
@@ -54,10 +54,10 @@ def law_terms(shear: Any, bending: Any) -> Floats:
     return np.stack([np.ones_like(x), x, x * x, np.log(12.0 * np.asarray(bending)) - x], axis=-1)
 
 
-def lattice_terms(coordination: Any, wall: Any) -> Floats:
-    """g of the model: 1, z - z0, w, (z - z0) w, last axis."""
-    u, w = np.asarray(coordination, dtype=float) - COORDINATION, np.asarray(wall, dtype=float)
-    return np.stack([np.ones_like(u), u, w, u * w], axis=-1)
+def lattice_terms(coordination: Any, looseness: Any, wall: Any) -> Floats:
+    """g of the model: 1, ln v, w, w ln v, ln z, last axis."""
+    z, v, w = np.log(np.asarray(coordination) / _COORDINATION), np.log(np.asarray(looseness) / _LOOSENESS), wall
+    return np.stack([np.ones_like(z), v, np.asarray(w, dtype=float), v * w, z], axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +65,7 @@ class SurfaceModel:
     """Coefficients of the correction, and what they were fitted to.
 
     Attributes:
-        E, nu: c_jk and d_jk, (4, 4).
+        E, nu: c_jk and d_jk, (4, 5).
         E_curve, nu_curve: of E/E_bulk - 1 and ν/ν_bulk - 1 over R̄S/V in s, s ln p, s², s² ln p, for bodies with 6.2
             contacts a sphere, (4,).
         E_error, nu_error: a, b of the relative standard error √(a² + b² / elements) of what is predicted from a
@@ -73,8 +73,8 @@ class SurfaceModel:
         E_curve_error, nu_curve_error: relative standard error of what is predicted from R̄S/V.
         length: mean length of the bonds in the bulk and its standard deviation, over R̄ [-], (2,).
         number: of the bonds in the bulk, in a volume R̄³.
-        coordination: of the bulk, as in `AffineEstimate`.
-        fitted: lowest and highest "coordination", "wall", "shear" and "softness" (12 q / p) of the fit.
+        coordination, looseness: of the bulk, as in `AffineEstimate`.
+        fitted: lowest and highest "coordination", "looseness", "wall", "shear" and "softness" (12 q / p) of the fit.
     """
 
     E: Floats
@@ -88,6 +88,7 @@ class SurfaceModel:
     length: Floats
     number: float
     coordination: float
+    looseness: float
     fitted: Mapping[str, tuple[float, float]]
 
     @classmethod
@@ -103,13 +104,14 @@ class SurfaceModel:
             E=E, nu=nu, E_curve=E_curve, nu_curve=nu_curve, E_error=E_error, nu_error=nu_error,
             E_curve_error=float(data["E_curve_error"]), nu_curve_error=float(data["nu_curve_error"]), length=length,
             number=float(data["number"]), coordination=float(data["coordination"]),
+            looseness=float(data["looseness"]),
             fitted=dict(zip(data["fitted"], fitted, strict=True)),
         )  # fmt: skip
 
     def moduli(self, estimate: AffineEstimate) -> tuple[float, float]:
         """E [Pa] and ν [-] predicted."""
         f = law_terms(estimate.shear, estimate.bending)
-        g = lattice_terms(estimate.coordination, estimate.wall)
+        g = lattice_terms(estimate.coordination, estimate.looseness, estimate.wall)
         return estimate.E * math.exp(float(f @ self.E @ g)), estimate.nu + float(f @ self.nu @ g)
 
     def bulk(self, law: BondLaw, mean_radius: float) -> AffineEstimate:
@@ -119,24 +121,24 @@ class SurfaceModel:
         half = 0.5 * length
         k = law.stiffness(BondGeometry(length, half, half, mean_radius))
         volume = len(length) * mean_radius**3 / self.number
-        return _isotropic(k, length, volume, self.coordination)
+        return self._isotropic(k, length, volume)
 
-
-def _isotropic(k: BondStiffness, length: Floats, volume: float, coordination: float) -> AffineEstimate:
-    """The estimate of bonds that point all ways alike."""
-    normal, shear = float(k.kn @ length**2), float(k.ks @ length**2)
-    K, G = normal / (9.0 * volume), (normal / 15.0 + shear / 10.0) / volume
-    stiffness = np.diag([2.0 * G] * 3 + [G] * 3)
-    stiffness[:3, :3] += K - 2.0 * G / 3.0
-    return AffineEstimate(
-        stiffness=stiffness,
-        E=9.0 * K * G / (3.0 * K + G),
-        nu=(3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G)),
-        coordination=coordination,
-        wall=0.0,
-        shear=shear / normal,
-        bending=float(k.kb.sum()) / normal,
-    )
+    def _isotropic(self, k: BondStiffness, length: Floats, volume: float) -> AffineEstimate:
+        """The estimate of bonds that point all ways alike."""
+        normal, shear = float(k.kn @ length**2), float(k.ks @ length**2)
+        K, G = normal / (9.0 * volume), (normal / 15.0 + shear / 10.0) / volume
+        stiffness = np.diag([2.0 * G] * 3 + [G] * 3)
+        stiffness[:3, :3] += K - 2.0 * G / 3.0
+        return AffineEstimate(
+            stiffness=stiffness,
+            E=9.0 * K * G / (3.0 * K + G),
+            nu=(3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G)),
+            coordination=self.coordination,
+            looseness=self.looseness,
+            wall=0.0,
+            shear=shear / normal,
+            bending=float(k.kb.sum()) / normal,
+        )
 
 
 @cache
@@ -231,12 +233,14 @@ class SurfaceCorrection:
     def _check(self, estimate: AffineEstimate, *, wall: float | None = None) -> None:
         found = {
             "coordination": estimate.coordination,
+            "looseness": estimate.looseness,
             "wall": estimate.wall if wall is None else wall,
             "shear": estimate.shear,
             "softness": 12.0 * estimate.bending / estimate.shear,
         }
         what = {
             "coordination": "mean contacts at the ends of a bond",
+            "looseness": "mean of 1/z over the elements at the ends of bonds",
             "wall": "R̄S/V",
             "shear": "shear over normal stiffness of the bonds, Σ ks L² / Σ kn L²",
             "softness": "bending over shear stiffness of the bonds, 12 Σ kb / Σ ks L²",

@@ -121,13 +121,14 @@ class SurfaceStudy(PackingStudy):
                     "ends": empty, "predicted": None, "bulk": bulk}  # fmt: skip
         fits = {name: Fit(fitted, name) for name in ("E", "nu")}
         curves = {name: CurveFit(fitted, bulk, name) for name in ("E", "nu")}
+        once = [row for row in good if law_name(row) == _name(HELD_OUT[0])]
         return {
             "counts": self.counts,
             "seeds": self.seeds,
             "model": self._model(fits, curves, pulled),
             "accuracy": accuracy(fits, curves, others),
-            "bodies": bodies([row for row in pulled if law_name(row) == _name(HELD_OUT[0])]),
-            "ends": ends([row for row in good if law_name(row) == _name(HELD_OUT[0])], bulk[_name(HELD_OUT[0])]),
+            "bodies": bodies([row for row in once if row["test"] == "tension"]),
+            "ends": ends(once, bulk[_name(HELD_OUT[0])], fits),
             "predicted": predicted(fits["E"], bulk),
             "bulk": bulk,
         }
@@ -136,14 +137,15 @@ class SurfaceStudy(PackingStudy):
         cells = [row for row in pulled if row["form"] == "cell" and row["target"] == "contacts"]
         found: dict[str, Any] = {}
         for name in ("E", "nu"):
-            found[name] = [[float(f"{c:.6g}") for c in line] for line in fits[name].coefficients.reshape(4, 4)]
+            found[name] = [[float(f"{c:.6g}") for c in line] for line in fits[name].coefficients.reshape(4, 5)]
             found[f"{name}_error"] = [float(f"{value:.3g}") for value in fits[name].scatter]
             found[f"{name}_curve"] = [float(f"{c:.5g}") for c in curves[name].coefficients]
             found[f"{name}_curve_error"] = float(f"{np.sqrt(np.mean(curves[name].held_out ** 2)):.3g}")
         return found | {
             "length": [round(float(column(cells, name).mean()), 6) for name in ("bond_length", "bond_length_std")],
             "number": round(float(column(cells, "bond_number").mean()), 6),
-            "coordination": round(float(column(cells, "coordination").mean()), 4),
+            "coordination": round(float(column(cells, "coordination").mean()), 5),
+            "looseness": round(float(column(cells, "looseness").mean()), 6),
             "fitted": fitted_range([row for row in pulled if row in fits["E"].rows]),
             "version": __version__,
         }

@@ -13,6 +13,9 @@ from bondem.study.frame import Row
 _SCATTER = (0.01, 0.7)
 _ROUNDS = 3
 
+# Which f_j g_k are fitted: all five g for E, the first three for ν, which scatters too much for more.
+_TERMS = {name: np.tile(np.arange(5) < count, 4) for name, count in (("E", 5), ("nu", 3))}
+
 #: Shapes so stubby that equal tractions on their ends lower ν in the gauge.
 STUBBY = ("cube",)
 
@@ -23,9 +26,9 @@ def column(rows: Sequence[Row], name: str) -> Floats:
 
 
 def design(rows: Sequence[Row]) -> Floats:
-    """f_j g_k of each row, (k, 16)."""
+    """f_j g_k of each row, (k, 20)."""
     f = law_terms(column(rows, "shear"), column(rows, "bending"))
-    g = lattice_terms(column(rows, "coordination"), column(rows, "wall"))
+    g = lattice_terms(*(column(rows, name) for name in ("coordination", "looseness", "wall")))
     return np.einsum("rj,rk->rjk", f, g).reshape(len(rows), -1)
 
 
@@ -64,8 +67,11 @@ class Fit:
     def _solved(self, rows: Sequence[Row]) -> Floats:
         a, b = self.scatter
         weight = 1.0 / np.sqrt(a * a + b * b / column(rows, "elements"))
-        matrix, right = design(rows), target(rows, self.quantity)
-        return np.asarray(np.linalg.lstsq(matrix * weight[:, None], right * weight, rcond=1e-10)[0], dtype=float)
+        terms = _TERMS[self.quantity]
+        matrix, right = design(rows)[:, terms] * weight[:, None], target(rows, self.quantity) * weight
+        coefficients = np.zeros(len(terms))
+        coefficients[terms] = np.linalg.lstsq(matrix, right, rcond=1e-10)[0]
+        return coefficients
 
     def _held_out(self) -> Floats:
         """Miss of each row by a model fitted without its form; of cells, by the whole."""
@@ -144,7 +150,7 @@ def law_name(row: Row) -> str:
 
 def bulk_means(rows: Sequence[Row], target_name: str = "contacts") -> dict[str, dict[str, float]]:
     """Mean E/E_μ, ν, and what the estimate says, of the periodic cells of one target, by law."""
-    names = ("E", "nu", "E_affine", "nu_affine", "shear", "bending", "coordination")
+    names = ("E", "nu", "E_affine", "nu_affine", "shear", "bending", "coordination", "looseness")
     groups: dict[str, list[Row]] = {}
     for row in rows:
         if row["form"] == "cell" and row["target"] == target_name:
@@ -155,6 +161,6 @@ def bulk_means(rows: Sequence[Row], target_name: str = "contacts") -> dict[str, 
 def fitted_range(rows: Sequence[Row]) -> dict[str, list[float]]:
     """Lowest and highest of what the model depends on."""
     softness = 12.0 * column(rows, "bending") / column(rows, "shear")
-    found: dict[str, Any] = {name: column(rows, name) for name in ("coordination", "wall", "shear")}
+    found: dict[str, Any] = {name: column(rows, name) for name in ("coordination", "looseness", "wall", "shear")}
     found["softness"] = softness
     return {name: [float(values.min()), float(values.max())] for name, values in found.items()}

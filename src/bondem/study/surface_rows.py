@@ -203,6 +203,7 @@ class ModuliRequest(Request):
             "wall": estimate.wall,
             "coordination_number": lattice.coordination_number,
             "coordination": estimate.coordination,
+            "looseness": estimate.looseness,
             "shear": estimate.shear,
             "bending": estimate.bending,
             "E_affine": estimate.E / self.law.E,

@@ -33,8 +33,11 @@ def bodies(rows: Sequence[Row]) -> list[dict[str, Any]]:
     return found
 
 
-def ends(rows: Sequence[Row], bulk: dict[str, float]) -> list[dict[str, Any]]:
-    """The same specimens in tension, between plates and under uniform stress, over the bulk, for one law."""
+def ends(rows: Sequence[Row], bulk: dict[str, float], fits: dict[str, Fit]) -> list[dict[str, Any]]:
+    """The same specimens in tension, between plates and under uniform stress, over the bulk, for one law.
+
+    Beside it what the model predicts: for a bar, or under uniform stress for the whole body.
+    """
     found = []
     for row in rows:
         if row["test"] == "tension":
@@ -46,6 +49,8 @@ def ends(rows: Sequence[Row], bulk: dict[str, float]) -> list[dict[str, Any]]:
         line: dict[str, Any] = {name: row[name] for name in ("form", "count", "seed", "test", "surface_ratio")}
         for name in ("E", "nu"):
             line[name] = row[name] / bulk[name]
+            miss = relative_miss([row], name, fits[name].coefficients).item()
+            line[f"{name}_predicted"] = line[name] * (1.0 + miss)
             line[f"{name}_tension"] = same[0][name] / bulk[name] if same else None
         found.append(line)
     return found
@@ -103,9 +108,10 @@ def tables(results: dict[str, Any]) -> list[str]:
         for one in results["bodies"]
     ]
     lines += ["", "The same specimens otherwise, over the bulk", ""]
-    lines += ["| test | shape | elements | E | ν | E in tension | ν in tension |", _RULE]
+    lines += ["| test | shape | elements | E (predicted) | ν (predicted) | E in tension | ν in tension |", _RULE]
     lines += [
-        f"| {one['test']} | {one['form']} | {one['count']} | {one['E']:.4f} | {one['nu']:.4f} |"
+        f"| {one['test']} | {one['form']} | {one['count']} |"
+        f" {one['E']:.4f} ({one['E_predicted']:.4f}) | {one['nu']:.4f} ({one['nu_predicted']:.4f}) |"
         f" {_or_dash(one['E_tension'])} | {_or_dash(one['nu_tension'])} |"
         for one in results["ends"]
     ]
