@@ -20,6 +20,7 @@ from bondem.errors import InputError
 from bondem.labtests import uniform_stress
 from bondem.laws.bond import BondLaw
 from bondem.study.request import made_row
+from bondem.study.surface import FITTED, HELD_OUT, SurfaceStudy
 from bondem.study.surface_fit import Fit, bulk_means, design, law_name
 from bondem.study.surface_rows import FORMS, ModuliRequest, SpecimenRequest
 
@@ -254,3 +255,57 @@ def test_the_model_survives_its_file_and_laws_have_names():
     rows = synthetic_rows(np.zeros(20), 0.0)
     assert law_name(rows[0]) == "EulerBernoulli r̃ 0.7"
     assert bulk_means(rows)["EulerBernoulli r̃ 0.7"]["E"] == pytest.approx(0.3)
+
+
+# -- the study ---------------------------------------------------------------------------------------------------
+
+
+def test_the_study_asks_for_every_shape_and_refuses_crumbs():
+    study = SurfaceStudy(counts=(400,), seeds=1, other_count=400, cell_count=400)
+    (_, specimens), (_, tests) = study.stages
+    assert {one.form for one in specimens} == set(FORMS)
+    assert {one.target for one in specimens} == {"contacts", "dense", "jamming", "carved"}
+    assert {one.needs for one in tests} == set(specimens)
+    assert len({one.name for one in tests}) == len(tests)
+    with pytest.raises(InputError, match="give 300 or more"):
+        SurfaceStudy(counts=(100,))
+
+
+def test_results_tables_and_figure_follow_from_rows(tmp_path):
+    """Rows made with the shipped model come back as that model, exactly predicted."""
+    model = SurfaceCorrection.default(LAW).model
+    random = np.random.default_rng(7)
+    rows = []
+    for law in (*FITTED, *HELD_OUT):
+        for form in ("cell", "cube", "beam", "plate", "cylinder", "ball"):
+            for seed in range(1, 13):
+                wall = 0.0 if form == "cell" else random.uniform(0.1, 0.4)
+                shear = random.uniform(0.1, 0.6)
+                row = {
+                    "form": form, "target": "contacts", "seed": seed, "count": 2000, "elements": 2000, "error": "",
+                    "test": "stress" if form == "ball" else "tension", "law": type(law).__name__,
+                    "radius_ratio": law.radius_ratio, "kappa": getattr(law, "kappa", None),
+                    "alpha_s": getattr(law, "alpha_s", None), "wall": wall, "surface_ratio": wall, "seconds": 0.1,
+                    "coordination": random.uniform(5.5, 7.2), "looseness": random.uniform(0.28, 0.4), "shear": shear,
+                    "bending": shear / 12.0 * random.uniform(1.0, 3.0), "E_affine": 0.3, "nu_affine": 0.15,
+                    "bond_length": 2.0, "bond_length_std": 0.1, "bond_number": 0.47,
+                }  # fmt: skip
+                factor = law_terms(row["shear"], row["bending"]), lattice_terms(
+                    row["coordination"], row["looseness"], row["wall"]
+                )
+                row["E"] = 0.3 * math.exp(factor[0] @ model.E @ factor[1])
+                row["nu"] = 0.15 + float(factor[0] @ model.nu @ factor[1])
+                rows.append(row)
+    study = SurfaceStudy(counts=(2000,), seeds=12)
+    results = study.results(rows)
+    again = SurfaceModel.read(results["model"])
+    np.testing.assert_allclose(again.E, model.E, atol=1e-4)
+    np.testing.assert_allclose(again.nu, model.nu, atol=1e-4)
+    assert max(one["largest"] for one in results["accuracy"] if "only" not in one["what"]) < 1e-4
+    assert len(results["ends"]) == 12
+    assert "| E | law left out | all | all | 0.00% |" in study.table(results)
+    (tmp_path / "figures").mkdir()
+    study.draw(tmp_path, rows, results)
+    assert (tmp_path / "figures" / "surface.png").stat().st_size > 10_000
+    assert (tmp_path / "surface.json").is_file()
+    assert study.results([])["model"] is None
