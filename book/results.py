@@ -107,7 +107,7 @@ def study(name: str, *figures: str, options: str = "", drawn: str = "{study}_{fi
 
     Args:
         name: of the study.
-        figures: those to keep, as `docs/figures/STUDY_FIGURE.png`.
+        figures: those to keep, as `docs/figures/STUDY_FIGURE.png`; the one called like the study as STUDY.png.
         options: of the command.
         drawn: name of a figure in the folder that the study leaves.
     """
@@ -116,7 +116,10 @@ def study(name: str, *figures: str, options: str = "", drawn: str = "{study}_{fi
         results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
         return {key: found for key, found in results.items() if key not in ("curves", "profile", "rows")}
 
-    kept = {f"figures/{drawn.format(study=name, figure=one)}.png": f"{name}_{one}.png" for one in figures}
+    kept = {
+        f"figures/{drawn.format(study=name, figure=one)}.png": f"{name}.png" if one == name else f"{name}_{one}.png"
+        for one in figures
+    }
     command = f"bondem study {name} --out BUILD/{name} {options}".strip()
     return Measurement(name, command, condense=keep, figures=kept)
 

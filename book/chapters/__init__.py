@@ -3,9 +3,9 @@
 from typing import cast
 
 from book.chapter import ChapterFile
-from book.chapters import andre_tables, chen_tables, cost, dynamic_tests, dynamics, formulations, packings
+from book.chapters import andre_tables, chen_tables, cost, dynamic_tests, dynamics, formulations, packings, surface
 from book.results import Measurement
 
-_FILES = (andre_tables, chen_tables, packings, dynamic_tests, formulations, dynamics, cost)
+_FILES = (andre_tables, chen_tables, packings, dynamic_tests, surface, formulations, dynamics, cost)
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 MEASUREMENTS: tuple[Measurement, ...] = tuple({one.name: one for file in FILES for one in file.MEASUREMENTS}.values())

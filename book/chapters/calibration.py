@@ -49,7 +49,7 @@ def _coverage() -> Section:
             " random choices of the calibrating packings."
         ),
         rows=tuple(rows),
-        figures=(Figure("coverage_coverage.png", "Unseen packings and the interval"),),
+        figures=(Figure("coverage.png", "Unseen packings and the interval"),),
     )
 
 

@@ -1,5 +1,7 @@
 """André et al. (2012), figures 10, 12 and 19 to 22: energies, inertia, waves, the effective section."""
 
+import json
+
 from book.chapter import Chapter, Figure, Section
 from book.forms import PERCENT, ROUNDING, SIGNED, Form
 from book.results import Measurement, study
@@ -10,7 +12,12 @@ QUASISTATIC = study("quasistatic", "energy", "breakdown", "settling")
 VIBRATION = study("vibration", "breakdown", "energy", "inertia")
 WAVE = study("wave", "faces", "snapshots", "travel", "arrival")
 SECTION = study("section", "face", "errors")
-MEASUREMENTS = (QUASISTATIC, VIBRATION, WAVE, SECTION)
+MASS = Measurement(
+    "mass_moments",
+    "python benchmarks/mass_moments.py --count 10000 --packings 4 --out BUILD/mass_moments",
+    condense=lambda folder: json.loads((folder / "results.json").read_text(encoding="utf-8")),
+)
+MEASUREMENTS = (QUASISTATIC, VIBRATION, WAVE, SECTION, MASS)
 
 #: What "negligible" may mean of a quantity and "negligible" or "minor" of a share of an energy; no number is printed.
 NEGLIGIBLE, MINOR = 0.01, 0.05
@@ -29,7 +36,7 @@ def chapter() -> Chapter:
             " quantity, and"
             " 5 % of an energy, is what that may mean here."
         ),
-        sections=(_quasistatic(), _vibration(), _inertia(), _wave(), _section()),
+        sections=(_quasistatic(), _vibration(), _inertia(), _balanced(), _wave(), _section()),
     )
 
 
@@ -129,6 +136,31 @@ def _inertia() -> Section:
         before="Equal mass does not make equal moments of inertia; the paper supposes the difference negligible.",
         rows=tuple(rows),
         figures=(Figure("vibration_inertia.png", "Moments of inertia, and what they do to frequencies"),),
+    )
+
+
+def _balanced() -> Section:
+    rows = []
+    for way, words in (("one", "one density"), ("balanced", "balanced")):
+        found = MASS.at("summary", way)
+        mean, std = found["inertia_error"]["mean"], found["inertia_error"]["std"]
+        exact = way == "balanced"
+        rows += [
+            Row(case=f"{words}: moment of inertia {axis}, off the continuum's", form=ROUNDING if exact else SIGNED,
+                ours=MASS.of(mean[k], scatter=None if exact else std[k]), tolerance=AtMost(1e-9) if exact else None)
+            for k, axis in enumerate(("about the axis", "across it"))
+        ]  # fmt: skip
+        for error, theory in (("error", "theory with the paper's lengths"), ("error_refined", "refined theory")):
+            rows += [
+                Row(case=f"{words}, {kind}: frequency, {theory}", form=SIGNED,
+                    tolerance=AtMost(0.035 if error == "error" else 0.02),
+                    ours=MASS.of(found[error]["mean"][k], scatter=found[error]["std"][k]))
+                for k, kind in enumerate(MASS.at("kinds"))
+            ]  # fmt: skip
+    return Section(
+        title="Beyond eq (19): the continuum's mass, centre and moments",
+        before="Balanced densities give a specimen the mass, the centre and the moments of inertia of its shape.",
+        rows=tuple(rows),
     )
 
 

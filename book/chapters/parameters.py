@@ -132,7 +132,7 @@ def _abacus() -> Section:
         rows=tuple(rows),
         figures=(
             Figure("abacus_silica.png", "Fused silica on the curves (figures 15 and 16)"),
-            Figure("abacus_abacus.png", "Calibration curves of four laws"),
+            Figure("abacus.png", "Calibration curves of four laws"),
             Figure("abacus_reach.png", "What each law can have"),
         ),
     )
@@ -171,7 +171,7 @@ def _assembly() -> Section:
         before="The paper's bonds in cylinders of ever more elements, four packings of each; scatter over the mean.",
         rows=tuple(rows),
         figures=(
-            Figure("assembly_assembly.png", "E and ν over the number of elements (figure 17)"),
+            Figure("assembly.png", "E and ν over the number of elements (figure 17)"),
             Figure("assembly_fineness.png", "Specimens of increasing fineness (figure 18)"),
             Figure("assembly_scatter.png",
                 "Scatter over the number of elements, with the paper's, Hentz's and Liao's"),
