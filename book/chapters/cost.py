@@ -61,9 +61,9 @@ def _calibration() -> Section:
     points = f"{way['points_per_curve']} points to a curve; extrapolated from one run"
     return Section(
         title="Calibration, and the paper's own way",
-        before="The paper's way is one explicit tensile test a point of a curve, here with bondem's step; processor time.",
+        before="The paper's way: an explicit tensile test a point of a curve, with bondem's step; processor time.",
         rows=(
-            Row(case="`bondem calibrate` from nothing, three packings of 10 000 with intervals", ours=command,
+            Row(case="`bondem calibrate` from nothing, three packings of 10 000", ours=command,
                 form=SECONDS,
                 tolerance=AtMost(30.0)),
             Row(case="one quasi-static run of 100 000 steps, 10 000 elements", ours=QUASISTATIC.of(one),
