@@ -11,6 +11,7 @@ import bondem as bd
 from bondem.calibration.free_parameter import FreeParameter
 from bondem.calibration.reach import reach, recommend
 from bondem.calibration.response import Response
+from bondem.calibration.surface import SurfaceCorrection
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError, UnreachableTargetError
 
@@ -185,6 +186,27 @@ def test_each_packing_would_have_these_bonds_by_itself(lattices):
     assert np.ptp(E_mu) > 1e-3 * fit.law.E
     low, high = fit.interval("E_mu")
     assert low < fit.law.E < high
+
+
+@pytest.mark.parametrize("material", [bd.materials.fused_silica, bd.materials.steel])
+def test_a_law_from_the_bulk_is_carried_to_a_body(material):
+    cell = bd.connect(bd.pack(bd.Cell((1e-2, 1e-2, 1e-2)), count=2000, spread=0.25, seed=1))
+    body = bd.connect(bd.pack(bd.Cylinder(5e-3, 40e-3), count=2000, spread=0.25, seed=2))
+    fit = bd.calibrate(cell, material, law=bd.EulerBernoulli)
+    raw = bd.labtests.static_tension(body, fit.law)
+    law = fit.law_for(body)
+    carried = bd.labtests.static_tension(body, law)
+    assert raw.E / material.E - 1.0 > 0.10
+    # twice the standard error that the correction states for bodies of this size
+    error = SurfaceCorrection.default(law).E_error(body)
+    assert error < 0.04
+    assert carried.E / material.E == pytest.approx(1.0, abs=2.0 * error)
+    assert carried.nu / material.nu == pytest.approx(1.0, abs=2.0 * SurfaceCorrection.default(law).nu_error(body))
+    # what it is calibrated on it leaves as it is
+    same = fit.law_for(cell)
+    assert pytest.approx(fit.law.E, rel=1e-4) == same.E
+    assert same.radius_ratio == pytest.approx(fit.value, rel=1e-4)
+    assert fit.density_for(cell) == pytest.approx(fit.density)
 
 
 def test_intervals_are_those_of_student():

@@ -1,7 +1,8 @@
 """Elastic calibration: bond parameters with which specimens have given E, ν and ρ."""
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from bondem.calibration.density import element_density
 from bondem.calibration.free_parameter import FreeParameter
 from bondem.calibration.reach import recommend
 from bondem.calibration.response import Response, Slope
+from bondem.calibration.surface import SurfaceCorrection
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError
 from bondem.labtests.tension import Tension
@@ -127,6 +129,34 @@ class Calibration:
     def packings_for(self, precision: float, *, quantity: str = "E", level: float = 0.95) -> int:
         """Number of calibrating packings for a mean within ± precision [-], at the scatter seen here."""
         return self.sample(quantity).packings_for(precision, level=level)
+
+    def law_for(self, lattice: Lattice) -> BondLaw:
+        """The law with which another specimen of the same packing, of any shape, is expected to have E and ν.
+
+        Skins of bodies are not like their inside, so that E and ν of a specimen depend on its shape. The
+        `SurfaceCorrection` predicts how far it is from the calibrating lattices; slopes turn that into bonds. Nothing
+        is solved.
+
+        Args:
+            lattice: the specimen, elements of any size.
+
+        Warns:
+            ExtrapolationWarning: the lattice is beyond those the correction was fitted to.
+        """
+        correction = SurfaceCorrection.default(self.law)
+        known = [one.lattice for one in self.responses]
+        log_E = math.log(correction.E(lattice)) - float(np.mean([math.log(correction.E(one)) for one in known]))
+        nu = self.nu * correction.nu(lattice) / float(np.mean([correction.nu(one) for one in known]))
+        slope = _mean_slope(self.slopes)
+        shift = (self.material.nu - nu) / slope.nu
+        log_E += slope.log_E * shift
+        E_mu = self.law.E * self.material.E / self.E * math.exp(-log_E)
+        changed: dict[str, Any] = {"E": E_mu, self.parameter: self.value + shift}
+        return replace(self.law, **changed)
+
+    def density_for(self, lattice: Lattice) -> float:
+        """ρ_μ of another specimen [kg/m³], by eq (19)."""
+        return element_density([lattice], self.material.rho)
 
     def sensitivity(self, parameter: str) -> Slope:
         """d ln E / dp and dν / dp to any parameter of the law, mean over the lattices."""
