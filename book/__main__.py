@@ -11,7 +11,7 @@ from book.fast import fast
 from book.markdown import counts
 from book.measure import BUILD, measure
 from book.pages import chapters, differences, write
-from book.results import ROOT
+from book.results import RESULTS, ROOT
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -30,6 +30,8 @@ def main(arguments: list[str] | None = None) -> int:
         if options.list:
             for one in MEASUREMENTS:
                 print(f"{one.name:20} {one.command}{f'   ({one.takes})' if one.takes else ''}")
+            for name in sorted({path.stem for path in RESULTS.glob("*.json")} - {one.name for one in MEASUREMENTS}):
+                print(f"{name:20} benchmarks/results/{name}.json is in no chapter")
             return 0
         if options.fast is not None:
             return _fast(options.fast)
