@@ -91,6 +91,10 @@ def draw_scatter(
                           label=rf"{c:.2f} / $\sqrt{{N}}$")  # fmt: skip
         left.set(xscale="log", yscale="log", xlabel="number of elements N", ylabel="standard deviation / mean [%]",
                  title="(a) packings of one size")  # fmt: skip
+        low, high = left.get_ylim()
+        ticks = [tick for tick in (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0) if low <= tick <= high]
+        left.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
+        left.set_yticks([], minor=True)
         left.legend(fontsize=8.0)
         bars = [(name, 100.0 * E, 100.0 * nu, GREY) for name, (E, nu) in reversed(list(printed.items()))]
         for key, words in (("peak_to_peak", "largest − smallest"), ("std", "standard deviation")):
@@ -101,7 +105,7 @@ def draw_scatter(
         for row, (_, E, nu, colour) in enumerate(bars):
             for offset, value, symbol in ((-0.18, E, "E"), (0.18, nu, "ν")):
                 right.barh(row + offset, value, height=0.34, color=colour, alpha=1.0 if symbol == "E" else 0.6)
-                right.text(value + 0.3, row + offset, f"{symbol}  {value:.3g} %", fontsize=7.5, va="center")
+                right.text(value + 0.3, row + offset, f"{symbol}  {value:.2g} %", fontsize=7.5, va="center")
         right.set_yticks(range(len(bars)), [bar[0] for bar in bars], fontsize=8.0)
         right.invert_yaxis()
         right.grid(axis="y", visible=False)
@@ -116,7 +120,7 @@ def draw_fineness(path: Path, lattices: Sequence[Lattice]) -> None:
         lattices: of bars, ever finer.
     """
     norm = Normalize(0.85, 1.15)
-    with sheet(path, 8.2, 0.2 + 2.15 * math.ceil(len(lattices) / 2), math.ceil(len(lattices) / 2), 2,
+    with sheet(path, 5.2, 0.2 + 1.4 * math.ceil(len(lattices) / 2), math.ceil(len(lattices) / 2), 2,
                squeeze=False) as (_, axes):  # fmt: skip
         for ax in axes.flat:
             ax.axis("off")

@@ -50,7 +50,7 @@ def draw_bond_modulus(path: Path, groups: Groups, *, shown: Sequence[float]) -> 
 
     Args:
         path: PNG to write.
-        groups: means by shape, over E_μ and r̃.
+        groups: by shape, over E_μ and r̃, of the same packings throughout.
         shown: r̃ to draw.
     """
     with sheet(path, 8.6, 4.0, 1, 2) as (_, (left, right)):
@@ -75,7 +75,7 @@ def draw_bond_radius(path: Path, groups: Groups, *, judged: tuple[float, float])
 
     Args:
         path: PNG to write.
-        groups: means by shape, over E_μ and r̃.
+        groups: by shape, over E_μ and r̃, of the same packings throughout.
         judged: between which r̃ the parabolas are fitted.
     """
     with sheet(path, 8.6, 4.0, 1, 2) as (_, (left, right)):

@@ -212,17 +212,21 @@ def _scatter_table(target: str, scatter: dict[str, dict[str, float | None]]) -> 
 def _limit_table(target: str, found: dict[str, Any], groups: Sequence[Row]) -> str:
     lines = [
         f"For ever more elements, {NAMES[target]}: y = y∞ + a N^(−1/3) + b N^(−2/3)", "",
-        "| quantity | y∞ | periodic cell | a | b | χ²/dof |", f"|{'---|' * 6}",
+        "| quantity | y∞ | periodic cell | apart by | a | b | χ²/dof |", f"|{'---|' * 7}",
     ]  # fmt: skip
+    cells = next((one for one in groups if one["periodic"]), None)
     for name, label, factor in (("E", "E [GPa]", 1e-9), ("nu", "ν", 1.0)):
-        fit = found["limits"][name]
-        cell = next((one[name] for one in groups if one["periodic"]), None)
+        fit, cell = found["limits"][name], None if cells is None else cells[name]
         free = "–" if cell is None else f"{factor * cell['mean']:.4f} ± {factor * (cell['std'] or 0.0):.4f}"
         if fit is None:
-            lines.append(f"| {label} | – | {free} | – | – | – |")
+            lines.append(f"| {label} | – | {free} | – | – | – | – |")
         else:
+            apart = "–"
+            if cells is not None and cell is not None:
+                error = np.hypot(fit["error"], (cell["std"] or 0.0) / np.sqrt(cells["packings"]))
+                apart = f"{(fit['value'] - cell['mean']) / error:+.1f} errors"
             lines.append(
                 f"| {label} | {factor * fit['value']:.4f} ± {factor * fit['error']:.4f} | {free} |"
-                f" {factor * fit['walls']:+.3f} | {factor * fit['edges']:+.3f} | {fit['misfit']:.1f} |"
+                f" {apart} | {factor * fit['walls']:+.3f} | {factor * fit['edges']:+.3f} | {fit['misfit']:.1f} |"
             )
     return "\n".join(lines) + "\n"
