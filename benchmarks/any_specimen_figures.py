@@ -11,6 +11,8 @@ from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, sh
 
 _MARKS = ((BLUE, "o"), (GREEN, "s"), (ORANGE, "^"), (PURPLE, "D"), (INK, "v"))
 _NAMES = {"E": "E", "nu": "ν"}
+# For the errors of all materials: how marks are filled.
+_FILL = {"raw": "none", "layered": "full"}
 
 
 def draw(summary: dict[str, Any], bracket: bd.Lattice, mode: np.ndarray, folder: Path) -> None:
@@ -28,11 +30,11 @@ def draw(summary: dict[str, Any], bracket: bd.Lattice, mode: np.ndarray, folder:
 
 
 def _ways(one: dict[str, Any]) -> list[str]:
-    return [way for way in ("raw", "corrected") if way in one]
+    return [way for way in _FILL if way in one]
 
 
 def errors(cases: list[dict[str, Any]], path: Path) -> None:
-    """Error of every quantity, a panel for each shape; hollow raw, filled corrected."""
+    """Error of every quantity, a panel for each shape; hollow raw, filled with layers."""
     shapes = list(dict.fromkeys(one["shape"] for one in cases))
     materials = list(dict.fromkeys(one["material"] for one in cases))
     with sheet(path, 10.0, 2.6 * len(shapes) + 0.7, len(shapes), 1, squeeze=False) as (figure, axes):
@@ -49,8 +51,7 @@ def errors(cases: list[dict[str, Any]], path: Path) -> None:
                 x = np.arange(len(keys)) + 0.13 * (number - 0.5 * (len(materials) - 1))
                 for way in _ways(one):
                     y = [100 * one[way][key]["error"] for key in keys]
-                    full = way == "corrected" or len(_ways(one)) == 1
-                    axis.plot(x, y, mark, ms=4.5, mec=colour, mfc=colour if full else "none", mew=0.9)
+                    axis.plot(x, y, mark, ms=4.5, mec=colour, mfc=colour if _FILL[way] == "full" else "none", mew=0.9)
             axis.axhline(0.0, color=GREY, lw=0.8)
             axis.set_xticks(range(len(keys)), [_label(key, mine[0]) for key in keys])
             axis.grid(visible=False, axis="x")
@@ -62,9 +63,8 @@ def errors(cases: list[dict[str, Any]], path: Path) -> None:
             axes[0, 0].plot([], [], mark, color=colour, ms=5, label=name)[0]
             for name, (colour, mark) in zip(materials, _MARKS, strict=False)
         ]
-        if len(_ways(cases[0])) == 2:
-            for fill, label in (("none", "bonds of the cell, raw"), (GREY, "with surface correction")):
-                handles.append(axes[0, 0].plot([], [], "o", mec=GREY, mfc=fill, ms=5, label=label)[0])
+        for fill, label in (("none", "bonds of the cell, raw"), (GREY, "with layers at walls")):
+            handles.append(axes[0, 0].plot([], [], "o", mec=GREY, mfc=fill, ms=5, label=label)[0])
         figure.legend(handles=handles, loc="outside lower center", ncols=4)
 
 
@@ -73,7 +73,7 @@ def _label(key: str, one: dict[str, Any]) -> str:
     if "modes" in row:
         first, last = row["modes"][0], row["modes"][-1]
         return f"mode {first}" if first == last else f"modes {first}-{last}"
-    return _NAMES.get(key, key)
+    return _NAMES.get(key, f"clamped\n{key}")
 
 
 def convergence(cases: list[dict[str, Any]], path: Path) -> None:
@@ -112,7 +112,8 @@ def ringing(lattice: bd.Lattice, mode: np.ndarray, path: Path) -> None:
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    particles = lattice.particles
+    particles, inside = lattice.particles, lattice.connected
+    position, radius, mode = particles.position[inside], particles.radius[inside], mode[inside]
     far = np.linalg.norm(mode, axis=1)
     swing = 4e-3 / far.max() * mode
     colour = colormaps["cividis"](far / far.max())[:, :3]
@@ -121,9 +122,10 @@ def ringing(lattice: bd.Lattice, mode: np.ndarray, path: Path) -> None:
         frames = ((-1.0, "one end of the swing"), (0.0, "at rest"), (1.0, "the other end"))
         for axis, (share, title) in zip(axes, frames, strict=True):
             tint = colour if share else np.full_like(colour, 0.75)
-            image = render(particles.position + share * swing, particles.radius, tint, view=view, width=520)
+            image = render(position + share * swing, radius, tint, view=view, width=520)
             axis.imshow(image)
             axis.set_axis_off()
+            axis.set_anchor("S")
             axis.set_title(title)
         scale = ScalarMappable(Normalize(0.0, 1.0), "cividis")
         figure.colorbar(scale, ax=axes, shrink=0.75, label="displacement / largest [-]")

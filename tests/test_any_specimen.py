@@ -57,9 +57,10 @@ def test_a_cube_does_what_its_continuum_does(study, fit):
     assert found["limit"] == 0.06
     # what the layers are for: inside there are more contacts than in the cell
     assert raw["E"] > 0.1
-    # the limit for a body 22 R̄ thick; packings of this size scatter by 2 % in E and 1 % in frequencies
-    for key in ("E", "nu", "f1", "f2", "f3"):
-        assert abs(layered[key]) < 0.06, key
+    # three standard deviations of single packings: 0.8 % in E and 1.2 % in ν at 10 000 spheres (docs/decisions/0004),
+    # 2.6 times that here, frequencies half of E; and 0.3 % of the mesh
+    for key, scatter in {"E": 0.021, "nu": 0.031, "f1": 0.0105, "f2": 0.0105, "f3": 0.0105}.items():
+        assert abs(layered[key]) < 3 * scatter + 0.003, key
     # against the continuum held where the spheres are held; against its faces, some 2 R̄/L = 9 % is missing
     for key in ("tension", "bending", "torsion"):
         assert abs(layered[key]) < 0.04, key
@@ -71,13 +72,13 @@ def test_a_cube_does_what_its_continuum_does(study, fit):
 
 def test_layers_are_calibrated_for_their_contacts(study, fit):
     lattice = study.specimen("cube", COUNT).lattice
-    laws = study.layered(fit, lattice)
+    laws = study.layered_bonds(bd.materials.fused_silica, lattice, touching=study.DEPTH)
     (inside, inner), (skin, outer), _ = laws.items()
     assert len(inside.select(lattice)) + len(skin.select(lattice)) == lattice.connected.sum()
-    # more contacts, stiffer cell, softer bonds: some 0.27 a contact
+    # more contacts, stiffer cell, softer bonds: E of a cell grows by 0.27 of itself a contact
     normal, calibrated = (law.E * law.radius_ratio**2 for law in (inner, fit.law))
     assert 0.7 < normal / calibrated < 0.95
-    assert outer == replace(inner, E=study.SKIN * inner.E)
+    assert outer == replace(inner, E=(1.38 - 0.21 * inner.radius_ratio) * inner.E)
     assert not np.isnan(bd.Model(lattice, laws).stiffness.kn).any()
 
 
