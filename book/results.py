@@ -102,26 +102,20 @@ class Measurement:
         return float(found)
 
 
-def study(name: str, *figures: str, options: str = "", drawn: str = "{study}_{figure}") -> Measurement:
-    """A study of the command line: all of its results but curves and rows, and some figures.
+def study(name: str, figures: Mapping[str, str]) -> Measurement:
+    """A study of the command line: its results without curves and rows, and some of its figures.
 
     Args:
         name: of the study.
-        figures: those to keep, as `docs/figures/STUDY_FIGURE.png`; the one called like the study as STUDY.png.
-        options: of the command.
-        drawn: name of a figure in the folder that the study leaves.
+        figures: name in the folder that the study leaves → name in `docs/figures`, both without ending.
     """
 
     def keep(folder: Path) -> dict[str, Any]:
         results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
         return {key: found for key, found in results.items() if key not in ("curves", "profile", "rows")}
 
-    kept = {
-        f"figures/{drawn.format(study=name, figure=one)}.png": f"{name}.png" if one == name else f"{name}_{one}.png"
-        for one in figures
-    }
-    command = f"bondem study {name} --out BUILD/{name} {options}".strip()
-    return Measurement(name, command, condense=keep, figures=kept)
+    kept = {f"figures/{drawn}.png": f"{target}.png" for drawn, target in figures.items()}
+    return Measurement(name, f"bondem study {name} --out BUILD/{name}", condense=keep, figures=kept)
 
 
 def recorded(name: str) -> Measured:

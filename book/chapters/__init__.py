@@ -3,9 +3,19 @@
 from typing import cast
 
 from book.chapter import ChapterFile
-from book.chapters import andre_tables, chen_tables, cost, dynamic_tests, dynamics, formulations, packings, surface
+from book.chapters import (
+    andre_tables,
+    chen_tables,
+    cost,
+    dynamic_tests,
+    dynamics,
+    formulations,
+    packings,
+    parameters,
+    surface,
+)
 from book.results import Measurement
 
-_FILES = (andre_tables, chen_tables, packings, dynamic_tests, surface, formulations, dynamics, cost)
+_FILES = (andre_tables, chen_tables, packings, parameters, dynamic_tests, surface, formulations, dynamics, cost)
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 MEASUREMENTS: tuple[Measurement, ...] = tuple({one.name: one for file in FILES for one in file.MEASUREMENTS}.values())

@@ -8,10 +8,15 @@ from book.results import Measurement, study
 from book.row import Measured, Row
 from book.tolerances import AtMost
 
-QUASISTATIC = study("quasistatic", "energy", "breakdown", "settling")
-VIBRATION = study("vibration", "breakdown", "energy", "inertia")
-WAVE = study("wave", "faces", "snapshots", "travel", "arrival")
-SECTION = study("section", "face", "errors")
+
+def _drawn(name: str, *figures: str) -> dict[str, str]:
+    return {f"{name}_{figure}": f"{name}_{figure}" for figure in figures}
+
+
+QUASISTATIC = study("quasistatic", _drawn("quasistatic", "energy", "breakdown", "settling"))
+VIBRATION = study("vibration", _drawn("vibration", "breakdown", "energy", "inertia"))
+WAVE = study("wave", _drawn("wave", "faces", "snapshots", "travel", "arrival"))
+SECTION = study("section", _drawn("section", "face", "errors"))
 MASS = Measurement(
     "mass_moments",
     "python benchmarks/mass_moments.py --count 10000 --packings 4 --out BUILD/mass_moments",

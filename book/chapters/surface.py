@@ -6,7 +6,7 @@ from book.results import study
 from book.row import Row
 from book.tolerances import AtMost
 
-SURFACE = study("surface", "surface", drawn="{figure}")
+SURFACE = study("surface", {"surface": "surface"})
 MEASUREMENTS = (SURFACE,)
 
 RATIO = Form(style=".3f")
