@@ -31,11 +31,9 @@ DYNAMIC = (
     ("impact", "impact, celerity", 0.0040, 0.03, None),
 )
 LENGTHS = (
-    "the elements held and loaded have their centres one radius inside the walls, so the bar that deforms is"
-    " shorter than the"
-    " paper's length; a continuum held and loaded at the same spheres has the same error (last table), and refined"
-    " theory, which"
-    " takes the lengths from the specimen, leaves none"
+    "the elements held and loaded have their centres one radius inside the walls, so the bar that deforms is shorter"
+    " than the paper's length; a continuum held and loaded at the same spheres has the same error (below), and refined"
+    " theory, which takes the lengths from the specimen, leaves none"
 )
 SKIN = "a soft skin between rigid walls, taken into account by refined theory"
 
