@@ -65,18 +65,20 @@ def draw_assembly(path: Path, rows: Sequence[Row], limits: Mapping[str, Mapping[
 
 
 def draw_scatter(
-    path: Path, rows: Sequence[Row], scatter: Mapping[str, Mapping[str, float | None]],
+    path: Path, rows: Sequence[Row], scatter: Mapping[str, Mapping[str, Mapping[str, float | None]]],
     printed: Mapping[str, tuple[float, float]],
 ) -> None:  # fmt: skip
     """Left, the scatter of packings of one size over N; right, that of all large ones beside what is in print.
 
     Args:
         path: PNG to write.
-        rows: of bars at one target.
-        scatter: of "E", "nu", "E_paper" and "nu_paper": "c" and, of large packings, "std" and "peak_to_peak".
+        rows: of bars at the first target.
+        scatter: by target, of "E", "nu", "E_paper" and "nu_paper": "c" and, of large packings, "std" and
+            "peak_to_peak".
         printed: scatter of E and ν in print [-], by whose.
     """
-    with sheet(path, 8.8, 4.0, 1, 2) as (_, (left, right)):
+    first = next(iter(scatter))
+    with sheet(path, 9.2, 3.0 + 0.9 * len(scatter), 1, 2) as (_, (left, right)):
         count = _of(rows, "count")
         size = np.unique(count)
         over = np.geomspace(size.min(), size.max(), 50)
@@ -85,28 +87,32 @@ def draw_scatter(
             groups = [value[count == one] for one in size]
             sd = [100.0 * group.std(ddof=1) / abs(group.mean()) if len(group) > 1 else math.nan for group in groups]
             left.plot(size, sd, marker, color=colour, markersize=4.5, label=f"{label}, packings of one size")
-            c = scatter[name]["c"]
+            c = scatter[first][name]["c"]
             if c is not None:
                 left.plot(over, 100.0 * c / np.sqrt(over), color=colour, linewidth=1.2,
                           label=rf"{c:.2f} / $\sqrt{{N}}$")  # fmt: skip
         left.set(xscale="log", yscale="log", xlabel="number of elements N", ylabel="standard deviation / mean [%]",
-                 title="(a) packings of one size")  # fmt: skip
+                 title=f"(a) {NAMES[first]}")  # fmt: skip
         low, high = left.get_ylim()
         ticks = [tick for tick in (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0) if low <= tick <= high]
         left.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
         left.set_yticks([], minor=True)
         left.legend(fontsize=8.0)
         bars = [(name, 100.0 * E, 100.0 * nu, GREY) for name, (E, nu) in reversed(list(printed.items()))]
-        for key, words in (("peak_to_peak", "largest − smallest"), ("std", "standard deviation")):
-            for names, how in ((("E_paper", "nu_paper"), "eqs (14), (15)"), (("E", "nu"), "affine fit")):
-                E, nu = (scatter[name][key] for name in names)
+        for target, found in scatter.items():
+            for names, key, words in (
+                (("E_paper", "nu_paper"), "peak_to_peak", "largest − smallest, eqs (14), (15)"),
+                (("E", "nu"), "peak_to_peak", "largest − smallest, affine fit"),
+                (("E", "nu"), "std", "standard deviation, affine fit"),
+            ):
+                E, nu = (found[name][key] for name in names)
                 if E is not None and nu is not None:
-                    bars.append((f"{words},\n{how}", 100.0 * E, 100.0 * nu, BLUE))
+                    bars.append((f"{NAMES[target]}:\n{words}", 100.0 * E, 100.0 * nu, _STYLES[target][0]))
         for row, (_, E, nu, colour) in enumerate(bars):
             for offset, value, symbol in ((-0.18, E, "E"), (0.18, nu, "ν")):
                 right.barh(row + offset, value, height=0.34, color=colour, alpha=1.0 if symbol == "E" else 0.6)
                 right.text(value + 0.3, row + offset, f"{symbol}  {value:.2g} %", fontsize=7.5, va="center")
-        right.set_yticks(range(len(bars)), [bar[0] for bar in bars], fontsize=8.0)
+        right.set_yticks(range(len(bars)), [bar[0] for bar in bars], fontsize=7.5)
         right.invert_yaxis()
         right.grid(axis="y", visible=False)
         right.set(xlabel="scatter / mean [%]", title="(b) more than 7500 elements", xlim=(0.0, 34.0))

@@ -122,7 +122,8 @@ class Assembly(PackingStudy):
         limits = {target: _limits(_of_bars(rows, target)) for target in self.targets}
         draw_assembly(figures / "assembly.png", rows, limits)
         first = self.targets[0]
-        draw_scatter(figures / "scatter.png", _of_bars(rows, first), results["targets"][first]["scatter"], IN_PRINT)
+        scatter = {target: found["scatter"] for target, found in results["targets"].items()}
+        draw_scatter(figures / "scatter.png", _of_bars(rows, first), scatter, IN_PRINT)
         # The first packing of four sizes, as far apart as there are.
         there = sorted({row["count"] for row in rows if not row["periodic"]})
         shown = sorted({there[round(k * (len(there) - 1) / 3)] for k in range(4)})
