@@ -129,7 +129,7 @@ def test_the_front_page_hides_no_missed_row():
     one = Chapter(name="it", title="It", summary="", sections=(Section(title="Rows", rows=(missed,)),))
     text = front([one])
     assert "| [It](validation/it.md) | 1 |  | **1** |  |  |" in text
-    assert "| [It](validation/it.md) | the one |  | **2** | ≤ 1 |" in text
+    assert "| [It](validation/it.md) | the one | **2** | ≤ 1 |" in text
 
 
 def test_links_follow_a_page_into_its_folder():

@@ -32,8 +32,8 @@ DYNAMIC = (
 )
 LENGTHS = (
     "the elements held and loaded have their centres one radius inside the walls, so the bar that deforms is shorter"
-    " than the paper's length; a continuum held and loaded at the same spheres has the same error (below), and refined"
-    " theory, which takes the lengths from the specimen, leaves none"
+    " than the paper's length; a continuum held and loaded at the same spheres has the same error (below), and"
+    " refined theory, which takes the lengths from the specimen, leaves none"
 )
 SKIN = "a soft skin between rigid walls, taken into account by refined theory"
 
@@ -102,10 +102,9 @@ def chapter() -> Chapter:
         in_front=True,
         summary=(
             "Cylinder 10 mm × 40 mm, 10 000 spheres, κ = 25 %, Euler–Bernoulli bonds at contacts (z = 6.2), ν_μ ="
-            " 0.3; fused silica"
-            " has E = 72.5 GPa, ν = 0.17, ρ = 2201 kg/m³. One packing calibrates and four are unseen; in a second"
-            " run four calibrate"
-            " and twelve are unseen. Errors are means over all five packings of the first."
+            " 0.3; fused silica has E = 72.5 GPa, ν = 0.17, ρ = 2201 kg/m³. One packing calibrates and four are"
+            " unseen; in a second run four calibrate and twelve are unseen. Errors are means over all five packings"
+            " of the first."
         ),
         sections=(_targets(), _parameters(), _static(), _dynamic(), _continuum(), _scatter(), _packing()),
     )
@@ -116,12 +115,10 @@ def _targets() -> Section:
     return Section(
         title="Table 1: what the specimen should have",
         rows=(
-            Row(case="E of the calibrating specimen", paper=E, ours=SILICA.number("macro", "E"), form=Form("GPa", 1e9,
-                ".2f"), printed="72.5 GPa",
-                tolerance=Near(relative=0.002), **row),
+            Row(case="E of the calibrating specimen", paper=E, ours=SILICA.number("macro", "E"),
+                form=Form("GPa", 1e9, ".2f"), printed="72.5 GPa", tolerance=Near(relative=0.002), **row),
             Row(case="ν of the calibrating specimen", paper=NU, ours=SILICA.number("macro", "nu"), form=POISSON,
-                printed="0.17",
-                tolerance=Near(absolute=0.001), **row),
+                printed="0.17", tolerance=Near(absolute=0.001), **row),
             Row(case="ρ of the calibrating specimen", source="§6", paper=RHO, ours=SILICA.number("macro", "rho"),
                 form=Form("kg/m³", style=".1f"), printed="2201 kg/m³", tolerance=Near(relative=1e-6)),
             Row(case="distance of E from its target", ours=SILICA.of(SILICA.at("macro", "E") / E - 1.0),
@@ -137,24 +134,20 @@ def _parameters() -> Section:
     E_contacts, E_jamming = (PRINTED.at(target, "mean", "E") / 1e9 for target in ("contacts", "jamming"))
     packing = (
         f"the packing decides: with the paper's bonds E runs from {E_jamming:.1f} GPa at the onset of jamming to"
-        f" {E_contacts:.1f} GPa at"
-        " 6.2 contacts, and the paper's 72.5 GPa lies between; of its packing it says that z is higher than 6.2"
+        f" {E_contacts:.1f} GPa at 6.2 contacts, and the paper's 72.5 GPa lies between; of its packing it says that z"
+        " is higher than 6.2"
     )
     rows = [
         Row(case=f"E_μ, calibrated on one packing at z = {z:.2f}", paper=E_MU, printed="265 GPa", form=GPA,
-            ours=SILICA.number("micro", "E_mu"),
-            tolerance=Near(relative=0.02), reason=packing, source="Table 2"),
+            ours=SILICA.number("micro", "E_mu"), tolerance=Near(relative=0.02), reason=packing, source="Table 2"),
         Row(case="ν_μ, chosen", paper=NU_MU, ours=SILICA.number("micro", "nu_mu"), tolerance=Near(absolute=0.0),
             source="Table 2"),
         Row(case=f"r̃, calibrated on one packing at z = {z:.2f}", paper=RADIUS_RATIO, printed="0.71",
-            ours=SILICA.number("micro", "r_mu_ratio"),
-            form=RATIO, tolerance=Near(relative=0.02), source="Table 2"),
+            ours=SILICA.number("micro", "r_mu_ratio"), form=RATIO, tolerance=Near(relative=0.02), source="Table 2"),
         Row(case="E_μ, calibrated on four packings", paper=E_MU, printed="265 GPa", form=GPA,
-            ours=FOUR.number("micro", "E_mu"),
-            tolerance=Near(relative=0.02), reason=packing, source="Table 2"),
-        Row(case="r̃, calibrated on four packings", paper=RADIUS_RATIO, printed="0.71", ours=FOUR.number("micro",
-            "r_mu_ratio"),
-            form=RATIO, tolerance=Near(relative=0.02), source="Table 2"),
+            ours=FOUR.number("micro", "E_mu"), tolerance=Near(relative=0.02), reason=packing, source="Table 2"),
+        Row(case="r̃, calibrated on four packings", paper=RADIUS_RATIO, printed="0.71",
+            ours=FOUR.number("micro", "r_mu_ratio"), form=RATIO, tolerance=Near(relative=0.02), source="Table 2"),
     ]  # fmt: skip
     for target, words in (("contacts", "6.2 contacts"), ("jamming", "onset of jamming")):
         mean, std = PRINTED.at(target, "mean"), PRINTED.at(target, "std")
@@ -162,11 +155,9 @@ def _parameters() -> Section:
         # as far apart as packings of one kind are in the paper, §5.4
         rows += [
             Row(case=f"E {where}", source="Tables 1, 2", paper=E, form=GPA, tolerance=Near(relative=0.07),
-                reason=packing,
-                ours=PRINTED.of(mean["E"], scatter=std["E"])),
+                reason=packing, ours=PRINTED.of(mean["E"], scatter=std["E"])),
             Row(case=f"ν {where}", source="Tables 1, 2", paper=NU, printed="0.17", form=POISSON,
-                tolerance=Near(relative=0.05), reason=packing,
-                ours=PRINTED.of(mean["nu"], scatter=std["nu"])),
+                tolerance=Near(relative=0.05), reason=packing, ours=PRINTED.of(mean["nu"], scatter=std["nu"])),
         ]  # fmt: skip
     return Section(
         title="Table 2: parameters of the bonds",
@@ -190,17 +181,14 @@ def _dynamic() -> Section:
         title="Table 4: dynamic tests",
         rows=(
             *tests("Table 4", DYNAMIC),
-            Row(case="free vibration against natural modes, largest",
-                ours=SILICA.of(largest),
+            Row(case="free vibration against natural modes, largest", ours=SILICA.of(largest),
                 form=Form(style=".1g"), tolerance=AtMost(1e-3)),
         ),
         after=(
-            "Where the paper's figure is smaller (static tension, axial frequency, celerity), the cause is known"
-            " and shown in [decision"
-            " 0004](decisions/0004-measures.md). In bending and torsion a soft skin acts against it. *Refined"
-            " theory* takes both from"
-            " the specimen without a free number: the lengths between the sets, and the effective section from the"
-            " tension test alone."
+            "Where the paper's figure is smaller (static tension, axial frequency, celerity), the cause is known and"
+            " shown in [decision 0004](decisions/0004-measures.md). In bending and torsion a soft skin acts against"
+            " it. *Refined theory* takes both from the specimen without a free number: the lengths between the sets,"
+            " and the effective section from the tension test alone."
         ),
         figures=(
             Figure("silica_errors.png", "Errors of the seven tests beside the paper's"),
@@ -218,9 +206,9 @@ def _continuum() -> Section:
         fem = recorded(name)
         rows += [
             Row(case=f"{words}, continuum", ours=fem, form=SIGNED),
-            Row(case=f"{words}, specimen less continuum", ours=SILICA.of(ours.values[0] - fem.values[0],
-                scatter=ours.scatter),
-                form=SIGNED, tolerance=AtMost(near)),
+            Row(case=f"{words}, specimen less continuum",
+                ours=SILICA.of(ours.values[0] - fem.values[0], scatter=ours.scatter), form=SIGNED,
+                tolerance=AtMost(near)),
         ]  # fmt: skip
     return Section(
         title="The same bar as a continuum",
@@ -238,25 +226,20 @@ def _scatter() -> Section:
             if which.startswith("twelve"):
                 rows += [
                     Row(case=f"{case}: Liao's calibration of springs (Hentz)", source="§5.4, ref. 39", paper=liao,
-                        printed=f"{100 * liao:.0f} %", ours=ours,
-                        tolerance=AtMost(), form=PERCENT),
+                        printed=f"{100 * liao:.0f} %", ours=ours, tolerance=AtMost(), form=PERCENT),
                     Row(case=f"{case}: Hentz's energy criterion", source="§5.4, ref. 7", paper=hentz,
-                        printed=f"{100 * hentz:.0f} %", ours=ours,
-                        tolerance=AtMost(), form=PERCENT),
+                        printed=f"{100 * hentz:.0f} %", ours=ours, tolerance=AtMost(), form=PERCENT),
                 ]  # fmt: skip
             rows += [
                 Row(case=f"{case}: the paper's bonds, above 7500 elements", source="§5.4, fig. 17", paper=paper,
-                    printed=f"{100 * paper:.0f} %", ours=ours,
-                    tolerance=AtMost(), form=PERCENT),
+                    printed=f"{100 * paper:.0f} %", ours=ours, tolerance=AtMost(), form=PERCENT),
                 Row(case=f"{case}: asked", ours=ours, tolerance=AtMost(0.02), form=PERCENT),
             ]  # fmt: skip
         rows += [
             Row(case=f"{symbol}, mean of four unseen packings, calibrated on one", ours=unseen(SILICA, name),
-                form=SIGNED,
-                tolerance=AtMost(0.02)),
+                form=SIGNED, tolerance=AtMost(0.02)),
             Row(case=f"{symbol}, mean of twelve unseen packings, calibrated on four", ours=unseen(FOUR, name),
-                form=SIGNED,
-                tolerance=AtMost(0.01)),
+                form=SIGNED, tolerance=AtMost(0.01)),
         ]  # fmt: skip
     return Section(
         title="Scatter over packings",
@@ -266,13 +249,11 @@ def _scatter() -> Section:
         ),
         rows=tuple(rows),
         after=(
-            "The means are samples too: one packing of 10 000 has a standard deviation of about 1.1 % in E and ν,"
-            " the mean of four 0.6 %."
-            " With an earlier state of the packing (other spheres for the same seeds) the same four-packing study"
-            " gave −0.28 ± 0.90 % in E"
-            " and +1.27 ± 1.15 % in ν, outside the 1 %, and fours of other seeds gave −0.6 and −0.4 %. A mean"
-            " within 1 % nineteen times in"
-            " twenty takes five or six calibrating packings."
+            "The means are samples too: one packing of 10 000 has a standard deviation of about 1.1 % in E and ν, the"
+            " mean of four 0.6 %. With an earlier state of the packing (other spheres for the same seeds) the same"
+            " four-packing study gave −0.28 ± 0.90 % in E and +1.27 ± 1.15 % in ν, outside the 1 %, and fours of"
+            " other seeds gave −0.6 and −0.4 %. A mean within 1 % nineteen times in twenty takes five or six"
+            " calibrating packings."
         ),
     )  # fmt: skip
 
@@ -286,20 +267,18 @@ def _packing() -> Section:
     return Section(
         title="The packing",
         rows=(
-            Row(case="volume fraction", source="§4.3", paper=0.635, ours=SILICA.number("specimen", "volume_fraction"),
-                form=RATIO,
-                tolerance=Near(absolute=0.008), note="rigid cylinder; 0.64 in the bulk"),
-            Row(case="coordination number", source="§4.3", paper=6.2, printed="6.2", ours=SILICA.number("specimen",
-                "coordination_number"),
-                form=Form(style=".2f"), tolerance=Near(absolute=0.05)),
+            Row(case="volume fraction", source="§4.3", paper=0.635,
+                ours=SILICA.number("specimen", "volume_fraction"), form=RATIO, tolerance=Near(absolute=0.008),
+                note="rigid cylinder; 0.64 in the bulk"),
+            Row(case="coordination number", source="§4.3", paper=6.2, printed="6.2",
+                ours=SILICA.number("specimen", "coordination_number"), form=Form(style=".2f"),
+                tolerance=Near(absolute=0.05)),
             Row(case="isotropy error e, eq (11)", source="§4.3, eq (11)", paper=0.0032, form=Form(style=".2g"),
-                note=printed,
-                ours=SILICA.number("specimen", "isotropy_error"), tolerance=AtMost()),
+                note=printed, ours=SILICA.number("specimen", "isotropy_error"), tolerance=AtMost()),
             Row(case="rms excess over chance", ours=SILICA.of(first["rms_excess"]), form=Form(style=".2f"),
                 tolerance=AtMost(0.3)),
             Row(case="rms excess over chance, in the core", ours=SILICA.of(first["core_rms_excess"]),
-                form=Form(style=".2f"),
-                tolerance=AtMost(0.3)),
+                form=Form(style=".2f"), tolerance=AtMost(0.3)),
             Row(case="largest overlap, of the mean radius", ours=SILICA.of(first["largest_overlap"]), form=PLAIN),
         ),
     )  # fmt: skip

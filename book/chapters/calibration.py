@@ -23,8 +23,7 @@ def chapter() -> Chapter:
         title="Calibration: intervals, and any specimen",
         summary=(
             "Bonds are calibrated in cells or on specimens, with intervals; the same bonds are then used in other"
-            " packings"
-            " and in other shapes, against theory and three-dimensional finite elements."
+            " packings and in other shapes, against theory and three-dimensional finite elements."
         ),
         sections=(_coverage(), _shapes(), _convergence()),
     )
@@ -47,8 +46,7 @@ def _coverage() -> Section:
         title="Do the intervals keep their word?",
         before=(
             f"Calibrated on {COVERAGE.at('calibrating')} packings of {COVERAGE.at('count')} elements; shares are"
-            " means over"
-            " random choices of the calibrating packings."
+            " means over random choices of the calibrating packings."
         ),
         rows=tuple(rows),
         figures=(Figure("coverage.png", "Unseen packings and the interval"),),

@@ -46,9 +46,8 @@ def chapter() -> Chapter:
         title="Chen et al. (2022): cantilevers of bonds, Tables 3 to 5",
         in_front=True,
         summary=(
-            "Timoshenko bonds (TBBM), Euler–Bernoulli bonds (EBBM) and parallel bonds (PBM) through one kernel, E_b"
-            " = 200 GPa, ν_b ="
-            " 0.3, F = 100 kN. All five cases, all laws, the figures and the elastica:"
+            "Timoshenko bonds (TBBM), Euler–Bernoulli bonds (EBBM) and parallel bonds (PBM) through one kernel, E_b ="
+            " 200 GPa, ν_b = 0.3, F = 100 kN. All five cases, all laws, the figures and the elastica:"
             " [validation/chen.md](validation/chen.md)."
         ),
         sections=(table_3(TABLES), table_4(TABLES, CASES), table_5(TABLES), _figures(), _exact()),
@@ -68,8 +67,7 @@ def table_3(tables: Measurement) -> Section:
             _span(case, "particle radius", radius, ours["element_radius"], "m"),
             _span(case, "bond radius", (bond, bond), ours["bond_radius"], "m"),
             Row(case=f"case {case}: gap between particles", source="Table 3", paper="yes" if gap else "no",
-                form=Said(),
-                ours=tables.number("table3", case, "gap"), tolerance=So(gap)),
+                form=Said(), ours=tables.number("table3", case, "gap"), tolerance=So(gap)),
         ]  # fmt: skip
     return Section(title="Table 3: the cases", rows=tuple(rows))
 
@@ -89,11 +87,9 @@ def table_4(tables: Measurement, runs: Measurement | None) -> Section:
     euler = tables.at("table4", {"law": "EBBM"})["exact"]
     rows = [
         Row(case="Timoshenko theory, eq (29)", source="Table 4", paper=8.534e-3, printed="8.534 mm",
-            ours=tables.of(theory), form=millimetres,
-            tolerance=Near(absolute=0.0005e-3)),
+            ours=tables.of(theory), form=millimetres, tolerance=Near(absolute=0.0005e-3)),
         Row(case="Euler–Bernoulli theory", source="Table 4", paper=8.488e-3, printed="8.488 mm",
-            ours=tables.of(euler), form=millimetres,
-            tolerance=Near(absolute=0.0005e-3)),
+            ours=tables.of(euler), form=millimetres, tolerance=Near(absolute=0.0005e-3)),
         Row(case="Euler–Bernoulli theory, distance from Timoshenko", source="Table 4", paper=0.0054,
             ours=tables.of(1.0 - euler / theory), form=PERCENT, tolerance=Near(absolute=5e-5)),
     ]  # fmt: skip
@@ -101,8 +97,7 @@ def table_4(tables: Measurement, runs: Measurement | None) -> Section:
         found = tables.at("table4", {"law": law})
         rows += [
             Row(case=f"{law}, tip, static", source="Table 4", paper=1e-3 * float(tip), printed=f"{tip} mm",
-                ours=tables.of(found["tip"]),
-                form=millimetres, tolerance=Near(absolute=0.001e-3), reason=above),
+                ours=tables.of(found["tip"]), form=millimetres, tolerance=Near(absolute=0.001e-3), reason=above),
             Row(case=f"{law}, distance from Timoshenko", source="Table 4", paper=1e-2 * float(error), form=PERCENT,
                 ours=tables.of(abs(found["error_timoshenko"])), tolerance=Near(absolute=1e-4), reason=above),
         ]  # fmt: skip
@@ -134,8 +129,8 @@ def table_5(tables: Measurement) -> Section:
             plural = "bonds" if n > 1 else "bond"
             rows.append(
                 Row(case=f"{n} {plural}: {words}", source="Table 5", paper=1e9 * float(number),
-                    ours=tables.of(found[name]),
-                    form=Form("GN/m", 1e9, f".{places}f"), tolerance=Near(absolute=1e9 * 10.0**-places))
+                    ours=tables.of(found[name]), form=Form("GN/m", 1e9, f".{places}f"),
+                    tolerance=Near(absolute=1e9 * 10.0**-places))
             )  # fmt: skip
     least, most = (tables.at("table5", {"bonds": n}) for n in (1, 10))
     for what, paper, ratio, room in (

@@ -36,10 +36,8 @@ def chapter() -> Chapter:
         title="André et al. (2012): figures 10, 12 and 19 to 22",
         summary=(
             "A slow tensile test by explicit dynamics, a free vibration in three motions at once, a wave, and the"
-            " section"
-            " that forces fill. The paper calls several things negligible or minor without a number: 1 % of a"
-            " quantity, and"
-            " 5 % of an energy, is what that may mean here."
+            " section that forces fill. The paper calls several things negligible or minor without a number: 1 % of a"
+            " quantity, and 5 % of an energy, is what that may mean here."
         ),
         sections=(_quasistatic(), _vibration(), _inertia(), _balanced(), _wave(), _section()),
     )
@@ -68,8 +66,7 @@ def _quasistatic() -> Section:
         Row(case="in torsion", source="fig. 12, §5.2.1", paper="minor", form=PERCENT, tolerance=AtMost(MINOR),
             ours=QUASISTATIC.of(shares["paper_torsion"])),
         Row(case="largest difference of these shares from the static solution's", form=ROUNDING,
-            tolerance=AtMost(1e-3),
-            ours=QUASISTATIC.of(off)),
+            tolerance=AtMost(1e-3), ours=QUASISTATIC.of(off)),
     ]  # fmt: skip
     return Section(
         title="A slow tensile test: figures 10 and 12",
@@ -117,22 +114,21 @@ def _inertia() -> Section:
     skin = "between rigid walls the skin holds less mass, so the specimen's moments are smaller than the continuum's"
     rows = [
         Row(case=f"{words}, specimen over continuum, less one", source="§6, after eq (19)", paper="negligible",
-            form=SIGNED,
-            ours=summary(VIBRATION, name), tolerance=AtMost(NEGLIGIBLE), reason=skin)
+            form=SIGNED, ours=summary(VIBRATION, name), tolerance=AtMost(NEGLIGIBLE), reason=skin)
         for words, name in (("moment of inertia about the axis", "axial_excess"), ("across it", "lateral_excess"))
     ]  # fmt: skip
     rows += [
         Row(case=f"what the mass does to the frequency in {kind}", source="§6, after eq (19)", paper="negligible",
-            form=SIGNED, tolerance=AtMost(NEGLIGIBLE), reason=skin, ours=summary(VIBRATION, "frequency", kind,
-            "mass"))
+            form=SIGNED, tolerance=AtMost(NEGLIGIBLE), reason=skin,
+            ours=summary(VIBRATION, "frequency", kind, "mass"))
         for kind in ("tension", "bending", "torsion")
     ]  # fmt: skip
     rows += [
         Row(case="mass of the specimen, less the continuum's", source="eq (19)", paper="equal", form=SIGNED,
             tolerance=AtMost(NEGLIGIBLE), ours=summary(VIBRATION, "mass_excess"),
             note="eq (19) holds for the calibrating packing; others differ by their volume fraction"),
-        Row(case="elements' own moments about the axis, of the whole", form=PERCENT, ours=summary(VIBRATION,
-            "own_share")),
+        Row(case="elements' own moments about the axis, of the whole", form=PERCENT,
+            ours=summary(VIBRATION, "own_share")),
         Row(case="own moments to be multiplied by, for the continuum's", form=Form(style=".2f"),
             ours=summary(VIBRATION, "own_factor")),
     ]  # fmt: skip
@@ -174,8 +170,7 @@ def _wave() -> Section:
     low, high = (WAVE.at("summary", "held", "error", levels.index(level))["mean"] for level in (0.9, 0.05))
     moment = (
         "the paper does not say when a wave has arrived: from 5 to 90 % of the plateau the celerity goes from"
-        f" {100 * high:+.0f} to"
-        f" −{abs(100 * low):.0f} %"
+        f" {100 * high:+.0f} to −{abs(100 * low):.0f} %"
     )
     rows = [
         Row(case="celerity off √(E/ρ), arrival at half the plateau", source="Table 4, figs 20, 21", paper=0.0040,

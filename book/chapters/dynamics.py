@@ -23,8 +23,8 @@ def chapter() -> Chapter:
         title="Bond energy and explicit dynamics",
         summary=(
             "Forces are the gradient of one energy to rounding; momentum is conserved to rounding and energy to"
-            " second order, without drift"
-            " over a million steps. Loads, damping and boundaries keep the order, and the limit of the step is sharp."
+            " second order, without drift over a million steps. Loads, damping and boundaries keep the order, and the"
+            " limit of the step is sharp."
         ),
         sections=(_energy(), _drift(), _loads(), _stability(), _relaxation()),
     )
@@ -43,17 +43,14 @@ def _energy() -> Section:
             Row(case="momentum over 10 000 steps", ours=recorded("momentum"), form=ROUNDING, tolerance=AtMost(1e-12),
                 note="rounding is asked"),
             Row(case="angular momentum over 10 000 steps", ours=recorded("angular_momentum"), form=ROUNDING,
-                tolerance=AtMost(1e-12),
-                note="rounding is asked"),
+                tolerance=AtMost(1e-12), note="rounding is asked"),
             Row(case="order of the energy error of a rod in large rotation", ours=recorded("order_rod"), form=ORDER,
                 tolerance=Near(target=2.0, absolute=0.1)),
             Row(case="return after reversing 3000 steps", ours=recorded("reversal"), form=ROUNDING),
             Row(case="order of the energy balance with loads, drives, damping", ours=recorded("order_loads"),
-                form=ORDER,
-                tolerance=Near(target=2.0, absolute=0.1)),
+                form=ORDER, tolerance=Near(target=2.0, absolute=0.1)),
             Row(case="1 to 4 threads over 10 000 steps, any pausing, resumed runs", ours=recorded("same_bits"),
-                form=SAME,
-                tolerance=So()),
+                form=SAME, tolerance=So()),
         ),
     )  # fmt: skip
 
@@ -64,13 +61,11 @@ def _drift() -> Section:
         title="The free silica cylinder over a million steps",
         rows=(
             Row(case="order of the energy error over dt, 9200 elements", ours=DRIFT.of(*DRIFT.at("orders")),
-                form=Form(style=".3f"),
-                tolerance=Near(target=2.0, absolute=0.1)),
+                form=Form(style=".3f"), tolerance=Near(target=2.0, absolute=0.1)),
             Row(case="drift of the energy over 1 000 000 steps at 0.8 of the limit, share of the energy",
                 ours=DRIFT.of(drift[0], scatter=drift[1]), form=Form(style=".1e"), note="± one standard error"),
             Row(case="the same in its standard errors", ours=DRIFT.number("drift, in its standard errors"),
-                form=ORDER,
-                tolerance=AtMost(2.0), note="none beyond rounding is asked"),
+                form=ORDER, tolerance=AtMost(2.0), note="none beyond rounding is asked"),
             Row(case="swing of the error itself", ours=DRIFT.number("standard deviation of the error", 0),
                 form=ROUNDING),
         ),
@@ -87,8 +82,8 @@ def _loads() -> Section:
                 tolerance=AtMost(0.02)),
             Row(case="heated bar, free: growth over ε*", ours=recorded("heated_free"), form=Form(style=".3f"),
                 tolerance=Near(target=1.0, absolute=0.01)),
-            Row(case="heated bar, clamped: stress over −Eε*", ours=recorded("heated_clamped"), form=Form(style=".3f"),
-                tolerance=Near(target=1.0, absolute=0.01)),
+            Row(case="heated bar, clamped: stress over −Eε*", ours=recorded("heated_clamped"),
+                form=Form(style=".3f"), tolerance=Near(target=1.0, absolute=0.01)),
             Row(case="the same on a chain, error", ours=recorded("heated_chain"), form=ROUNDING,
                 tolerance=AtMost(1e-9)),
         ),
@@ -104,13 +99,12 @@ def _stability() -> Section:
             Row(case="the same, at 1.01 of it", ours=recorded("dashpot_above"), form=Said("unstable", "stable"),
                 tolerance=So()),
             Row(case="ω_max of the lattice over its exact value, 100 000 elements", ours=recorded("omega_max"),
-                form=Form(style=".3f"),
-                tolerance=Near(target=1.0, absolute=0.01), note="from above, so that a step is never too long"),
+                form=Form(style=".3f"), tolerance=Near(target=1.0, absolute=0.01),
+                note="from above, so that a step is never too long"),
             Row(case="time for it", ours=recorded("omega_max_time"), form=SECONDS),
             Row(case="time of `eigsh` for the same", ours=recorded("omega_max_eigsh"), form=SECONDS),
             Row(case="CUDA step in the simulator against the CPU", ours=recorded("cuda"), form=ROUNDING,
-                tolerance=AtMost(1e-12),
-                note="no device was at hand"),
+                tolerance=AtMost(1e-12), note="no device was at hand"),
         ),
     )  # fmt: skip
 

@@ -23,9 +23,8 @@ def chapter() -> Chapter:
         title="Total against incremental formulation, and Obermayr's bond",
         summary=(
             "The papers integrate rates of force step by step. That drifts when a body turns and leaves something"
-            " behind"
-            " after a closed cycle, however small the steps; the energy of bondem's bonds does neither. At small"
-            " rotations both agree."
+            " behind after a closed cycle, however small the steps; the energy of bondem's bonds does neither. At"
+            " small rotations both agree."
         ),
         sections=(_turning(), _spinning(), _cycles(), _obermayr()),
     )
@@ -45,8 +44,8 @@ def _turning() -> Section:
     found = DRIFT.at("turning", {"body": "rod", "form": "as printed", "steps_a_turn": 8192})
     rows.append(
         Row(case="rod, as printed, 8192 steps a turn: error over that of a false strain 2π²N/S", form=ORDER,
-            ours=DRIFT.of(found["force_error"][-1] / found["expected_as_printed"]), tolerance=Near(target=1.0,
-            absolute=0.05))
+            ours=DRIFT.of(found["force_error"][-1] / found["expected_as_printed"]),
+            tolerance=Near(target=1.0, absolute=0.05))
     )  # fmt: skip
     return Section(
         title="Turned through ten turns as a rigid body",
@@ -65,13 +64,11 @@ def _spinning() -> Section:
             Row(case=f"{body}, total: largest error of the energy", ours=DRIFT.of(total["largest_energy_error"]),
                 form=ROUNDING, tolerance=AtMost(1e-5)),
             Row(case=f"{body}, total: change of angular momentum", ours=DRIFT.of(total["momentum_error"]),
-                form=ROUNDING,
-                tolerance=AtMost(1e-11)),
+                form=ROUNDING, tolerance=AtMost(1e-11)),
             Row(case=f"{body}, incremental: largest error of the energy", form=PERCENT,
                 ours=DRIFT.of(rates["largest_energy_error"])),
             Row(case=f"{body}, incremental: change of length", ours=DRIFT.of(rates["length_change"]), form=PERCENT,
-                note=f"the strain that the printed rates feign is {100.0 * expected:.2f} % in the {body}".replace("-",
-                "−")),
+                note=f"the strain that the printed rates feign is {PERCENT.text(expected)} in the {body}"),
         ]  # fmt: skip
     return Section(title="Spinning freely through ten turns", before="At 0.8 of the critical step.", rows=tuple(rows))
 
@@ -88,8 +85,7 @@ def _cycles() -> Section:
         title="Small rotations, closed cycles",
         rows=(
             Row(case="forces of both formulations at a strain of 1e-5, difference", form=ROUNDING,
-                tolerance=AtMost(1e-4),
-                ours=DRIFT.of(small["force_difference"])),
+                tolerance=AtMost(1e-4), ours=DRIFT.of(small["force_difference"])),
             Row(case="order of that difference in the strain", form=ORDER, tolerance=Near(target=1.0, absolute=0.05),
                 ours=DRIFT.of(orders["small rotations: order of the difference of the forces in the strain"])),
             Row(case="ten closed cycles of 0.4 rad, total: what is left of the forces", form=ROUNDING,

@@ -49,9 +49,8 @@ def chapter() -> Chapter:
         title="Packings: figures 5 to 8",
         summary=(
             "Random packings have the density and contacts of the literature, crystals are told from them, and for"
-            " ever more elements"
-            " density and contacts meet those of packings without walls. Figures and tables of all sizes:"
-            " [studies.md](studies.md)."
+            " ever more elements density and contacts meet those of packings without walls. Figures and tables of all"
+            " sizes: [studies.md](studies.md)."
         ),
         sections=(_jammed(), _cylinder(), _refinement(), _dispersion(), _rejected(), _time()),
     )
@@ -97,8 +96,7 @@ def _cylinder() -> Section:
             Row(case="φ, 100 000", ours=_runs("cylinder", 100_000, {}, "volume_fraction"), **near),
             Row(case="φ, 1 000 000", ours=recorded("density_1000000"), **near),
             Row(case="z of all of them", ours=recorded("contacts_cylinder"), source="§4.3", paper=6.2, printed="6.2",
-                form=CONTACTS,
-                tolerance=Near(absolute=0.05)),
+                form=CONTACTS, tolerance=Near(absolute=0.05)),
             Row(case="largest overlap when jammed, of the mean radius", form=ROUNDING, tolerance=AtMost(1e-3),
                 ours=_runs("cylinder", 10_000, {"jamming": True}, "largest_overlap")),
         ),
@@ -126,8 +124,7 @@ def _refinement() -> Section:
     overlaps = [one["largest_overlap"]["mean"] for one in REFINEMENT.at("summary") if one["target"] == "jamming"]
     rows = [
         Row(case="φ, cube, limit in N at z = 6.2", source="fig. 8a", paper=0.635, printed="0.635",
-            ours=_limit("contacts", "volume_fraction"),
-            form=DENSITY, tolerance=Near(absolute=0.008), reason=ended),
+            ours=_limit("contacts", "volume_fraction"), form=DENSITY, tolerance=Near(absolute=0.008), reason=ended),
         Row(case="φ at z = 6.2 without walls", ours=_free("contacts", "volume_fraction"), form=DENSITY),
         Row(case="φ, cube, limit in N at jamming", ours=_limit("jamming", "volume_fraction"), form=DENSITY),
         Row(case="φ at jamming without walls", ours=_free("jamming", "volume_fraction"), form=DENSITY),
@@ -137,9 +134,8 @@ def _refinement() -> Section:
             form=CONTACTS),
     ]  # fmt: skip
     rows += [
-        Row(case=f"{symbol}, {words}: limit less that without walls, in standard errors", ours=_agreement(target,
-            name),
-            form=Form(style="+.1f"), tolerance=AtMost(2.0))
+        Row(case=f"{symbol}, {words}: limit less that without walls, in standard errors",
+            ours=_agreement(target, name), form=Form(style="+.1f"), tolerance=AtMost(2.0))
         for symbol, words, target, name in (
             ("φ", "z = 6.2", "contacts", "volume_fraction"),
             ("φ", "jamming", "jamming", "volume_fraction"),
@@ -155,12 +151,12 @@ def _refinement() -> Section:
         Row(case="z of the same", source="fig. 8b", paper=6.2, printed="6.2", form=CONTACTS,
             tolerance=Near(absolute=0.05),
             ours=REFINEMENT.of(found["coordination_number"]["mean"], scatter=found["coordination_number"]["std"])),
-        Row(case="e of the same, eq (11)", source="fig. 8c", paper=0.0032, form=Form(style=".2g"), tolerance=AtMost(),
+        Row(case="e of the same, eq (11)", source="fig. 8c", paper=0.0032, form=Form(style=".2g"),
+            tolerance=AtMost(),
             ours=REFINEMENT.of(found["isotropy_error"]["mean"], scatter=found["isotropy_error"]["std"]),
             note="vacuous: no fabric can exceed 0.003115"),
-        Row(case="largest overlap of jamming targets, of the mean radius", ours=REFINEMENT.of(min(overlaps),
-            max(overlaps)),
-            form=Form(style=".2g"), tolerance=AtMost(1e-3)),
+        Row(case="largest overlap of jamming targets, of the mean radius",
+            ours=REFINEMENT.of(min(overlaps), max(overlaps)), form=Form(style=".2g"), tolerance=AtMost(1e-3)),
         Row(case="packings that failed", ours=REFINEMENT.number("failed"), form=COUNT, tolerance=AtMost(0.0)),
     ]  # fmt: skip
     return Section(
@@ -221,11 +217,9 @@ def _time() -> Section:
             Row(case="cylinder of 100 000, least of three", ours=_seconds(100_000), form=SECONDS,
                 tolerance=AtMost(120.0)),
             Row(case="2000 spheres to φ = 0.6: spheropack's time over ours, median",
-                ours=PACKING.of(loose["ratio_median"]), form=PLAIN,
-                tolerance=AtLeast(1.0)),
+                ours=PACKING.of(loose["ratio_median"]), form=PLAIN, tolerance=AtLeast(1.0)),
             Row(case="2000 spheres to jamming: spheropack's time over ours, median",
-                ours=PACKING.of(jammed["ratio_median"]), form=PLAIN,
-                tolerance=AtLeast(1.0)),
+                ours=PACKING.of(jammed["ratio_median"]), form=PLAIN, tolerance=AtLeast(1.0)),
         ),
     )  # fmt: skip
 

@@ -28,8 +28,7 @@ def chapter() -> Chapter:
         title="André et al. (2012): figures 11 and 13 to 18",
         summary=(
             "What ν_μ, E_μ and r̃ do to E and ν, the calibration curves, and how E and ν depend on the number of"
-            " elements:"
-            " in periodic cells, which have no walls, and in the paper's cylinder."
+            " elements: in periodic cells, which have no walls, and in the paper's cylinder."
         ),
         sections=(_nu_mu(), _bond_modulus(), _bond_radius(), _abacus(), _assembly()),
     )
@@ -77,16 +76,14 @@ def _bond_modulus() -> Section:
 def _bond_radius() -> Section:
     stiffer = (
         "elongation is stiff with r̃², shear and bending with r̃⁴: the local exponent is 2 + 2 × the share of the"
-        " energy that"
-        " is not in elongation"
+        " energy that is not in elongation"
     )
     rows = []
     for place, where in PLACES.items():
         found = INFLUENCE.at("verdicts", place, "radius_ratio")
         rows += [
             Row(case=f"{where}: local exponent of E in r̃, 0.2 … 0.9", source="fig. 14a", paper=2.0,
-                printed="quadratic",
-                form=EXPONENT, tolerance=Near(absolute=0.1), reason=stiffer,
+                printed="quadratic", form=EXPONENT, tolerance=Near(absolute=0.1), reason=stiffer,
                 ours=INFLUENCE.of(found["exponent_low"], found["exponent_high"])),
             Row(case=f"{where}: exponent of one power for all r̃", form=EXPONENT, ours=INFLUENCE.of(found["power"])),
             Row(case=f"{where}: E off that power at most", form=PERCENT, ours=INFLUENCE.of(found["power_misfit"])),
@@ -116,8 +113,7 @@ def _abacus() -> Section:
         found = ABACUS.at("silica", place, "EulerBernoulli")
         rows += [
             Row(case=f"{where}: r̃ for ν = 0.17", source="fig. 15", paper=0.71, printed="0.71",
-                form=Form(style=".3f"),
-                ours=ABACUS.of(found["value"]), tolerance=Near(relative=0.02)),
+                form=Form(style=".3f"), ours=ABACUS.of(found["value"]), tolerance=Near(relative=0.02)),
             Row(case=f"{where}: E_μ for E = 72.5 GPa", source="fig. 16", paper=265e9, printed="265 GPa", form=GPA,
                 ours=ABACUS.of(found["E_mu"]), tolerance=Near(relative=0.02), reason=denser),
         ]  # fmt: skip

@@ -22,11 +22,9 @@ def chapter() -> Chapter:
         name="surface",
         title="Bodies against the bulk: the surface correction",
         summary=(
-            "Bonds that are calibrated in a cell without walls give a body another E and ν, by as much surface as"
-            " it has for its"
-            " volume: packed to 6.2 contacts it is stiffer, packed to jamming or cut from a larger packing softer."
-            " A correction"
-            " reads that from the body's own lattice."
+            "Bonds that are calibrated in a cell without walls give a body another E and ν, by as much surface as it"
+            " has for its volume: packed to 6.2 contacts it is stiffer, packed to jamming or cut from a larger"
+            " packing softer. A correction reads that from the body's own lattice."
         ),
         sections=(_bodies(), _accuracy()),
     )
@@ -60,8 +58,7 @@ def _accuracy() -> Section:
         fine = one["count"] == FINE and "only" not in one["what"]
         rows += [
             Row(case=f"{SYMBOLS[one['quantity']]}, {where}{size}, {one['what']}: rms", ours=SURFACE.of(one["rms"]),
-                form=PERCENT,
-                tolerance=AtMost(0.03) if fine else None),
+                form=PERCENT, tolerance=AtMost(0.03) if fine else None),
             Row(case=f"{SYMBOLS[one['quantity']]}, {where}{size}, {one['what']}: largest", form=PERCENT,
                 ours=SURFACE.of(one["largest"]), tolerance=AtMost(0.03) if fine else None),
         ]  # fmt: skip
@@ -69,8 +66,7 @@ def _accuracy() -> Section:
         title="How well the correction predicts it",
         before=(
             "The correction fitted without the shape, or without the law, that it then predicts; beside it, what"
-            " R̄S/V alone"
-            " can do. 3 % is asked at 20 000 elements."
+            " R̄S/V alone can do. 3 % is asked at 20 000 elements."
         ),
         rows=tuple(rows),
     )
