@@ -142,6 +142,44 @@ def test_ten_turns_leave_the_total_formulation_as_it_was():
     assert np.abs(last - force).max() < 1e-9 * np.abs(force).max()
 
 
+def test_ten_turns_change_the_incremental_formulation_by_the_square_of_the_step():
+    lattice, law, way = deformed(2e-3, 50)
+    law = replace(law, formulation="incremental")
+    force = follow(lattice, law, [way])[1]
+    errors = []
+    for steps in (400, 800):
+        last = follow(lattice, law, [way, *10 * [turned(way[0][-1], 1, steps)]])[1]
+        errors.append(np.linalg.norm(last - force) / np.linalg.norm(force))
+    # (2π)³ N / 12 S² of shear strain, over 2e-3 of stretch
+    assert errors[1] < 0.2
+    assert 3.8 < errors[0] / errors[1] < 4.2
+
+
+def test_a_lattice_that_spins_freely_keeps_its_angular_momentum_length_and_energy():
+    grid = np.stack(np.meshgrid(range(4), range(2), range(2), indexing="ij"), axis=-1).reshape(-1, 3)
+    lattice = bd.connect(bd.Particles(0.4 * grid, 0.2), reach=1.45)
+    for formulation in ("total", "incremental"):
+        law = bd.ParallelBond(E=200e9, nu=0.3, radius=0.1, formulation=formulation)
+        model = bd.Model(lattice, law, 7800.0)
+        state = State(model)
+        around = lattice.particles.position - lattice.particles.position.mean(axis=0)
+        spin = np.array([0.0, 0.0, 80.0])
+        state.set_motion(velocity=np.cross(spin, around), angular_velocity=np.tile(spin, (len(grid), 1)))
+
+        def angular(state: State, model: bd.Model = model) -> np.ndarray:
+            orbital = np.cross(state.position, model.mass[:, None] * state.velocity)
+            return (orbital + model.inertia[:, None] * state.angular_velocity).sum(axis=0)
+
+        before, size = angular(state), np.linalg.norm(around, axis=1).max()
+        run = integrate(model, Plan(duration=10.0 * 2.0 * np.pi / 80.0, every=200), state=state)
+        assert np.abs(angular(run.state) - before).max() < 1e-11 * np.abs(before).max()
+        where = run.state.position - run.state.position.mean(axis=0)
+        # centrifugal strain: (ω l)²/c² = 1e-4
+        assert np.linalg.norm(where, axis=1).max() == pytest.approx(size, rel=2e-4)
+        ledger = run.history.energy
+        assert np.abs(ledger["balance"]).max() < 1e-4 * ledger["translation"][0]
+
+
 def test_both_formulations_differ_by_the_square_of_the_amplitude():
     differences = []
     for strain in (1e-5, 1e-4):

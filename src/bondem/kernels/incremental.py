@@ -2,7 +2,7 @@
 
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import branch
-from bondem.laws.incremental import axis, spin, turned_and_loaded
+from bondem.laws.incremental import axis, levers, spin, turned_and_loaded
 
 
 @kernel(parallel=False, separate=True)
@@ -16,10 +16,10 @@ def incremental_forces(
         a = i[k]
         b = j[k]
         dx, dy, dz = branch(pose, a, b, period)
-        nx, ny, nz, l = axis(dx, dy, dz)
-        near = lever[k]
-        far = constants[3, k] - near
         vx, vy, vz = motion[b, 0] - motion[a, 0], motion[b, 1] - motion[a, 1], motion[b, 2] - motion[a, 2]
+        # half a step ago, which is when the velocities are: a rigid turn then neither stretches nor shears
+        nx, ny, nz, l = axis(dx - 0.5 * dt * vx, dy - 0.5 * dt * vy, dz - 0.5 * dt * vz)
+        near, far = levers(l, constants[3, k], lever[k])
         px, py, pz = motion[a, 4], motion[a, 5], motion[a, 6]
         qx, qy, qz = motion[b, 4], motion[b, 5], motion[b, 6]
         ox, oy, oz = spin(nx, ny, nz, l, vx, vy, vz, px + qx, py + qy, pz + qz)
@@ -39,6 +39,8 @@ def incremental_forces(
         history[0, k], history[1, k], history[2, k] = f0, f1, f2
         history[3, k], history[4, k], history[5, k] = m0, m1, m2
         s = integrity[k]
+        nx, ny, nz, l = axis(dx, dy, dz)
+        near, far = levers(l, constants[3, k], lever[k])
         c0, c1, c2 = ny * f2 - nz * f1, nz * f0 - nx * f2, nx * f1 - ny * f0
         fx[n], fy[n], fz[n] = -s * f0, -s * f1, -s * f2
         ax[n], ay[n], az[n] = s * (near * c0 + m0), s * (near * c1 + m1), s * (near * c2 + m2)
