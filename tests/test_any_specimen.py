@@ -63,7 +63,7 @@ def test_a_cube_does_what_its_continuum_does(study, fit):
         assert abs(layered[key]) < 3 * scatter + 0.003, key
     # against the continuum held where the spheres are held; against its faces, some 2 R̄/L = 9 % is missing
     for key in ("tension", "bending", "torsion"):
-        assert abs(layered[key]) < 0.04, key
+        assert abs(layered[key]) < 3 * 0.021, key
         assert found["layered"][key]["error_against_face"] < -0.05
     # the last two groups lie 2.5 % apart, and randomness mixes them a little
     assert found["layered"]["f1"]["likeness"] > 0.95
@@ -78,7 +78,9 @@ def test_layers_are_calibrated_for_their_contacts(study, fit):
     # more contacts, stiffer cell, softer bonds: E of a cell grows by 0.27 of itself a contact
     normal, calibrated = (law.E * law.radius_ratio**2 for law in (inner, fit.law))
     assert 0.7 < normal / calibrated < 0.95
-    assert outer == replace(inner, E=(1.38 - 0.21 * inner.radius_ratio) * inner.E)
+    # at walls bonds are stiffer in tension, and in shear even more
+    assert 1.0 < outer.E / inner.E < 1.1
+    assert outer.radius_ratio == pytest.approx(1.07 * inner.radius_ratio)
     assert not np.isnan(bd.Model(lattice, laws).stiffness.kn).any()
 
 
@@ -112,7 +114,7 @@ def test_the_bracket(study):
         silica.E, silica.nu, held="x_min", loaded="z_max", loads=[(example.FORCE, (0, 0, 0))]
     )
     assert moved[1] == pytest.approx(example.DEFLECTION, rel=6e-3)
-    # ten radii thick, it is stiffer by some 0.4 R̄S/V = 15 %
+    # what the example promises, here for a bracket ten radii thick, 13 % too stiff without the correction
     frequency, deflection = example.main(count=COUNT, cell=2000)
-    np.testing.assert_allclose(frequency, expected, rtol=0.08)
-    assert deflection == pytest.approx(example.DEFLECTION, rel=0.15)
+    np.testing.assert_allclose(frequency, expected, rtol=0.06)
+    assert deflection == pytest.approx(example.DEFLECTION, rel=0.1)
