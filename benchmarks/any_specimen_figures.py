@@ -80,8 +80,8 @@ def convergence(cases: list[dict[str, Any]], path: Path) -> None:
     """E, ν and the frequencies against the surface of the specimen, R̄ S / V."""
     shapes = list(dict.fromkeys(one["shape"] for one in cases))
     ways = _ways(cases[0])
-    size = {"figsize": (10.0, 3.3 * len(ways) + 0.6)}
-    with sheet(path, *size["figsize"], len(ways), len(shapes), sharey="row", squeeze=False) as (figure, axes):
+    height = 3.0 * len(ways) + 0.6
+    with sheet(path, 10.0, height, len(ways), len(shapes), sharex=True, sharey=True, squeeze=False) as (figure, axes):
         for row, way in enumerate(ways):
             for axis, shape in zip(axes[row], shapes, strict=True):
                 mine = sorted((one for one in cases if one["shape"] == shape), key=lambda one: one["surface"])
@@ -97,7 +97,8 @@ def convergence(cases: list[dict[str, Any]], path: Path) -> None:
                 for sign in (-1, 1):
                     axis.step(x, sign * np.array(allowed), where="mid", color=GREY, lw=1.0, ls="--")
                 axis.axhline(0.0, color=GREY, lw=0.8)
-                axis.set_xlim(0.0, None)
+                axis.set_xlim(0.0, 1.05 * max(one["surface"] for one in cases))
+                axis.locator_params(axis="x", nbins=5)
                 axis.set_title(f"{shape}, {way}")
                 if row == len(ways) - 1:
                     axis.set_xlabel("R̄ S / V [-]")
