@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from bondem.errors import InputError
 from bondem.io.atomic import write_text
@@ -20,6 +19,7 @@ from bondem.report.numbers import measures, percent, quantity, signed, signed_pe
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_calibration, draw_profiles, draw_tension
+from bondem.report.study_page import environment
 from bondem.report.summary_figures import draw_errors
 from bondem.specimen.layering import wall_layering
 from bondem.specimen.radial_distribution import radial_distribution
@@ -121,11 +121,8 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
 
 def page(findings: Findings, pictures: dict[str, Picture]) -> str:
     """The HTML of the report."""
-    environment = Environment(
-        loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
-        trim_blocks=True, lstrip_blocks=True,
-    )  # fmt: skip
-    environment.filters |= {
+    templates = environment()
+    templates.filters |= {
         "quantity": quantity,
         "percent": percent,
         "signed": signed_percent,
@@ -133,7 +130,7 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         "camel": words,
     }
     rows = rows_of(findings)
-    return environment.get_template("report.html").render(
+    return templates.get_template("report.html").render(
         findings=findings,
         results=findings.results,
         pictures=pictures,

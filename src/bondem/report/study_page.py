@@ -25,16 +25,12 @@ def write_study_page(
         captions: of the figures, by the name of their file in `figures/`, in the order of the page.
         note: below the tables.
     """
-    environment = Environment(
-        loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
-        trim_blocks=True, lstrip_blocks=True,
-    )  # fmt: skip
     figures = [
         {"caption": caption, "data": base64.b64encode(path.read_bytes()).decode("ascii")}
         for name, caption in captions.items()
         if (path := out / "figures" / f"{name}.png").is_file()
     ]
-    text = environment.get_template("dynamic_study.html").render(
+    text = environment().get_template("dynamic_study.html").render(
         title=title,
         about=about,
         verdict=verdict,
@@ -45,6 +41,14 @@ def write_study_page(
         today=date.today().isoformat(),
     )
     write_text(out / "report.html", text)
+
+
+def environment() -> Environment:
+    """Templates of pages: strict about what they are told."""
+    return Environment(
+        loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True,
+    )  # fmt: skip
 
 
 def markdown_tables(markdown: str) -> list[dict[str, Any]]:
