@@ -5,6 +5,7 @@ from typing import cast
 from book.chapter import ChapterFile
 from book.chapters import (
     andre_tables,
+    calibration,
     chen_tables,
     cost,
     dynamic_tests,
@@ -16,6 +17,9 @@ from book.chapters import (
 )
 from book.results import Measurement
 
-_FILES = (andre_tables, chen_tables, packings, parameters, dynamic_tests, surface, formulations, dynamics, cost)
+_FILES = (
+    andre_tables, chen_tables, calibration, packings, parameters, dynamic_tests, surface, formulations, dynamics,
+    cost,
+)  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 MEASUREMENTS: tuple[Measurement, ...] = tuple({one.name: one for file in FILES for one in file.MEASUREMENTS}.values())

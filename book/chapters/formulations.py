@@ -22,10 +22,11 @@ def chapter() -> Chapter:
         name="formulations",
         title="Total against incremental formulation, and Obermayr's bond",
         summary=(
-            "The papers add up rates of force step by step. Taken as one first writes them, they drift when a body turns;"
-            " at the middle of a step, as in bondem's incremental formulation, that is of second order. After a closed"
-            " cycle rates leave something behind however small the steps, which the energy of bondem's bonds does not."
-            " At small rotations both agree. How and why: [validation/incremental.md](validation/incremental.md)."
+            "The papers add up rates of force step by step. Taken as one first writes them, they drift when a body"
+            " turns; at the middle of a step, as in bondem's incremental formulation, that is of second order. After"
+            " a closed cycle rates leave something behind however small the steps, which the energy of bondem's bonds"
+            " does not. At small rotations both agree. How and why:"
+            " [validation/incremental.md](validation/incremental.md)."
         ),
         sections=(_turning(), _spinning(), _cycles(), _obermayr()),
     )
@@ -36,8 +37,9 @@ def _turning() -> Section:
     for body in ("rod", "lattice"):
         for form, tolerance in (("total", AtMost(1e-9)), ("incremental", None), ("as printed", None)):
             found = DRIFT.at("turning", {"body": body, "form": form, "steps_a_turn": 2048})
+            style = ROUNDING if tolerance else TIMES
             rows.append(Row(case=f"{body}, {form}: error of the forces after ten turns", tolerance=tolerance,
-                            ours=DRIFT.of(found["force_error"][-1]), form=ROUNDING if tolerance else TIMES))  # fmt: skip
+                            ours=DRIFT.of(found["force_error"][-1]), form=style))  # fmt: skip
         for form, order in (("incremental", 2.0), ("as printed", 1.0)):
             rows.append(Row(case=f"{body}, {form}: order of that error in dt", form=ORDER,
                             ours=DRIFT.number("orders", f"turning, {body}, {form}: order in dt"),
@@ -81,8 +83,8 @@ def _cycles() -> Section:
         rows=(
             Row(case="forces of both formulations at a strain of 1e-5, difference", form=ROUNDING,
                 tolerance=AtMost(1e-4), ours=DRIFT.of(small)),
-            Row(case="order of that difference in the strain, 1e-5 to 1e-4", form=ORDER, tolerance=Near(target=1.0, absolute=0.05),
-                ours=DRIFT.of(math.log10(larger / small))),
+            Row(case="order of that difference in the strain, 1e-5 to 1e-4", form=ORDER,
+                tolerance=Near(target=1.0, absolute=0.05), ours=DRIFT.of(math.log10(larger / small))),
             Row(case="ten closed cycles of 0.4 rad, total: what is left of the forces", form=ROUNDING,
                 tolerance=AtMost(1e-9), ours=DRIFT.of(DRIFT.at("cycles", {"form": "total"} | chosen)["left"][-1])),
             Row(case="the same, incremental", form=PERCENT,
