@@ -37,7 +37,7 @@ def errors(cases: list[dict[str, Any]], path: Path) -> None:
     """Error of every quantity, a panel for each shape; hollow raw, filled with layers."""
     shapes = list(dict.fromkeys(one["shape"] for one in cases))
     materials = list(dict.fromkeys(one["material"] for one in cases))
-    with sheet(path, 10.0, 2.6 * len(shapes) + 0.7, len(shapes), 1, squeeze=False) as (figure, axes):
+    with sheet(path, 8.4, 2.2 * len(shapes) + 0.7, len(shapes), 1, squeeze=False) as (figure, axes):
         for axis, shape in zip(axes[:, 0], shapes, strict=True):
             mine = [one for one in cases if one["shape"] == shape]
             keys = [key for key, row in mine[0][_ways(mine[0])[-1]].items() if isinstance(row, dict)]
@@ -119,11 +119,11 @@ def ringing(lattice: bd.Lattice, mode: np.ndarray, path: Path) -> None:
     swing = 4e-3 / far.max() * mode
     colour = colormaps["cividis"](far / far.max())[:, :3]
     view = View(azimuth=-0.35, elevation=0.3)
-    with sheet(path, 8.0, 3.6, 1, 3) as (figure, axes):
-        frames = ((-1.0, "one end of the swing"), (0.0, "at rest"), (1.0, "the other end"))
+    with sheet(path, 5.6, 2.3, 1, 3) as (figure, axes):
+        frames = ((-1.0, "one end"), (0.0, "at rest"), (1.0, "other end"))
         for axis, (share, title) in zip(axes, frames, strict=True):
             tint = colour if share else np.full_like(colour, 0.75)
-            image = render(position + share * swing, radius, tint, view=view, width=520)
+            image = render(position + share * swing, radius, tint, view=view, width=300)
             axis.imshow(image)
             axis.set_axis_off()
             axis.set_anchor("S")
