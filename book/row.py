@@ -60,7 +60,7 @@ class Measured:
         """Mean ± scatter, or from the least to the largest."""
         texts = list(dict.fromkeys(form.bare(value) for value in (min(self.values), max(self.values))))
         if len(texts) > 1:
-            between = "–" if min(self.values) >= 0.0 and "e" not in "".join(texts) else " … "
+            between = " … " if any(sign in "".join(texts) for sign in "+−e") else "–"
             return f"{texts[0]}{between}{form.text(max(self.values))}"
         if self.scatter is None:
             return form.text(self.values[0])

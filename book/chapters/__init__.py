@@ -5,6 +5,7 @@ from typing import cast
 from book.chapter import ChapterFile
 from book.chapters import (
     andre_tables,
+    any_specimen,
     calibration,
     chen_tables,
     cost,
@@ -18,8 +19,8 @@ from book.chapters import (
 from book.results import Measurement
 
 _FILES = (
-    andre_tables, chen_tables, calibration, packings, parameters, dynamic_tests, surface, formulations, dynamics,
-    cost,
+    andre_tables, chen_tables, calibration, any_specimen, packings, parameters, dynamic_tests, surface, formulations,
+    dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 MEASUREMENTS: tuple[Measurement, ...] = tuple({one.name: one for file in FILES for one in file.MEASUREMENTS}.values())
