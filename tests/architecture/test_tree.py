@@ -7,7 +7,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))
-ALL = SOURCES + [path for folder in ("tests", "examples", "benchmarks", "book") for path in (ROOT / folder).rglob("*.py")]
+FOLDERS = ("tests", "examples", "benchmarks", "book")
+ALL = SOURCES + [path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")]
 
 
 def test_no_file_is_longer_than_400_lines():
