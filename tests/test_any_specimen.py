@@ -72,8 +72,9 @@ def test_a_cube_does_what_its_continuum_does(study, fit):
 
 def test_layers_are_calibrated_for_their_contacts(study, fit):
     lattice = study.specimen("cube", COUNT).lattice
-    laws = study.layered_bonds(bd.materials.fused_silica, lattice, touching=study.DEPTH)
-    (inside, inner), (skin, outer), _ = laws.items()
+    layers = bd.calibrate_layers(lattice, bd.materials.fused_silica)
+    (inside, inner), (skin, outer), _ = layers.bond.items()
+    assert (inner, outer) == (layers.inner, layers.outer)
     assert len(inside.select(lattice)) + len(skin.select(lattice)) == lattice.connected.sum()
     # more contacts, stiffer cell, softer bonds: E of a cell grows by 0.27 of itself a contact
     normal, calibrated = (law.E * law.radius_ratio**2 for law in (inner, fit.law))
@@ -81,7 +82,16 @@ def test_layers_are_calibrated_for_their_contacts(study, fit):
     # at walls bonds are stiffer in tension, and in shear even more
     assert 1.0 < outer.E / inner.E < 1.1
     assert outer.radius_ratio == pytest.approx(1.07 * inner.radius_ratio)
-    assert not np.isnan(bd.Model(lattice, laws).stiffness.kn).any()
+    assert not np.isnan(bd.Model(lattice, layers.bond).stiffness.kn).any()
+    # what is inside has the material's E by itself: a cell with its contacts was calibrated
+    assert layers.contacts == pytest.approx(6.9, abs=0.5)
+    mass = bd.Model(lattice, layers.bond, layers.density).mass
+    shape = lattice.particles.envelope
+    assert mass[lattice.connected].sum() == pytest.approx(bd.materials.fused_silica.rho * shape.volume, rel=1e-9)
+    with pytest.raises(bd.errors.InputError, match=r"use bd\.calibrate"):
+        bd.calibrate_layers(study.cells(2000, 1)[0], bd.materials.fused_silica)
+    with pytest.raises(bd.errors.InputError, match="elements are at walls"):
+        bd.calibrate_layers(lattice, bd.materials.fused_silica, touching=-1.0)
 
 
 def test_the_book_keeps_what_is_done(study, tmp_path, monkeypatch):

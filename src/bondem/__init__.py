@@ -44,6 +44,7 @@ _PUBLIC = {
     "bondem.run": ("resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"),
     "bondem.labtests.bulk": ("bulk_moduli",),
     "bondem.calibration": ("calibrate",),
+    "bondem.calibration.layers": ("calibrate_layers",),
 }
 _MODULES = {"errors": "bondem.errors", "labtests": "bondem.labtests", "materials": "bondem.specimen.materials"}
 _HOME = {name: module for module, names in _PUBLIC.items() for name in names}
