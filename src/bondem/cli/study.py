@@ -25,6 +25,6 @@ class _Studies(click.Group):
 @click.group("study", cls=_Studies, no_args_is_help=False, invoke_without_command=True)
 @click.pass_context
 def command(context: click.Context) -> None:
-    """Studies. Stopped at any moment, they go on where they were when started again with the same DIR."""
+    """Studies. Those of many packings go on where they were stopped when started again with the same DIR."""
     if context.invoked_subcommand is None:
         click.echo(context.get_help())

@@ -13,10 +13,8 @@ from bondem.packing import pack
 from bondem.specimen.bonding import connect
 from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material
+from bondem.specimen.materials import fused_silica
 
-#: Table 1 of the paper, and ρ of its §6.
-SILICA = Material("fused silica", E=72.5e9, nu=0.17, rho=2201.0)
 #: Diameter 10 mm, length 40 mm.
 CYLINDER = Cylinder(radius=5e-3, length=40e-3)
 #: κ [-].
@@ -112,7 +110,7 @@ def calibrated_bars(request: BarRequest, tell: Callable[[str, float], None]) -> 
         )  # fmt: skip
         lattices.append(connect(particles))
     tell("calibrate", 0.0)
-    fit = calibrate(lattices[0], SILICA, law=EulerBernoulli)
+    fit = calibrate(lattices[0], fused_silica, law=EulerBernoulli)
     bars = []
     for k, lattice in enumerate(lattices):
         tension = static_tension(lattice, fit.law)

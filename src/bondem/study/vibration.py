@@ -14,7 +14,8 @@ from bondem.labtests.vibration import FreeVibration, ramped_vibration
 from bondem.model.model import Model
 from bondem.report.energy_curves import draw_breakdown, draw_inertia, draw_vibration_energy
 from bondem.report.study_page import write_study_page
-from bondem.study.calibrated_bar import SILICA, BarRequest, CalibratedBar, calibrated_bars
+from bondem.specimen.materials import fused_silica
+from bondem.study.calibrated_bar import BarRequest, CalibratedBar, calibrated_bars
 from bondem.study.quasistatic import shares
 from bondem.study.study_files import in_percent, keep_study, mean_and_scatter, study_folder, table, thinned
 
@@ -151,7 +152,7 @@ def _weighed(bar: CalibratedBar, found: NaturalFrequencies) -> dict[str, Any]:
     return {
         "seed": bar.seed,
         "mass": weighed.mass,
-        "mass_excess": weighed.mass / (SILICA.rho * bar.lattice.particles.envelope.volume) - 1.0,
+        "mass_excess": weighed.mass / (fused_silica.rho * bar.lattice.particles.envelope.volume) - 1.0,
         "rattler_share": float(1.0 - bar.lattice.connected.mean()),
         "centre": list(weighed.centre),
         "axial_excess": weighed.axial_excess,

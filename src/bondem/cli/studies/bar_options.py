@@ -6,6 +6,7 @@ from typing import Any
 
 import click
 
+from bondem.cli.studies.options import show
 from bondem.cli.terminal import progress_bars
 
 Command = Callable[..., Any]
@@ -37,5 +38,4 @@ def carry_out(run: Callable[..., Any], study: object, out: Path) -> None:
     """Run a study, then print its tables and where everything is."""
     with progress_bars() as progress:
         run(study, out, progress=progress)
-    click.echo(f"\n{(out / 'table.md').read_text(encoding='utf-8')}")
-    click.echo(f"{out / 'report.html'}\n{out / 'results.json'}")
+    show(out)
