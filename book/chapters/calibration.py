@@ -1,14 +1,17 @@
-"""Automatic calibration: intervals that keep their word."""
-
+"""Automatic calibration: intervals that keep their word, and the time it takes."""
 
 from book.chapter import Chapter, Figure, Section
-from book.forms import COUNT, PERCENT
-from book.results import study
+from book.forms import COUNT, PERCENT, SECONDS, Form
+from book.results import Measurement, study
 from book.row import Row
-from book.tolerances import AtLeast
+from book.tolerances import AtLeast, AtMost
 
 COVERAGE = study("coverage", {"coverage": "coverage"})
-MEASUREMENTS = (COVERAGE,)
+TIMES = Measurement("calibration", "python benchmarks/calibration.py", "4 min")
+MEASUREMENTS = (COVERAGE, TIMES)
+
+LONG = Form("s", style=",.0f")
+RATIO = Form(style=",.0f")
 
 SYMBOLS = {"E": "E", "nu": "ν"}
 
@@ -22,7 +25,7 @@ def chapter() -> Chapter:
             "A calibration on several packings gives a confidence interval for the mean of all packings and a"
             " prediction interval for one new packing. Unseen packings say whether they hold."
         ),
-        sections=(_coverage(),),
+        sections=(_coverage(), _times()),
     )
 
 
@@ -47,4 +50,44 @@ def _coverage() -> Section:
         ),
         rows=tuple(rows),
         figures=(Figure("coverage.png", "Unseen packings and the interval"),),
+    )
+
+
+def _times() -> Section:
+    rows = [
+        Row(case=f"`bondem calibrate` from nothing, {words} of 10 000 elements, median", form=SECONDS,
+            ours=TIMES.number("from_nothing", name, "median"), tolerance=AtMost(30.0) if name == "3 cells" else None)
+        for name, words in (("3 cells", "three cells"), ("1 cylinder", "one cylinder"))
+    ]  # fmt: skip
+    rows += [
+        Row(case=f"calibration of {words}, packed, median", form=SECONDS, ours=TIMES.number("warm", name, "median"))
+        for name, words in (("1 cylinder", "one cylinder"), ("1 cell", "one cell"))
+    ]
+    run = TIMES.number("explicit_run", "seconds")
+    rows.append(Row(case="one quasi-static run of 100 000 steps", form=SECONDS, ours=run))
+    for name, words in (
+        ("figs 15 and 16", "the curves of figs 15 and 16"), ("whole study", "all its curves, figs 11 to 16"),
+    ):  # fmt: skip
+        found = TIMES.at("paper_way_extrapolated", name)
+        rows += [
+            Row(case=f"the paper's way, {words}: {found['runs']} runs, extrapolated", form=LONG,
+                ours=TIMES.of(found["seconds"])),
+            Row(case="that over the calibration of one cylinder", form=RATIO, ours=TIMES.of(found["ratio"]),
+                tolerance=AtLeast(100.0)),
+        ]  # fmt: skip
+    nothing = TIMES.at("from_nothing", "1 cylinder", "median")
+    before = nothing - TIMES.at("warm", "1 cylinder", "median")
+    whole = TIMES.at("paper_way_extrapolated", "whole study", "seconds")
+    rows.append(
+        Row(case="all its curves over one cylinder, both from nothing", form=RATIO,
+            ours=TIMES.of((whole + before) / nothing), tolerance=AtLeast(100.0),
+            note="compilation and packing, which both ways need, are most of what ours takes")
+    )  # fmt: skip
+    return Section(
+        title="Time, and the paper's own way",
+        before=(
+            "From nothing: without compiled code and without packings. The paper's way is an explicit quasi-static"
+            " test a point of a curve; one is timed, five points to a curve are assumed."
+        ),
+        rows=tuple(rows),
     )

@@ -1,8 +1,6 @@
 """What bondem costs in time and memory, beside its peers."""
 
 from book.chapter import Chapter, Section
-from book.chapters.andre_tables import SILICA
-from book.chapters.dynamic_tests import QUASISTATIC
 from book.forms import PERCENT, SECONDS, Form
 from book.results import Measurement, recorded
 from book.row import Measured, Row
@@ -25,7 +23,7 @@ def chapter() -> Chapter:
         name="cost",
         title="Cost: time, memory, peers",
         summary="Times on 2 shared cores; what was tried for the step: [decision 0001](decisions/0001-state.md).",
-        sections=(_study(), _calibration(), _statics(), _step(), _peers(), _memory()),
+        sections=(_study(), _statics(), _step(), _peers(), _memory()),
     )
 
 
@@ -48,32 +46,6 @@ def _study() -> Section:
                 tolerance=AtMost(1.0)),
         ),
         after="Times of packing are in the chapter on [packings](validation/packings.md).",
-    )  # fmt: skip
-
-
-def _calibration() -> Section:
-    way = QUASISTATIC.at("paper_way")
-    one, few, whole = way["busy_seconds_one"], way["runs_calibrating"], way["runs_all"]
-    command = recorded("calibrate_command")
-    ours = SILICA.at("timing", "calibrate_s")
-    points = f"{way['points_per_curve']} points to a curve; extrapolated from one run"
-    return Section(
-        title="Calibration, and the paper's own way",
-        before="The paper's way: an explicit tensile test a point of a curve, with bondem's step; processor time.",
-        rows=(
-            Row(case="`bondem calibrate` from nothing, three packings of 10 000", ours=command, form=SECONDS,
-                tolerance=AtMost(30.0)),
-            Row(case="one quasi-static run of 100 000 steps, 10 000 elements", ours=QUASISTATIC.of(one),
-                form=SECONDS),
-            Row(case=f"the curves of figs 15 and 16, {few} runs", ours=QUASISTATIC.of(few * one), form=LONG,
-                note=points),
-            Row(case=f"all its curves, {whole} runs", ours=QUASISTATIC.of(whole * one), form=LONG, note=points),
-            Row(case="figs 15 and 16 over the calibration of one cylinder", ours=QUASISTATIC.of(few * one / ours),
-                form=RATIO, tolerance=AtLeast(100.0)),
-            Row(case="all its curves over `bondem calibrate` from nothing", form=RATIO, tolerance=AtLeast(100.0),
-                ours=QUASISTATIC.of(whole * one / command.values[0]),
-                note="the command packs and calibrates three; the paper's time is for one, packed"),
-        ),
     )  # fmt: skip
 
 
