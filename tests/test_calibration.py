@@ -209,6 +209,19 @@ def test_a_law_from_the_bulk_is_carried_to_a_body(material):
     assert fit.density_for(cell) == pytest.approx(fit.density)
 
 
+def test_what_a_body_has_too_much_its_bonds_get_less(monkeypatch):
+    cells = [
+        bd.connect(bd.pack(bd.Cell((1e-2, 1e-2, 1e-2)), count=400, spread=0.25, seed=seed)) for seed in (1, 2)
+    ]
+    fit = bd.calibrate(cells[0], SILICA, law=bd.EulerBernoulli)
+    monkeypatch.setattr(SurfaceCorrection, "E", lambda _, where: 1.10 if where is cells[1] else 1.0)
+    monkeypatch.setattr(SurfaceCorrection, "nu", lambda _, where: 0.96 if where is cells[1] else 1.0)
+    moduli = bd.bulk_moduli(cells[0], fit.law_for(cells[1]))
+    # first order in a ν off by 4 %
+    assert pytest.approx(1.0 / 1.10, rel=2e-3) == moduli.E / SILICA.E
+    assert moduli.nu / SILICA.nu == pytest.approx(1.0 / 0.96, rel=2e-3)
+
+
 def test_intervals_are_those_of_student():
     # n = 4, mean 10, s = 2; t(0.975, 3) = 3.182446
     sample = Sample(np.array([10.0 - 2.0, 10.0 - 2.0 / math.sqrt(2.0), 10.0 + 2.0 / math.sqrt(2.0), 12.0]))

@@ -8,6 +8,8 @@ import pytest
 import bondem as bd
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.matrices import stiffness_matrix
+from bondem.observe.bond_strain import BondStrain
+from bondem.observe.energy import linear_energy
 from bondem.solve.linear import Elimination, Iteration, System
 from bondem.solve.threads import one_blas_thread
 
@@ -249,3 +251,24 @@ def test_a_load_no_bond_resists_is_an_error():
 def test_a_free_specimen_needs_balanced_loads(block):
     with pytest.raises(InputError, match="balance them"):
         bd.solve_static(bd.Model(block, LAW, boundary=[bd.Load(bd.Face("x_max", depth=1.0), force=(1.0, 0.0, 0.0))]))
+
+
+@pytest.mark.parametrize("law", [bd.EulerBernoulli, bd.ParallelBond], ids=["middle", "between surfaces"])
+def test_strains_of_bonds_give_the_energy_of_the_matrix(law):
+    # unequal elements: the contact point of a parallel bond is not in the middle, and levers cannot be swapped
+    rng = np.random.default_rng(3)
+    particles = bd.Particles(0.1 * rng.random((40, 3)), 1e-3 * (0.5 + rng.random(40)))
+    pairs = np.array([(i, j) for i in range(40) for j in (i + 1, i + 7) if j < 40])
+    model = bd.Model(bd.Lattice(particles, pairs), law(E=1e9, nu=0.2, radius_ratio=0.6))
+    u, turn = 1e-6 * rng.standard_normal((2, len(particles), 3))
+    turn /= particles.mean_radius
+    motion = np.hstack([u, turn])[model.layout.order].ravel()
+    energy = 0.5 * motion @ (stiffness_matrix(model) @ motion)
+    assert linear_energy(model, u, turn).total == pytest.approx(energy, rel=1e-12)
+    # ... and their forces and products are parts of the same
+    k = model.stiffness
+    strain = BondStrain.of(model.lattice, k.lever, u, turn)
+    work = strain.products(strain) * np.stack([k.kn, k.ks, k.kb, k.kt])
+    assert 0.5 * work.sum() == pytest.approx(energy, rel=1e-12)
+    slip = strain.normal[:, None] * strain.direction + strain.shear
+    assert (strain.forces(k) * slip).sum() == pytest.approx(work[:2].sum(), rel=1e-12)

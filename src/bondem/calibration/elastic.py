@@ -146,9 +146,9 @@ class Calibration:
         correction = SurfaceCorrection.default(self.law)
         known = [one.lattice for one in self.responses]
         log_E = math.log(correction.E(lattice)) - float(np.mean([math.log(correction.E(one)) for one in known]))
-        nu = self.nu * correction.nu(lattice) / float(np.mean([correction.nu(one) for one in known]))
+        ratio = correction.nu(lattice) / float(np.mean([correction.nu(one) for one in known]))
         slope = _mean_slope(self.slopes)
-        shift = (self.material.nu - nu) / slope.nu
+        shift = (self.material.nu / ratio - self.nu) / slope.nu
         log_E += slope.log_E * shift
         E_mu = self.law.E * self.material.E / self.E * math.exp(-log_E)
         changed: dict[str, Any] = {"E": E_mu, self.parameter: self.value + shift}
