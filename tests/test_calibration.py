@@ -207,6 +207,8 @@ def test_a_law_from_the_bulk_is_carried_to_a_body(material):
     assert pytest.approx(fit.law.E, rel=1e-4) == same.E
     assert same.radius_ratio == pytest.approx(fit.value, rel=1e-4)
     assert fit.density_for(cell) == pytest.approx(fit.density)
+    mass = fit.density_for(body, balanced=True) * body.particles.volume
+    assert mass[body.connected].sum() == pytest.approx(material.rho * body.particles.shape.volume)
 
 
 def test_what_a_body_has_too_much_its_bonds_get_less(monkeypatch):

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from bondem._types import PerElement
 from bondem.calibration.abacus import curve
-from bondem.calibration.density import element_density
+from bondem.calibration.density import balanced_density, element_density
 from bondem.calibration.free_parameter import FreeParameter
 from bondem.calibration.reach import recommend
 from bondem.calibration.response import Response, Slope
@@ -154,8 +155,10 @@ class Calibration:
         changed: dict[str, Any] = {"E": E_mu, self.parameter: self.value + shift}
         return replace(self.law, **changed)
 
-    def density_for(self, lattice: Lattice) -> float:
-        """ρ_μ of another specimen [kg/m³], by eq (19)."""
+    def density_for(self, lattice: Lattice, *, balanced: bool = False) -> float | PerElement:
+        """ρ_μ of another specimen [kg/m³]: one number by eq (19), or one an element by `balanced_density`, (n,)."""
+        if balanced:
+            return balanced_density(lattice, self.material.rho)
         return element_density([lattice], self.material.rho)
 
     def sensitivity(self, parameter: str) -> Slope:
