@@ -84,7 +84,7 @@ def _show(found: dict[str, Any]) -> None:
         f" ν = {target['nu']:g}, ρ = {quantity(target['rho'], 'kg/m³')})", soft_wrap=True,
     )  # fmt: skip
     if found["reason"]:
-        console.print(f"  {found['reason']}", soft_wrap=True)
+        console.print(f"  recommended: {found['reason']}", soft_wrap=True)
     radius = "" if found["parameter"] == "radius_ratio" else f", r̃ = {micro['r_mu_ratio']:g}"
     console.print(
         f"\n  E_μ = {quantity(micro['E_mu'], 'Pa')}, {symbol} = {micro[found['parameter']]:.4f}{radius},"
