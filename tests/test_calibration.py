@@ -258,6 +258,14 @@ def test_packings_for_a_precision_are_as_few_as_can_be():
     assert n == 7
 
 
+def test_sensitivities_are_those_of_the_search(lattices, fit):
+    found = fit.sensitivity("radius_ratio")
+    assert found.nu == pytest.approx(fit.slopes[0].nu, rel=1e-6)
+    assert found.log_E == pytest.approx(fit.slopes[0].log_E, rel=1e-6)
+    # ν_μ hardly matters to Euler–Bernoulli bonds
+    assert abs(fit.sensitivity("nu").nu) < 0.02 * abs(found.nu)
+
+
 def test_one_packing_has_no_interval(fit):
     with pytest.raises(InputError, match="two or more"):
         fit.interval("E")

@@ -237,13 +237,16 @@ def calibrate(
     value = free.solve(nu_of, material.nu, start=start, tolerance=tolerance, who=f"{law.__name__} bonds")
     slopes = tuple(one.slope(free.name) for one in found)
     calibrated = bonds(material.E / trials[value].stiffness_ratio, value)
+    responses = tuple(measured(calibrated))
+    for one in responses:
+        one.forget_matrix()  # a calibration is kept, and large lattices have large matrices
     return Calibration(
         law=calibrated,
         density=element_density(lattices, material.rho),
         material=material,
         parameter=free.name,
         table=tuple(trials[key] for key in sorted(trials)),
-        responses=tuple(measured(calibrated)),
+        responses=responses,
         slopes=slopes,
         reason=reason,
     )
