@@ -7,7 +7,7 @@ import numpy as np
 
 from bondem._types import Floats, PerBond
 from bondem.errors import InputError
-from bondem.labtests.bulk import isotropic_average
+from bondem.labtests.isotropic import Isotropic
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.specimen.lattice import Lattice
 
@@ -128,5 +128,5 @@ def _along_x(stiffness: Floats) -> tuple[float, float]:
 
 
 def _isotropic(stiffness: Floats) -> tuple[float, float]:
-    K, G = isotropic_average(stiffness)
-    return 9.0 * K * G / (3.0 * K + G), (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G))
+    mean = Isotropic.average(stiffness)
+    return mean.E, mean.nu

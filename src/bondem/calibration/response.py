@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
-from bondem.labtests.bulk import BulkModuli, bulk_moduli, isotropic_average
+from bondem.labtests.bulk import BulkModuli, bulk_moduli
 from bondem.labtests.gauge_length import AffineField, middle_half
+from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.tension import Tension, tension_model, tension_of
 from bondem.laws.bond import BondGeometry, BondLaw
 from bondem.model.assignment import bond_geometry
@@ -122,7 +123,9 @@ def _stiffness(law: BondLaw, bonds: BondGeometry, changed: dict[str, Any]) -> Fl
 
 
 def _slope_of_moduli(moduli: BulkModuli, change: Floats) -> Slope:
-    (K, G), (dK, dG) = isotropic_average(moduli.stiffness), isotropic_average(change)
+    K, G = moduli.K, moduli.G
+    rate = Isotropic.average(change)
+    dK, dG = rate.K, rate.G
     whole = 3.0 * K + G
     return Slope(
         log_E=(dK * G / K + 3.0 * dG * K / G) / whole,

@@ -27,6 +27,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.calibration.affine import AffineEstimate, affine_estimate
 from bondem.errors import InputError
+from bondem.labtests.isotropic import Isotropic
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness
 from bondem.specimen.lattice import Lattice
 
@@ -126,13 +127,13 @@ class SurfaceModel:
     def _isotropic(self, k: BondStiffness, length: Floats, volume: float) -> AffineEstimate:
         """The estimate of bonds that point all ways alike."""
         normal, shear = float(k.kn @ length**2), float(k.ks @ length**2)
-        K, G = normal / (9.0 * volume), (normal / 15.0 + shear / 10.0) / volume
-        stiffness = np.diag([2.0 * G] * 3 + [G] * 3)
-        stiffness[:3, :3] += K - 2.0 * G / 3.0
+        mean = Isotropic(K=normal / (9.0 * volume), G=(normal / 15.0 + shear / 10.0) / volume)
+        stiffness = np.diag([2.0 * mean.G] * 3 + [mean.G] * 3)
+        stiffness[:3, :3] += mean.K - 2.0 * mean.G / 3.0
         return AffineEstimate(
             stiffness=stiffness,
-            E=9.0 * K * G / (3.0 * K + G),
-            nu=(3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G)),
+            E=mean.E,
+            nu=mean.nu,
             coordination=self.coordination,
             looseness=self.looseness,
             wall=0.0,

@@ -7,8 +7,8 @@ from scipy.spatial import KDTree
 
 from bondem._types import Floats, PerElement6
 from bondem.errors import InputError
-from bondem.labtests.bulk import isotropic_average
 from bondem.labtests.gauge_length import AffineField
+from bondem.labtests.isotropic import Isotropic
 from bondem.model.assignment import BondAssignment
 from bondem.model.balance import balanced_forces
 from bondem.model.model import Model
@@ -44,24 +44,29 @@ class UniformStress:
         return np.asarray(np.linalg.inv(self.compliance), dtype=float)
 
     @property
+    def isotropic(self) -> Isotropic:
+        """The isotropic (Voigt) average."""
+        return Isotropic.average(self.stiffness)
+
+    @property
     def K(self) -> float:
         """Bulk modulus of the isotropic average [Pa]."""
-        return isotropic_average(self.stiffness)[0]
+        return self.isotropic.K
 
     @property
     def G(self) -> float:
         """Shear modulus of the isotropic average [Pa]."""
-        return isotropic_average(self.stiffness)[1]
+        return self.isotropic.G
 
     @property
     def E(self) -> float:
         """Young's modulus of the isotropic average [Pa]."""
-        return 9.0 * self.K * self.G / (3.0 * self.K + self.G)
+        return self.isotropic.E
 
     @property
     def nu(self) -> float:
         """Poisson's ratio of the isotropic average [-]."""
-        return (3.0 * self.K - 2.0 * self.G) / (2.0 * (3.0 * self.K + self.G))
+        return self.isotropic.nu
 
     def along(self, axis: str) -> tuple[float, float]:
         """E [Pa] and ν [-] of tension along "x", "y" or "z"."""

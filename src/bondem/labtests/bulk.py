@@ -6,6 +6,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.labtests.isotropic import Isotropic
 from bondem.model.assignment import BondAssignment
 from bondem.model.model import Model
 from bondem.observe.bond_strain import BondStrain
@@ -46,31 +47,29 @@ class BulkModuli:
         return C
 
     @property
+    def isotropic(self) -> Isotropic:
+        """The isotropic (Voigt) average."""
+        return Isotropic.average(self.stiffness)
+
+    @property
     def K(self) -> float:
-        """Bulk modulus of the isotropic (Voigt) average [Pa]."""
-        return isotropic_average(self.stiffness)[0]
+        """Bulk modulus of the isotropic average [Pa]."""
+        return self.isotropic.K
 
     @property
     def G(self) -> float:
-        """Shear modulus of the isotropic (Voigt) average [Pa]."""
-        return isotropic_average(self.stiffness)[1]
+        """Shear modulus of the isotropic average [Pa]."""
+        return self.isotropic.G
 
     @property
     def E(self) -> float:
         """Young's modulus of the isotropic average [Pa]."""
-        return 9.0 * self.K * self.G / (3.0 * self.K + self.G)
+        return self.isotropic.E
 
     @property
     def nu(self) -> float:
         """Poisson's ratio of the isotropic average [-]."""
-        return (3.0 * self.K - 2.0 * self.G) / (2.0 * (3.0 * self.K + self.G))
-
-
-def isotropic_average(stiffness: Floats) -> tuple[float, float]:
-    """K and G of the isotropic (Voigt) average of a stiffness (6, 6), linear in it."""
-    C = stiffness
-    longitudinal, lateral = np.trace(C[:3, :3]), C[0, 1] + C[0, 2] + C[1, 2]
-    return float(C[:3, :3].sum()) / 9.0, float(longitudinal - lateral + 3.0 * np.trace(C[3:, 3:])) / 15.0
+        return self.isotropic.nu
 
 
 def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | None = None) -> BulkModuli:
