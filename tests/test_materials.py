@@ -63,11 +63,11 @@ def test_source_is_optional_and_last():
 
 
 def test_a_study_takes_a_material_of_the_library():
-    assert study_of({"library": "granite"}).material == bd.materials.granite
+    assert study_of({"preset": "granite"}).material == bd.materials.granite
 
 
 def test_single_values_of_a_library_material_may_be_overruled_and_the_source_says_so():
-    material = study_of({"library": "granite", "name": "Westerly", "E": 56e9}).material
+    material = study_of({"preset": "granite", "name": "Westerly", "E": 56e9}).material
     assert material is not None
     assert (material.name, material.E) == ("Westerly", 56e9)
     assert (material.nu, material.rho) == (bd.materials.granite.nu, bd.materials.granite.rho)
@@ -75,9 +75,9 @@ def test_single_values_of_a_library_material_may_be_overruled_and_the_source_say
 
 
 def test_bad_library_keys_of_a_study_are_named():
-    with pytest.raises(StudyError, match=r"material\.library.*did you mean 'granite'"):
-        study_of({"library": "granit"})
+    with pytest.raises(StudyError, match=r"material\.preset.*did you mean 'granite'"):
+        study_of({"preset": "granit"})
     with pytest.raises(StudyError, match=r"material\.nu"):
-        study_of({"library": "granite", "nu": 0.6})
-    with pytest.raises(StudyError, match=r"did you mean 'material\.library'"):
-        study_of({"name": "x", "E": 1e9, "nu": 0.2, "rho": 1e3, "librari": "granite"})
+        study_of({"preset": "granite", "nu": 0.6})
+    with pytest.raises(StudyError, match=r"did you mean 'material\.preset'"):
+        study_of({"name": "x", "E": 1e9, "nu": 0.2, "rho": 1e3, "presset": "granite"})

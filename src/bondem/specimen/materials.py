@@ -49,7 +49,7 @@ _LIBRARY = {key: value for key, value in globals().items() if isinstance(value, 
 
 
 def names() -> tuple[str, ...]:
-    """Names of all materials here, as `get` and the key `material.library` of a study take them."""
+    """Names of all materials here, as `get` and the key `preset` in `[material]` of a study take them."""
     return tuple(sorted(_LIBRARY))
 
 

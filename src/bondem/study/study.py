@@ -198,7 +198,7 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
 def _material(table: Section) -> Material:
     """One's own, or one of the library, of which single values may be overruled."""
     with table:
-        if not table.has("library"):
+        if not table.has("preset"):
             return Material(
                 table.text("name"),
                 E=table.number("E", "Pa", above=0.0),
@@ -206,7 +206,7 @@ def _material(table: Section) -> Material:
                 rho=table.number("rho", "kg/m³", above=0.0),
                 source=table.text("source", default=""),
             )
-        known = materials.get(table.text("library", choices=materials.names()))
+        known = materials.get(table.text("preset", choices=materials.names()))
         own = [key for key in ("E", "nu", "rho") if table.has(key)]
         remark = f"; {', '.join(own)} overruled by the study" if own else ""
         return Material(
