@@ -10,10 +10,11 @@ from click.testing import CliRunner
 import bondem as bd
 from bondem.cli.studies import quasistatic, section, vibration, wave
 from bondem.errors import InputError
+from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.cantilever import mass_gyration
 from bondem.labtests.effective_section import SectionRadii, section_profile
 from bondem.labtests.explicit_tension import ExplicitTension, explicit_tension
-from bondem.labtests.inertia import inertia_excess
+from bondem.labtests.inertia import inertia_excess, stiffness_effect
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
 from bondem.model.model import Model
@@ -281,3 +282,16 @@ def test_a_study_says_what_is_too_small():
         BarRequest(count=100)
     with pytest.raises(InputError, match="packings"):
         BarRequest(packings=0)
+
+
+def test_a_soft_skin_lowers_the_frequencies_as_the_bar_says():
+    section = CrossSection.of(bd.Cylinder(5e-3, 0.4))
+    bar = Bar(0.4, section, E=70e9, nu=0.2, rho=2500.0)
+    gyration = np.full(2, section.second_moment / section.area)
+    soft = Bar(0.4, section.filled(0.98 * gyration, gyration), E=70e9, nu=0.2, rho=2500.0)
+    shift = stiffness_effect(bar, soft)
+    # to first order in 2 %
+    assert shift["bending"] == pytest.approx(soft.bending_frequency / bar.bending_frequency - 1.0, rel=0.02)
+    assert shift["torsion"] == pytest.approx(soft.torsional_frequency / bar.torsional_frequency - 1.0, rel=0.02)
+    assert shift["bending"] == pytest.approx(-0.01)
+    assert shift["tension"] == 0.0

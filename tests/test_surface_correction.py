@@ -18,6 +18,7 @@ from bondem.calibration.surface import (
 )
 from bondem.errors import InputError
 from bondem.labtests import uniform_stress
+from bondem.labtests.any_shape import UniformStress
 from bondem.laws.bond import BondLaw
 from bondem.study.request import made_row
 from bondem.study.surface import FITTED, HELD_OUT, SurfaceStudy
@@ -309,3 +310,16 @@ def test_results_tables_and_figure_follow_from_rows(tmp_path):
     assert (tmp_path / "figures" / "surface.png").stat().st_size > 10_000
     assert (tmp_path / "surface.json").is_file()
     assert study.results([])["model"] is None
+
+
+def test_moduli_along_an_axis_are_those_of_the_compliance():
+    E, nu = 70e9, 0.2
+    compliance = np.diag([1.0 / E] * 3 + [2.0 * (1.0 + nu) / E] * 3)
+    compliance[:3, :3] -= nu / E * (1.0 - np.eye(3))
+    body = UniformStress(compliance, 0.0)
+    for axis in "xyz":
+        assert body.along(axis) == pytest.approx((E, nu))
+    assert (body.E, body.nu) == pytest.approx((E, nu))
+    # contraction along y and z twice as large under tension along x alone
+    compliance[1:3, 0] = compliance[0, 1:3] = -2.0 * nu / E
+    assert UniformStress(compliance, 0.0).along("x") == pytest.approx((E, 2.0 * nu))
