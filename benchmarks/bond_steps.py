@@ -15,7 +15,8 @@ import numpy as np
 import bondem as bd
 from bondem._compile import threads
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 from tiled import specimen
 

@@ -17,7 +17,8 @@ import numpy as np
 
 import bondem as bd
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 from tiled import specimen
 
@@ -101,7 +102,7 @@ def main() -> None:
     reason = boundary.missing()
     if reason is not None or boundary.SIMULATED:
         sys.exit(f"nothing measured: {reason or 'this is the simulator, which says nothing about speed'}")
-    loop_of = importlib.import_module("bondem.solve.gpu").GpuLoop
+    loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop
     bandwidth = copy_bandwidth(boundary.cuda)
     result = {
         "device": str(boundary.cuda.get_current_device().name),

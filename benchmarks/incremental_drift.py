@@ -29,7 +29,8 @@ from bondem._compile import threads
 from bondem.laws.bond import BondLaw
 from bondem.model.state import State
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet
-from bondem.solve.explicit import Plan, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan
 from printed_rates import Printed
 
 ROOT = Path(__file__).resolve().parents[1]

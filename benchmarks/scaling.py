@@ -21,7 +21,8 @@ import numpy as np
 import bondem as bd
 from bondem._compile import most_threads, threads
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 from roofline import bandwidth, bytes_per_bond, flops_per_bond, peak, state_bytes_per_element
 from tiled import specimen

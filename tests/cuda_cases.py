@@ -11,7 +11,8 @@ import numpy as np
 
 import bondem as bd
 from bondem.model.state import State
-from bondem.solve.explicit import ExplicitResult, Plan, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import ExplicitResult, Plan
 
 GAUGES = {
     "end": bd.Gauge(bd.Face("x_max", depth=0.5), "displacement"),
@@ -58,7 +59,7 @@ def moving(model: bd.Model, speed: float = 0.5) -> State:
 
 def results(device: str) -> Iterator[tuple[str, ExplicitResult]]:
     """The cases, carried out."""
-    loop_of = importlib.import_module("bondem.solve.gpu").GpuLoop if device == "gpu" else None
+    loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop if device == "gpu" else None
 
     def go(model: bd.Model, state: State, steps: int, dt: float, **options) -> ExplicitResult:
         return integrate(model, Plan(duration=steps * dt, dt=dt, **options), state=state, loop_of=loop_of)

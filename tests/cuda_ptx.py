@@ -15,8 +15,8 @@ import numpy as np
 from numba.cuda import dispatcher
 
 import cuda_cases
-from bondem.solve import gpu
-from bondem.solve.explicit import Plan
+from bondem.solve import loop_cuda
+from bondem.solve.plan import Plan
 
 CAPABILITY = (9, 0)
 
@@ -42,15 +42,15 @@ def main() -> None:
             signature = numba.types.void(*map(numba.typeof, host))
             ptx[name] = numba.cuda.compile_ptx(kernel.py_func, signature, cc=CAPABILITY)[0]
 
-    gpu.launch = compiled
-    gpu.upload = lambda array: np.array(array, order="C").view(OnHost)
-    gpu.zeros = lambda *shape: np.zeros(shape).view(OnHost)
-    gpu.download = lambda array, target: None
-    gpu.recorded = lambda work: lambda: work(0)
-    gpu.missing = lambda: None
+    loop_cuda.launch = compiled
+    loop_cuda.upload = lambda array: np.array(array, order="C").view(OnHost)
+    loop_cuda.zeros = lambda *shape: np.zeros(shape).view(OnHost)
+    loop_cuda.download = lambda array, target: None
+    loop_cuda.recorded = lambda work: lambda: work(0)
+    loop_cuda.missing = lambda: None
     for model in (cuda_cases.bar(), cuda_cases.cell()):
         plan = Plan(duration=1.0, gauges=cuda_cases.GAUGES, damping=cuda_cases.bd.LocalDamping(0.1), every=3)
-        loop = gpu.GpuLoop(model, plan, cuda_cases.moving(model), 1e-3)
+        loop = loop_cuda.GpuLoop(model, plan, cuda_cases.moving(model), 1e-3)
         loop.look()
         loop.run(10)
     print(json.dumps(ptx))

@@ -11,7 +11,7 @@ import bondem as bd
 from bondem.calibration.free_parameter import FreeParameter
 from bondem.calibration.reach import reach, recommend
 from bondem.calibration.response import Response
-from bondem.calibration.surface import SurfaceCorrection
+from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError, UnreachableTargetError
 

@@ -14,8 +14,8 @@ from bondem.cli import main
 from bondem.errors import UnstableRunError
 from bondem.io.runfile import RunFile, read_run
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, settled
 from bondem.solve.history import History
+from bondem.solve.plan import Plan, settled
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "silica.toml"
 

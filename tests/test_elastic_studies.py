@@ -16,7 +16,7 @@ from bondem.report.packing_page import write_page
 from bondem.study.abacus import SWEEPS, Abacus
 from bondem.study.assembly import LAW, Assembly, _scatter
 from bondem.study.elastic_rows import ElasticRequest, cells_and_bars
-from bondem.study.frame import PackingStudy, run_study
+from bondem.study.frame import PackingStudy, run_packing_study
 from bondem.study.influence import Influence
 from bondem.study.packing_rows import PackingRequest, kept_lattice
 from bondem.study.request import kept_row, made_row
@@ -28,7 +28,7 @@ LAWS = (bd.EulerBernoulli, bd.Timoshenko, bd.ParallelBond, bd.Obermayr)
 def abacus(tmp_path_factory):
     out = tmp_path_factory.mktemp("abacus")
     study = Abacus(count=200, packings=2, bars=1, laws=("ParallelBond",))
-    return study, out, run_study(study, out, processes=1)
+    return study, out, run_packing_study(study, out, processes=1)
 
 
 def files(folder):
@@ -121,7 +121,7 @@ def test_a_second_run_makes_only_what_is_missing(abacus):
     before = files(out)
     lost = next(path for path in sorted((out / "rows").iterdir()) if path.name.startswith("ParallelBond"))
     lost.unlink()
-    again = run_study(study, out, processes=1)
+    again = run_packing_study(study, out, processes=1)
     after = files(out)
     made = [path for path in after if path.parent.name in ("rows", "packings")]
     written = {path.name for path in made if after[path] != before[path]}
@@ -168,7 +168,7 @@ class Doomed(PackingStudy):
 def test_what_needs_a_packing_that_failed_is_left_out_and_told(tmp_path, monkeypatch):
     monkeypatch.setattr("bondem.study.frame.write_page", lambda *arguments: None)
     with pytest.raises(PackingError, match=r"1 of 2 packings and tests failed.*shake"):
-        run_study(Doomed(), tmp_path, processes=1)
+        run_packing_study(Doomed(), tmp_path, processes=1)
     results = json.loads((tmp_path / "results.json").read_text())
     assert (results["failed"], results["tested"]) == (1, ["quench"])
 
@@ -189,7 +189,7 @@ def test_the_exponent_of_the_radius_is_the_share_of_the_energy():
 
 
 def test_influence_judges_the_statements_of_the_paper(tmp_path):
-    results = run_study(Influence(count=300, packings=1, bars=1), tmp_path, processes=1)
+    results = run_packing_study(Influence(count=300, packings=1, bars=1), tmp_path, processes=1)
     for found in results["verdicts"].values():
         assert max(found["E_mu"].values()) < 1e-9
         beam, shear = found["nu_mu"]["EulerBernoulli"], found["nu_mu"]["Timoshenko"]
@@ -210,7 +210,7 @@ def test_influence_judges_the_statements_of_the_paper(tmp_path):
 
 def test_assembly_leaves_scatter_limits_and_specimens(tmp_path):
     study = Assembly(counts=(300, 360), packings=2, cells=1)
-    results = run_study(study, tmp_path, processes=1)
+    results = run_packing_study(study, tmp_path, processes=1)
     assert [row["count"] for row in results["rows"]] == [300, 300, 360, 360, 360]
     bars = [row for row in results["rows"] if not row["periodic"]]
     found = results["targets"]["contacts"]

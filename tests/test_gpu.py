@@ -14,7 +14,8 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 
 HERE = Path(__file__).parent
@@ -103,7 +104,7 @@ def test_what_the_device_cannot_do_is_refused() -> None:
 
 
 def test_every_option_is_known_to_the_device() -> None:
-    """A new field of Model or Plan must be carried out on a device or refused by `bondem.solve.gpu.check`."""
+    """A new field of Model or Plan must be carried out on a device or refused by `bondem.solve.loop_cuda.check`."""
     assert {f.name for f in dataclasses.fields(bd.Model)} == {
         "lattice", "bond", "density", "boundary", "contact", "walls",
     }  # fmt: skip
@@ -113,7 +114,7 @@ def test_every_option_is_known_to_the_device() -> None:
 
 
 def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
-    monkeypatch.delitem(sys.modules, "bondem.solve.gpu", raising=False)
+    monkeypatch.delitem(sys.modules, "bondem.solve.loop_cuda", raising=False)
     monkeypatch.delitem(sys.modules, "bondem._compile_cuda", raising=False)
     monkeypatch.setitem(sys.modules, "numba_cuda", None)
     with pytest.raises(InputError, match=r"pip install \"bondem\[gpu\]\""):
@@ -140,7 +141,7 @@ def test_without_a_device_it_says_so() -> None:
 def test_device_agrees_with_cpu_after_a_thousand_steps(monkeypatch) -> None:
     if (reason := absent()) is not None:
         pytest.skip(reason)
-    loop_of = importlib.import_module("bondem.solve.gpu").GpuLoop
+    loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop
     lattice = bd.connect(bd.pack(bd.Cylinder(radius=5e-3, length=2e-2), count=5_000, spread=0.25, seed=1))
     model = bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), 2500.0, boundary=[
         bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e3, 0, 0), schedule=bd.Ramp(0.0, 1.0, 1e-6)),

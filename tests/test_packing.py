@@ -6,7 +6,7 @@ import pytest
 import bondem as bd
 from bondem._compile import threads
 from bondem.errors import InputError, PackingError
-from bondem.kernels.cells import neighbours
+from bondem.kernels.neighbour_grid import neighbours
 from bondem.packing.walls import walls
 
 SHAPES = [

@@ -14,8 +14,9 @@ from bondem.io.runfile import RunFile, read_run
 from bondem.io.vtk import write_vtkhdf
 from bondem.laws.damping import LocalDamping
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, Status, integrate
+from bondem.solve.explicit import integrate
 from bondem.solve.history import History
+from bondem.solve.plan import Plan, Status
 
 
 def cantilever(**law):

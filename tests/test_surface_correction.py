@@ -8,7 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.calibration.affine import affine_estimate, is_bar
-from bondem.calibration.surface import (
+from bondem.calibration.surface_correction import (
     ExtrapolationWarning,
     SurfaceCorrection,
     SurfaceModel,
@@ -21,9 +21,9 @@ from bondem.labtests import uniform_stress
 from bondem.labtests.any_shape import UniformStress
 from bondem.laws.bond import BondLaw
 from bondem.study.request import made_row
-from bondem.study.surface import FITTED, HELD_OUT, SurfaceStudy
 from bondem.study.surface_fit import Fit, bulk_means, design, law_name
 from bondem.study.surface_rows import FORMS, ModuliRequest, SpecimenRequest
+from bondem.study.surface_study import FITTED, HELD_OUT, SurfaceStudy
 
 LAW = bd.EulerBernoulli(E=50e9, nu=0.3, radius_ratio=0.7)
 SHAPE = bd.Cylinder(radius=5e-3, length=25e-3)

@@ -33,7 +33,8 @@ class Bondem:
 def _run(specimen: Specimen, check: int, steps: int, contacts: bool) -> Outcome:
     import bondem as bd
     from bondem.model.state import State
-    from bondem.solve.explicit import Plan, integrate
+    from bondem.solve.explicit import integrate
+    from bondem.solve.plan import Plan
 
     lattice = bd.Lattice(bd.Particles(specimen.position, specimen.radius), specimen.pairs)
     law = bd.EulerBernoulli(E=YOUNG, nu=POISSON, radius_ratio=RADIUS_RATIO)

@@ -12,8 +12,9 @@ from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.events import Event
-from bondem.solve.explicit import Callback, ExplicitResult, Loop, Plan, Status, integrate
-from bondem.solve.modes import solve_modes
+from bondem.solve.explicit import integrate
+from bondem.solve.modal import solve_modes
+from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status
 from bondem.solve.relaxation import solve_relaxed
 from bondem.solve.schemes import Scheme, VelocityVerlet
 from bondem.solve.static import solve_static
@@ -132,7 +133,7 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
     if device != "gpu":
         raise InputError(f"device = '{device}' is unknown; choose 'cpu' or 'gpu'")
     try:
-        gpu = importlib.import_module("bondem.solve.gpu")
+        gpu = importlib.import_module("bondem.solve.loop_cuda")
     except ImportError as error:
         raise InputError(
             f"device='gpu' needs the package numba-cuda ({error}): pip install \"bondem[gpu]\", or use device='cpu'"

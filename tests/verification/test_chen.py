@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 import bondem as bd
 from bondem.laws.bond import BondLaw
-from bondem.solve.explicit import Status
+from bondem.solve.plan import Status
 
 E, NU, RHO = 200e9, 0.3, 7800.0
 G = E / (2.0 * (1.0 + NU))

@@ -12,7 +12,7 @@ import bondem as bd
 from bondem._compile import threads
 from bondem.kernels.contact_pass import SERIAL_PAIRS
 from bondem.model.state import State
-from bondem.solve import contacts as lists
+from bondem.solve import neighbour_list as lists
 from bondem.solve.explicit import integrate
 from bondem.solve.timestep import critical_step
 

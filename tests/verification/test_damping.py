@@ -8,7 +8,8 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step, highest_frequency
 
 E, RHO = 2.0e6, 1200.0

@@ -13,8 +13,9 @@ import bondem as bd
 from bondem._compile import threads
 from bondem.kernels.advance import SERIAL_BONDS
 from bondem.model.state import State
-from bondem.solve.explicit import ExplicitResult, Plan, integrate
+from bondem.solve.explicit import integrate
 from bondem.solve.history import History
+from bondem.solve.plan import ExplicitResult, Plan
 from bondem.solve.timestep import critical_step
 
 GAUGES = {

@@ -9,7 +9,8 @@ import bondem as bd
 from bondem.errors import InputError, UnstableStepError
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, Status, integrate, settled
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan, Status, settled
 from bondem.solve.schemes import Scheme
 from bondem.solve.timestep import critical_step, highest_frequency
 

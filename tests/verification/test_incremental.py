@@ -11,7 +11,8 @@ import bondem as bd
 from bondem.errors import InputError
 from bondem.laws.damping import LocalDamping
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan
 
 
 def crooked_chain(count: int = 8) -> bd.Lattice:

@@ -13,7 +13,8 @@ from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.kernels.advance import SERIAL_BONDS
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 from bondem.specimen.patches import face_patches
 

@@ -8,7 +8,7 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
-from bondem.solve import modes as modes_module
+from bondem.solve import modal as modes_module
 
 E, NU, RADIUS, STEP, RHO = 200e9, 0.3, 1.5e-3, 8e-3, 3000.0
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius=RADIUS)

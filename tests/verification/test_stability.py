@@ -15,7 +15,8 @@ from bondem.errors import InputError, StepWarning
 from bondem.kernels.advance import GUARD_INTERVAL
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, Status, integrate
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan, Status
 from bondem.solve.threads import one_blas_thread
 from bondem.solve.timestep import critical_step, highest_frequency
 

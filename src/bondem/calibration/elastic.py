@@ -13,7 +13,7 @@ from bondem.calibration.density import balanced_density, element_density
 from bondem.calibration.free_parameter import FreeParameter
 from bondem.calibration.reach import recommend
 from bondem.calibration.response import Response, Slope
-from bondem.calibration.surface import SurfaceCorrection
+from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError
 from bondem.labtests.tension import Tension

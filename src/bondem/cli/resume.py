@@ -7,7 +7,7 @@ import click
 from bondem.cli import UNSTABLE
 from bondem.cli.terminal import on_threads, progress_bars
 from bondem.run import resume
-from bondem.solve.explicit import Status
+from bondem.solve.plan import Status
 
 
 @click.command("resume")

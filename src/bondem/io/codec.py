@@ -25,7 +25,7 @@ from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.model.schedules import Constant, Ramp, Table
 from bondem.model.walls import CylinderWall, Driven, PlaneWall, Servo
 from bondem.solve.events import AtRest
-from bondem.solve.explicit import Plan
+from bondem.solve.plan import Plan
 from bondem.solve.schemes import TchamwaWielgosz, VelocityVerlet
 from bondem.specimen.geometry import Ball, BoundingBox, Box, Cell, Cylinder
 from bondem.specimen.regions import Difference, Everything, Face, Index, Intersection, Union, Within

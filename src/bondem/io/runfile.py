@@ -24,8 +24,8 @@ from bondem.io.atomic import replacing, require_writable
 from bondem.io.codec import decode, encode
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.explicit import Plan
 from bondem.solve.history import History
+from bondem.solve.plan import Plan
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
 

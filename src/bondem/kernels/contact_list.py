@@ -27,7 +27,7 @@ def pair_candidates(
     """Pairs of neighbours that no intact bond joins.
 
     Args:
-        start, neighbour: neighbours of each element, as `kernels.cells.neighbours` gives them.
+        start, neighbour: neighbours of each element, as `kernels.neighbour_grid.neighbours` gives them.
         bond_start, bond_first: earlier element of the bonds of each later one, and where they begin.
         integrity: of the bonds.
         rest_start, rest_first, rest_gap: the same of pairs that overlapped at first, and their gaps [m].

@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from bondem._compile import device, kernel
-from bondem.kernels.cells import inverse_period, nearest_image
+from bondem.kernels.neighbour_grid import inverse_period, nearest_image
 
 # What a call of `grow` ended with: all time used, a sphere about to outrun its neighbour list, too many events.
 GROWN, STALE, EXHAUSTED = 0, 1, 2

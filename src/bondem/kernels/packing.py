@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from bondem._compile import device, kernel, prange
-from bondem.kernels.cells import inverse_period, nearest_image
+from bondem.kernels.neighbour_grid import inverse_period, nearest_image
 
 # Partial sums over blocks of fixed size, added up in order: the result does not depend on the threads.
 _BLOCK = 128

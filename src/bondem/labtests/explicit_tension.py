@@ -15,8 +15,9 @@ from bondem.model.boundary import Load
 from bondem.model.model import Model
 from bondem.model.schedules import Ramp
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, Status, integrate, settled
+from bondem.solve.explicit import integrate
 from bondem.solve.history import History
+from bondem.solve.plan import Plan, Status, settled
 from bondem.solve.schemes import TchamwaWielgosz
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face

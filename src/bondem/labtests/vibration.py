@@ -17,7 +17,7 @@ from bondem.model.model import Model
 from bondem.model.schedules import Constant, Ramp, Schedule
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.solve.explicit import ExplicitResult, Plan, Status, settled
+from bondem.solve.plan import ExplicitResult, Plan, Status, settled
 from bondem.solve.static import solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face

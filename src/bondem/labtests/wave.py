@@ -12,8 +12,8 @@ from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.solve.explicit import Status
 from bondem.solve.history import History
+from bondem.solve.plan import Status
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 

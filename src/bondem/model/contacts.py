@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.kernels.cells import neighbours
 from bondem.kernels.contact_list import wall_candidates
+from bondem.kernels.neighbour_grid import neighbours
 from bondem.kernels.walls import COLUMNS
 from bondem.laws.contact import LinearContact
 from bondem.model.layout import Layout
@@ -82,7 +82,7 @@ class ContactModel:
 
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:
-    """Neighbours with gaps up to `skin` [m], as `kernels.cells.neighbours` gives them."""
+    """Neighbours with gaps up to `skin` [m], as `kernels.neighbour_grid.neighbours` gives them."""
     sphere = np.column_stack([position, radius])
     if period is None:
         lower, upper = sphere[:, :3].min(axis=0), sphere[:, :3].max(axis=0)

@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from bondem._types import Floats
-from bondem.packing.relaxation import SoftSpheres
+from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
 from bondem.specimen.geometry import Shape

@@ -11,7 +11,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.errors import InputError, PackingError
 from bondem.kernels import growth as kernels
-from bondem.packing.relaxation import SoftSpheres
+from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape

@@ -20,10 +20,11 @@ from bondem.model.model import Model
 from bondem.model.schedules import Table
 from bondem.model.state import State
 from bondem.model.walls import CylinderWall, Driven, PlaneWall, Servo, Wall
-from bondem.packing.relaxation import SoftSpheres
+from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.targets import Target
-from bondem.solve.explicit import Plan, Status, integrate, settled
+from bondem.solve.explicit import integrate
 from bondem.solve.history import History
+from bondem.solve.plan import Plan, Status, settled
 from bondem.specimen.geometry import Box, Cylinder, Shape
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.morton import morton_code

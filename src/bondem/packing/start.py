@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.packing.relaxation import SoftSpheres
+from bondem.packing.soft_spheres import SoftSpheres
 from bondem.specimen.geometry import Shape
 from bondem.specimen.morton import morton_code
 

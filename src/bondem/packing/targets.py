@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from bondem.errors import InputError, PackingError
-from bondem.packing.relaxation import Rest, SoftSpheres
+from bondem.packing.soft_spheres import Rest, SoftSpheres
 
 # Rms force over mean contact force at rest: to get near the target, and in the packing that is returned.
 _ROUGH, _FINE = 3e-2, 5e-3

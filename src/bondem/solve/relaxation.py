@@ -5,7 +5,7 @@ import numpy as np
 from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.kernels.bond_pass import rotation_guard
-from bondem.kernels.relaxation import relax
+from bondem.kernels.dynamic_relaxation import relax
 from bondem.kernels.sweep import TILE
 from bondem.model.bond_table import alike
 from bondem.model.model import Model

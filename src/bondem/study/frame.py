@@ -1,7 +1,7 @@
 """The frame of every study of packings: rows stage by stage, then numbers, tables, figures and a page.
 
-A study says what is to be made, what its rows mean and how to draw it; `run_study` does the rest, and goes on where
-it was when it is called again with the same folder.
+A study says what is to be made, what its rows mean and how to draw it; `run_packing_study` does the rest, and goes
+on where it was when it is called again with the same folder.
 """
 
 from abc import ABC, abstractmethod
@@ -45,7 +45,7 @@ class PackingStudy(ABC):
         """Figures, into the folder `figures` of `out`, from the rows without error; data files, into `out`."""
 
 
-def run_study(
+def run_packing_study(
     study: PackingStudy,
     out: str | Path,
     *,

@@ -23,8 +23,8 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.report.findings import Examined, Findings
 from bondem.report.page import write_report
-from bondem.solve.explicit import Plan, settled
 from bondem.solve.history import History
+from bondem.solve.plan import Plan, settled
 from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import fabric
 from bondem.specimen.lattice import Lattice

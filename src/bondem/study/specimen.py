@@ -12,7 +12,7 @@ from bondem.packing.sizes import Lognormal, Sieve, SizeLaw, Uniform
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
 from bondem.specimen.particles import Particles
 from bondem.specimen.surface import UNITS, Surface
-from bondem.study.section import Section
+from bondem.study.toml_table import TomlTable
 
 SHAPES = ("cylinder", "box", "ball", "cell", "surface")
 SIZE_LAWS = ("uniform", "lognormal", "sieve")
@@ -70,7 +70,7 @@ class ImportPlan:
         return particles
 
 
-def read_specimen(table: Section, folder: Path) -> SpecimenPlan | ImportPlan:
+def read_specimen(table: TomlTable, folder: Path) -> SpecimenPlan | ImportPlan:
     """What the table says; files are looked for from `folder`.
 
     Raises:
@@ -93,7 +93,7 @@ def read_specimen(table: Section, folder: Path) -> SpecimenPlan | ImportPlan:
         )
 
 
-def _shape(table: Section, folder: Path) -> Shape:
+def _shape(table: TomlTable, folder: Path) -> Shape:
     match table.text("shape", choices=SHAPES):
         case "cylinder":
             radius = table.number("radius", "m", above=0.0)
@@ -109,7 +109,7 @@ def _shape(table: Section, folder: Path) -> Shape:
     return _made(table.name("file"), lambda: Surface(file, unit=unit))
 
 
-def _sizes(table: Section) -> SizeLaw:
+def _sizes(table: TomlTable) -> SizeLaw:
     if not table.has("sizes"):
         return Uniform(table.number("spread", "-", default=SPREAD, above=-1e-12, below=2.0))
     if table.has("spread"):
@@ -125,7 +125,7 @@ def _sizes(table: Section) -> SizeLaw:
         return _made(table.name("sizes"), lambda: Sieve(diameters, passing))
 
 
-def _target(table: Section) -> dict[str, Any]:
+def _target(table: TomlTable) -> dict[str, Any]:
     z = table.number("coordination_number", "-", default=None, above=0.0, below=12.0)
     fraction = table.number("volume_fraction", "-", default=None, above=0.0, below=0.8)
     jamming = table.flag("jamming", default=False) or None

@@ -17,8 +17,8 @@ from bondem.laws.timoshenko import Timoshenko
 from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
-from bondem.study.section import Section
 from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
+from bondem.study.toml_table import TomlTable
 
 STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
 DYNAMIC_TESTS = ("dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact")
@@ -176,7 +176,7 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
     Raises:
         StudyError: a key that is unknown, missing or out of range.
     """
-    with Section(data) as top:
+    with TomlTable(data) as top:
         name = top.text("name")
         specimen = read_specimen(top.section("specimen"), folder)
         material = _material(top.section("material")) if top.has("material") else None
@@ -195,7 +195,7 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
         )
 
 
-def _material(table: Section) -> Material:
+def _material(table: TomlTable) -> Material:
     """One's own, or one of the library, of which single values may be overruled."""
     with table:
         if not table.has("preset"):
@@ -218,7 +218,7 @@ def _material(table: Section) -> Material:
         )
 
 
-def _bond(table: Section) -> BondPlan:
+def _bond(table: TomlTable) -> BondPlan:
     with table:
         reach = table.number("reach", "-", default=None, above=0.0)
         if reach is not None and table.has("tolerance"):
@@ -232,18 +232,18 @@ def _bond(table: Section) -> BondPlan:
         )
 
 
-def _calibrating(table: Section) -> int:
+def _calibrating(table: TomlTable) -> int:
     with table:
         return table.count("packings", default=1)
 
 
-def _output(table: Section) -> dict[str, bool]:
+def _output(table: TomlTable) -> dict[str, bool]:
     with table:
         defaults = {"figures": True, "vtk": False, "run_files": False, "packing_files": False}
         return {name: table.flag(name, default=default) for name, default in defaults.items()}
 
 
-def _reference(table: Section) -> Reference:
+def _reference(table: TomlTable) -> Reference:
     with table:
         with table.section("errors") as errors:
             published = {name: errors.number(name, "-") for name in TESTS if errors.has(name)}

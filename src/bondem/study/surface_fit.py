@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
-from bondem.calibration.surface import lattice_terms, law_terms
+from bondem.calibration.surface_correction import lattice_terms, law_terms
 from bondem.study.frame import Row
 
 # The scatter that sets the weights of rows, √(a² + b² / elements): first guess, then as found.

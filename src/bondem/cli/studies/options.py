@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from bondem.cli.terminal import progress_bars
-from bondem.study.frame import PackingStudy, run_study
+from bondem.study.frame import PackingStudy, run_packing_study
 
 
 def numbers(kind: Callable[[str], Any], what: str) -> Callable[..., tuple[Any, ...]]:
@@ -34,7 +34,7 @@ def of_study(function: Callable[..., Any]) -> Callable[..., Any]:
 def carry_out(study: PackingStudy, out: Path, processes: int | None) -> None:
     """Run a study, then print its tables and where everything is."""
     with progress_bars() as progress:
-        run_study(study, out, processes=processes, progress=progress)
+        run_packing_study(study, out, processes=processes, progress=progress)
     show(out)
 
 

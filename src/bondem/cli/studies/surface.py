@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from bondem.cli.studies.options import carry_out, numbers, of_study
-from bondem.study.surface import SurfaceStudy
+from bondem.study.surface_study import SurfaceStudy
 
 
 @click.command("surface")

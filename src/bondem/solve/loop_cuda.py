@@ -26,7 +26,8 @@ from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.explicit import Plan, gauge_tables, rested
+from bondem.solve.loop_cpu import gauge_tables, rested
+from bondem.solve.plan import Plan
 
 # Columns of a record that the device fills, in its order; there are no contacts.
 _COLUMNS = np.array([1, 2, 3, 4, 5, 6, 8, 9, 10])

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._compile import threads
 from bondem._types import Floats
 from bondem.kernels import packing as kernels
-from bondem.kernels.cells import neighbours
+from bondem.kernels.neighbour_grid import neighbours
 from bondem.packing.walls import walls
 from bondem.specimen.geometry import Shape
 
@@ -120,7 +120,7 @@ class SoftSpheres:
         return Rest(z, report[1] / mean, report[3] / mean, taken, settled, free)
 
     def near(self, skin: float) -> tuple[np.ndarray, np.ndarray]:
-        """Neighbours with gaps up to `skin` [m], as `kernels.cells.neighbours` gives them; centres enter the cell."""
+        """Neighbours with gaps up to `skin` [m], as `neighbour_grid.neighbours` has them; centres enter the cell."""
         periodic = self.period > 0.0
         self.sphere[:, :3][:, periodic] %= self.period[periodic]
         return neighbours(self.sphere, self._lower, self._upper, self.period, skin)

@@ -10,7 +10,7 @@ from bondem.errors import StudyError
 _NEEDED = object()
 
 
-class Section:
+class TomlTable:
     """One table of a study file.
 
     Args:
@@ -25,7 +25,7 @@ class Section:
         self._path = path
         self._asked: list[str] = []
 
-    def __enter__(self) -> "Section":
+    def __enter__(self) -> "TomlTable":
         return self
 
     def __exit__(self, failed: object, *_: object) -> None:
@@ -55,12 +55,12 @@ class Section:
         self._asked.append(key)
         return key in self._data
 
-    def section(self, key: str) -> "Section":
+    def section(self, key: str) -> "TomlTable":
         """A table within; an empty one where it is not given."""
         value = self._get(key, {}, "a table")
         if not isinstance(value, Mapping):
             raise StudyError(f"'{self.name(key)}' is {value!r}; make it a table [{self.name(key)}]")
-        return Section(value, self.name(key))
+        return TomlTable(value, self.name(key))
 
     def number(
         self, key: str, unit: str, *, default: Any = _NEEDED, above: float = -math.inf, below: float = math.inf
