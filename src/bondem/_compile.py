@@ -21,13 +21,15 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar, cast
 
+import llvmlite.binding as llvm
 import numba
 import numba.core.config
 from numba import njit, prange
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 
 __all__ = [
-    "cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange", "threads",
+    "LANES", "cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange",
+    "threads",
 ]  # fmt: skip
 
 # set by numba at import, so that type checkers do not know its attributes
@@ -36,8 +38,24 @@ F = TypeVar("F", bound=Callable[..., Any])
 _PACKAGE = Path(__file__).parent
 
 
+def _lanes() -> int:
+    """Doubles of one register: 8 with AVX-512, else 4 (which a CPU with narrower registers takes as two).
+
+    BONDEM_LANES, 4 or 8, overrules it, to measure one against the other; no result depends on it.
+    """
+    asked = os.environ.get("BONDEM_LANES", "")
+    if asked in ("4", "8"):
+        return int(asked)
+    told = config.CPU_NAME is not None or config.CPU_FEATURES is not None  # what numba was told to compile for
+    features = str(config.CPU_FEATURES or "") if told else llvm.get_host_cpu_features().flatten()
+    return 8 if "+avx512dq" in features and "+avx512vl" in features else 4
+
+
+LANES = _lanes()
+
+
 def _source_hash() -> str:
-    digest = hashlib.sha256(numba.__version__.encode())
+    digest = hashlib.sha256(f"{numba.__version__} {LANES}".encode())
     sources = [Path(__file__), *sorted(_PACKAGE.glob("laws/*.py")), *sorted(_PACKAGE.glob("kernels/*.py"))]
     for source in sources:
         digest.update(source.read_bytes())

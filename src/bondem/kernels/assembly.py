@@ -3,6 +3,7 @@
 import numpy as np
 
 from bondem._compile import device, kernel, prange
+from bondem.kernels.tables import Adjacency, Bonds
 
 
 @device
@@ -44,36 +45,37 @@ def _blocks(x, y, z, kn, ks, kb, kt, near, far, own, other):
 
 
 @kernel(parallel=True)
-def assemble(i, j, constants, shear, bending, lever, in_start, out_start, out_bond, indptr, indices, data):
+def assemble(bonds, adjacency, indptr, indices, data):
     """Fill a block-sparse matrix of 6×6 blocks, degrees of freedom (u, θ) an element; rows own their blocks."""
+    in_start, out_start = adjacency.in_start, adjacency.out_start
     for p in prange(len(out_start) - 1):
         slot = indptr[p]
         diagonal = slot + in_start[p + 1] - in_start[p]
         indices[diagonal] = p
         data[diagonal] = 0.0
         for k in range(in_start[p], in_start[p + 1]):
-            indices[slot] = i[k]
+            indices[slot] = bonds.i[k]
             _blocks(
-                -constants[0, k], -constants[1, k], -constants[2, k], constants[4, k], shear[k], bending[k],
-                constants[8, k], constants[3, k] - lever[k], lever[k], data[diagonal], data[slot],
+                -bonds.X0[k], -bonds.Y0[k], -bonds.Z0[k], bonds.kn[k], bonds.ks[k], bonds.kb[k], bonds.kt[k],
+                bonds.length[k] - bonds.lever[k], bonds.lever[k], data[diagonal], data[slot],
             )  # fmt: skip
             slot += 1
         slot += 1
         for e in range(out_start[p], out_start[p + 1]):
-            k = out_bond[e]
-            indices[slot] = j[k]
+            k = adjacency.out_bond[e]
+            indices[slot] = bonds.j[k]
             _blocks(
-                constants[0, k], constants[1, k], constants[2, k], constants[4, k], shear[k], bending[k],
-                constants[8, k], lever[k], constants[3, k] - lever[k], data[diagonal], data[slot],
+                bonds.X0[k], bonds.Y0[k], bonds.Z0[k], bonds.kn[k], bonds.ks[k], bonds.kb[k], bonds.kt[k],
+                bonds.lever[k], bonds.length[k] - bonds.lever[k], data[diagonal], data[slot],
             )  # fmt: skip
             slot += 1
 
 
-def block_matrix_arrays(i, j, constants, shear, bending, lever, in_start, out_start, out_bond):
+def block_matrix_arrays(bonds: Bonds, adjacency: Adjacency) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Row pointers, column indices and blocks (…, 6, 6) of the stiffness matrix [N/m, N, N·m]."""
-    n = len(out_start) - 1
-    indptr = (in_start + out_start + np.arange(n + 1)).astype(np.int32)
+    n = len(adjacency.out_start) - 1
+    indptr = (adjacency.in_start + adjacency.out_start + np.arange(n + 1)).astype(np.int32)
     indices = np.empty(indptr[-1], dtype=np.int32)
     data = np.empty((indptr[-1], 6, 6))
-    assemble(i, j, constants, shear, bending, lever, in_start, out_start, out_bond, indptr, indices, data)
+    assemble(bonds, adjacency, indptr, indices, data)
     return indptr, indices, data

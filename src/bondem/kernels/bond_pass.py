@@ -1,109 +1,118 @@
-"""Bonds of a block: their forces and torques, and the sums of these for each element.
+"""Forces and torques of the bonds, and their sums for each element; what they store, and how far they have turned.
 
-Constants and outputs are structures of arrays, so that the first loop vectorises; positions are gathered from rows
-of 8. The outputs stay in the cache until the second loop has added them up, in the order of the bonds.
+The loop over the bonds takes WIDTH of them at a time (`bondem.kernels.lanes`) and adds what each does to the sums of
+its two ends, in the order of the bonds.
 """
 
 import numpy as np
 
 from bondem._compile import device, kernel
+from bondem.kernels.lane_memory import add_loads, places, prefetch, row, side
+from bondem.kernels.lanes import WIDTH
 from bondem.laws.beam_energy import bond_cosines, bond_energy, bond_force
+
+# Bonds ahead of the loop whose first elements are asked for: those of the second ends follow one another.
+_AHEAD = 32
+
+
+@device
+def nearest(d, edge, inverse):
+    """A component of a branch over the nearest periodic image [m]; the inverse edge of a free specimen is 0."""
+    return d - edge * np.rint(d * inverse)
 
 
 @device
 def branch(pose, a, b, period):
-    """Centre b minus centre a over the nearest periodic image [m]; the inverse period of a free specimen is 0."""
-    dx = pose[b, 0] - pose[a, 0]
-    dy = pose[b, 1] - pose[a, 1]
-    dz = pose[b, 2] - pose[a, 2]
+    """Centre b minus centre a over the nearest periodic image [m]."""
     return (
-        dx - period[0] * np.rint(dx * period[3]),
-        dy - period[1] * np.rint(dy * period[4]),
-        dz - period[2] * np.rint(dz * period[5]),
+        nearest(pose[b, 0] - pose[a, 0], period[0], period[3]),
+        nearest(pose[b, 1] - pose[a, 1], period[1], period[4]),
+        nearest(pose[b, 2] - pose[a, 2], period[2], period[5]),
     )
 
 
-@kernel(parallel=False, separate=True)
-def bond_forces(
-    pose, i, j, constants, same, integrity, period, first, last, fx, fy, fz, ax, ay, az, bx, by, bz
-):  # fmt: skip
-    """Force on j and torques on i and j of the bonds first … last, into the beginning of nine rows.
+@device
+def group(first, last, g):
+    """Where group g of WIDTH of the bonds first … last begins, and how many of it belong to the group before.
 
-    Where all bonds are alike but for their length, `same` is kn L, A L = C L, B L and kt L, and a bond reads four
-    numbers instead of nine; else it is None.
+    The last group is moved back to end with the last bond, so that it is read as a whole like the others. There must
+    be WIDTH bonds from the start of the tables to `last`.
     """
-    # unsigned, or every index would be tested for counting from the end
-    begin = np.uint64(first)
-    X0, Y0, Z0, rest = constants[0], constants[1], constants[2], constants[3]
-    kn, A, B, C, kt = constants[4], constants[5], constants[6], constants[7], constants[8]
-    knL, AL, BL, ktL = (0.0, 0.0, 0.0, 0.0) if same is None else same  # decided when compiled
-    px, py, pz = period[0], period[1], period[2]
-    ix, iy, iz = period[3], period[4], period[5]
-    for n in range(last - first):
-        k = np.uint64(n) + begin
-        a = i[k]
-        b = j[k]
-        dx = pose[b, 0] - pose[a, 0]
-        dy = pose[b, 1] - pose[a, 1]
-        dz = pose[b, 2] - pose[a, 2]
-        # nearest image; the inverse period of a free specimen is 0
-        dx -= px * np.rint(dx * ix)
-        dy -= py * np.rint(dy * iy)
-        dz -= pz * np.rint(dz * iz)
-        s = integrity[k]
-        l = rest[k]
-        if same is None:
-            k0, k1, k2, k3, k4 = s * kn[k], s * A[k], s * B[k], s * C[k], s * kt[k]
-        else:
-            inverse = s / l
-            k0, k1, k2, k3, k4 = knL * inverse, AL * inverse, BL * inverse, AL * inverse, ktL * inverse
-        fx[n], fy[n], fz[n], ax[n], ay[n], az[n], bx[n], by[n], bz[n] = bond_force(
-            dx, dy, dz,
-            pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
-            pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
-            X0[k], Y0[k], Z0[k], l, k0, k1, k2, k3, k4,
+    begin, end, width = np.uint64(first), np.uint64(last), np.uint64(WIDTH)
+    k = begin + width * np.uint64(g)
+    if k + width <= end:
+        return k, 0
+    return end - width, np.int64(k + width - end)
+
+
+@device
+def groups(first, last):
+    """How many groups of WIDTH the bonds first … last are."""
+    return (last - first + WIDTH - 1) // WIDTH
+
+
+@device
+def ahead(bonds, pose, k, last):
+    """Ask for the first elements of bonds that are to come."""
+    prefetch(pose, places(bonds.i, min(k + np.uint64(_AHEAD), np.uint64(last - WIDTH))))
+
+
+@device
+def apart(a, b, period):
+    """Centre b minus centre a over the nearest periodic image [m], of rows or of many rows of poses."""
+    return (
+        nearest(b[0] - a[0], period[0], period[3]),
+        nearest(b[1] - a[1], period[1], period[4]),
+        nearest(b[2] - a[2], period[2], period[5]),
+    )
+
+
+@device
+def stiffness(bonds, same, k):
+    """kn, A, B, C and kt of bonds k …, times their integrity: their own, or those they share over their length."""
+    if same is None:  # decided when compiled
+        s = side(bonds.integrity, k)
+        return (
+            s * side(bonds.kn, k), s * side(bonds.A, k), s * side(bonds.B, k), s * side(bonds.C, k),
+            s * side(bonds.kt, k),
         )  # fmt: skip
-
-
-@kernel(parallel=False, separate=True)
-def add_forces(sums, row_i, row_j, first, last, fx, fy, fz, ax, ay, az, bx, by, bz):
-    """Add the nine rows to the sums of both ends, bond by bond: force (3) and torque (3) in rows of eight."""
-    begin = np.uint64(first)
-    for n in range(last - first):
-        k = np.uint64(n) + begin
-        b = row_j[k]
-        sums[b, 0] += fx[n]
-        sums[b, 1] += fy[n]
-        sums[b, 2] += fz[n]
-        sums[b, 3] += bx[n]
-        sums[b, 4] += by[n]
-        sums[b, 5] += bz[n]
-        a = row_i[k]
-        sums[a, 0] -= fx[n]
-        sums[a, 1] -= fy[n]
-        sums[a, 2] -= fz[n]
-        sums[a, 3] += ax[n]
-        sums[a, 4] += ay[n]
-        sums[a, 5] += az[n]
+    hold = side(bonds.hold, k)
+    return same.knL * hold, same.AL * hold, same.BL * hold, same.AL * hold, same.ktL * hold
 
 
 @kernel(parallel=False)
-def bond_energies(pose, i, j, constants, shear, lever, integrity, period):
+def bond_loads(pose, bonds, same, sums, row_i, row_j, first, last):
+    """Add force and torques of the bonds first … last to the rows of their two ends in `sums`."""
+    for g in range(groups(first, last)):
+        k, known = group(first, last, g)
+        ahead(bonds, pose, k, last)
+        a, b = row(pose, places(bonds.i, k)), row(pose, places(bonds.j, k))
+        dx, dy, dz = apart(a, b, bonds.period)
+        kn, A, B, C, kt = stiffness(bonds, same, k)
+        fx, fy, fz, ax, ay, az, bx, by, bz = bond_force(
+            dx, dy, dz, a[4], a[5], a[6], a[7], b[4], b[5], b[6], b[7],
+            side(bonds.X0, k), side(bonds.Y0, k), side(bonds.Z0, k), side(bonds.length, k), kn, A, B, C, kt,
+        )  # fmt: skip
+        add_loads(sums, places(row_i, k), places(row_j, k), (fx, fy, fz), (ax, ay, az), (bx, by, bz), known)
+
+
+@kernel(parallel=False)
+def bond_energies(pose, bonds):
     """Normal, shear, bending and twisting energy of all bonds [J]."""
     # without threads: it runs once a record, often on a few bonds, where launching them costs far more
     normal = slip = bend = twist = 0.0
-    for k in range(len(i)):
-        a = i[k]
-        b = j[k]
-        dx, dy, dz = branch(pose, a, b, period)
+    for k in range(bonds.m):
+        a = bonds.i[k]
+        b = bonds.j[k]
+        dx, dy, dz = branch(pose, a, b, bonds.period)
         part = bond_energy(
             dx, dy, dz,
             pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
             pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
-            constants[0, k], constants[1, k], constants[2, k], constants[3, k], constants[4, k],
-            constants[5, k], constants[6, k], constants[7, k], constants[8, k], shear[k], lever[k],
+            bonds.X0[k], bonds.Y0[k], bonds.Z0[k], bonds.length[k], bonds.kn[k],
+            bonds.A[k], bonds.B[k], bonds.C[k], bonds.kt[k], bonds.ks[k], bonds.lever[k],
         )  # fmt: skip
-        s = integrity[k]
+        s = bonds.integrity[k]
         normal += s * part[0]
         slip += s * part[1]
         bend += s * part[2]
@@ -112,7 +121,7 @@ def bond_energies(pose, i, j, constants, shear, lever, integrity, period):
 
 
 @kernel(parallel=False)
-def rotation_guard(pose, i, j, constants, integrity, period):
+def rotation_guard(pose, bonds):
     """How many unbroken bonds are turned beyond the valid range, and beyond its end.
 
     Returns:
@@ -122,19 +131,19 @@ def rotation_guard(pose, i, j, constants, integrity, period):
     wide = 0
     lost = 0
     sick = False
-    for k in range(len(i)):
-        a = i[k]
-        b = j[k]
-        dx, dy, dz = branch(pose, a, b, period)
+    for k in range(bonds.m):
+        a = bonds.i[k]
+        b = bonds.j[k]
+        dx, dy, dz = branch(pose, a, b, bonds.period)
         c1, c2, w2 = bond_cosines(
             dx, dy, dz,
             pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
             pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
-            constants[0, k], constants[1, k], constants[2, k],
+            bonds.X0[k], bonds.Y0[k], bonds.Z0[k],
         )  # fmt: skip
         c = min(c1, c2)
         sick |= not (c * c + w2 < 4.0)
-        if integrity[k] > 0.0:
+        if bonds.integrity[k] > 0.0:
             wide += (c < 0.7) | (w2 < 0.75)
             lost += (c <= 0.0) | (w2 <= 0.25)
     return wide, lost, sick

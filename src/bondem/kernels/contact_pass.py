@@ -5,14 +5,12 @@ step and leave their sum for each element in `load`, which the pass over the ele
 """
 
 import math
-from typing import NamedTuple
-
-import numpy as np
 
 from bondem._compile import device, kernel, prange
 from bondem.kernels.bond_pass import branch
 from bondem.kernels.contact_list import farthest
-from bondem.kernels.walls import load_walls, move_walls, wall_gap, wall_travel
+from bondem.kernels.tables import DAMPED, RUBBED
+from bondem.kernels.walls import KIND, OUTSIDE, RATE, load_walls, wall_gap, wall_travel
 from bondem.laws.contact import contact_force, pair_stiffness
 
 # A pair that touches, and one that parted in this step: it still hands in what it lost.
@@ -21,87 +19,28 @@ TOUCHING, PARTED = 1, 2
 SERIAL_PAIRS = 4000
 
 
-class Contacts(NamedTuple):
-    """Arrays of the contacts, in the kernels' order; c pairs, b contacts with walls, w walls."""
-
-    law: np.ndarray  #: E [Pa], ks / kn, μ, β; (4,)
-    radius: np.ndarray  #: of the elements [m], (n,)
-    load: np.ndarray  #: force and torque of all contacts on each element [N, N·m], (n, 6)
-    listed: np.ndarray  #: centres when the list was made [m], (n, 3)
-    reach: float  #: how far elements, and walls, may move before the next list [m]
-    first: np.ndarray  #: uint32, (c,)
-    second: np.ndarray  #: uint32, (c,)
-    gap: np.ndarray  #: from which the overlap counts, at most 0 [m], (c,)
-    stretch: np.ndarray  #: tangential stretch [m] and force of the dashpots [N], (c, 6)
-    touch: np.ndarray  #: uint8, (c,)
-    output: np.ndarray  #: force on the second, torque over the radius, losses; (c, 8)
-    in_start: np.ndarray  #: pairs whose second element is p, (n + 1,)
-    out_start: np.ndarray  #: pairs whose first element is p, (n + 1,)
-    out_pair: np.ndarray  #: uint32, (c,)
-    wall_start: np.ndarray  #: contacts of each element with walls, (n + 1,)
-    wall: np.ndarray  #: uint32, (b,)
-    wall_gap: np.ndarray  #: (b,)
-    wall_stretch: np.ndarray  #: (b, 6)
-    wall_touch: np.ndarray  #: uint8, (b,)
-    wall_output: np.ndarray  #: force on the wall (3), normal force; (b, 4)
-    shape: np.ndarray  #: of the walls, (w, 8)
-    walls: np.ndarray  #: the walls themselves, (w, 14)
-    wall_listed: np.ndarray  #: displacements when the list was made [m], (w, 4)
-    wall_friction: np.ndarray  #: μ, (w,)
-    times: np.ndarray
-    values: np.ndarray
-    start: np.ndarray
-    drive_wall: np.ndarray
-    drive_component: np.ndarray
-    drive_schedule: np.ndarray
-    drive_rate: np.ndarray
-    servo_wall: np.ndarray
-    servo_schedule: np.ndarray
-    servo_speed: np.ndarray
-    servo_mass: np.ndarray
-
-
-@device
-def advance_walls(t, dt, c):
-    """Take the walls from t to t + dt."""
-    move_walls(
-        t, dt, c.shape, c.walls, c.times, c.values, c.start, c.drive_wall, c.drive_component,
-        c.drive_schedule, c.drive_rate, c.servo_wall, c.servo_schedule, c.servo_speed, c.servo_mass,
-    )  # fmt: skip
-
-
 @device
 def outdated(pose, c):
     """Whether the list may miss a contact by now; also where a centre is not a number."""
     return not (farthest(pose, c.listed) < c.reach and wall_travel(c.walls, c.wall_listed) < c.reach)
 
 
-@device
-def contact_loads(pose, motion, loss, period, dt, c):
+@kernel(parallel=False)
+def contact_loads(elements, period, dt, contacts):
     """Contact forces at the present, into `load` and on the walls; memory and losses go on by dt."""
-    if len(c.first) >= SERIAL_PAIRS:
-        pair_forces(
-            pose, motion, c.law, c.radius, c.first, c.second, c.gap, c.stretch, c.touch, c.output, period, dt
-        )
-        gather(
-            pose, motion, c.law, c.radius, c.touch, c.output, c.in_start, c.out_start, c.out_pair, c.wall_start,
-            c.wall, c.wall_gap, c.wall_stretch, c.wall_touch, c.wall_output, c.shape, c.walls, c.wall_friction,
-            c.load, loss, dt,
-        )  # fmt: skip
+    if len(contacts.first) >= SERIAL_PAIRS:
+        pair_forces(elements.pose, elements.motion, contacts, period, dt)
+        gather(elements, contacts, dt)
     else:
-        pair_forces_serial(
-            pose, motion, c.law, c.radius, c.first, c.second, c.gap, c.stretch, c.touch, c.output, period, dt
-        )
-        gather_serial(
-            pose, motion, c.law, c.radius, c.touch, c.output, c.in_start, c.out_start, c.out_pair, c.wall_start,
-            c.wall, c.wall_gap, c.wall_stretch, c.wall_touch, c.wall_output, c.shape, c.walls, c.wall_friction,
-            c.load, loss, dt,
-        )  # fmt: skip
-    load_walls(dt, c.shape, c.walls, c.wall, c.wall_output)
+        pair_forces_serial(elements.pose, elements.motion, contacts, period, dt)
+        gather_serial(elements, contacts, dt)
+    load_walls(dt, contacts)
 
 
-def _pair_forces(pose, motion, law, radius, first, second, gap, stretch, touch, output, period, dt):
-    modulus, soft, friction, damping = law[0], law[1], law[2], law[3]
+def _pair_forces(pose, motion, contacts, period, dt):
+    modulus, soft, friction, damping = contacts.law[0], contacts.law[1], contacts.law[2], contacts.law[3]
+    first, second, gap, radius = contacts.first, contacts.second, contacts.gap, contacts.radius
+    stretch, touch, output = contacts.stretch, contacts.touch, contacts.output
     for k in prange(len(first)):
         a = first[k]
         b = second[k]
@@ -146,74 +85,84 @@ def _pair_forces(pose, motion, law, radius, first, second, gap, stretch, touch, 
             touch[k] = TOUCHING if overlap > 0.0 else PARTED
 
 
-def _gather(
-    pose, motion, law, radius, touch, output, in_start, out_start, out_pair, wall_start, wall, wall_rest,
-    wall_stretch, wall_touch, wall_output, shape, walls, wall_friction, load, loss, dt,
-):  # fmt: skip
-    modulus, soft, damping = law[0], law[1], law[3]
+@device
+def _gathered(c, p):
+    """Force, torque over the radius, and losses of an element's contacts with others."""
+    touch, output = c.touch, c.output
+    f0 = f1 = f2 = q0 = q1 = q2 = damped = rubbed = 0.0
+    for k in range(c.in_start[p], c.in_start[p + 1]):
+        if touch[k] != 0:
+            f0 += output[k, 0]
+            f1 += output[k, 1]
+            f2 += output[k, 2]
+            q0 += output[k, 3]
+            q1 += output[k, 4]
+            q2 += output[k, 5]
+            damped += output[k, 6]
+            rubbed += output[k, 7]
+    for e in range(c.out_start[p], c.out_start[p + 1]):
+        k = c.out_pair[e]
+        if touch[k] != 0:
+            f0 -= output[k, 0]
+            f1 -= output[k, 1]
+            f2 -= output[k, 2]
+            q0 += output[k, 3]
+            q1 += output[k, 4]
+            q2 += output[k, 5]
+    return f0, f1, f2, q0, q1, q2, damped, rubbed
+
+
+@device
+def _with_wall(pose, motion, c, p, e, dt, total):
+    """The same with contact e of an element with a wall added, if they touch; it is kept for the wall too."""
+    f0, f1, f2, q0, q1, q2, damped, rubbed = total
+    law, shape, walls, w, r = c.law, c.shape, c.walls, c.wall[e], c.radius[p]
+    distance, nx, ny, nz = wall_gap(pose[p, 0], pose[p, 1], pose[p, 2], r, shape, walls, w)
+    overlap = max(c.wall_gap[e] - distance, 0.0)
+    output, stretch = c.wall_output, c.wall_stretch
+    for d in range(4):
+        output[e, d] = 0.0
+    if not (overlap > 0.0 or c.wall_touch[e] == TOUCHING):
+        return total
+    kn = law[0] * math.pi * r
+    ks = law[1] * kn
+    arm = r + distance  # from the centre to the wall
+    wx, wy, wz = arm * motion[p, 4], arm * motion[p, 5], arm * motion[p, 6]
+    grow = walls[w, RATE + 3] if shape[w, KIND] == OUTSIDE else -walls[w, RATE + 3]
+    vx = motion[p, 0] - walls[w, RATE] - grow * nx - (wy * nz - wz * ny)
+    vy = motion[p, 1] - walls[w, RATE + 1] - grow * ny - (wz * nx - wx * nz)
+    vz = motion[p, 2] - walls[w, RATE + 2] - grow * nz - (wx * ny - wy * nx)
+    twist = 0.5 * (motion[p, 4] * nx + motion[p, 5] * ny + motion[p, 6] * nz)
+    mass = 1.0 / motion[p, 3]
+    fx, fy, fz, s0, s1, s2, p0, p1, p2, lost, worn = contact_force(
+        kn, ks, 2.0 * law[3] * math.sqrt(kn * mass), 2.0 * law[3] * math.sqrt(ks * mass),
+        c.wall_friction[w], overlap, nx, ny, nz, vx, vy, vz, twist,
+        stretch[e, 0], stretch[e, 1], stretch[e, 2], stretch[e, 3], stretch[e, 4], stretch[e, 5], dt,
+    )  # fmt: skip
+    stretch[e, 0], stretch[e, 1], stretch[e, 2] = s0, s1, s2
+    stretch[e, 3], stretch[e, 4], stretch[e, 5] = p0, p1, p2
+    output[e, 0], output[e, 1], output[e, 2] = -fx, -fy, -fz
+    output[e, 3] = fx * nx + fy * ny + fz * nz
+    c.wall_touch[e] = TOUCHING if overlap > 0.0 else 0
+    lever = arm / r
+    q0 -= lever * (ny * fz - nz * fy)
+    q1 -= lever * (nz * fx - nx * fz)
+    q2 -= lever * (nx * fy - ny * fx)
+    return f0 + fx, f1 + fy, f2 + fz, q0, q1, q2, damped + lost, rubbed + worn
+
+
+def _gather(elements, contacts, dt):
+    pose, motion, loss, load = elements.pose, elements.motion, elements.loss, contacts.load
     for p in prange(len(load)):
-        f0 = f1 = f2 = q0 = q1 = q2 = damped = rubbed = 0.0
-        for k in range(in_start[p], in_start[p + 1]):
-            if touch[k] != 0:
-                f0 += output[k, 0]
-                f1 += output[k, 1]
-                f2 += output[k, 2]
-                q0 += output[k, 3]
-                q1 += output[k, 4]
-                q2 += output[k, 5]
-                damped += output[k, 6]
-                rubbed += output[k, 7]
-        for e in range(out_start[p], out_start[p + 1]):
-            k = out_pair[e]
-            if touch[k] != 0:
-                f0 -= output[k, 0]
-                f1 -= output[k, 1]
-                f2 -= output[k, 2]
-                q0 += output[k, 3]
-                q1 += output[k, 4]
-                q2 += output[k, 5]
-        r = radius[p]
-        for e in range(wall_start[p], wall_start[p + 1]):
-            w = wall[e]
-            distance, nx, ny, nz = wall_gap(pose[p, 0], pose[p, 1], pose[p, 2], r, shape, walls, w)
-            overlap = max(wall_rest[e] - distance, 0.0)
-            for d in range(4):
-                wall_output[e, d] = 0.0
-            if overlap > 0.0 or wall_touch[e] == TOUCHING:
-                kn = modulus * math.pi * r
-                ks = soft * kn
-                arm = r + distance  # from the centre to the wall
-                wx, wy, wz = arm * motion[p, 4], arm * motion[p, 5], arm * motion[p, 6]
-                grow = walls[w, 7] if shape[w, 7] == 2.0 else -walls[w, 7]
-                vx = motion[p, 0] - walls[w, 4] - grow * nx - (wy * nz - wz * ny)
-                vy = motion[p, 1] - walls[w, 5] - grow * ny - (wz * nx - wx * nz)
-                vz = motion[p, 2] - walls[w, 6] - grow * nz - (wx * ny - wy * nx)
-                twist = 0.5 * (motion[p, 4] * nx + motion[p, 5] * ny + motion[p, 6] * nz)
-                mass = 1.0 / motion[p, 3]
-                fx, fy, fz, s0, s1, s2, p0, p1, p2, lost, worn = contact_force(
-                    kn, ks, 2.0 * damping * math.sqrt(kn * mass), 2.0 * damping * math.sqrt(ks * mass),
-                    wall_friction[w], overlap, nx, ny, nz, vx, vy, vz, twist,
-                    wall_stretch[e, 0], wall_stretch[e, 1], wall_stretch[e, 2],
-                    wall_stretch[e, 3], wall_stretch[e, 4], wall_stretch[e, 5], dt,
-                )  # fmt: skip
-                wall_stretch[e, 0], wall_stretch[e, 1], wall_stretch[e, 2] = s0, s1, s2
-                wall_stretch[e, 3], wall_stretch[e, 4], wall_stretch[e, 5] = p0, p1, p2
-                f0 += fx
-                f1 += fy
-                f2 += fz
-                lever = arm / r
-                q0 -= lever * (ny * fz - nz * fy)
-                q1 -= lever * (nz * fx - nx * fz)
-                q2 -= lever * (nx * fy - ny * fx)
-                damped += lost
-                rubbed += worn
-                wall_output[e, 0], wall_output[e, 1], wall_output[e, 2] = -fx, -fy, -fz
-                wall_output[e, 3] = fx * nx + fy * ny + fz * nz
-                wall_touch[e] = TOUCHING if overlap > 0.0 else 0
+        total = _gathered(contacts, p)
+        for e in range(contacts.wall_start[p], contacts.wall_start[p + 1]):
+            total = _with_wall(pose, motion, contacts, p, e, dt, total)
+        f0, f1, f2, q0, q1, q2, damped, rubbed = total
+        r = contacts.radius[p]
         load[p, 0], load[p, 1], load[p, 2] = f0, f1, f2
         load[p, 3], load[p, 4], load[p, 5] = r * q0, r * q1, r * q2
-        loss[p, 0] += damped
-        loss[p, 2] += rubbed
+        loss[p, DAMPED] += damped
+        loss[p, RUBBED] += rubbed
 
 
 pair_forces = kernel(parallel=True)(_pair_forces)

@@ -1,4 +1,4 @@
-"""Dashpots of the bonds: as the springs, tile by tile, into sums of their own.
+"""Dashpots of the bonds: as the springs, into sums of their own.
 
 They act at the velocities in the middle of the last step, where the leapfrog has them; their loss is taken with that
 at the time of the forces, from the sums, so that the energy ledger stays second order.
@@ -7,47 +7,43 @@ at the time of the forces, from the sums, so that the energy ledger stays second
 import numpy as np
 
 from bondem._compile import device, kernel
-from bondem.kernels.bond_pass import add_forces, branch
+from bondem.kernels.bond_pass import apart, group, groups
 from bondem.kernels.element_pass import collect
+from bondem.kernels.lane_memory import add_loads, places, row, side
 from bondem.laws.damping import dashpot_force
 
 
 @device
-def damp_bonds(
-    added, pose, motion, i, j, integrity, period, row_i, row_j, first, last, fx, fy, fz, ax, ay, az, bx, by, bz
-):  # fmt: skip
-    """Add the dashpots of the bonds first … last to their sums, where there are any; overwrites the nine rows."""
-    if added is not None and len(added.dashed) > 0:
-        dashpot_forces(
-            pose, motion, i, j, added.dashpot, added.share, integrity, period, first, last,
-            fx, fy, fz, ax, ay, az, bx, by, bz,
-        )  # fmt: skip
-        add_forces(added.dashed, row_i, row_j, first, last, fx, fy, fz, ax, ay, az, bx, by, bz)
+def damp_bonds(added, elements, bonds, row_i, row_j, first, last):
+    """Add the dashpots of the bonds first … last to their sums, where there are any."""
+    if added is not None:
+        if len(added.dashed) > 0:
+            dashpot_loads(elements.pose, elements.motion, bonds, added, row_i, row_j, first, last)
 
 
 @device
-def collect_dashpots(added, row, parts, part, first, last):
+def collect_dashpots(added, cut, first, last):
     """As `collect` does with the sums of the springs."""
-    if added is not None and len(added.dashed) > 0:
-        collect(added.dashed, row, parts, part, first, last)
+    if added is not None:
+        if len(added.dashed) > 0:
+            collect(added.dashed, cut.shared_row, cut.parts, cut.part, first, last)
 
 
-@kernel(parallel=False, separate=True)
-def dashpot_forces(
-    pose, motion, i, j, value, share, integrity, period, first, last, fx, fy, fz, ax, ay, az, bx, by, bz
-):  # fmt: skip
-    """Force on j and torques on i and j of the dashpots of the bonds first … last, into nine rows."""
-    begin = np.uint64(first)
-    cn, cs, cb, ct = value[0], value[1], value[2], value[3]
-    for n in range(last - first):
-        k = np.uint64(n) + begin
-        a = i[k]
-        b = j[k]
-        dx, dy, dz = branch(pose, a, b, period)
-        s = integrity[k]
-        fx[n], fy[n], fz[n], ax[n], ay[n], az[n], bx[n], by[n], bz[n] = dashpot_force(
-            dx, dy, dz,
-            motion[b, 0] - motion[a, 0], motion[b, 1] - motion[a, 1], motion[b, 2] - motion[a, 2],
-            motion[a, 4], motion[a, 5], motion[a, 6], motion[b, 4], motion[b, 5], motion[b, 6],
-            share[k], s * cn[k], s * cs[k], s * cb[k], s * ct[k],
+@kernel(parallel=False)
+def dashpot_loads(pose, motion, bonds, added, row_i, row_j, first, last):
+    """Add force and torques of the dashpots of the bonds first … last to the rows of their two ends."""
+    m = np.uint64(added.dashpot.shape[1])
+    for g in range(groups(first, last)):
+        k, known = group(first, last, g)
+        i, j = places(bonds.i, k), places(bonds.j, k)
+        dx, dy, dz = apart(row(pose, i), row(pose, j), bonds.period)
+        a, b = row(motion, i), row(motion, j)
+        s = side(bonds.integrity, k)
+        fx, fy, fz, ax, ay, az, bx, by, bz = dashpot_force(
+            dx, dy, dz, b[0] - a[0], b[1] - a[1], b[2] - a[2], a[4], a[5], a[6], b[4], b[5], b[6],
+            side(added.share, k), s * side(added.dashpot, k), s * side(added.dashpot, m + k),
+            s * side(added.dashpot, np.uint64(2) * m + k), s * side(added.dashpot, np.uint64(3) * m + k),
         )  # fmt: skip
+        add_loads(
+            added.dashed, places(row_i, k), places(row_j, k), (fx, fy, fz), (ax, ay, az), (bx, by, bz), known
+        )

@@ -10,7 +10,11 @@ from bondem._compile import device, kernel
 from bondem.kernels.boundary import interpolate
 
 COLUMNS = 14
-RATE, FORCE, WORK, NORMAL = 4, 8, 12, 13
+GROWTH, RATE, FORCE, WORK, NORMAL = 3, 4, 8, 12, 13
+# A row of their shapes is a point (3), the normal or the axis (3), the radius [m] and the kind.
+AXIS, RADIUS, KIND = 3, 6, 7
+# Kinds: a plane, a cylinder around the elements, a cylinder among them.
+PLANE, INSIDE, OUTSIDE = 0.0, 1.0, 2.0
 
 
 @device
@@ -19,72 +23,79 @@ def wall_gap(x, y, z, radius, shape, walls, w):
     dx = x - shape[w, 0] - walls[w, 0]
     dy = y - shape[w, 1] - walls[w, 1]
     dz = z - shape[w, 2] - walls[w, 2]
-    nx, ny, nz = shape[w, 3], shape[w, 4], shape[w, 5]
+    nx, ny, nz = shape[w, AXIS], shape[w, AXIS + 1], shape[w, AXIS + 2]
     along = dx * nx + dy * ny + dz * nz
-    if shape[w, 7] == 0.0:
+    if shape[w, KIND] == PLANE:
         return along - radius, nx, ny, nz
     dx, dy, dz = dx - along * nx, dy - along * ny, dz - along * nz
     distance = math.sqrt(dx * dx + dy * dy + dz * dz)
-    sign = 1.0 if shape[w, 7] == 2.0 else -1.0
+    sign = 1.0 if shape[w, KIND] == OUTSIDE else -1.0
     scale = sign / distance if distance > 0.0 else 0.0
-    return sign * (distance - shape[w, 6] - walls[w, 3]) - radius, scale * dx, scale * dy, scale * dz
+    return sign * (distance - shape[w, RADIUS] - walls[w, GROWTH]) - radius, scale * dx, scale * dy, scale * dz
+
+
+@device
+def _wanted(contacts, s, t):
+    """Value of a schedule of the walls at time t."""
+    return interpolate(contacts.times, contacts.values, contacts.start[s], contacts.start[s + 1], t)
 
 
 @kernel(parallel=False)
-def move_walls(
-    t, dt, shape, walls, times, values, start, drive_wall, drive_component, drive_schedule, drive_rate,
-    servo_wall, servo_schedule, servo_speed, servo_mass,
-):  # fmt: skip
+def move_walls(t, dt, contacts):
     """Take the walls from t to t + dt."""
-    for e in range(len(drive_wall)):
-        s = drive_schedule[e]
-        w, c = drive_wall[e], drive_component[e]
-        if drive_rate[e]:
-            walls[w, RATE + c] = interpolate(times, values, start[s], start[s + 1], t + 0.5 * dt)
+    c, shape, walls = contacts, contacts.shape, contacts.walls
+    for e in range(len(c.drive_wall)):
+        s = c.drive_schedule[e]
+        w, column = c.drive_wall[e], RATE + c.drive_component[e]
+        if c.drive_rate[e]:
+            walls[w, column] = _wanted(c, s, t + 0.5 * dt)
         else:
-            now = interpolate(times, values, start[s], start[s + 1], t)
-            walls[w, RATE + c] = (interpolate(times, values, start[s], start[s + 1], t + dt) - now) / dt
-    for e in range(len(servo_wall)):
-        s = servo_schedule[e]
-        w = servo_wall[e]
-        wanted = interpolate(times, values, start[s], start[s + 1], t + dt)
-        inward = _inward(shape, walls, w) + dt * (wanted - walls[w, NORMAL]) / servo_mass[e]
-        inward = min(max(inward, -servo_speed[e]), servo_speed[e])
-        if shape[w, 7] == 0.0:
+            walls[w, column] = (_wanted(c, s, t + dt) - _wanted(c, s, t)) / dt
+    for e in range(len(c.servo_wall)):
+        w = c.servo_wall[e]
+        missing = _wanted(c, c.servo_schedule[e], t + dt) - walls[w, NORMAL]
+        inward = _inward(shape, walls, w) + dt * missing / c.servo_mass[e]
+        inward = min(max(inward, -c.servo_speed[e]), c.servo_speed[e])
+        if shape[w, KIND] == PLANE:
             for d in range(3):
-                walls[w, RATE + d] = inward * shape[w, 3 + d]
+                walls[w, RATE + d] = inward * shape[w, AXIS + d]
         else:
-            walls[w, RATE + 3] = inward if shape[w, 7] == 2.0 else -inward
+            walls[w, RATE + 3] = inward if shape[w, KIND] == OUTSIDE else -inward
     for w in range(len(walls)):
         for d in range(4):
             walls[w, d] += dt * walls[w, RATE + d]
 
 
 @kernel(parallel=False)
-def load_walls(dt, shape, walls, wall, output):
-    """Sum up what the elements do to the walls: rows of `output` are force (3) and normal force."""
+def load_walls(dt, contacts):
+    """Sum up what the elements do to the walls: rows of `wall_output` are force (3) and normal force."""
+    shape, walls, output = contacts.shape, contacts.walls, contacts.wall_output
     for w in range(len(walls)):
         walls[w, WORK] -= 0.5 * dt * _power(walls, w)
         for c in range(FORCE, FORCE + 4):
             walls[w, c] = 0.0
         walls[w, NORMAL] = 0.0
-    for e in range(len(wall)):
-        w = wall[e]
+    for e in range(len(contacts.wall)):
+        w = contacts.wall[e]
         for d in range(3):
             walls[w, FORCE + d] += output[e, d]
         walls[w, NORMAL] += output[e, 3]
     for w in range(len(walls)):
-        if shape[w, 7] > 0.0:
-            walls[w, FORCE + 3] = -walls[w, NORMAL] if shape[w, 7] == 2.0 else walls[w, NORMAL]
+        if shape[w, KIND] != PLANE:
+            walls[w, FORCE + 3] = -walls[w, NORMAL] if shape[w, KIND] == OUTSIDE else walls[w, NORMAL]
         walls[w, WORK] -= 0.5 * dt * _power(walls, w)
 
 
 @device
 def _inward(shape, walls, w):
     """Speed of a wall towards the elements [m/s]."""
-    if shape[w, 7] == 0.0:
-        return walls[w, RATE] * shape[w, 3] + walls[w, RATE + 1] * shape[w, 4] + walls[w, RATE + 2] * shape[w, 5]
-    return walls[w, RATE + 3] if shape[w, 7] == 2.0 else -walls[w, RATE + 3]
+    if shape[w, KIND] == PLANE:
+        return (
+            walls[w, RATE] * shape[w, AXIS]
+            + walls[w, RATE + 1] * shape[w, AXIS + 1]
+            + walls[w, RATE + 2] * shape[w, AXIS + 2]
+        )
+    return walls[w, RATE + 3] if shape[w, KIND] == OUTSIDE else -walls[w, RATE + 3]
 
 
 @device
@@ -101,5 +112,5 @@ def wall_travel(walls, listed):
     most = 0.0
     for w in range(len(walls)):
         x, y, z = walls[w, 0] - listed[w, 0], walls[w, 1] - listed[w, 1], walls[w, 2] - listed[w, 2]
-        most = max(most, math.sqrt(x * x + y * y + z * z) + abs(walls[w, 3] - listed[w, 3]))
+        most = max(most, math.sqrt(x * x + y * y + z * z) + abs(walls[w, GROWTH] - listed[w, GROWTH]))
     return most

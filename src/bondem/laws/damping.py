@@ -110,13 +110,15 @@ class DampingTerms:
 
 
 @device
-def local_damping(force, velocity, gamma):
-    """One component of force [N] or torque [N·m], damped."""
-    if velocity > 0.0:
-        return force - gamma * math.fabs(force)
-    if velocity < 0.0:
-        return force + gamma * math.fabs(force)
-    return force
+def direction(velocity):
+    """-1, 0 or 1, as one component of velocity is below, at or above zero."""
+    return 1.0 if velocity > 0.0 else (-1.0 if velocity < 0.0 else 0.0)
+
+
+@device
+def local_damping(force, direction, gamma):
+    """One component of force [N] or torque [N·m], damped against the `direction` of motion, -1, 0 or 1."""
+    return force - gamma * direction * math.fabs(force)
 
 
 @device

@@ -14,7 +14,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Ints
+from bondem._types import Ints, Mask
+from bondem.kernels.lanes import WIDTH
+from bondem.kernels.tables import Cut, lines
+from bondem.model.bond_table import with_twins
 from bondem.model.layout import Layout
 
 
@@ -29,10 +32,12 @@ class Blocks:
         domain: domain d has the blocks domain[d] … domain[d + 1], shape (domains + 1,).
         bond: block b has the bonds bond[b] … bond[b + 1], shape (blocks + 1,).
         move: block b moves the elements ready[move[b]] … ready[move[b + 1]], shape (blocks + 1,).
+        held: of those, from ready[held[b]] on they own rows of the boundary, shape (blocks,).
         ready: all elements that are not shared, in the order in which they move, uint32.
         ready_row: rows of their sums, uint32.
         row_i, row_j: rows that each bond adds to, uint32, shape (m,).
-        shared: elements with bonds that another domain computes, ascending, uint32, shape (s,).
+        shared: elements with bonds that another domain computes, those that own rows last, uint32, shape (s,).
+        shared_held: how many of them own none.
         shared_row: rows of their sums, uint32, shape (s,).
         part: rows parts + part[e] … parts + part[e + 1] also belong to shared element e, shape (s + 1,).
         parts: first of the rows that bonds between domains add to.
@@ -41,51 +46,78 @@ class Blocks:
     domain: Ints
     bond: Ints
     move: Ints
+    held: Ints
     ready: np.ndarray
     ready_row: np.ndarray
     row_i: np.ndarray
     row_j: np.ndarray
     shared: np.ndarray
     shared_row: np.ndarray
+    shared_held: int
     part: Ints
     parts: int
 
     @classmethod
-    def of(cls, layout: Layout, size: int, domains: int) -> "Blocks":
-        """Blocks of about `size` elements, in `domains` of about as many bonds each."""
+    def of(cls, layout: Layout, size: int, domains: int, owns: Mask) -> "Blocks":
+        """Blocks of about `size` elements, in `domains` of about as many bonds each.
+
+        Args:
+            layout: elements and bonds.
+            size: elements of a block.
+            domains: how many.
+            owns: whether each element owns a row of the boundary, internal order, shape (n,).
+        """
         n, m = len(layout.order), len(layout.i)
         i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
         border = np.searchsorted(layout.in_start, np.linspace(0, m, domains + 1)[1:-1])
         count = max(1, -(-n // size))
         # a border between domains may cut a block in two, which costs nothing
         edges = np.unique(np.concatenate([np.arange(count) * size, border, [n]]))
+        # a loop takes WIDTH bonds at once, the last of them perhaps together with some before
+        before = layout.in_start[edges]
+        edges = edges[(before == 0) | (before >= WIDTH) | (edges == n)]
         domain = np.searchsorted(edges, np.concatenate([[0], border, [n]]))
         owner = np.repeat(np.arange(domains), np.diff(edges[domain]))
         block = np.repeat(np.arange(len(edges) - 1), np.diff(edges))
         across = np.flatnonzero(owner[i] != owner[j])
-        across = across[np.argsort(i[across], kind="stable")]
-        shared, parts = np.unique(i[across], return_counts=True)
+        across = across[np.lexsort((i[across], owns[i[across]]))]
+        parts = np.bincount(i[across], minlength=n)
+        shared = np.flatnonzero(parts)
+        shared = shared[np.argsort(owns[shared], kind="stable")]
+        parts = parts[shared]
         last = block.copy()
         np.maximum.at(last, i, block[j])
         last[shared] = len(edges)  # beyond all blocks
-        ready = np.argsort(last, kind="stable")[: n - len(shared)]
+        ready = np.lexsort((owns, last))[: n - len(shared)]
         move = np.searchsorted(last[ready], np.arange(len(edges)))
+        held = move[1:] - np.bincount(last[ready][owns[ready]], minlength=len(edges) - 1)
         row, rows = _rows(edges, domain, ready, move)
         row_i = row[i]
         row_i[across] = rows + np.arange(len(across))
         return cls(
             domain=domain.astype(np.int64),
-            bond=layout.in_start[edges],
+            bond=np.append(layout.in_start[edges[:-1]], len(with_twins(layout.i))),
             move=move.astype(np.int64),
+            held=held.astype(np.int64),
             ready=ready.astype(np.uint32),
             ready_row=row[ready].astype(np.uint32),
-            row_i=row_i.astype(np.uint32),
-            row_j=row[j].astype(np.uint32),
+            row_i=with_twins(row_i.astype(np.uint32)),
+            row_j=with_twins(row[j].astype(np.uint32)),
             shared=shared.astype(np.uint32),
             shared_row=row[shared].astype(np.uint32),
+            shared_held=len(shared) - int(owns[shared].sum()),
             part=np.concatenate([[0], np.cumsum(parts)]).astype(np.int64),
             parts=rows,
         )
+
+    def table(self) -> Cut:
+        """The cut as kernels take it, with sums at zero."""
+        return Cut(
+            domain=self.domain, bond=self.bond, move=self.move, held=self.held, ready=self.ready,
+            ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,
+            shared_row=self.shared_row, shared_held=self.shared_held, part=self.part, parts=self.parts,
+            sums=lines(self.rows),
+        )  # fmt: skip
 
     @property
     def rows(self) -> int:

@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._types import Floats, PerBond
+from bondem.kernels.lanes import WIDTH
+from bondem.kernels.tables import Alike, Bonds
 from bondem.laws.bond import BondStiffness
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
@@ -15,16 +17,26 @@ class BondTable:
     """What the bond pass reads, internal order.
 
     Attributes:
-        constants: rows X0 (3), L [m], kn [N/m], A, B, C, kt [N·m], shape (9, m).
-        shear: ks [N/m], shape (m,).
-        bending: kb [N·m], shape (m,).
-        lever: distance of the contact point from the internal element i [m], shape (m,).
+        direction: X0, from i to j in the reference [-], shape (3, m).
+        length: L, or with a stress-free strain L (1 + ε*) [m], shape (m,).
+        kn: normal stiffness [N/m], shape (m,).
+        A, B, C: ks a² + kb - kt, ks a b - kb + kt, ks b² + kb - kt, with b = L - a [N·m], shape (m,).
+        kt: twisting stiffness [N·m], shape (m,).
+        ks: shear stiffness [N/m], shape (m,).
+        kb: bending stiffness [N·m], shape (m,).
+        lever: a, distance of the contact point from the internal element i [m], shape (m,).
         radius: bond radius [m], shape (m,).
     """
 
-    constants: Floats
-    shear: PerBond
-    bending: PerBond
+    direction: Floats
+    length: PerBond
+    kn: PerBond
+    A: PerBond
+    B: PerBond
+    C: PerBond
+    kt: PerBond
+    ks: PerBond
+    kb: PerBond
     lever: PerBond
     radius: PerBond
 
@@ -38,15 +50,19 @@ class BondTable:
         a = np.where(flipped, L - stiffness.lever[order], stiffness.lever[order])
         b = L - a
         k = kb - kt
-        constants = np.empty((9, len(L)))
-        constants[:3] = direction.T
-        constants[3] = L
-        constants[4] = stiffness.kn[order]
-        constants[5] = ks * a * a + k
-        constants[6] = ks * a * b - k
-        constants[7] = ks * b * b + k
-        constants[8] = kt
-        return cls(constants, ks.copy(), kb.copy(), a, stiffness.radius[order])
+        return cls(
+            direction=np.ascontiguousarray(direction.T),
+            length=L,
+            kn=stiffness.kn[order],
+            A=ks * a * a + k,
+            B=ks * a * b - k,
+            C=ks * b * b + k,
+            kt=kt,
+            ks=ks,
+            kb=kb,
+            lever=a,
+            radius=stiffness.radius[order],
+        )
 
     def stretched(self, strain: PerBond) -> "BondTable":
         """The same bonds with rest lengths L (1 + ε*); the moments' constants stay as they are.
@@ -57,26 +73,78 @@ class BondTable:
         if strain.size == 0:
             return self
         stretch = 1.0 + strain
-        constants = self.constants.copy()
-        constants[3] *= stretch
-        return replace(self, constants=constants, shear=self.shear / stretch**2, lever=self.lever * stretch)
+        return replace(
+            self, length=self.length * stretch, ks=self.ks / stretch**2, lever=self.lever * stretch
+        )
+
+    def separate(self) -> "BondTable":
+        """The same with copies of what a kernel changes where strains change in time."""
+        return replace(self, length=self.length.copy(), ks=self.ks.copy(), lever=self.lever.copy())
+
+    @property
+    def alike(self) -> Alike | None:
+        """kn L, A L = C L, B L and kt L where all bonds share them, else None.
+
+        So it is for Euler–Bernoulli bonds of one material and radius: their stiffnesses go as 1 / L.
+        """
+        if len(self.length) == 0:
+            return None
+        products = np.stack([self.kn, self.A, self.B, self.C, self.kt]) * self.length
+        largest = np.abs(products).max(axis=1)
+        spread = np.append(np.ptp(products, axis=1), abs(products[1] - products[3]).max())
+        if (spread > _ROUNDING * np.append(largest, largest[1])).any():
+            return None
+        kn, A, B, _, kt = products.mean(axis=1).tolist()
+        return Alike(kn, A, B, kt)
+
+    def rows(
+        self,
+        layout: Layout,
+        period: Floats,
+        integrity: PerBond,
+        *,
+        alike: bool = False,
+    ) -> Bonds:
+        """The bonds as kernels take them.
+
+        Fewer than WIDTH bonds are followed by twins of the first one that bear no force, so that a loop may read
+        WIDTH at once.
+
+        Args:
+            layout: ends of the bonds.
+            period: edges of the periodic cell and their inverses, (6,).
+            integrity: of the bonds, (m,).
+            alike: whether the kernel will read the force over the length only.
+        """
+        m = len(layout.i)
+        X0, Y0, Z0 = self.direction
+        hold = integrity / self.length if alike else np.zeros(0)
+        return Bonds(
+            m=m, i=with_twins(layout.i), j=with_twins(layout.j),
+            X0=with_twins(X0), Y0=with_twins(Y0), Z0=with_twins(Z0), length=with_twins(self.length),
+            kn=with_zeros(self.kn), A=with_zeros(self.A), B=with_zeros(self.B), C=with_zeros(self.C),
+            kt=with_zeros(self.kt), ks=with_zeros(self.ks), kb=with_zeros(self.kb), lever=with_zeros(self.lever),
+            integrity=with_zeros(integrity), hold=with_zeros(hold), period=period,
+        )  # fmt: skip
+
+
+def with_twins(column: np.ndarray) -> np.ndarray:
+    """A column of bonds (m,), with the first one again and again where there are fewer than WIDTH."""
+    return _longer(column, column[:1])
+
+
+def with_zeros(columns: np.ndarray) -> np.ndarray:
+    """Columns of bonds (…, m), with zeros behind where there are fewer than WIDTH."""
+    return _longer(columns, np.zeros(1))
+
+
+def _longer(columns: np.ndarray, value: np.ndarray) -> np.ndarray:
+    m = columns.shape[-1]
+    if m == 0 or m >= WIDTH:
+        return columns
+    more = np.broadcast_to(value.astype(columns.dtype), (*columns.shape[:-1], WIDTH - m))
+    return np.concatenate([columns, more], axis=-1)
 
 
 # Rounding that products of constants and length may differ by.
 _ROUNDING = 1e-14
-
-
-def alike(constants: Floats) -> tuple[float, float, float, float] | None:
-    """kn L, A L = C L, B L and kt L [N, N·m²] where all bonds share them, else None.
-
-    So it is for Euler–Bernoulli bonds of one material and radius: their stiffnesses go as 1 / L.
-    """
-    if constants.shape[1] == 0:
-        return None
-    products = constants[4:] * constants[3]
-    largest = np.abs(products).max(axis=1)
-    spread = np.append(np.ptp(products, axis=1), abs(products[1] - products[3]).max())
-    if (spread > _ROUNDING * np.append(largest, largest[1])).any():
-        return None
-    kn, A, B, _, kt = products.mean(axis=1).tolist()
-    return kn, A, B, kt

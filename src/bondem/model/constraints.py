@@ -7,6 +7,7 @@ import numpy as np
 
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import InputError
+from bondem.kernels.tables import Rows, Schedules
 from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
 from bondem.model.layout import Layout
 from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
@@ -147,6 +148,23 @@ class Constraints:
             strain_schedule=np.array([s for _, s in strains], dtype=np.int64),
             weight=np.where(lattice.connected, mass, 0.0)[layout.order],
         )
+
+    @property
+    def schedules(self) -> Schedules:
+        """What kernels take of the schedules."""
+        return Schedules(
+            times=self.times, values=self.values, start=self.start, drive_row=self.drive_row,
+            drive_dof=self.drive_dof, drive_schedule=self.drive_schedule, drive_rate=self.drive_rate,
+            load_row=self.load_row, load_schedule=self.load_schedule, load_value=self.load_value,
+        )  # fmt: skip
+
+    def rows(self, reaction: Floats, work: Floats) -> Rows:
+        """What kernels take of the rows, with the reactions (r, 6) and works of a state."""
+        still = np.zeros((3, len(self.element), 6))
+        return Rows(
+            of=self.row_of, fixed=self.fixed, force=still[0], half=still[1], full=still[2], reaction=reaction,
+            work=work,
+        )  # fmt: skip
 
     def final_load(self, n: int) -> Floats:
         """Forces and torques at the end of all schedules [N, N·m], internal order, shape (n, 6)."""

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Ints
+from bondem.kernels.tables import Adjacency
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.morton import morton_code
 
@@ -63,6 +64,11 @@ class Layout:
             out_start=_starts(i, n),
             out_bond=out_bond.astype(np.uint32),
         )
+
+    @property
+    def adjacency(self) -> Adjacency:
+        """Bonds of each element, as kernels take them."""
+        return Adjacency(self.in_start, self.out_start, self.out_bond)
 
 
 def _starts(ends: Ints, n: int) -> Ints:

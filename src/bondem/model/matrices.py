@@ -13,11 +13,9 @@ def stiffness_matrix(model: Model) -> bsr_array:
 
     It is the second derivative of the bond energy at rest; the same for both formulations.
     """
-    layout, bonds = model.layout, model.bonds
-    indptr, indices, data = block_matrix_arrays(
-        layout.i, layout.j, bonds.constants, bonds.shear, bonds.bending, bonds.lever,
-        layout.in_start, layout.out_start, layout.out_bond,
-    )  # fmt: skip
+    layout = model.layout
+    bonds = model.bonds.rows(layout, model.period, np.ones(len(layout.i)))
+    indptr, indices, data = block_matrix_arrays(bonds, layout.adjacency)
     size = 6 * len(layout.order)
     return bsr_array((data, indices, indptr), shape=(size, size))
 

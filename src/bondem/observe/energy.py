@@ -54,7 +54,4 @@ def linear_energy(
 
 def elastic_energy(model: Model, state: State) -> EnergyParts:
     """Energy of a state under the total formulation, at any rotation."""
-    layout, bonds = model.layout, model.bonds
-    return EnergyParts(*bond_energies(
-        state.pose, layout.i, layout.j, bonds.constants, bonds.shear, bonds.lever, state.integrity, model.period,
-    ))  # fmt: skip
+    return EnergyParts(*bond_energies(state.pose, model.bonds.rows(model.layout, model.period, state.integrity)))

@@ -3,18 +3,22 @@
 import numpy as np
 
 from bondem._types import Floats
-from bondem.kernels.boundary import Added, Strain
+from bondem.kernels.tables import Added, Strain
 from bondem.laws.damping import DampingTerms
+from bondem.model.bond_table import with_zeros
 from bondem.model.model import Model
 from bondem.model.state import State
 
 
-def added(model: Model, terms: DampingTerms, contact: Floats | None, rows: int) -> Added | None:
+def added(
+    model: Model, terms: DampingTerms, state: State, contact: Floats | None, rows: int
+) -> Added | None:
     """The rest of a run but for strains, or None for a plain one.
 
     Args:
         model: what is run.
         terms: of damping.
+        state: where it starts.
         contact: forces of contacts, where there are any, shape (n, 6).
         rows: of the sums of bond forces.
     """
@@ -24,18 +28,19 @@ def added(model: Model, terms: DampingTerms, contact: Floats | None, rows: int) 
     if not viscous and contact is None and not len(held.body_on):
         return None
     member, group = np.unique(held.body_on.T, axis=0, return_inverse=True)
+    body, strain, _ = held.works
     return Added(
         contact=np.zeros((0, 6)) if contact is None else contact,
-        group=(group.ravel() if len(held.body_on) else np.zeros(0)).astype(np.int64),
+        group=(group.ravel() if len(held.body_on) else np.zeros(0)).astype(np.uint32),
         member=member.astype(float),
         pull=held.body_value,
         schedule=held.body_schedule,
         present=np.zeros((len(member), 3)),
-        place=held.works[0],
+        body=state.work[body:strain].reshape(-1, 1),
         absorbing=held.absorbing,
         alpha=terms.alpha,
-        dashpot=bond_dashpots(model, terms) if damped else np.zeros((4, 0)),
-        share=plain.lever / plain.constants[3],
+        dashpot=with_zeros(bond_dashpots(model, terms)) if damped else np.zeros((4, 0)),
+        share=with_zeros(plain.lever / plain.length),
         dashed=np.zeros((rows if damped else 0, 8)),
         viscous=viscous,
     )
@@ -52,8 +57,8 @@ def changing_strain(model: Model, state: State) -> Strain | None:
         bond=bond.astype(np.uint32),
         part=np.ascontiguousarray(held.strain_part[:, bond]),
         still=1.0 + (state.eigenstrain[bond] if state.eigenstrain.size else np.zeros(len(bond))),
-        length=plain.constants[3, bond],
-        shear=plain.shear[bond],
+        length=plain.length[bond],
+        shear=plain.ks[bond],
         lever=plain.lever[bond],
         factor=np.zeros((4, len(held.strain_part))),
         place=held.works[1],
@@ -80,4 +85,4 @@ def _stiffness(model: Model) -> tuple[Floats, Floats]:
     layout, bonds = model.layout, model.bonds
     mass, inertia = model.mass[layout.order], model.inertia[layout.order]
     m, I = (1.0 / (1.0 / v[layout.i] + 1.0 / v[layout.j]) for v in (mass, inertia))
-    return np.array([bonds.constants[4], bonds.shear, bonds.bending, bonds.constants[8]]), np.array([m, m, I, I])
+    return np.array([bonds.kn, bonds.ks, bonds.kb, bonds.kt]), np.array([m, m, I, I])

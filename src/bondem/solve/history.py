@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.kernels.advance import FIXED_COLUMNS
+from bondem.kernels.tables import FIXED_COLUMNS
 
 _STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
 _ENERGIES = (*_STORED, "work", "loss", "friction")

@@ -4,23 +4,17 @@ import numpy as np
 
 from bondem._compile import current_threads
 from bondem.errors import InputError
-from bondem.kernels.advance import (
-    CONTACT,
-    FINE,
-    FIXED_COLUMNS,
-    NOT_FINITE,
-    SERIAL_BONDS,
-    TRANSLATION,
-    WALL_DISPLACEMENT,
-    advance,
-    evaluate,
-)
-from bondem.kernels.contact_pass import Contacts
-from bondem.kernels.sweep import TILE
+from bondem.kernels import tables
+from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance
+from bondem.kernels.boundary import set_boundary
+from bondem.kernels.contact_pass import contact_loads
+from bondem.kernels.sample import sample
+from bondem.kernels.sweep import sweep, sweep_domains
+from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, Contacts, Elements, Gauges, Run, Span
 from bondem.laws.damping import DampingTerms
 from bondem.model.blocks import Blocks
-from bondem.model.bond_table import BondTable, alike
-from bondem.model.gauges import QUANTITIES, REDUCTIONS, WALL_QUANTITIES, AnyGauge, Gauge
+from bondem.model.bond_table import with_zeros
+from bondem.model.gauges import AnyGauge, Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added, changing_strain
@@ -29,103 +23,133 @@ from bondem.solve.plan import Plan
 
 # Elements of a block: they stay in the L2 cache from their bonds to their motion.
 BLOCK = 4000
+# Bonds of a thread at least.
+_DOMAIN = SERIAL_BONDS // 4
 # Elements that move by this share of their radius a step have an energy that no guard minds.
 _STILL = 1e-6
 
-
-def rested(bonds: BondTable, eigenstrain: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Constants, shear stiffness and lever with rest lengths L (1 + ε*)."""
-    table = bonds.stretched(eigenstrain)
-    return table.constants, table.shear, table.lever
+_QUANTITIES = {
+    "displacement": tables.OF_DISPLACEMENT,
+    "velocity": tables.OF_VELOCITY,
+    "rotation": tables.OF_ROTATION,
+    "angular_velocity": tables.OF_SPIN,
+    "force": tables.OF_FORCE,
+}
+_WALL_QUANTITIES = {
+    "displacement": tables.WALL_DISPLACEMENT, "force": tables.WALL_FORCE, "growth": tables.WALL_GROWTH
+}  # fmt: skip
+_REDUCTIONS = {"mean": tables.MEAN, "sum": tables.SUM, "max_abs": tables.LARGEST}
 
 
 class CpuLoop:
-    """The arguments of the compiled loop, gathered once."""
+    """The tables of one run, and the calls that go on with it."""
 
     def __init__(self, model: Model, plan: Plan, state: State, dt: float) -> None:
         self.state = state
-        self.plan = plan
-        self.origin = state.time - state.step * dt
-        self.dt = dt
-        layout, bonds, held = model.layout, model.bonds, model.constraints
-        self.width = FIXED_COLUMNS + 3 * len(plan.gauges)
-        constants, shear, lever = rested(bonds, state.eigenstrain)
-        same = alike(constants)
-        if len(held.strain_part):  # they change while it runs
-            constants, shear, lever, same = constants.copy(), shear.copy(), lever.copy(), None
-        domains = current_threads() if len(layout.i) >= SERIAL_BONDS else 1
-        blocks = Blocks.of(layout, BLOCK, domains)
-        rows = np.zeros((2, len(held.element), 6))
+        self._every = int(plan.every)
+        self._origin = state.time - state.step * dt
+        self._width = FIXED_COLUMNS + 3 * len(plan.gauges)
+        layout, held = model.layout, model.constraints
         terms = DampingTerms.of(plan.damping)
-        self.scheme = (*plan.scheme.coefficients(dt), terms.gamma)
-        self.arrays = (
-            state.pose, state.motion, state.acceleration, layout.i, layout.j, constants, same, shear,
-            bonds.bending, lever, state.integrity, state.history, model.period,
-            np.empty((domains, 9, TILE)), blocks.row_i, blocks.row_j, np.zeros((blocks.rows, 8)),
-            blocks.domain, blocks.bond, blocks.move, blocks.ready, blocks.ready_row, blocks.shared, blocks.shared_row,
-            blocks.parts, blocks.part,
-            held.times, held.values, held.start, held.drive_row, held.drive_dof, held.drive_schedule,
-            held.drive_rate, held.load_row, held.load_schedule, held.load_value,
-            held.row_of, held.fixed, np.zeros((len(held.element), 6)), rows[0], rows[1], state.reaction,
-            state.work, state.loss, state.rest,
-            *gauge_tables(model, plan),
-        )  # fmt: skip
-        self.contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
-        self.budget = np.zeros(2)  # as `kernels.advance.guard` has it
+        self._scheme = tables.Scheme(dt, *plan.scheme.coefficients(dt), terms.gamma, self._origin)
+        bonds = model.bonds.stretched(state.eigenstrain)
+        changing = len(held.strain_part) > 0
+        if changing:  # their lengths change while it runs
+            bonds = bonds.separate()
+        self._same = None if changing else bonds.alike
+        domains = 1
+        if len(layout.i) >= SERIAL_BONDS:
+            domains = min(current_threads(), len(layout.i) // _DOMAIN)
+        blocks = Blocks.of(layout, BLOCK, domains, held.row_of >= 0)
+        self._contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
+        self._run = Run(
+            elements=Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest),
+            bonds=bonds.rows(layout, model.period, state.integrity, alike=self._same is not None),
+            cut=blocks.table(),
+            rows=held.rows(state.reaction, state.work),
+            schedules=held.schedules,
+            gauges=gauge_tables(model, plan),
+            budget=np.zeros(2),  # as `kernels.advance.guard` has it
+        )
         self._still = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
-        contact = None if self.contacts is None else self.contacts.arrays.load
-        self.added = added(model, terms, contact, blocks.rows), changing_strain(model, state)
+        contact = None if self._contacts is None else self._contacts.arrays.load
+        self._added = added(model, terms, state, contact, blocks.rows)
+        self._strain = changing_strain(model, state)
+        self._history = with_zeros(state.history) if model.formulation == "incremental" else None
+
+    @property
+    def _touching(self) -> Contacts | None:
+        return None if self._contacts is None else self._contacts.arrays
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
-        records = np.empty((1, self.width))
-        evaluate(
-            self.state.step, self.origin, self.dt, self.scheme[3], self.state.stale, *self.arrays,
-            self._contact_arrays, *self.added, records,
-        )  # fmt: skip
-        self.state.stale = False
-        self.budget[0] = max(self.budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
+        run, dt = self._run, self._scheme.dt
+        t = self._origin + self.state.step * dt
+        pose, bonds = run.elements.pose, run.bonds
+        set_boundary(t, dt, True, run.schedules, run.rows, pose, bonds, self._added, self._strain)
+        if self.state.stale:
+            self._evaluate()
+            self._keep()
+            self.state.stale = False
+        records = np.empty((1, self._width))
+        sample(t, run.elements, bonds, run.rows, run.gauges, self._history, self._touching, records[0])
+        budget = run.budget
+        budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
         return records
 
-    @property
-    def _contact_arrays(self) -> Contacts | None:
-        return None if self.contacts is None else self.contacts.arrays
+    def _evaluate(self) -> None:
+        """Find the acceleration of the present state."""
+        run = self._run
+        still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
+        if self._touching is not None:
+            contact_loads(run.elements, run.bonds.period, 0.0, self._touching)
+        every = (run.elements, run.bonds, self._same, self._history, run.cut, run.rows, still, self._added, False)
+        if len(run.cut.domain) == 2:
+            sweep(*every, 0, len(run.cut.move) - 1)
+        else:
+            sweep_domains(*every)
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
         """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` found."""
         if self.state.stale:
             self.look()
-        every = int(self.plan.every)
-        state = self.state
-        records = np.empty((steps // every + 1 if every else 0, self.width))
+        state, every = self.state, self._every
+        records = np.empty((steps // every + 1 if every else 0, self._width))
         done, written, wide, lost = 0, 0, 0, 0
         sick, moved = FINE, False
         while sick == FINE:
+            span = Span(state.step + done, steps - done, every, moved)
             gone, new, turned, lost, sick, moved = advance(
-                state.step + done, steps - done, every, self.origin, self.dt, moved, *self.scheme, *self.arrays,
-                self._contact_arrays, *self.added, self.budget, records[written:],
+                span, self._scheme, self._run, self._same, self._history, self._touching, self._added, self._strain,
+                records[written:],
             )  # fmt: skip
             done, written, wide = done + gone, written + new, max(wide, turned)
-            if not moved or self.contacts is None:
+            if not moved or self._contacts is None:
                 break
-            self.contacts.keep()
-            sick = FINE if self.contacts.renew(state.step + done) else NOT_FINITE
+            self._contacts.keep()
+            sick = FINE if self._contacts.renew(state.step + done) else NOT_FINITE
         state.step += done
-        state.time = self.origin + state.step * self.dt
-        if self.contacts is not None and sick == FINE:
-            self.contacts.keep()
+        state.time = self._origin + state.step * self._scheme.dt
+        self._keep()
+        if self._contacts is not None and sick == FINE:
+            self._contacts.keep()
         return records[:written], wide, lost, sick
 
+    def _keep(self) -> None:
+        """Hand what bonds store to the state, where the kernels had a longer table of them."""
+        if self._history is not None and self._history is not self.state.history:
+            self.state.history[:] = self._history[:, : self._run.bonds.m]
 
-def gauge_tables(model: Model, plan: Plan) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Gauges as kernels take them: where the elements (or walls) of each begin, these, its quantity and reduction."""
+
+def gauge_tables(model: Model, plan: Plan) -> Gauges:
+    """Gauges as kernels take them."""
     gauges = list(plan.gauges.values())
     members = [_members(model, gauge) for gauge in gauges]
-    return (
-        np.concatenate([[0], np.cumsum([len(part) for part in members])]).astype(np.int64),
-        np.concatenate(members) if members else np.zeros(0, dtype=np.int64),
-        np.array([_quantity(gauge) for gauge in gauges], dtype=np.int64),
-        np.array([_reduction(gauge) for gauge in gauges], dtype=np.int64),
+    return Gauges(
+        start=np.concatenate([[0], np.cumsum([len(part) for part in members])]).astype(np.int64),
+        element=np.concatenate(members) if members else np.zeros(0, dtype=np.int64),
+        quantity=np.array([_quantity(gauge) for gauge in gauges], dtype=np.int64),
+        reduction=np.array([_reduction(gauge) for gauge in gauges], dtype=np.int64),
     )
 
 
@@ -144,9 +168,9 @@ def _members(model: Model, gauge: AnyGauge) -> np.ndarray:
 
 def _quantity(gauge: AnyGauge) -> int:
     if isinstance(gauge, Gauge):
-        return QUANTITIES.index(gauge.quantity)
-    return WALL_DISPLACEMENT + WALL_QUANTITIES.index(gauge.quantity)
+        return _QUANTITIES[gauge.quantity]
+    return _WALL_QUANTITIES[gauge.quantity]
 
 
 def _reduction(gauge: AnyGauge) -> int:
-    return REDUCTIONS.index(gauge.reduction) if isinstance(gauge, Gauge) else 0
+    return _REDUCTIONS[gauge.reduction] if isinstance(gauge, Gauge) else tables.MEAN

@@ -16,17 +16,17 @@ import numpy as np
 
 from bondem._compile_cuda import Array, download, launch, missing, recorded, upload, zeros
 from bondem.errors import InputError
-from bondem.kernels.advance import FIXED_COLUMNS, GUARD_INTERVAL
+from bondem.kernels.advance import GUARD_INTERVAL
 from bondem.kernels.cuda import sample
 from bondem.kernels.cuda.bonds import bond_forces, rotation_guard
 from bondem.kernels.cuda.elements import move, open_step, schedule_rows
+from bondem.kernels.tables import FIXED_COLUMNS
 from bondem.laws.damping import DampingTerms, LocalDamping
-from bondem.model.bond_table import alike
 from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.loop_cpu import gauge_tables, rested
+from bondem.solve.loop_cpu import gauge_tables
 from bondem.solve.plan import Plan
 
 # Columns of a record that the device fills, in its order; there are no contacts.
@@ -55,14 +55,17 @@ class GpuLoop:
         layout, held = model.layout, model.constraints
         n, self._bonds, self._rows = len(layout.order), len(layout.i), len(held.element)
         self._elements = n
-        constants, _, _ = rested(model.bonds, state.eigenstrain)
-        same = alike(constants)
+        bonds = model.bonds.stretched(state.eigenstrain)
+        same = bonds.alike
+        constants = np.vstack([bonds.direction, bonds.length])
+        if same is None:
+            constants = np.vstack([constants, bonds.kn, bonds.A, bonds.B, bonds.C, bonds.kt])
         self._clock = upload(np.zeros(1, dtype=np.int64))
         self._pose, self._motion = upload(state.pose), upload(state.motion)
         self._acceleration = upload(state.acceleration)
         self._loss, self._work, self._reaction = upload(state.loss), upload(state.work), upload(state.reaction)
         self._bond_arrays = (
-            upload(layout.i), upload(layout.j), upload(constants if same is None else constants[:4]),
+            upload(layout.i), upload(layout.j), upload(constants),
             upload(np.zeros(4) if same is None else np.array(same)), upload(state.integrity), upload(model.period),
         )  # fmt: skip
         self._forces = zeros(9, self._bonds)
@@ -79,11 +82,12 @@ class GpuLoop:
             _starts(held.drive_row, self._rows), held.drive_dof[drives], held.drive_schedule[drives],
             held.drive_rate[drives],
         ))  # fmt: skip
-        start, element, quantity, reduction = gauge_tables(model, plan)
-        self._gauges = len(quantity)
-        self._gauge_start, self._reduction = upload(start), upload(reduction)
+        gauges = gauge_tables(model, plan)
+        start, element = gauges.start, gauges.element
+        self._gauges = len(gauges.quantity)
+        self._gauge_start, self._reduction = upload(start), upload(gauges.reduction)
         self._gauge_arrays = (
-            upload(state.rest[element]), self._gauge_start, upload(element.astype(np.int32)), upload(quantity),
+            upload(state.rest[element]), self._gauge_start, upload(element.astype(np.int32)), upload(gauges.quantity),
             self._reduction,
         )  # fmt: skip
         parts = _parts(max(n, self._bonds))

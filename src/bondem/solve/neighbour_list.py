@@ -4,7 +4,8 @@ import numpy as np
 
 from bondem._types import Ints
 from bondem.kernels.contact_list import pair_candidates, wall_candidates
-from bondem.kernels.contact_pass import TOUCHING, Contacts
+from bondem.kernels.contact_pass import TOUCHING
+from bondem.kernels.tables import Contacts
 from bondem.model.contacts import ContactModel, near
 from bondem.model.model import Model
 from bondem.model.state import State

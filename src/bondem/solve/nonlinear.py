@@ -13,7 +13,9 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError
-from bondem.kernels.bond_pass import bond_forces, rotation_guard
+from bondem.kernels.bond_pass import bond_loads, rotation_guard
+from bondem.kernels.tables import lines
+from bondem.model.bond_table import with_twins
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.linear import System, solver
@@ -85,15 +87,14 @@ def _advance(model: Model, system: System, start: State, load: Floats, motion: F
     """The equilibrium under `load` after a prescribed `motion`, or by how much to shorten the step."""
     state = start.copy()
     metric = np.repeat([1.0, 1.0 / system.length], 3)
-    noise = 1e-14 * float((model.bonds.constants[4] * model.bonds.constants[3]).max()) * np.sqrt(len(load))
+    noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(load))
+    bonds = model.bonds.rows(model.layout, model.period, state.integrity)
     for k in range(_ROUNDS):
         force = _forces(model, state.pose)
         rest = np.where(system.free, load - force, 0.0) * metric
         scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, 0.0, force) * metric)
         if k and np.linalg.norm(rest) <= _TOLERANCE * scale + noise:
-            wide, _, sick = rotation_guard(
-                state.pose, model.layout.i, model.layout.j, model.bonds.constants, state.integrity, model.period
-            )
+            wide, _, sick = rotation_guard(state.pose, bonds)
             return 0.5 if wide or sick else state
         tangent = replace(system, matrix=tangent_matrix(model, system.matrix, state.pose))
         right = (load - force).ravel()
@@ -130,10 +131,12 @@ def _forces(model: Model, pose: Floats) -> Floats:
 def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
     """Derivative of each bond's energy by the motion of its two ends, (6, m) each."""
     m = len(i)
-    output = np.empty((9, m))
-    bond_forces(pose, i, j, model.bonds.constants, None, np.ones(m), model.period, 0, m, *output)
-    force = output[:3]
-    return np.concatenate([force, -output[3:6]]), np.concatenate([-force, -output[6:9]])
+    bonds = model.bonds.rows(model.layout, model.period, np.ones(m))._replace(i=with_twins(i), j=with_twins(j))
+    loads = lines(2 * m)  # every bond adds to two rows of its own
+    own = np.arange(m, dtype=np.uint32)
+    bond_loads(pose, bonds, None, loads, with_twins(own), with_twins(own + np.uint32(m)), 0, len(bonds.i))
+    columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
+    return columns[:, :m], columns[:, m:]
 
 
 def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> bsr_array:
@@ -148,7 +151,7 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> bsr_array:
     ends = np.concatenate([pose[layout.i], pose[layout.j]])
     first = np.arange(m, dtype=layout.i.dtype)
     second = first + np.asarray(m, dtype=layout.i.dtype)
-    length = model.bonds.constants[3]
+    length = model.bonds.length
     H = np.empty((m, 12, 12))
     for d in range(12):
         side, dof = divmod(d, 6)

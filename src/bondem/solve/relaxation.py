@@ -5,9 +5,8 @@ import numpy as np
 from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.kernels.bond_pass import rotation_guard
-from bondem.kernels.dynamic_relaxation import relax
-from bondem.kernels.sweep import TILE
-from bondem.model.bond_table import alike
+from bondem.kernels.dynamic_relaxation import Relaxation, relax
+from bondem.kernels.tables import lines
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.energy import elastic_energy
@@ -57,25 +56,21 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     inverse = np.column_stack([1.0 / mass, 1.0 / inertia]) * connected[:, None]
 
     state, model = State(model), strained(model, 1.0)
-    constants = model.bonds.constants
-    fastest = max(np.abs(motion[:, :3]).max() / constants[3].min(initial=np.inf), np.abs(motion[:, 3:]).max())
-    ramp = max(1, int(np.ceil(fastest / _PACE)))
-    before, velocity = np.zeros((n, 6)), np.zeros((n, 6))
-    arrays = (
-        state.pose, velocity, layout.i, layout.j, constants, alike(constants), state.integrity, model.period,
-        np.empty((9, TILE)), np.zeros((n, 8)), before, load, inverse, free, motion, ramp,
+    bonds, same = model.bonds, model.bonds.alike
+    rows = bonds.rows(model.layout, model.period, state.integrity, alike=same is not None)
+    fastest = max(np.abs(motion[:, :3]).max() / bonds.length.min(initial=np.inf), np.abs(motion[:, 3:]).max())
+    relaxation = Relaxation(
+        velocity=np.zeros((n, 6)), sums=lines(n), before=np.zeros((n, 6)), load=load, inverse=inverse, free=free,
+        motion=motion, memory=np.zeros(2), ramp=max(1, int(np.ceil(fastest / _PACE))), length=length,
+        tolerance=tolerance, noise=1e-14 * float((bonds.kn * bonds.length).max(initial=0.0)) * np.sqrt(n),
     )  # fmt: skip
-    noise = 1e-14 * float((constants[4] * constants[3]).max(initial=0.0)) * np.sqrt(n)
-    memory = np.zeros(2)
     done, ratio, finished = 0, np.inf, False
     while done < most and not finished:
         goal = min(_CHUNK, most - done)
-        gone, ratio = relax(*arrays, done, goal, length, tolerance, noise, memory)
+        gone, ratio = relax(state.pose, rows, same, relaxation, done, goal)
         finished = gone < goal
         done += gone
-        _, lost, sick = rotation_guard(
-            state.pose, layout.i, layout.j, constants, state.integrity, model.period
-        )
+        _, lost, sick = rotation_guard(state.pose, rows)
         if lost or sick:
             raise ConvergenceError(
                 f"{lost} bonds are turned beyond 90 degrees after {done} steps; lower the load, or bond with more and"
@@ -88,7 +83,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         )
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
     values = turned[layout.rank]
-    reaction = np.where(held, -before - load, 0.0)[layout.rank]
+    reaction = np.where(held, -relaxation.before - load, 0.0)[layout.rank]
     return StaticResult(values[:, :3].copy(), values[:, 3:].copy(), reaction, elastic_energy(model, state))
 
 
@@ -100,11 +95,11 @@ def masses(model: Model) -> tuple[PerElement, PerElement]:
     """
     layout, bonds = model.layout, model.bonds
     n = len(layout.order)
-    kn, kt = bonds.constants[4], bonds.constants[8]
+    kn, kt = bonds.kn, bonds.kt
     along, about = np.zeros(n), np.zeros(n)
-    for end, arm in ((layout.i, bonds.lever), (layout.j, bonds.constants[3] - bonds.lever)):
-        along += np.bincount(end, weights=np.maximum(kn, bonds.shear), minlength=n)
-        about += np.bincount(end, weights=np.maximum(kt, bonds.bending + bonds.shear * arm**2), minlength=n)
+    for end, arm in ((layout.i, bonds.lever), (layout.j, bonds.length - bonds.lever)):
+        along += np.bincount(end, weights=np.maximum(kn, bonds.ks), minlength=n)
+        about += np.bincount(end, weights=np.maximum(kt, bonds.kb + bonds.ks * arm**2), minlength=n)
     along[along == 0.0] = 1.0
     about[about == 0.0] = 1.0
     scale = stiffest(model, along, about) / _FREQUENCY**2

@@ -117,8 +117,8 @@ class Statics:
 
 def strain_load(model: Model, strain: PerBond) -> Floats:
     """Forces by which bonds with a stress-free strain push their ends apart [N], internal order, (6 n,)."""
-    layout, constants = model.layout, model.bonds.constants
-    push = constants[4] * constants[3] * strain * constants[:3]
+    layout, bonds = model.layout, model.bonds
+    push = bonds.kn * bonds.length * strain * bonds.direction
     load = np.zeros((len(layout.order), 6))
     for d in range(3):
         load[:, d] = np.bincount(layout.j, weights=push[d], minlength=len(load))

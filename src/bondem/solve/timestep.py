@@ -9,9 +9,9 @@ from scipy.linalg import eigh_tridiagonal
 
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import StepWarning, UnstableStepError
-from bondem.kernels.bond_pass import add_forces, bond_forces
+from bondem.kernels.bond_pass import bond_loads
+from bondem.kernels.tables import lines
 from bondem.laws.damping import AnyDamping, DampingTerms
-from bondem.model.bond_table import alike
 from bondem.model.model import Model
 from bondem.solve.added import bond_delay
 from bondem.solve.schemes import Scheme
@@ -52,13 +52,12 @@ def stiffest(
     layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
     if m == 0:
         return 0.0
-    constants = model.bonds.constants
     intact = np.ones(m) if integrity is None else integrity
-    same = alike(constants)
-    rows, sums = np.empty((9, m)), np.zeros((n, 8))
-    pose = np.zeros((n, 8))
+    table, same = model.bonds, model.bonds.alike
+    bonds, sums = table.rows(layout, model.period, intact, alike=same is not None), lines(n)
+    pose = lines(n)
     rest = model.lattice.particles.position[layout.order]
-    shortest = float(constants[3].min())
+    shortest = float(table.length.min())
     root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
 
     def answer(y: Floats) -> Floats:
@@ -69,16 +68,15 @@ def stiffest(
         pose[:, 4] = 1.0
         pose[:, 5:] = 0.5 * motion[:, 3:]
         pose[:, 4:] /= np.sqrt(np.einsum("nk,nk->n", pose[:, 4:], pose[:, 4:]))[:, None]
-        bond_forces(pose, layout.i, layout.j, constants, same, intact, model.period, 0, m, *rows)
-        add_forces(sums, layout.i, layout.j, 0, m, *rows)
-        forces = sums[:, :6] * (-size * root)
+        bond_loads(pose, bonds, same, sums, bonds.i, bonds.j, 0, len(bonds.i))
+        forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
         sums[:] = 0.0
         return forces
 
     held = np.zeros(n)
-    for end, arm in ((layout.i, model.bonds.lever), (layout.j, constants[3] - model.bonds.lever)):
-        held += np.bincount(end, weights=intact * (constants[4] + model.bonds.shear), minlength=n) / mass
-        turned = intact * (model.bonds.shear * arm**2 + model.bonds.bending)
+    for end, arm in ((layout.i, table.lever), (layout.j, table.length - table.lever)):
+        held += np.bincount(end, weights=intact * (table.kn + table.ks), minlength=n) / mass
+        turned = intact * (table.ks * arm**2 + table.kb)
         held += np.bincount(end, weights=turned, minlength=n) / inertia
     start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
     vector, last = start / np.linalg.norm(start), np.zeros((n, 6))

@@ -5,10 +5,49 @@ is that of `bondem.kernels.element_pass` and `bondem.kernels.boundary`, by the s
 both, with its dozen arrays, it would take the CPU twice the time for a step.)
 """
 
+from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.boundary import interpolate
-from bondem.kernels.element_pass import _drift, _motion_of, _power, _prescribed, _switched
-from bondem.laws.damping import local_damping
+from bondem.kernels.element_rows import loaded, prescribed, react, row_power, switched_energy
+from bondem.kernels.tables import DAMPED, POWER
+from bondem.laws.damping import direction, local_damping
+from bondem.laws.rotations import turn
+
+
+@device
+def _velocities(motion, p):
+    return (motion[p, 0], motion[p, 1], motion[p, 2]), (motion[p, 4], motion[p, 5], motion[p, 6])
+
+
+@device
+def _put_velocities(motion, p, v, w):
+    motion[p, 0], motion[p, 1], motion[p, 2] = v
+    motion[p, 4], motion[p, 5], motion[p, 6] = w
+
+
+@device
+def _kicked(v, h, a):
+    return v[0] + h * a[0], v[1] + h * a[1], v[2] + h * a[2]
+
+
+@device
+def _damped(f, v, gamma):
+    return (
+        local_damping(f[0], direction(v[0]), gamma),
+        local_damping(f[1], direction(v[1]), gamma),
+        local_damping(f[2], direction(v[2]), gamma),
+    )
+
+
+@device
+def _drift(pose, p, dt, extra, v, w, a, b):
+    pose[p, 0] += dt * v[0] + extra * a[0]
+    pose[p, 1] += dt * v[1] + extra * a[1]
+    pose[p, 2] += dt * v[2] + extra * a[2]
+    pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7] = turn(
+        pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7],
+        dt * w[0] + extra * b[0], dt * w[1] + extra * b[1], dt * w[2] + extra * b[2],
+    )  # fmt: skip
 
 
 @cuda_kernel
@@ -48,19 +87,18 @@ def open_step(
     p = cuda.grid(1)
     if p >= pose.shape[0]:
         return
-    ax, ay, az = acceleration[p, 0], acceleration[p, 1], acceleration[p, 2]
-    bx, by, bz = acceleration[p, 3], acceleration[p, 4], acceleration[p, 5]
-    vx, vy, vz = motion[p, 0] + begin * ax, motion[p, 1] + begin * ay, motion[p, 2] + begin * az
-    wx, wy, wz = motion[p, 4] + begin * bx, motion[p, 5] + begin * by, motion[p, 6] + begin * bz
+    a = acceleration[p, 0], acceleration[p, 1], acceleration[p, 2]
+    b = acceleration[p, 3], acceleration[p, 4], acceleration[p, 5]
+    v, w = _velocities(motion, p)
     r = row_of[p]
     if r >= 0:
-        m, u = motion[p, 3], motion[p, 7]
-        work[r] += _switched(row_fixed, row_half, r, m, u, *_motion_of(motion, p))
-        vx, vy, vz, wx, wy, wz = _prescribed(row_fixed, row_half, r, vx, vy, vz, wx, wy, wz)
-        work[r] += 0.5 * dt * _power(row_fixed, row_force, row_reaction, r, vx, vy, vz, wx, wy, wz)
-    motion[p, 0], motion[p, 1], motion[p, 2] = vx, vy, vz
-    motion[p, 4], motion[p, 5], motion[p, 6] = wx, wy, wz
-    _drift(pose, p, dt, extra, vx, vy, vz, wx, wy, wz, ax, ay, az, bx, by, bz)
+        work[r] += switched_energy(row_fixed, row_half, r, motion[p, 3], motion[p, 7], v, w)
+    v, w = _kicked(v, begin, a), _kicked(w, begin, b)
+    if r >= 0:
+        v, w = prescribed(row_fixed, row_half, r, v, w)
+        work[r] += 0.5 * dt * row_power(row_fixed, row_force, row_reaction, r, v, w)
+    _put_velocities(motion, p, v, w)
+    _drift(pose, p, dt, extra, v, w, a, b)
 
 
 @cuda_kernel
@@ -94,69 +132,41 @@ def move(
         t0 += forces[3, k]
         t1 += forces[4, k]
         t2 += forces[5, k]
-    vx, vy, vz = motion[p, 0], motion[p, 1], motion[p, 2]
-    wx, wy, wz = motion[p, 4], motion[p, 5], motion[p, 6]
+    f, t = (f0, f1, f2), (t0, t1, t2)
+    v, w = _velocities(motion, p)
+    m, u = motion[p, 3], motion[p, 7]
     r = row_of[p]
     if r >= 0:
-        row_reaction[r, 0], row_reaction[r, 1], row_reaction[r, 2] = -f0, -f1, -f2
-        row_reaction[r, 3], row_reaction[r, 4], row_reaction[r, 5] = -t0, -t1, -t2
-        work[r] += 0.5 * dt * _power(row_fixed, row_force, row_reaction, r, vx, vy, vz, wx, wy, wz)
-        f0 += row_force[r, 0]
-        f1 += row_force[r, 1]
-        f2 += row_force[r, 2]
-        t0 += row_force[r, 3]
-        t1 += row_force[r, 4]
-        t2 += row_force[r, 5]
-        f0 = 0.0 if row_fixed[r, 0] else f0
-        f1 = 0.0 if row_fixed[r, 1] else f1
-        f2 = 0.0 if row_fixed[r, 2] else f2
-        t0 = 0.0 if row_fixed[r, 3] else t0
-        t1 = 0.0 if row_fixed[r, 4] else t1
-        t2 = 0.0 if row_fixed[r, 5] else t2
-    g0, g1, g2, h0, h1, h2 = f0, f1, f2, t0, t1, t2
+        react(row_reaction, r, f, t)
+        work[r] += 0.5 * dt * row_power(row_fixed, row_force, row_reaction, r, v, w)
+        f, t = loaded(row_fixed, row_force, r, f, t)
+    whole_f, whole_t = f, t
     if gamma > 0.0:
-        f0 = local_damping(f0, vx, gamma)
-        f1 = local_damping(f1, vy, gamma)
-        f2 = local_damping(f2, vz, gamma)
-        t0 = local_damping(t0, wx, gamma)
-        t1 = local_damping(t1, wy, gamma)
-        t2 = local_damping(t2, wz, gamma)
-    m = motion[p, 3]
-    u = motion[p, 7]
-    ax, ay, az = m * f0, m * f1, m * f2
-    bx, by, bz = u * t0, u * t1, u * t2
+        f, t = _damped(f, v, gamma), _damped(t, w, gamma)
+    a, b = (m * f[0], m * f[1], m * f[2]), (u * t[0], u * t[1], u * t[2])
     # two kicks also where they could be one: the bits must not depend on where a run pauses
-    vx += finish * ax
-    vy += finish * ay
-    vz += finish * az
-    wx += finish * bx
-    wy += finish * by
-    wz += finish * bz
+    v, w = _kicked(v, finish, a), _kicked(w, finish, b)
     if gamma > 0.0:
         # the velocity between the two kicks gives their work, and the trapezoidal rule a second-order ledger
         power = (
-            (g0 - f0) * vx + (g1 - f1) * vy + (g2 - f2) * vz + (h0 - t0) * wx + (h1 - t1) * wy + (h2 - t2) * wz
-        )
-        loss[p, 0] += 0.5 * dt * (loss[p, 1] + power)
-        loss[p, 1] = power
+            (whole_f[0] - f[0]) * v[0] + (whole_f[1] - f[1]) * v[1] + (whole_f[2] - f[2]) * v[2]
+            + (whole_t[0] - t[0]) * w[0] + (whole_t[1] - t[1]) * w[1] + (whole_t[2] - t[2]) * w[2]
+        )  # fmt: skip
+        loss[p, DAMPED] += 0.5 * dt * (loss[p, POWER] + power)
+        loss[p, POWER] = power
     if r >= 0:
-        work[r] += _switched(row_fixed, row_full, r, m, u, vx, vy, vz, wx, wy, wz)
-        vx, vy, vz, wx, wy, wz = _prescribed(row_fixed, row_full, r, vx, vy, vz, wx, wy, wz)
+        work[r] += switched_energy(row_fixed, row_full, r, m, u, v, w)
+        v, w = prescribed(row_fixed, row_full, r, v, w)
     if go_on:
-        vx += begin * ax
-        vy += begin * ay
-        vz += begin * az
-        wx += begin * bx
-        wy += begin * by
-        wz += begin * bz
+        v, w = _kicked(v, begin, a), _kicked(w, begin, b)
         if r >= 0:
-            work[r] += _switched(row_fixed, row_half, r, m, u, vx, vy, vz, wx, wy, wz)
-            vx, vy, vz, wx, wy, wz = _prescribed(row_fixed, row_half, r, vx, vy, vz, wx, wy, wz)
-            work[r] += 0.5 * dt * _power(row_fixed, row_force, row_reaction, r, vx, vy, vz, wx, wy, wz)
-    motion[p, 0], motion[p, 1], motion[p, 2] = vx, vy, vz
-    motion[p, 4], motion[p, 5], motion[p, 6] = wx, wy, wz
+            work[r] += switched_energy(row_fixed, row_half, r, m, u, v, w)
+            v, w = prescribed(row_fixed, row_half, r, v, w)
+            work[r] += 0.5 * dt * row_power(row_fixed, row_force, row_reaction, r, v, w)
+    _put_velocities(motion, p, v, w)
     if go_on:
-        _drift(pose, p, dt, extra, vx, vy, vz, wx, wy, wz, ax, ay, az, bx, by, bz)
+        _drift(pose, p, dt, extra, v, w, a, b)
     else:
-        acceleration[p, 0], acceleration[p, 1], acceleration[p, 2] = ax, ay, az
-        acceleration[p, 3], acceleration[p, 4], acceleration[p, 5] = bx, by, bz
+        for d in range(3):
+            acceleration[p, d] = a[d]
+            acceleration[p, 3 + d] = b[d]

@@ -5,8 +5,9 @@ A sum is cut into parts, thread s taking entries s, s + S, s + 2S …; the parts
 
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
-from bondem.kernels.advance import rotation_component
 from bondem.kernels.cuda.bonds import branch, stiffness
+from bondem.kernels.sample import rotation_component
+from bondem.kernels.tables import LARGEST, MEAN, OF_DISPLACEMENT, OF_ROTATION, OF_SPIN, OF_VELOCITY
 from bondem.laws.beam_energy import bond_energy
 
 # Columns: kinetic energy (2), elastic energy (4), work, loss and friction; after them three a gauge.
@@ -94,18 +95,18 @@ def gauge_sums(
         for e in range(start[g] + s, start[g + 1], stride):
             p = element[e]
             x = 0.0
-            if quantity[g] == 0:
+            if quantity[g] == OF_DISPLACEMENT:
                 x = pose[p, d] - rest[e, d]
-            elif quantity[g] == 1:
+            elif quantity[g] == OF_VELOCITY:
                 x = motion[p, d]
-            elif quantity[g] == 2:
+            elif quantity[g] == OF_ROTATION:
                 x = rotation_component(pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7], d)
-            elif quantity[g] == 3:
+            elif quantity[g] == OF_SPIN:
                 x = motion[p, 4 + d]
             elif row_of[p] >= 0:
                 r = row_of[p]
                 x = row_reaction[r, d] if row_fixed[r, d] else row_force[r, d]
-            value = max(value, abs(x)) if reduction[g] == 2 else value + x
+            value = max(value, abs(x)) if reduction[g] == LARGEST else value + x
         parts[g, s, d] = value
 
 
@@ -139,7 +140,7 @@ def write_record(fewer, gauge_parts, start, reduction, row, records):
         d = (c - SUMS) % 3
         for s in range(gauge_parts.shape[1]):
             x = gauge_parts[g, s, d]
-            value = max(value, x) if reduction[g] == 2 else value + x
-        if reduction[g] == 0:
+            value = max(value, x) if reduction[g] == LARGEST else value + x
+        if reduction[g] == MEAN:
             value /= start[g + 1] - start[g]
     records[row, c] = value

@@ -1,0 +1,248 @@
+"""What the kernels take: named arrays, so that no two of them can be swapped.
+
+A kernel gets a handful of these tuples instead of dozens of arrays, and the names say who may write what. They are
+flat, because threads take no others. What only some runs have (`Alike`, `Contacts`, `Added`, `Strain`, and what
+bonds store in the incremental formulation) is an argument of its own, or None: that is decided when a kernel is
+compiled, so what is absent costs nothing.
+
+Rows of eight are one cache line: pose (x, y, z, spare, quaternion w x y z), motion (velocity, 1/m, angular velocity,
+1/I) and sums (force, 0, torque, 0).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+# Columns of a row of the pose, and of the motion.
+QUATERNION = 4
+INVERSE_MASS, SPIN, INVERSE_INERTIA = 3, 4, 7
+# Columns of the losses of an element: energy taken by damping [J], its present power [W], lost to friction [J].
+DAMPED, POWER, RUBBED = range(3)
+
+# Columns of a record before the gauges.
+(
+    TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, FIXED_COLUMNS,
+) = range(12)  # fmt: skip
+
+# What a gauge reads of elements, and from WALL_DISPLACEMENT on of a wall.
+(
+    OF_DISPLACEMENT, OF_VELOCITY, OF_ROTATION, OF_SPIN, OF_FORCE, WALL_DISPLACEMENT, WALL_FORCE, WALL_GROWTH,
+) = range(8)  # fmt: skip
+# How it makes one number of many.
+MEAN, SUM, LARGEST = range(3)
+
+
+class Elements(NamedTuple):
+    """The motion of the elements, n of them; kernels write all but `rest`."""
+
+    pose: np.ndarray  #: (n, 8)
+    motion: np.ndarray  #: (n, 8)
+    acceleration: np.ndarray  #: translational and rotational, at a pause [m/s², rad/s²], (n, 6)
+    loss: np.ndarray  #: (n, 3)
+    rest: np.ndarray  #: centres in the reference [m], (n, 3)
+
+
+class Bonds(NamedTuple):
+    """The bonds, m of them; kernels write rest length, `ks` and `lever` where a strain changes, and nothing else."""
+
+    m: int  #: how many; where it is less than a loop takes at once, further bonds follow that bear no force
+    i: np.ndarray  #: uint32, (m,)
+    j: np.ndarray  #: uint32, after i, (m,)
+    X0: np.ndarray  #: reference direction i→j [-], (m,)
+    Y0: np.ndarray
+    Z0: np.ndarray
+    length: np.ndarray  #: at rest, L (1 + ε*) [m], (m,)
+    kn: np.ndarray  #: [N/m]
+    A: np.ndarray  #: constants of the energy [N·m]
+    B: np.ndarray
+    C: np.ndarray
+    kt: np.ndarray  #: [N·m]
+    ks: np.ndarray  #: [N/m]
+    kb: np.ndarray  #: [N·m]
+    lever: np.ndarray  #: of the contact point from i [m]
+    integrity: np.ndarray  #: 1 intact … 0 broken [-]
+    hold: np.ndarray  #: integrity over rest length [1/m]; only where bonds are alike, else (0,)
+    period: np.ndarray  #: edges of the periodic cell and their inverses, zero where there is none, (6,)
+
+
+class Adjacency(NamedTuple):
+    """Bonds of each element; see `bondem.model.layout`."""
+
+    in_start: np.ndarray  #: bonds in_start[p] … in_start[p + 1] end in p, (n + 1,)
+    out_start: np.ndarray  #: those that begin in p are in …, (n + 1,)
+    out_bond: np.ndarray  #: … this, from out_start[p] to out_start[p + 1], uint32, (m,)
+
+
+class Alike(NamedTuple):
+    """What all bonds share that differ in length only: Euler–Bernoulli bonds of one material and radius."""
+
+    knL: float  #: kn L [N]
+    AL: float  #: A L = C L [N·m²]
+    BL: float
+    ktL: float
+
+
+class Cut(NamedTuple):
+    """How a step is cut (`bondem.model.blocks`), and the sums it adds to; kernels write `sums` only."""
+
+    domain: np.ndarray
+    bond: np.ndarray
+    move: np.ndarray
+    held: np.ndarray
+    ready: np.ndarray
+    ready_row: np.ndarray
+    row_i: np.ndarray
+    row_j: np.ndarray
+    shared: np.ndarray
+    shared_row: np.ndarray
+    shared_held: int
+    part: np.ndarray
+    parts: int
+    sums: np.ndarray  #: force and torque of the bonds on each element, (rows, 8)
+
+
+class Rows(NamedTuple):
+    """Elements that are held, driven or loaded own a row, r of them; kernels write all but `of` and `fixed`."""
+
+    of: np.ndarray  #: row of each element, or -1, (n,)
+    fixed: np.ndarray  #: degrees of freedom with prescribed motion, uint8, (r, 6)
+    force: np.ndarray  #: of loads now [N, N·m], (r, 6)
+    half: np.ndarray  #: prescribed velocities over the step [m/s, rad/s], (r, 6)
+    full: np.ndarray  #: prescribed velocities now, (r, 6)
+    reaction: np.ndarray  #: minus the bond forces [N, N·m], (r, 6)
+    work: np.ndarray  #: of loads and drives on each row [J], then of body forces and strains
+
+
+class Schedules(NamedTuple):
+    """How much over time, and what on the rows follows it."""
+
+    times: np.ndarray  #: of all schedules, one after the other [s]
+    values: np.ndarray
+    start: np.ndarray  #: where each begins
+    drive_row: np.ndarray
+    drive_dof: np.ndarray
+    drive_schedule: np.ndarray
+    drive_rate: np.ndarray  #: 1 for a velocity, 0 for a displacement, uint8
+    load_row: np.ndarray
+    load_schedule: np.ndarray
+    load_value: np.ndarray  #: [N, N·m], (…, 6)
+
+
+class Gauges(NamedTuple):
+    """What is read off for the history."""
+
+    start: np.ndarray  #: where the elements of each gauge begin, (g + 1,)
+    element: np.ndarray  #: elements, or the number of a wall
+    quantity: np.ndarray  #: OF_… or WALL_…, (g,)
+    reduction: np.ndarray  #: MEAN, SUM or LARGEST, (g,)
+
+
+class Scheme(NamedTuple):
+    """One step of time integration; see `bondem.solve.schemes`."""
+
+    dt: float  #: [s]
+    finish: float  #: [s]
+    begin: float  #: [s]
+    extra: float  #: [s²]
+    gamma: float  #: of local damping [-]
+    origin: float  #: time of step 0 [s]
+
+
+class Span(NamedTuple):
+    """Which steps a call takes."""
+
+    step: int  #: number of the present one
+    steps: int  #: how many to go
+    every: int  #: steps between records, 0 for none
+    moved: bool  #: whether the elements have already moved in this step, and only its forces are missing
+
+
+class Run(NamedTuple):
+    """All tables of a run that every run has."""
+
+    elements: Elements
+    bonds: Bonds
+    cut: Cut
+    rows: Rows
+    schedules: Schedules
+    gauges: Gauges
+    budget: np.ndarray  #: energy at the start, and most that was put in since [J], (2,); kernels write it
+
+
+class Added(NamedTuple):
+    """What only some runs have on their elements; a part that a run does not have is empty."""
+
+    contact: np.ndarray  #: force and torque of all contacts on each element [N, N·m], (n, 6)
+    group: np.ndarray  #: of each element: those of one group have the same body forces, uint32, (n,)
+    member: np.ndarray  #: which body forces act on a group, 0 or 1, (g, b)
+    pull: np.ndarray  #: their accelerations [m/s²], (b, 3)
+    schedule: np.ndarray  #: and schedules, (b,)
+    present: np.ndarray  #: acceleration of each group now [m/s²], (g, 3)
+    body: np.ndarray  #: work of the body forces on each element [J], (n, 1)
+    absorbing: np.ndarray  #: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], (r, 6)
+    alpha: float  #: of mass damping [1/s]
+    dashpot: np.ndarray  #: of each bond: cn, cs [N·s/m], cb, ct [N·m·s], (4, m)
+    share: np.ndarray  #: where the contact point divides a bond, from i [-], (m,)
+    dashed: np.ndarray  #: dashpots' force and torque on each element, and further rows, as the sums of bonds, (…, 8)
+    viscous: bool  #: whether there are any dashpots or mass damping
+
+
+class Strain(NamedTuple):
+    """Stress-free strains that change in time; e bonds, g strains."""
+
+    schedule: np.ndarray  #: (g,)
+    bond: np.ndarray  #: uint32, (e,)
+    part: np.ndarray  #: strain of each bond at factor 1 [-], (g, e)
+    still: np.ndarray  #: 1 and what does not change [-], (e,)
+    length: np.ndarray  #: L [m], (e,)
+    shear: np.ndarray  #: ks [N/m], (e,)
+    lever: np.ndarray  #: a [m], (e,)
+    factor: np.ndarray  #: rows: present factors, those to come, energy by factor [J] a step ago and now, (4, g)
+    place: int  #: in the list of works
+
+
+class Contacts(NamedTuple):
+    """Contacts in the kernels' order; c pairs, b contacts with walls, w walls."""
+
+    law: np.ndarray  #: E [Pa], ks / kn, μ, β; (4,)
+    radius: np.ndarray  #: of the elements [m], (n,)
+    load: np.ndarray  #: force and torque of all contacts on each element [N, N·m], (n, 6)
+    listed: np.ndarray  #: centres when the list was made [m], (n, 3)
+    reach: float  #: how far elements, and walls, may move before the next list [m]
+    first: np.ndarray  #: uint32, (c,)
+    second: np.ndarray  #: uint32, (c,)
+    gap: np.ndarray  #: from which the overlap counts, at most 0 [m], (c,)
+    stretch: np.ndarray  #: tangential stretch [m] and force of the dashpots [N], (c, 6)
+    touch: np.ndarray  #: uint8, (c,)
+    output: np.ndarray  #: force on the second, torque over the radius, losses; (c, 8)
+    in_start: np.ndarray  #: pairs whose second element is p, (n + 1,)
+    out_start: np.ndarray  #: pairs whose first element is p, (n + 1,)
+    out_pair: np.ndarray  #: uint32, (c,)
+    wall_start: np.ndarray  #: contacts of each element with walls, (n + 1,)
+    wall: np.ndarray  #: uint32, (b,)
+    wall_gap: np.ndarray  #: (b,)
+    wall_stretch: np.ndarray  #: (b, 6)
+    wall_touch: np.ndarray  #: uint8, (b,)
+    wall_output: np.ndarray  #: force on the wall (3), normal force; (b, 4)
+    shape: np.ndarray  #: of the walls, (w, 8)
+    walls: np.ndarray  #: the walls themselves (`bondem.kernels.walls`), (w, 14)
+    wall_listed: np.ndarray  #: displacements when the list was made [m], (w, 4)
+    wall_friction: np.ndarray  #: μ, (w,)
+    times: np.ndarray  #: schedules of the walls, as `Schedules` has them
+    values: np.ndarray
+    start: np.ndarray
+    drive_wall: np.ndarray
+    drive_component: np.ndarray
+    drive_schedule: np.ndarray
+    drive_rate: np.ndarray
+    servo_wall: np.ndarray
+    servo_schedule: np.ndarray
+    servo_speed: np.ndarray
+    servo_mass: np.ndarray
+
+
+def lines(n: int) -> np.ndarray:
+    """Zeros, (n, 8): each row one cache line, and not the halves of two."""
+    room = np.zeros(8 * n + 8)
+    first = -room.ctypes.data % 64 // 8
+    return room[first : first + 8 * n].reshape(n, 8)
