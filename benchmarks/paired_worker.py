@@ -62,9 +62,13 @@ class Timed:
 
     def _bondem(self) -> Callable[[int], object]:
         from bondem.model.state import State
-        from bondem.solve.loop_cpu import CpuLoop
-        from bondem.solve.plan import Plan
 
+        try:
+            from bondem.solve.loop_cpu import CpuLoop
+            from bondem.solve.plan import Plan
+        except ModuleNotFoundError:  # c790c8a and older
+            from bondem.solve.explicit import Plan
+            from bondem.solve.explicit import _Loop as CpuLoop
         state = State(self.model)
         state.set_motion(velocity=self.velocity)
         loop = CpuLoop(self.model, Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)

@@ -288,7 +288,7 @@ def broken_contacts(size: int) -> Case:
     """Elements touch where a bond is broken."""
     model = touching(size)
     integrity = (np.random.default_rng(3).uniform(0.0, 1.0, len(model.lattice.pairs)) > 0.2).astype(float)
-    return Case(model=model, **random_motion(model.lattice, speed=3.0), integrity=integrity)
+    return Case(model=model, **random_motion(model.lattice, speed=6.0), integrity=integrity)
 
 
 @case
@@ -303,4 +303,4 @@ def everything(size: int) -> Case:
     )  # fmt: skip
     damping = (bd.LocalDamping(0.1), bd.MassDamping(1.0), bd.BondDamping(0.02))
     options = {"damping": damping, "scheme": bd.TchamwaWielgosz(1.1)}
-    return Case(model=model, **random_motion(lattice, speed=2.0), options=options)
+    return Case(model=model, **random_motion(lattice, speed=2.5), options=options)
