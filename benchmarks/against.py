@@ -111,7 +111,20 @@ def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
                 rows.append(
                     {"elements": elements, "bonds": bonds, "threads": count, "steps": steps, **pairs.report(names)}
                 )
+            print(scaling([row for row in rows if row["elements"] == elements], names), flush=True)
     return rows
+
+
+def scaling(rows: list[dict], names: tuple[str, str]) -> str:
+    """What threads are worth on each side, by medians: a remark below the lines of one specimen."""
+    one = [row for row in rows if row["threads"] == 1]
+    more = [row for row in rows if row["threads"] > 1]
+    return "\n".join(
+        f"{'':>11}{row['threads']} threads over one: "
+        + ", ".join(f"{row[name]['median'] / one[0][name]['median']:.2f} ({name})" for name in names)
+        for row in more
+        if one
+    )
 
 
 def first_runs(options: argparse.Namespace, old_source: Path) -> list[dict]:
@@ -139,7 +152,7 @@ def speed(options: argparse.Namespace) -> int:
     started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
     print(", ".join(f"{key}: {value}" for key, value in here.items()))
     old_source = extracted(options.revision)
-    entry = {"machine": here, "started": started, "revision": options.revision}
+    entry = {"machine": here, "started": started, "revision": options.revision, "unit": "million bond-steps a second"}
     entry["rates"] = rates(options, old_source)
     if options.compile:
         entry["first runs"] = first_runs(options, old_source)

@@ -2,7 +2,9 @@
 
 import tempfile
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -52,14 +54,13 @@ def run(name: str, size: int, threads: list[int], pauses: list[str], steps: int,
             for pause in pauses:
                 if case.rounds and pause.startswith("saved"):
                     continue
-                results = _paused(case, pause, steps, dt)
                 values = {"chosen dt": np.array(chosen)}
-                for k, result in enumerate(results):
+                for k, result in enumerate(_paused(case, pause, steps, dt)):
                     values |= {f"{key} {k + 1}" if k else key: value for key, value in arrays(result).items()}
                     if result.status.name != "COMPLETED":
                         faults[f"{pause}, {count} threads"] = result.message
+                    last = result.state
                 np.savez(Path(folder) / f"{pause}-{count}.npz", **values)
-                last = results[-1].state
                 moved = max(moved, float(np.abs(last.displacement).max()))
                 touching = max(touching, len(last.touching) + len(last.wall_touching))
     lattice = case.model.lattice
@@ -70,33 +71,33 @@ def run(name: str, size: int, threads: list[int], pauses: list[str], steps: int,
 
 
 def arrays(result) -> dict[str, np.ndarray]:
-    """Everything that a run leaves, by name."""
+    """Everything that a run leaves, by name, as it is now: old revisions change a state that they start from."""
     state = result.state
-    values = {name: getattr(state, name) for name in state.ARRAYS}
+    values = {name: getattr(state, name).copy() for name in state.ARRAYS}
     values |= {"step": np.array(state.step), "time": np.array(state.time), "records": result.history.records}
     return values | {"status": np.array(result.status.name)}
 
 
-def _paused(case: Case, pause: str, steps: int, dt: float) -> list:
-    """The run, or the two runs, of a case."""
+def _paused(case: Case, pause: str, steps: int, dt: float) -> Iterator[Any]:
+    """The result of the run, or of the two runs, of a case."""
     start = case.start(dt)
     if pause == "two runs":
         part = ROUND if case.rounds else round(_FIRST * steps)
         first = _explicit(case.model, case, duration=part * dt, dt=dt, every=30, state=start)
+        yield first
         again = case.model if case.then is None else case.then
-        kept = first.state.copy()  # old revisions change it in place
-        second = _explicit(again, case, duration=(steps - part) * dt, dt=dt, every=30, state=first.state)
-        first = type(first)(first.status, kept, first.history, first.dt, first.steps, first.message)
-        return [first, second]
-    if pause.startswith("saved"):
+        yield _explicit(again, case, duration=(steps - part) * dt, dt=dt, every=30, state=first.state)
+    elif pause.startswith("saved"):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "run.h5"
             options = {"every": 30, "save_every": int(pause.split()[-1]), "out": out}
-            return [_explicit(case.model, case, duration=steps * dt, dt=dt, state=start, **options)]
-    return [_explicit(case.model, case, duration=steps * dt, dt=dt, every=int(pause.split()[-1]), state=start)]
+            yield _explicit(case.model, case, duration=steps * dt, dt=dt, state=start, **options)
+    else:
+        every = int(pause.split()[-1])
+        yield _explicit(case.model, case, duration=steps * dt, dt=dt, every=every, state=start)
 
 
-def _explicit(model: bd.Model, case: Case, **options):
+def _explicit(model: bd.Model, case: Case, **options) -> Any:
     gauges = GAUGES | case.options.get("gauges", {})
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", StepWarning)
