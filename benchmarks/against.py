@@ -130,7 +130,7 @@ def scaling(rows: list[dict], names: tuple[str, str]) -> str:
 def first_runs(options: argparse.Namespace, old_source: Path) -> list[dict]:
     """Seconds of a first run without compiled code, and of one in the next process."""
     rows = []
-    print(f"\n{'first run, seconds':<22}{'import':>8}{'compiling':>11}{'import':>8}{'warm':>8}")
+    print(f"\n{'first run, seconds':<22}{'import':>8}{'compiling':>11}{'cpu':>8}{'import':>8}{'warm':>8}{'cpu':>8}")
     for contacts in (False, True):
         for name, source in ((options.revision, old_source), ("now", SOURCE)):
             with tempfile.TemporaryDirectory() as folder:
@@ -140,8 +140,9 @@ def first_runs(options: argparse.Namespace, old_source: Path) -> list[dict]:
                         told.append(worker.ask("first_run", contacts=contacts))
             cold, warm = told
             kind = f"{name}, {'contacts' if contacts else 'bonds'}"
-            seconds = f"{cold['import']:8.2f}{cold['run']:11.2f}{warm['import']:8.2f}{warm['run']:8.2f}"
-            print(f"{kind:<22}{seconds}", flush=True)
+            cells = [(run['import'], run['run'], run['cpu']) for run in (cold, warm)]
+            seconds = [f"{a:8.2f}{b:{width}.2f}{c:8.2f}" for (a, b, c), width in zip(cells, (11, 8), strict=True)]
+            print(f"{kind:<22}{''.join(seconds)}", flush=True)
             rows.append({"source": name, "contacts": contacts, "compiling": cold, "warm": warm})
     return rows
 
