@@ -38,7 +38,7 @@ def main() -> None:
     tracemalloc.start()
     state = State(model)
     state.set_motion(velocity=np.random.default_rng(0).standard_normal((len(lattice.particles), 3)))
-    integrate(model, Plan(duration=2 * dt, dt=dt, every=0), state=state)
+    state = integrate(model, Plan(duration=2 * dt, dt=dt, every=0), state=state).state
     solver = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     steps = max(60, 40_000_000 // bonds)
@@ -46,12 +46,12 @@ def main() -> None:
     for count in options.threads:
         with threads(count):
             plan = Plan(duration=(state.step + 2) * dt, dt=dt, every=0)
-            integrate(model, plan, state=state)
+            state = integrate(model, plan, state=state).state
             times = []
             for _ in range(options.repeat):
                 plan = Plan(duration=(state.step + steps) * dt, dt=dt, every=0)
                 start = time.perf_counter()
-                integrate(model, plan, state=state)
+                state = integrate(model, plan, state=state).state
                 times.append(time.perf_counter() - start)
         rate = [bonds * steps / t / 1e6 for t in times]
         result[f"Mbond/s, {count} thread(s)"] = {

@@ -42,7 +42,7 @@ def measured(model: bd.Model, state: State, dt: float, counts: list[int], repeat
             with threads(count):
                 plan = Plan(duration=(state.step + steps) * dt, dt=dt, every=0)
                 start = time.perf_counter()
-                integrate(model, plan, state=state)
+                state = integrate(model, plan, state=state).state
                 if turn:  # the first one compiles
                     seconds[count].append((time.perf_counter() - start) / steps)
     return {count: {"best": min(found), "median": statistics.median(found)} for count, found in seconds.items()}

@@ -17,6 +17,7 @@ import statistics
 import tempfile
 from pathlib import Path
 
+import llvmlite.binding as llvm
 from kratos_kdem import Kratos
 from lammps_bpm import Lammps
 from outcome import Outcome, difference, kinetic_share
@@ -149,7 +150,13 @@ def main() -> None:
 
 
 def _processor() -> str:
-    """Its name, where the system tells it."""
+    """Its name, where the system tells it, and its vector extension."""
+    features = llvm.get_host_cpu_features()
+    vector = "+".join(name for name in ("avx2", "avx512f", "neon", "sve") if features.get(name))
+    return f"{_name()} ({vector or 'no vector extension known'})"
+
+
+def _name() -> str:
     info = Path("/proc/cpuinfo")
     names = [line for line in info.read_text().splitlines() if line.startswith("model name")] if info.exists() else []
     return names[0].split(":")[1].strip() if names else platform.processor()

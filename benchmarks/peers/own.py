@@ -44,16 +44,17 @@ def _run(specimen: Specimen, check: int, steps: int, contacts: bool) -> Outcome:
     state.set_motion(velocity=specimen.velocity)
     dt = float(specimen.dt)
 
-    def go(steps: int) -> float:
+    def go(state: State, steps: int) -> tuple[float, State]:
         plan = Plan(duration=(state.step + steps) * dt, dt=dt, every=0)
         start = time.perf_counter()
-        integrate(model, plan, state=state)
-        return time.perf_counter() - start
+        state = integrate(model, plan, state=state).state
+        return time.perf_counter() - start, state
 
-    go(check)
+    state = go(state, check)[1]
     position = state.position.copy()
+    seconds, state = go(state, steps)
     return Outcome(
-        seconds=go(steps),
+        seconds=seconds,
         bonds=int((state.bond_integrity > 0.0).sum()),
         position=position,
         velocity=state.velocity,

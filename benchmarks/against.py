@@ -1,0 +1,185 @@
+"""This working tree against an older revision of the repository, on the same machine: bits and speed.
+
+    python benchmarks/against.py bits  [--revision c790c8a] [--cases alike grains ...] [--elements 500 3000 9000]
+                                       [--threads 1 2 4] [--steps 300]
+    python benchmarks/against.py speed [--revision c790c8a] [--elements 10000 100000 1000000] [--threads 1 2]
+                                       [--repeat 7] [--no-compile]
+
+`bits` runs every kind of bond, load, damping, rotation and contact in both, paused in several ways, and compares
+all that a run leaves by bytes; its exit status is 1 where anything differs. `speed` runs the specimen of
+`bond_steps.py` in turns, times first runs with and without compiled code, and writes benchmarks/results/against.json,
+in which each kind of processor has a place of its own.
+"""
+
+import argparse
+import datetime
+import json
+import os
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from bits.compare import Difference, differing
+from paired import ROOT, SOURCE, Worker, extracted, head, in_turns, machine, specimen_file, steps_of
+
+RESULTS = ROOT / "benchmarks" / "results" / "against.json"
+SIZES = (500, 3000, 9000)
+# Larger specimens are there for blocks and domains; ways to pause are tried on the small one.
+PAUSES = {"small": ("every 30", "every 0", "every 1", "every 7", "saved every 37", "two runs"),
+          "large": ("every 30", "every 0", "two runs")}  # fmt: skip
+
+
+# ---- bits
+
+
+def compared(old: Worker, new: Worker, name: str, size: int, threads: list[int], steps: int) -> tuple[dict, dict]:
+    """What a case was in the old revision, and the first difference for each number of threads."""
+    pauses = PAUSES["small" if size <= SIZES[0] else "large"]
+    with tempfile.TemporaryDirectory() as folder:
+        told: list[dict] = []
+        for side, worker in (("old", old), ("new", new)):
+            (Path(folder) / side).mkdir()
+            arguments = {"name": name, "size": size, "threads": threads, "pauses": pauses, "steps": steps}
+            dt = told[0]["dt"] if told else None
+            told.append(worker.ask("bits", **arguments, dt=dt, folder=str(Path(folder) / side)))
+        found = {count: _first(Path(folder), count, pauses) for count in threads}
+    return told[0], found
+
+
+def _first(folder: Path, count: int, pauses: tuple[str, ...]) -> Difference | None:
+    for pause in pauses:
+        pair = [folder / side / f"{pause}-{count}.npz" for side in ("old", "new")]
+        if not any(path.exists() for path in pair):  # the case cannot be paused like that
+            continue
+        found = differing(*pair, pause)
+        if found is not None:
+            return found
+    return None
+
+
+def bits(options: argparse.Namespace) -> int:
+    """The table of cases over threads; whether anything differs."""
+    threads = options.threads or [1, 2, 4]
+    cores = max(4, *threads)
+    old_source = extracted(options.revision)
+    print(f"{options.revision} against the working tree, {options.steps} steps; first array that differs, if any")
+    bad = 0
+    with Worker(old_source, cores=cores, cache=old_source.parent) as old, Worker(SOURCE, cores=cores) as new:
+        known = new.ask("cases")["names"]
+        unknown = sorted(set(options.cases or known) - set(known))
+        if unknown:
+            sys.exit(f"there is no case '{unknown[0]}'; choose from {', '.join(known)}")
+        for size in options.elements or SIZES:
+            columns = "".join(f"{f'{count} threads':>11}" for count in threads)
+            print(f"\n{f'about {size} elements':<26}{'elements':>9}{'bonds':>8}{'moved':>9}{'touch':>7}{columns}")
+            for name in options.cases or known:
+                start = time.perf_counter()
+                was, found = compared(old, new, name, size, threads, options.steps)
+                marks = "".join(f"{'same' if found[count] is None else 'DIFFERS':>11}" for count in threads)
+                row = f"{name:<26}{was['elements']:>9}{was['bonds']:>8}{was['moved']:>9.1e}{was['touching']:>7}"
+                print(f"{row}{marks}{time.perf_counter() - start:8.1f} s", flush=True)
+                for fault in list(was["faults"].items())[:1]:
+                    print(f"    the old revision did not complete it ({fault[0]}): {fault[1]}")
+                for count, difference in found.items():
+                    if difference is not None:
+                        print(f"    {count} threads: {difference}")
+                bad += bool(was["faults"]) or any(found.values())
+    print(f"\n{bad} runs differ" if bad else "\nthe same bits everywhere")
+    return 1 if bad else 0
+
+
+# ---- speed
+
+
+def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
+    """Paired rates for each size and number of threads."""
+    rows = []
+    names = (options.revision, "now")
+    threads = options.threads or [1, 2]
+    cores = max(threads)
+    with Worker(old_source, cores=cores, cache=old_source.parent) as old, Worker(SOURCE, cores=cores) as new:
+        print(f"\n{'elements':>9}{'threads':>8}{head(names)}   (rates: min / median / max)")
+        for elements in options.elements or [10_000, 100_000, 1_000_000]:
+            path = specimen_file(old, elements)
+            bonds = old.ask("load", path=str(path))["bonds"]
+            new.ask("load", path=str(path))
+            steps = options.steps_timed or steps_of(bonds)
+            for count in threads:
+                pairs = in_turns(old, new, bonds, threads=count, repeat=options.repeat, steps=steps)
+                print(f"{elements:>9}{count:>8}{pairs.line()}", flush=True)
+                rows.append(
+                    {"elements": elements, "bonds": bonds, "threads": count, "steps": steps, **pairs.report(names)}
+                )
+            print(scaling([row for row in rows if row["elements"] == elements], names), flush=True)
+    return rows
+
+
+def scaling(rows: list[dict], names: tuple[str, str]) -> str:
+    """What threads are worth on each side, by medians: a remark below the lines of one specimen."""
+    one = [row for row in rows if row["threads"] == 1]
+    more = [row for row in rows if row["threads"] > 1]
+    return "\n".join(
+        f"{'':>11}{row['threads']} threads over one: "
+        + ", ".join(f"{row[name]['median'] / one[0][name]['median']:.2f} ({name})" for name in names)
+        for row in more
+        if one
+    )
+
+
+def first_runs(options: argparse.Namespace, old_source: Path) -> list[dict]:
+    """Seconds of a first run without compiled code, and of one in the next process."""
+    rows = []
+    print(f"\n{'first run, seconds':<22}{'import':>8}{'compiling':>11}{'cpu':>8}{'import':>8}{'warm':>8}{'cpu':>8}")
+    for contacts in (False, True):
+        for name, source in ((options.revision, old_source), ("now", SOURCE)):
+            with tempfile.TemporaryDirectory() as folder:
+                told = []
+                for _ in range(2):
+                    with Worker(source, cores=os.cpu_count() or 1, cache=Path(folder)) as worker:
+                        told.append(worker.ask("first_run", contacts=contacts))
+            cold, warm = told
+            kind = f"{name}, {'contacts' if contacts else 'bonds'}"
+            cells = [(run['import'], run['run'], run['cpu']) for run in (cold, warm)]
+            seconds = [f"{a:8.2f}{b:{width}.2f}{c:8.2f}" for (a, b, c), width in zip(cells, (11, 8), strict=True)]
+            print(f"{kind:<22}{''.join(seconds)}", flush=True)
+            rows.append({"source": name, "contacts": contacts, "compiling": cold, "warm": warm})
+    return rows
+
+
+def speed(options: argparse.Namespace) -> int:
+    """Rates and first runs, printed and written."""
+    here = machine()
+    started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+    print(", ".join(f"{key}: {value}" for key, value in here.items()))
+    old_source = extracted(options.revision)
+    entry = {"machine": here, "started": started, "revision": options.revision, "unit": "million bond-steps a second"}
+    entry["rates"] = rates(options, old_source)
+    if options.compile:
+        entry["first runs"] = first_runs(options, old_source)
+    entry["machine"]["load at the end"] = round(os.getloadavg()[0], 2)
+    output = options.output or RESULTS
+    kept = json.loads(output.read_text()) if output.exists() else {}
+    kept[f"{here['llvm']}, {here['vector']}"] = entry
+    output.write_text(json.dumps(kept, indent=1) + "\n")
+    return 0
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("bits", "speed"))
+    parser.add_argument("--revision", default="c790c8a", help="what to compare with [c790c8a]")
+    parser.add_argument("--elements", type=int, nargs="+", help="[500 3000 9000; 10000 100000 1000000 for speed]")
+    parser.add_argument("--threads", type=int, nargs="+", help="[1 2 4; 1 2 for speed]")
+    parser.add_argument("--cases", nargs="+", help="bits: some of the cases only")
+    parser.add_argument("--steps", type=int, default=300, help="bits: of each run, whole hundreds [300]")
+    parser.add_argument("--repeat", type=int, default=7, help="speed: pairs [7]")
+    parser.add_argument("--steps-timed", type=int, help="speed: of a sample [a second or so]")
+    parser.add_argument("--no-compile", dest="compile", action="store_false", help="speed: without first runs")
+    parser.add_argument("--output", type=Path, help="speed: [benchmarks/results/against.json]")
+    options = parser.parse_args()
+    sys.exit({"bits": bits, "speed": speed}[options.what](options))
+
+
+if __name__ == "__main__":
+    main()

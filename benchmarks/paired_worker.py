@@ -1,0 +1,165 @@
+"""One side of a comparison: does what it is asked over a pipe, with the bondem that PYTHONPATH leads to.
+
+A line of JSON is a task with its arguments, a line of JSON the answer. Only interfaces that old revisions have too
+are used: the public ones, `State(model)` and the loop of a run.
+"""
+
+import json
+import os
+import sys
+import time
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+import bondem as bd
+
+
+def source() -> dict:
+    return {"file": str(Path(bd.__file__).resolve())}
+
+
+def specimen(elements: int, largest: int, path: str) -> dict:
+    """Pack the specimen of `bond_steps.py` and keep it."""
+    from tiled import specimen
+
+    lattice = specimen(elements, largest=largest)
+    particles = lattice.particles
+    aside = Path(path).with_suffix(f".{os.getpid()}.npz")
+    np.savez(
+        aside, position=particles.position, radius=particles.radius, period=particles.period, pairs=lattice.pairs
+    )
+    aside.replace(path)
+    return {"elements": len(particles)}
+
+
+def read_lattice(path: str) -> bd.Lattice:
+    with np.load(path) as file:
+        period = file["period"]
+        shape = bd.Cell(size=tuple(period.tolist()))
+        particles = bd.Particles(file["position"], file["radius"], period, shape)
+        return bd.Lattice(particles, file["pairs"])
+
+
+def elastic(lattice: bd.Lattice) -> bd.Model:
+    return bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), density=2500.0)
+
+
+class Timed:
+    """What is timed: bondem's loop over the steps alone, or that of `plain_step.py`."""
+
+    def __init__(self, path: str, code: str) -> None:
+        from bondem.solve.timestep import critical_step
+
+        self.model = elastic(read_lattice(path))
+        n = len(self.model.lattice.particles)
+        self.dt = 0.9 * critical_step(self.model, bd.VelocityVerlet())
+        self.velocity = np.random.default_rng(0).standard_normal((n, 3))
+        self.runs: dict[int, Callable[[int], object]] = {}
+        self.make = {"bondem": self._bondem, "plain": self._plain}[code]
+
+    def _bondem(self) -> Callable[[int], object]:
+        from bondem.model.state import State
+
+        try:
+            from bondem.solve.loop_cpu import CpuLoop
+            from bondem.solve.plan import Plan
+        except ModuleNotFoundError:  # c790c8a and older
+            from bondem.solve.explicit import Plan
+            from bondem.solve.explicit import _Loop as CpuLoop
+        state = State(self.model)
+        state.set_motion(velocity=self.velocity)
+        loop = CpuLoop(self.model, Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)
+        loop.look()
+        return loop.run
+
+    def _plain(self) -> Callable[[int], object]:
+        from plain_step import PlainStep
+
+        return PlainStep(self.model, self.velocity, self.dt).run
+
+    def go(self, threads: int, steps: int) -> dict:
+        """Wall and processor time of so many steps [s]; a loop is made for each number of threads."""
+        from bondem._compile import threads as on
+
+        with on(threads):
+            if threads not in self.runs:
+                self.runs = {threads: self.make()}
+                self.runs[threads](2)
+            start, cpu = time.perf_counter(), time.process_time()
+            self.runs[threads](steps)
+            return {"seconds": time.perf_counter() - start, "cpu": time.process_time() - cpu}
+
+
+_loaded: dict[str, Timed] = {}
+
+
+def load(path: str, code: str = "bondem") -> dict:
+    """Get ready for turns; of the plain step also how far its poses are from bondem's after a few."""
+    timed = _loaded["now"] = Timed(path, code)
+    answer = {"bonds": len(timed.model.lattice.pairs)}
+    if code == "plain":
+        from plain_step import apart
+
+        answer["apart"] = apart(timed.model, timed.velocity, timed.dt)
+    return answer
+
+
+def go(threads: int, steps: int) -> dict:
+    return _loaded["now"].go(threads, steps)
+
+
+def first_run(contacts: bool) -> dict:
+    """How long the first run of this process takes [s]: the imports, and the run of a small specimen.
+
+    What is compiled does not depend on the size. On a busy machine look at the processor time of the run.
+    """
+    start = time.perf_counter()
+    import bondem.run  # noqa: F401
+
+    imported = time.perf_counter()
+    position = np.indices((3, 3, 3)).reshape(3, -1).T.astype(float)
+    lattice = bd.connect(bd.Particles(position, np.full(27, 0.5)), tolerance=0.01)
+    law = bd.LinearContact(E=1e9, friction=0.3) if contacts else None
+    bonds = bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.7)
+    model = bd.Model(lattice, bonds, density=1000.0, contact=law, boundary=[bd.Fix(bd.Face("x_min"))])
+    made, cpu = time.perf_counter(), time.process_time()
+    bd.solve_explicit(model, duration=1e-2, every=10)
+    run = {"run": time.perf_counter() - made, "cpu": time.process_time() - cpu}
+    return {"import": imported - start, "model": made - imported, **run}
+
+
+def bits(**arguments) -> dict:
+    from bits.runs import run
+
+    return run(**arguments)
+
+
+def cases() -> dict:
+    """Names of the cases of `bits`."""
+    from bits.cases import CASES
+
+    return {"names": list(CASES)}
+
+
+TASKS = {task.__name__: task for task in (source, specimen, load, go, first_run, bits, cases)}
+
+
+def main() -> None:
+    # whatever anything prints must not get into the answers
+    answers = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)
+    for line in sys.stdin:
+        arguments = json.loads(line)
+        try:
+            answer = TASKS[arguments.pop("task")](**arguments)
+        except Exception:
+            answer = {"error": traceback.format_exc()}
+        answers.write(json.dumps(answer) + "\n")
+        answers.flush()
+
+
+if __name__ == "__main__":
+    main()
