@@ -15,7 +15,6 @@ import numpy as np
 import bondem as bd
 from bondem._compile import kernel, prange
 from bondem.laws import beam_energy, rotations
-from bondem.model.bond_table import alike
 from bondem.model.state import State
 
 # Fused multiply-adds one after the other, so that loads and stores do not count.
@@ -101,11 +100,11 @@ def flops_per_bond(elements_per_bond: float) -> dict[str, float]:
 
 def bytes_per_bond(model: bd.Model, state: State) -> dict[str, float]:
     """Least traffic of a step with memory, a bond."""
-    layout, constants = model.layout, model.bonds.constants
+    layout, bonds = model.layout, model.bonds
     m, n = len(layout.i), len(layout.order)
-    rows = constants[:4] if alike(constants) is not None else constants
+    columns = 4 if bonds.alike is not None else 9  # direction and length; or stiffnesses too
     ends = 2 * layout.i.nbytes + layout.j.nbytes  # i, j, and the row of the sums that the part for i goes to
-    streamed = ends + rows.nbytes + state.integrity.nbytes
+    streamed = ends + columns * bonds.length.nbytes + state.integrity.nbytes
     sums = n * 64
     there_and_back = 2 * (state.pose.nbytes + state.motion.nbytes + sums)
     order = n * (4 + 8)  # which element moves next, and whether it has a boundary condition
@@ -121,7 +120,7 @@ def state_bytes_per_element(model: bd.Model, state: State) -> float:
     """Memory of everything a run keeps: state, constants, indices and sums."""
     bonds, layout = model.bonds, model.layout
     arrays = [getattr(state, name) for name in State.ARRAYS] + [state.rest]
-    arrays += [bonds.constants, bonds.shear, bonds.bending, bonds.lever, bonds.radius]
+    arrays += [value for value in vars(bonds).values() if isinstance(value, np.ndarray)]
     arrays += [layout.i, layout.i, layout.j, layout.order, layout.rank, layout.bond_order, layout.flipped]
     arrays += [layout.in_start, layout.out_start, layout.out_bond]
     n = len(layout.order)

@@ -37,10 +37,10 @@ def test_stiffnesses_are_those_of_the_law(peers, small):
     law = bd.EulerBernoulli(E=given.YOUNG, nu=given.POISSON, radius_ratio=given.RADIUS_RATIO)
     model = bd.Model(lattice, law, given.DENSITY)
     order = model.layout.bond_order
-    np.testing.assert_allclose(small.kn[order], model.bonds.constants[4], rtol=1e-12)
-    np.testing.assert_allclose(small.ks[order], model.bonds.shear, rtol=1e-12)
-    np.testing.assert_allclose(small.kb[order], model.bonds.bending, rtol=1e-12)
-    np.testing.assert_allclose(small.kt[order], model.bonds.constants[8], rtol=1e-12)
+    np.testing.assert_allclose(small.kn[order], model.bonds.kn, rtol=1e-12)
+    np.testing.assert_allclose(small.ks[order], model.bonds.ks, rtol=1e-12)
+    np.testing.assert_allclose(small.kb[order], model.bonds.kb, rtol=1e-12)
+    np.testing.assert_allclose(small.kt[order], model.bonds.kt, rtol=1e-12)
     np.testing.assert_allclose(small.mass, model.mass, rtol=1e-12)
 
 

@@ -10,8 +10,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.kernels.bond_pass import bond_energies, rotation_guard
-from bondem.kernels.bond_pass import bond_forces as pass_over_bonds
+from bondem.kernels.bond_pass import bond_energies, bond_loads, rotation_guard
+from bondem.kernels.tables import lines
 from bondem.laws.bond import BondLaw
 from bondem.laws.rotations import rotate, turn
 from bondem.model.matrices import stiffness_matrix
@@ -67,22 +67,21 @@ def moved(model: bd.Model, shift: float, degrees: float, seed: int = 0) -> State
 
 def energies(model: bd.Model, pose: np.ndarray) -> np.ndarray:
     """Normal, shear, bending and twisting energy of each bond, (4, m)."""
-    layout, bonds = model.layout, model.bonds
+    table, layout, period = model.bonds, model.layout, model.period
     return np.transpose([
-        bond_energies(pose, layout.i, layout.j, bonds.constants, bonds.shear, bonds.lever, only, model.period)
-        for only in np.eye(len(layout.i))
+        bond_energies(pose, table.rows(layout, period, only)) for only in np.eye(len(layout.i))
     ])  # fmt: skip
 
 
 def bond_forces(model: bd.Model, pose: np.ndarray) -> np.ndarray:
     """Force on j, torque on i and torque on j of each bond, (9, m)."""
-    layout = model.layout
-    output = np.empty((9, len(layout.i)))
-    pass_over_bonds(
-        pose, layout.i, layout.j, model.bonds.constants, None, np.ones(len(layout.i)), model.period,
-        0, len(layout.i), *output,
-    )  # fmt: skip
-    return output
+    m = len(model.layout.i)
+    bonds = model.bonds.rows(model.layout, model.period, np.ones(m))
+    own = np.arange(len(bonds.i), dtype=np.uint32)
+    loads = lines(2 * len(own))  # each bond adds to two rows of its own
+    bond_loads(pose, bonds, None, loads, own, own + np.uint32(len(own)), 0, len(own))
+    on_i, on_j = loads[:m], loads[len(own) : len(own) + m]
+    return np.vstack([on_j[:, :3].T, on_i[:, 4:7].T, on_j[:, 4:7].T])
 
 
 def forces(model: bd.Model, pose: np.ndarray) -> np.ndarray:
@@ -270,7 +269,7 @@ def test_parallel_bond_is_that_of_chen_tables_1_and_2() -> None:
 def test_rigid_motion_gives_no_force(law: BondLaw) -> None:
     lattice = cluster()
     model = bd.Model(lattice, bond=law)
-    k, L = model.bonds.constants[4], model.bonds.constants[3]
+    k, L = model.bonds.kn, model.bonds.length
     rng = np.random.default_rng(8)
     for angle in (1e-9, 1e-3, 0.3, 1.0, 2.0, 3.0, math.pi):
         axis = rng.standard_normal(3)
@@ -320,8 +319,7 @@ def test_guard_counts_wide_and_lost_bonds(bend: float, twist: float, wide: int, 
     state.set_pose(position=position, orientation=orientation)
 
     def count(integrity: np.ndarray) -> tuple[int, int, bool]:
-        layout = model.layout
-        return rotation_guard(state.pose, layout.i, layout.j, model.bonds.constants, integrity, model.period)
+        return rotation_guard(state.pose, model.bonds.rows(model.layout, model.period, integrity))
 
     assert count(np.ones(2)) == (wide, lost, False)
     assert count(np.zeros(2)) == (0, 0, False)

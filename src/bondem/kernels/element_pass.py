@@ -15,7 +15,7 @@ import numpy as np
 from bondem._compile import device, kernel, prange
 from bondem.kernels.element_rows import loaded, prescribed, react, row_power, switched_energy
 from bondem.kernels.lane_memory import clear_row, places_below, prefetch, put_entry, put_row, row
-from bondem.kernels.lanes import WIDTH, all_below, lane, put_lane
+from bondem.kernels.lanes import WIDTH, all_below, dot, lane, put_lane
 from bondem.kernels.resistance import body_work, book_loss, damped, lost, resisted, viscous_power, with_added
 from bondem.laws.rotations import SMALL, half_angle, short_series, turned
 
@@ -45,7 +45,7 @@ def _drifted(x, scheme, r, v, w, a, b):
     """A row of the pose a step later; r is None for many."""
     dt, extra = scheme.dt, scheme.extra
     p, q, s = dt * w[0] + extra * b[0], dt * w[1] + extra * b[1], dt * w[2] + extra * b[2]
-    h2 = 0.25 * (p * p + q * q + s * s)
+    h2 = 0.25 * dot((p, q, s), (p, q, s))
     if r is None:
         cosine, sinc = _half_angles(h2)
     else:

@@ -22,10 +22,11 @@ from numba.core.typing.templates import AbstractTemplate, signature
 from numba.extending import intrinsic, lower_builtin, models, register_model
 
 from bondem._compile import LANES as WIDTH
+from bondem._compile import device
 
 __all__ = [
-    "WIDTH", "LanesType", "all_below", "instruction", "lane", "lanes", "put_lane", "shuffled", "sign", "vector",
-    "zero_of",
+    "WIDTH", "LanesType", "all_below", "dot", "fused", "instruction", "lane", "lanes", "put_lane", "shuffled", "sign",
+    "vector", "zero_of",
 ]  # fmt: skip
 
 # type checkers know numba's decorators for something else
@@ -129,6 +130,21 @@ def sign(typingctx, value):
 
 
 @instruction
+def fused(typingctx, a, b, c):
+    """a b + c with one rounding, of numbers or of many: where the bits must not depend on which product is fused."""
+    if not (a is b is c or a == b == c):
+        return None
+
+    def generate(context, builder, sig, args):
+        one = args[0].type
+        name = f"llvm.fma.v{WIDTH}f64" if sig.args[0] is lanes else "llvm.fma.f64"
+        function = cgutils.get_or_insert_function(builder.module, ir.FunctionType(one, [one] * 3), name)
+        return builder.call(function, args)
+
+    return c(a, b, c), generate
+
+
+@instruction
 def all_below(typingctx, value, limit):
     """Whether a number, or all of many, are below another."""
 
@@ -172,3 +188,9 @@ def zero_of(typingctx, value):
         return ir.Constant(args[0].type, [0.0] * WIDTH if sig.args[0] is lanes else 0.0)
 
     return value(value), generate
+
+
+@device
+def dot(a, b):
+    """Scalar product of two triples, with the products fused that a compiler fuses in scalar code."""
+    return fused(a[2], b[2], fused(a[0], b[0], a[1] * b[1]))

@@ -7,7 +7,7 @@ its row of the boundary, or None for elements that own none; m and u are 1/mass 
 from bondem._compile import device
 from bondem.kernels.element_rows import free
 from bondem.kernels.lane_memory import chosen, clear_row, entry, put_entry, row
-from bondem.kernels.lanes import sign, zero_of
+from bondem.kernels.lanes import dot, fused, sign, zero_of
 from bondem.kernels.tables import DAMPED, POWER
 from bondem.laws.damping import local_damping
 
@@ -37,9 +37,7 @@ def body_work(added, p, m, half, v):
     """Add the work of the body forces over half a step [J]."""
     if len(added.group) > 0:
         q = chosen(added.group, p)
-        power = (
-            entry(added.present, q, 0) * v[0] + entry(added.present, q, 1) * v[1] + entry(added.present, q, 2) * v[2]
-        )
+        power = dot((entry(added.present, q, 0), entry(added.present, q, 1), entry(added.present, q, 2)), v)
         put_entry(added.body, p, 0, entry(added.body, p, 0) + half * power / m)
 
 
@@ -99,10 +97,10 @@ def _absorbed(absorbing, r, h, s, m, v, a):
 @device
 def lost(f, t, before_f, before_t, v, w):
     """Power taken by local damping [W]: what it takes of force and torque, at the velocity between the two kicks."""
-    return (
-        (before_f[0] - f[0]) * v[0] + (before_f[1] - f[1]) * v[1] + (before_f[2] - f[2]) * v[2]
-        + (before_t[0] - t[0]) * w[0] + (before_t[1] - t[1]) * w[1] + (before_t[2] - t[2]) * w[2]
-    )  # fmt: skip
+    power = dot((before_f[0] - f[0], before_f[1] - f[1], before_f[2] - f[2]), v)
+    power = fused(before_t[0] - t[0], w[0], power)
+    power = fused(before_t[1] - t[1], w[1], power)
+    return fused(before_t[2] - t[2], w[2], power)
 
 
 @device
@@ -111,12 +109,12 @@ def viscous_power(added, fixed, s, r, m, u, v, w):
     power = zero_of(v[0])
     if len(added.dashed) > 0:
         c = row(added.dashed, s)
-        power -= c[0] * v[0] + c[1] * v[1] + c[2] * v[2] + c[4] * w[0] + c[5] * w[1] + c[6] * w[2]
+        along = dot((c[0], c[1], c[2]), v)
+        power -= fused(c[6], w[2], fused(c[5], w[1], fused(c[4], w[0], along)))
         clear_row(added.dashed, s)
     if r is not None:
         v, w = free(fixed, r, v, w)
-    turning = w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
-    power += added.alpha * ((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / m + turning / u)
+    power += added.alpha * (dot(v, v) / m + dot(w, w) / u)
     if r is not None:
         if len(added.absorbing) > 0:
             c = added.absorbing[r]

@@ -89,13 +89,14 @@ def of_contacts(pose, period, contacts, gauges, record):
         record[WORK] += walls[w, WALL_WORK]
     for g in range(len(gauges.quantity)):
         quantity, column = gauges.quantity[g], FIXED_COLUMNS + 3 * g
-        wall = walls[gauges.element[gauges.start[g]]] if quantity >= WALL_DISPLACEMENT else walls[0]
-        if quantity == WALL_GROWTH:
-            record[column], record[column + 1], record[column + 2] = wall[GROWTH], wall[FORCE + 3], wall[NORMAL_FORCE]
-        elif quantity >= WALL_DISPLACEMENT:
+        if quantity >= WALL_DISPLACEMENT:
+            wall = walls[gauges.element[gauges.start[g]]]
             first = 0 if quantity == WALL_DISPLACEMENT else FORCE
             for d in range(3):
                 record[column + d] = wall[first + d]
+            if quantity == WALL_GROWTH:
+                record[column], record[column + 1] = wall[GROWTH], wall[FORCE + 3]
+                record[column + 2] = wall[NORMAL_FORCE]
 
 
 @device
