@@ -10,8 +10,6 @@ from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.report.findings import Examined, Findings
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 
-_SYMBOLS = {"radius_ratio": "bond radius ratio,  r̃ [-]", "kappa": "stiffness ratio,  κ [-]"}
-
 
 def draw_calibration(path: Path, findings: Findings) -> None:
     """ν and E / E_μ over the free parameter of the law, with the trials and the chosen point."""
@@ -37,7 +35,7 @@ def draw_calibration(path: Path, findings: Findings) -> None:
                     xytext=(0, 3), textcoords="offset points",
                 )  # fmt: skip
             ax.plot([chosen], [reached], "D", color=ORANGE, markersize=7, label=f"calibrated: {chosen:.4f}", zorder=5)
-            ax.set(xlabel=_SYMBOLS[fit.parameter], ylabel=label)
+            ax.set(xlabel=fit.law.free.label, ylabel=label)
             ax.legend(loc="best")
 
 
