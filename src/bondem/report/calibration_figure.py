@@ -22,7 +22,7 @@ def draw_calibration(path: Path, fit: Calibration) -> None:
     trial = np.array([(one.value, one.nu, one.stiffness_ratio) for one in fit.table]).T
     with sheet(path, 10.2, 3.5, 1, 3) as (_, (left, middle, right)):
         for ax, row, label, name in (
-            (left, 1, "Poisson's ratio ν [-]", "nu"), (middle, 2, "E / E_μ [-]", "stiffness_ratio"),
+            (left, 1, "Poisson's ratio ν [-]", "nu"), (middle, 2, r"$E\,/\,E_\mu$ [-]", "stiffness_ratio"),
         ):  # fmt: skip
             if known is not None and known.parameter == free.name:
                 ax.plot(known.values, getattr(known, name), color=GREY, linewidth=1.2, label="curve in bulk")
@@ -30,8 +30,8 @@ def draw_calibration(path: Path, fit: Calibration) -> None:
             ax.axvline(fit.value, color=ORANGE, linewidth=1.0)
             ax.set(xlabel=free.label, xscale=free.scale, ylabel=label)
         left.axhline(fit.material.nu, color=ORANGE, linewidth=1.0, label=f"wanted: {fit.material.nu:g}")
-        left.set_title(f"{named(type(fit.law).__name__)} bonds: {fit.value:.4g}")
-        middle.set_title(f"E_μ = {quantity(fit.law.E, 'Pa')}")
+        left.set_title(f"{named(type(fit.law).__name__)} bonds, {free.tex} = {fit.value:.4g}")
+        middle.set_title(f"$E_\\mu$ = {quantity(fit.law.E, 'Pa')}")
         for ax in (left, middle):
             ax.legend(fontsize=8.0)
         E, nu = (fit.sample(name).values for name in ("E", "nu"))

@@ -22,8 +22,8 @@ def draw_calibration(path: Path, findings: Findings) -> None:
     fine = np.linspace(value[0], value[-1], 200)
     with sheet(path, 8.2, 3.2, 1, 2) as (_, axes):
         rows = (
-            ("nu", "Poisson's ratio,  ν [-]", material.nu, fit.nu, BLUE),
-            ("stiffness_ratio", "modulus over that of the bonds,  E / E$_μ$ [-]", None, fit.E / fit.law.E, GREEN),
+            ("nu", "Poisson's ratio ν [-]", material.nu, fit.nu, BLUE),
+            ("stiffness_ratio", "modulus ratio E / E$_μ$ [-]", None, fit.E / fit.law.E, GREEN),
         )
         for ax, (name, label, target, reached, colour) in zip(axes, rows, strict=True):
             ax.plot(fine, PchipInterpolator(value, [getattr(trial, name) for trial in curve])(fine), color=colour)
