@@ -8,9 +8,9 @@ import pytest
 from scipy.stats import t as student
 
 import bondem as bd
-from bondem.calibration.free_parameter import FreeParameter
 from bondem.calibration.reach import reach, recommend
 from bondem.calibration.response import Response
+from bondem.calibration.search import Search
 from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError, UnreachableTargetError
@@ -88,7 +88,7 @@ def test_a_target_out_of_reach_names_the_reach(lattices):
 @pytest.mark.parametrize("target", [0.12, 0.2, 0.33])
 @pytest.mark.parametrize("start", [None, 0.15, 0.85])
 def test_the_root_is_found_wherever_it_lies(rising, target, start):
-    free = FreeParameter("x", 0.1, 0.9)
+    free = Search("x", 0.1, 0.9)
     seen = []
 
     def nu(value: float) -> tuple[float, float]:
@@ -105,7 +105,7 @@ def test_the_root_is_found_wherever_it_lies(rising, target, start):
 @pytest.mark.parametrize("start", [None, 0.1, 0.9])
 @pytest.mark.parametrize("target", [0.05, 0.39])
 def test_a_root_beyond_the_ends_is_refused_with_the_reach(start, target):
-    free = FreeParameter("x", 0.1, 0.9)
+    free = Search("x", 0.1, 0.9)
     with pytest.raises(UnreachableTargetError, match=r"outside 0\.106 … 0\.351"):
         free.solve(
             lambda x: (0.1 + 0.3 * x**1.7, 0.51 * x**0.7), target, start=start, tolerance=1e-10, who="test bonds"

@@ -21,7 +21,7 @@ from bondem.study.influence import Influence
 from bondem.study.packing_rows import PackingRequest, kept_lattice
 from bondem.study.request import kept_row, made_row
 
-LAWS = (bd.EulerBernoulli, bd.Timoshenko, bd.ParallelBond, bd.Obermayr)
+LAWS = tuple(sweep.law for sweep in SWEEPS.values())
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +39,8 @@ def files(folder):
 def test_every_law_has_a_curve_that_reads_both_ways(law):
     found = curve(law)
     assert found is not None
-    assert (found.law, found.parameter) == (law.__name__, SWEEPS[law.__name__].parameter)
+    assert (found.law, found.parameter) == (law.__name__, law.free.name)
+    assert (tuple(found.values), found.fixed) == (law.free.curve, SWEEPS[law.__name__].fixed)
     low, high = found.reach
     for nu in np.linspace(low, high, 23)[1:-1]:
         value = found.value_for(nu)
@@ -90,6 +91,8 @@ def test_the_abacus_leaves_curves_as_data(abacus):
     np.testing.assert_allclose(own.values, SWEEPS["ParallelBond"].values)
     assert (np.diff(own.nu) > 0.0).all()
     assert (np.diff(own.stiffness_ratio) < 0.0).all()
+    alone = json.loads((out / "curves" / "ParallelBond.json").read_text())
+    assert alone == {name: value for name, value in data.items() if name != "laws"} | data["laws"]["ParallelBond"]
     with open(out / "abacus.csv", newline="") as file:
         lines = list(csv.DictReader(file))
     assert [float(line["nu"]) for line in lines if line["shape"] == "periodic cell"] == list(own.nu)

@@ -163,7 +163,7 @@ def test_a_damaged_file_is_as_good_as_none(tmp_path, damage):
     path = tmp_path / "kept" / f"{key(REQUEST)}.h5"
     told = bd.read_provenance(path)
     assert told["method"] == "quench"
-    assert told["sizes"] == {"type": "bondem.packing.sizes.Uniform", "kappa": 0.25}
+    assert told["sizes"] == {"type": "bondem.packing.sizes.Uniform", "spread": 0.25}
     path.write_bytes(damage(path.read_bytes()))
     assert cache.get(key(REQUEST)) is None
     for _ in range(2):

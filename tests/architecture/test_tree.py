@@ -1,9 +1,15 @@
 """Rules of the house that a machine can check."""
 
+import ast
 import re
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
+
+import bondem
+from bondem.laws.catalogue import LAWS
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))
@@ -40,3 +46,33 @@ def test_importing_the_package_is_cheap_and_every_public_name_resolves():
         "[getattr(bondem, name) for name in bondem.__all__]"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
+
+
+#: Modules that are for bonds of one law, and why.
+OF_ONE_LAW = {
+    "calibration/layers.py": ("EulerBernoulli", "its factors were found for the skin of these bonds only"),
+    "laws/contact_bond.py": ("ParallelBond", "it is made from them: the same bonds without moments"),
+}
+#: Laws that share their name with the beam theory that tests are held against: words may name it, code may not.
+THEORIES = {"Timoshenko"}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_law_is_named_in_its_own_file_the_catalogue_and_the_public_names_only(law):
+    package = ROOT / "src/bondem"
+    own = re.sub("(?<!^)(?=[A-Z])", "_", law).lower()
+    assert LAWS[law].__module__ == f"bondem.laws.{own}"
+    files = [path for ending in ("py", "html", "json") for path in package.rglob(f"*.{ending}")]
+    naming = {str(path.relative_to(package)) for path in files if _names(path, law)}
+    assert naming >= {f"laws/{own}.py", "laws/catalogue.py"}
+    others = naming - {f"laws/{own}.py", "laws/catalogue.py", "__init__.py"}
+    assert others == {path for path, (one, _) in OF_ONE_LAW.items() if one == law}
+    assert law in bondem.__all__
+
+
+def _names(path: Path, law: str) -> bool:
+    text = path.read_text()
+    if law not in THEORIES:
+        return re.search(rf"\b{law}\b", text) is not None
+    nodes = ast.walk(ast.parse(text)) if path.suffix == ".py" else ()
+    return any(getattr(node, kind, None) == law for node in nodes for kind in ("id", "attr", "name"))

@@ -1,7 +1,7 @@
 """The calibration curves of every law, computed once: ν and E/E_μ of packings over the parameter that sets ν.
 
-`abacus.json` beside this file is what `bondem study abacus` found in periodic cells: André et al. (2012), figs 15 and
-16, for four laws. Where a curve is, the search for the value of a parameter starts next to its end.
+The files in `curves`, named after laws, are what `bondem study abacus` found in periodic cells: André et al. (2012),
+figs 15 and 16. Where a curve is, the search for the value of a parameter starts next to its end.
 """
 
 import json
@@ -26,7 +26,7 @@ class Curve:
 
     Attributes:
         law: name of the law.
-        parameter: its parameter that varies: "radius_ratio", "kappa" or "alpha_s".
+        parameter: name of its parameter that varies.
         fixed: its other parameters; ν_μ is 0.3.
         values: of the parameter, ascending [-], shape (k,).
         nu, nu_std: mean and standard deviation of Poisson's ratio over packings [-], shape (k,).
@@ -44,7 +44,7 @@ class Curve:
 
     @classmethod
     def read(cls, law: str, data: Mapping[str, Any]) -> "Curve":
-        """The curve of a law in an `abacus.json`."""
+        """The curve of a law, as `bondem study abacus` writes it."""
         arrays = ("values", "nu", "nu_std", "stiffness_ratio", "stiffness_ratio_std")
         return cls(law, data["parameter"], dict(data["fixed"]),
                    **{name: np.array(data[name], dtype=float) for name in arrays})  # fmt: skip
@@ -100,10 +100,10 @@ class Curve:
 
 def curve(law: type[BondLaw]) -> Curve | None:
     """The curve that comes with bondem for a family of laws, or None."""
-    return _shipped().get(law.__name__)
+    return _shipped(law.__name__)
 
 
 @cache
-def _shipped() -> dict[str, Curve]:
-    text = files("bondem.calibration").joinpath("abacus.json").read_text(encoding="utf-8")
-    return {law: Curve.read(law, data) for law, data in json.loads(text)["laws"].items()}
+def _shipped(law: str) -> Curve | None:
+    file = files("bondem.calibration").joinpath("curves", f"{law}.json")
+    return Curve.read(law, json.loads(file.read_text(encoding="utf-8"))) if file.is_file() else None

@@ -10,14 +10,15 @@ import numpy as np
 from bondem._types import PerElement
 from bondem.calibration.abacus import curve
 from bondem.calibration.density import balanced_density, element_density
-from bondem.calibration.free_parameter import FreeParameter
 from bondem.calibration.reach import recommend
 from bondem.calibration.response import Response, Slope
+from bondem.calibration.search import Search
 from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError
 from bondem.labtests.tension import Tension
 from bondem.laws.bond import BondLaw
+from bondem.laws.catalogue import DEFAULT
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 
@@ -45,7 +46,7 @@ class Calibration:
         law: the bond law to use.
         density: of the elements, ρ_μ [kg/m³].
         material: the target.
-        parameter: name of the parameter found for ν: "radius_ratio", "kappa" or "alpha_s".
+        parameter: name of the parameter found for ν, that which the law declares free.
         table: every evaluation, in ascending order of the parameter.
         responses: what each calibrating lattice does with the final law.
         slopes: of each lattice to the parameter.
@@ -179,7 +180,7 @@ def calibrate(
     """Find the law of a family with which specimens have the E, ν and ρ of a material.
 
     In linear elasticity ν does not depend on E_μ and E is proportional to it: one root in the law's free
-    parameter gives ν (r̃, or κ for parallel and contact bonds, or α_s for those of Obermayr), one division gives E.
+    parameter gives ν (r̃ of beams, a factor on the shear stiffness of others: `law.free`), one division gives E.
     The root is Newton's, with the derivative of the adjoint problem, begun on the curve of the law that comes with
     bondem: two or three evaluations. Moduli are those of `labtests.static_tension` along x, or of `bulk_moduli`
     for periodic cells; over several lattices, their means are calibrated.
@@ -189,11 +190,10 @@ def calibrate(
         material: the target.
         law: family of bond laws; the one that `recommend` names unless given.
         nu_mu: Poisson's ratio of the bonds, ν_μ [-]; it hardly matters for Euler–Bernoulli bonds.
-        search: between which values of the free parameter to look; r̃ in (0.1, 0.9), κ in (0.5, 50), α_s in
-            (0.05, 2.5).
+        search: between which values of the free parameter to look; `law.free.search` unless given.
         tolerance: on ν [-].
-        **parameters: further parameters of the law, held fixed (radius_rule=, formulation=, and radius_ratio= of
-            parallel bonds and those of Obermayr, which is 1 unless given).
+        **parameters: further parameters of the law, held fixed: radius_rule=, formulation=, and radius_ratio= where
+            it is not what varies, which is 1 unless given.
 
     Raises:
         UnreachableTargetError: the law cannot give this ν on this lattice; the message names its reach.
@@ -203,21 +203,20 @@ def calibrate(
     if not lattices:
         raise InputError("calibrate needs at least one lattice; pass bd.connect(particles)")
     if law is not None and not (isinstance(law, type) and issubclass(law, BondLaw)):
-        raise InputError(f"law = {law!r}; pass a bond law class, such as bd.EulerBernoulli, not an instance")
+        raise InputError(f"law = {law!r}; pass a bond law class, such as bd.{DEFAULT.__name__}, not an instance")
     if search is not None and not 0.0 < search[0] < search[1]:
         raise InputError(f"search = {search}; give two positive values, the smaller first")
     reason = ""
     if law is None:
         choice = recommend(material.nu)
         law, reason = choice.law, choice.reason
-    free = FreeParameter.of(law, search)
-    fixed = _fixed_parameters(law, free, parameters) | {"nu": nu_mu}
+    free = law.free
+    _require_known(law, parameters)
     trials: dict[float, Trial] = {}
     found: list[Response] = []
 
     def bonds(E: float, value: float) -> BondLaw:
-        varied: dict[str, Any] = {"E": E, free.name: value}
-        return law(**fixed, **varied)
+        return law.at(value, E=E, nu=nu_mu, **parameters)
 
     def measured(candidate: BondLaw) -> list[Response]:
         known = found or [None] * len(lattices)
@@ -234,7 +233,9 @@ def calibrate(
 
     known = curve(law)
     start = known.value_for(material.nu) if known is not None and known.parameter == free.name else None
-    value = free.solve(nu_of, material.nu, start=start, tolerance=tolerance, who=f"{law.__name__} bonds")
+    value = Search(free.name, *(search or free.search)).solve(
+        nu_of, material.nu, start=start, tolerance=tolerance, who=f"{law.__name__} bonds"
+    )
     slopes = tuple(one.slope(free.name) for one in found)
     calibrated = bonds(material.E / trials[value].stiffness_ratio, value)
     responses = tuple(measured(calibrated))
@@ -256,9 +257,10 @@ def _mean_slope(slopes: Sequence[Slope]) -> Slope:
     return Slope(*(float(np.mean([getattr(one, name) for one in slopes])) for name in ("log_E", "nu")))
 
 
-def _fixed_parameters(law: type[BondLaw], free: FreeParameter, given: dict[str, Any]) -> dict[str, Any]:
+def _require_known(law: type[BondLaw], given: dict[str, Any]) -> None:
+    free = law.free
     known = {item.name for item in fields(law)} - {"E", "nu", free.name}
-    if free.name == "radius_ratio":
+    if free.is_radius:
         known -= {"radius"}
     unknown = sorted(set(given) - known)
     if unknown:
@@ -266,6 +268,3 @@ def _fixed_parameters(law: type[BondLaw], free: FreeParameter, given: dict[str, 
             f"calibrate: {law.__name__} has no fixed parameter '{unknown[0]}'; choose from"
             f" {', '.join(sorted(known))} (E and {free.name} are what is looked for, nu_mu= sets nu)"
         )
-    if free.name != "radius_ratio" and not {"radius_ratio", "radius"} & set(given):
-        return {"radius_ratio": 1.0} | given
-    return dict(given)

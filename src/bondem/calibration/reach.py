@@ -4,23 +4,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from bondem.calibration.abacus import curve
-from bondem.calibration.free_parameter import FreeParameter
 from bondem.calibration.response import Response
 from bondem.errors import UnreachableTargetError
 from bondem.laws.bond import BondLaw
-from bondem.laws.euler_bernoulli import EulerBernoulli
-from bondem.laws.obermayr import Obermayr
-from bondem.laws.parallel_bond import ParallelBond
-from bondem.laws.timoshenko import Timoshenko
+from bondem.laws.catalogue import LAWS
 from bondem.specimen.lattice import Lattice
 
 # Packings differ from the curves by about a hundredth.
 _MARGIN = 0.01
-
-# In the order in which they are recommended: Euler–Bernoulli bonds are those of the paper that bondem follows, with
-# one parameter beside E_μ that is a length one can see; those of Obermayr and parallel bonds reach the widest range
-# of ν by a factor on the shear stiffness alone; those of Timoshenko barely change ν at all.
-_PREFERRED: tuple[type[BondLaw], ...] = (EulerBernoulli, Obermayr, ParallelBond, Timoshenko)
 
 
 @dataclass(frozen=True)
@@ -77,19 +68,15 @@ def reach(
         points: number of values, in equal ratios.
         **fixed: further parameters of the law; radius_ratio is 1 where it is not what varies.
     """
-    free = FreeParameter.of(law)
-    if free.name != "radius_ratio" and "radius" not in fixed:
-        fixed = {"radius_ratio": 1.0} | fixed
-    values = tuple(free.low * (free.high / free.low) ** (k / (points - 1)) for k in range(points))
-    found: list[Response] = []
-    for value in values:
-        varied: dict[str, Any] = {"E": 1e9, "nu": nu_mu, free.name: value}
-        found.append(Response(lattice, law(**fixed, **varied)))
+    free = law.free
+    low, high = free.search
+    values = tuple(low * (high / low) ** (k / (points - 1)) for k in range(points))
+    found = [Response(lattice, law.at(value, E=1e9, nu=nu_mu, **fixed)) for value in values]
     return Reach(law, free.name, values, tuple(one.nu for one in found), tuple(one.E / 1e9 for one in found))
 
 
 def recommend(nu: float) -> Recommendation:
-    """The law to take for a Poisson's ratio: the first in order of preference whose curve passes it with room.
+    """The law to take for a Poisson's ratio: the first of the catalogue whose curve passes it with room.
 
     The curves are those of `bondem study abacus`, for packings of 6.2 contacts a sphere.
 
@@ -97,7 +84,7 @@ def recommend(nu: float) -> Recommendation:
         UnreachableTargetError: no law reaches ν.
     """
     reaches = []
-    for law in _PREFERRED:
+    for law in LAWS.values():
         known = curve(law)
         if known is None:
             continue

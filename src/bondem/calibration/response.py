@@ -71,7 +71,7 @@ class Response:
             self.E, self.nu = self.tension.E, self.tension.nu
 
     def slope(self, parameter: str) -> Slope:
-        """Derivatives to a parameter of the law: "radius_ratio", "nu", "kappa" or "alpha_s".
+        """Derivatives to a parameter of the law, by its name: "nu", "radius_ratio" or what it declares free.
 
         A tension test solves two adjoint problems, once for all parameters; bulk moduli need none.
         """

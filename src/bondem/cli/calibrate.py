@@ -11,19 +11,14 @@ from rich.table import Table
 from bondem.cli.terminal import on_threads, progress_bars
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw
-from bondem.report.numbers import percent, quantity, words
+from bondem.laws.catalogue import CALIBRATED, LAWS, named
+from bondem.report.numbers import percent, quantity
 from bondem.specimen import materials
 from bondem.specimen.material import Material
 from bondem.study.calibration import SHAPES, CalibrationPlan, run_calibration
-from bondem.study.study import LAWS
 
-_LAWS: dict[str, type[BondLaw]] = {
-    "euler-bernoulli": LAWS["EulerBernoulli"],
-    "timoshenko": LAWS["Timoshenko"],
-    "parallel": LAWS["ParallelBond"],
-    "obermayr": LAWS["Obermayr"],
-}
-_SYMBOLS = {"radius_ratio": "r̃", "kappa": "κ", "alpha_s": "α_s"}
+# As one types them: euler-bernoulli.
+_LAWS: dict[str, type[BondLaw]] = {law.title.lower().replace("–", "-"): law for law in CALIBRATED.values()}
 
 
 @click.command("calibrate")
@@ -77,10 +72,10 @@ def _show(found: dict[str, Any]) -> None:
     if not console.is_terminal:
         console.width = 120
     micro, specimen, timing = found["micro"], found["specimen"], found["timing"]
-    symbol = _SYMBOLS[found["parameter"]]
+    symbol = LAWS[found["law"]].free.symbol
     target = found["material"]
     console.print(
-        f"\n[bold]{words(found['law'])} bonds[/bold] for {target['name']} (E = {quantity(target['E'], 'Pa')},"
+        f"\n[bold]{named(found['law'])} bonds[/bold] for {target['name']} (E = {quantity(target['E'], 'Pa')},"
         f" ν = {target['nu']:g}, ρ = {quantity(target['rho'], 'kg/m³')})", soft_wrap=True,
     )  # fmt: skip
     if found["reason"]:

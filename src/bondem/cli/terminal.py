@@ -11,6 +11,7 @@ from rich.table import Table
 
 from bondem._compile import compiled_before, most_threads, threads
 from bondem.errors import InputError
+from bondem.laws.catalogue import LAWS
 from bondem.report.numbers import percent, quantity, signed_percent
 from bondem.study.study import Study
 
@@ -62,8 +63,10 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
             f"  (over all packings ± {percent(macro['E_std'] / macro['E'])} of E,"
             f" ± {percent(macro['nu_std'] / abs(macro['nu']))} of ν)"
         )  # fmt: skip
+        free = LAWS[micro["law"]].free
+        varied = "" if free.is_radius else f" {free.symbol} = {micro[free.name]:.4f},"
         lines += [
-            f"  {micro['law']}: E_μ = {quantity(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},"
+            f"  {micro['law']}: E_μ = {quantity(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},{varied}"
             f" ρ_μ = {quantity(micro['rho_mu'], 'kg/m³')}",
             f"  E = {quantity(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, ρ = {quantity(macro['rho'], 'kg/m³')}"
             + spread,

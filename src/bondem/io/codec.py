@@ -12,13 +12,9 @@ from typing import Any
 import numpy as np
 
 from bondem.errors import RunFileError
+from bondem.laws.catalogue import LAWS
 from bondem.laws.contact import LinearContact
-from bondem.laws.contact_bond import ContactBond
 from bondem.laws.damping import BondDamping, LocalDamping, MassDamping
-from bondem.laws.euler_bernoulli import EulerBernoulli
-from bondem.laws.obermayr import Obermayr
-from bondem.laws.parallel_bond import ParallelBond
-from bondem.laws.timoshenko import Timoshenko
 from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge, WallGauge
 from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
@@ -35,7 +31,7 @@ from bondem.specimen.surface import Surface
 _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
-        ContactBond, EulerBernoulli, Obermayr, ParallelBond, Timoshenko,
+        *LAWS.values(),
         LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
         LinearContact, PlaneWall, CylinderWall, Driven, Servo,
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,

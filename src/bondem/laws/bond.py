@@ -7,12 +7,15 @@ A law is therefore data, computed once per bond; `bondem.laws.beam_energy` is th
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
 from bondem._types import PerBond
 from bondem.errors import InputError
+from bondem.laws.free_parameter import RADIUS_RATIO, FreeParameter
 
 RADIUS_RULES = ("mean", "pair_min", "pair_mean")
 FORMULATIONS = ("total", "incremental")
@@ -84,10 +87,17 @@ class BondLaw(ABC):
             "pair_mean".
         formulation: "total" (exact gradient of one energy) or "incremental" (rates integrated step by step,
             as the papers do).
+        title: what people call such bonds (of the class).
+        free: the parameter that calibration varies (of the class).
+        moments: whether bonds resist bending and twisting (of the class).
 
     Raises:
         InputError: a value outside its physical range, or both or neither of the two radii.
     """
+
+    title: ClassVar[str]
+    free: ClassVar[FreeParameter] = RADIUS_RATIO
+    moments: ClassVar[bool] = True
 
     E: float
     nu: float
@@ -117,6 +127,26 @@ class BondLaw(ABC):
     def G(self) -> float:
         """Shear modulus of the bond [Pa]."""
         return self.E / (2.0 * (1.0 + self.nu))
+
+    @classmethod
+    def with_radius(cls, given: Mapping[str, Any]) -> dict[str, Any]:
+        """What is held fixed where ν is varied: r̃ = 1 beside what is given, unless r̃ varies or a radius is given."""
+        if cls.free.is_radius or {"radius_ratio", "radius"} & set(given):
+            return dict(given)
+        return {RADIUS_RATIO.name: 1.0} | dict(given)
+
+    @classmethod
+    def at(cls, value: float, *, E: float, nu: float, **fixed: Any) -> Self:
+        """The law at a value of its free parameter.
+
+        Args:
+            value: of the free parameter [-].
+            E, nu: of the bonds [Pa], [-].
+            **fixed: further parameters; see `with_radius`.
+        """
+        given = cls.with_radius(fixed)
+        given[cls.free.name] = value
+        return cls(E=E, nu=nu, **given)
 
     def bond_radius(self, bonds: BondGeometry) -> PerBond:
         """Radius of each bond [m], shape (m,)."""

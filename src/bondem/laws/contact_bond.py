@@ -1,10 +1,12 @@
 """Contact bond: a glued point that carries force but no moment."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 
 from bondem.laws.bond import BondGeometry, BondStiffness
+from bondem.laws.free_parameter import FreeParameter
 from bondem.laws.parallel_bond import ParallelBond
 
 
@@ -14,8 +16,13 @@ class ContactBond(ParallelBond):
 
         kn = E A / L    ks = kn / κ    kb = kt = 0    contact point at (L + Ri - Rj) / 2
 
+    Statics needs lattices so dense that no element rolls freely; calibration in studies therefore leaves it out.
     Tension positive. Reference: Potyondy and Cundall (2004), contact bond.
     """
+
+    title: ClassVar[str] = "contact"
+    free: ClassVar[FreeParameter] = replace(ParallelBond.free, curve=(), fitted=(), held_out=())
+    moments: ClassVar[bool] = False
 
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         full = super().stiffness(bonds)

@@ -1,8 +1,10 @@
 """Euler–Bernoulli beam bond (André et al. 2012)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import ClassVar
 
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness, Section
+from bondem.laws.free_parameter import RADIUS_RATIO, FreeParameter
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -14,6 +16,9 @@ class EulerBernoulli(BondLaw):
     Nodally exact for loads at the elements. Tension positive. Reference: André et al. (2012) §2, signs of
     eqs (1), (3), (4) corrected; Chen et al. (2022) eq (26).
     """
+
+    title: ClassVar[str] = "Euler–Bernoulli"
+    free: ClassVar[FreeParameter] = replace(RADIUS_RATIO, fitted=(0.3, 0.5, 0.8), held_out=(0.7,))
 
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         section = Section(self.bond_radius(bonds))

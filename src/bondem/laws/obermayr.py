@@ -2,9 +2,11 @@
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 from bondem.errors import InputError
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness, Section
+from bondem.laws.free_parameter import FreeParameter
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,6 +21,12 @@ class Obermayr(BondLaw):
     Not nodally exact: the bending part of the shear flexibility is missing and returns with refinement.
     Tension positive. Reference: Chen et al. (2022) §4.3.
     """
+
+    title: ClassVar[str] = "Obermayr"
+    free: ClassVar[FreeParameter] = FreeParameter(
+        name="alpha_s", meaning="shear factor", symbol="α_s", tex=r"$\alpha_s$", search=(0.05, 2.5),
+        curve=(0.02, 0.04, 0.07, 0.1, 0.15, 0.25, 0.4, 0.6, 0.75, 0.9, 1.2, 1.5, 2.5, 5.0), fitted=(0.25,),
+    )  # fmt: skip
 
     alpha_s: float = 0.9
 

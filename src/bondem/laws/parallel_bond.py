@@ -2,9 +2,11 @@
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 from bondem.errors import InputError
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness, Section
+from bondem.laws.free_parameter import FreeParameter
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,6 +21,13 @@ class ParallelBond(BondLaw):
     Converges to a beam only as bonds become short against their radius. Tension positive. Reference:
     Chen et al. (2022) Tables 1 and 9, eqs (2) and (8).
     """
+
+    title: ClassVar[str] = "parallel"
+    free: ClassVar[FreeParameter] = FreeParameter(
+        name="kappa", meaning="stiffness ratio", symbol="κ", tex=r"$\kappa$", search=(0.5, 50.0),
+        curve=(0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0, 12.0, 20.0, 30.0, 50.0), fitted=(1.5, 5.0),
+        held_out=(4.0,),
+    )  # fmt: skip
 
     kappa: float | None = None
 

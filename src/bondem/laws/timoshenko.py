@@ -1,8 +1,10 @@
 """Timoshenko beam bond (Chen et al. 2022)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import ClassVar
 
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness, Section
+from bondem.laws.free_parameter import RADIUS_RATIO, FreeParameter
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -14,6 +16,12 @@ class Timoshenko(BondLaw):
 
     Nodally exact for loads at the elements. Tension positive. Reference: Chen et al. (2022) eqs (21), (22), (25).
     """
+
+    title: ClassVar[str] = "Timoshenko"
+    # ν goes on falling, ever more slowly, beyond the elements
+    free: ClassVar[FreeParameter] = replace(
+        RADIUS_RATIO, curve=(*RADIUS_RATIO.curve, 1.25, 1.5), fitted=(0.6,)
+    )  # fmt: skip
 
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         section = Section(self.bond_radius(bonds))

@@ -36,19 +36,19 @@ class Uniform(SizeLaw):
     """Radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10).
 
     Args:
-        kappa: κ = (R_max - R_min) / R̄ [-], from 0 up to below 2.
+        spread: κ = (R_max - R_min) / R̄ [-], from 0 up to below 2.
     """
 
-    kappa: float
+    spread: float
 
     def __post_init__(self) -> None:
-        if not 0.0 <= self.kappa < 2.0:
+        if not 0.0 <= self.spread < 2.0:
             raise InputError(
-                f"spread = {self.kappa}; give the range of radii over their mean, from 0 up to below 2"
+                f"spread = {self.spread}; give the range of radii over their mean, from 0 up to below 2"
             )
 
     def quantile(self, share: Floats) -> Floats:
-        return 1.0 + self.kappa * (share - 0.5)
+        return 1.0 + self.spread * (share - 0.5)
 
 
 @dataclass(frozen=True)

@@ -8,11 +8,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from bondem.calibration.abacus import Curve
-from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
+from bondem.laws.catalogue import DEFAULT, LAWS, PARAMETERS, named
+from bondem.report.style import BLUE, GREY, INK, ORANGE, law_colour, sheet
 
-_SYMBOLS = {"radius_ratio": "r̃", "kappa": "κ", "alpha_s": r"$\alpha_s$"}
-_WORDS = {"EulerBernoulli": "Euler–Bernoulli", "ParallelBond": "parallel bond"}
-_LAW_COLOURS = {"EulerBernoulli": BLUE, "Timoshenko": GREEN, "ParallelBond": ORANGE, "Obermayr": PURPLE}
 _MARKS = ("o", "s")
 # ν of materials that the reach is held against.
 _MATERIALS = (
@@ -36,24 +34,23 @@ def draw_abacus(path: Path, curves: Mapping[str, Mapping[str, Curve]], silica: M
             for (shape, found), marker in zip(curves.items(), _MARKS, strict=False):
                 if law in found:
                     own, filled = found[law], marker == _MARKS[0]
-                    face = _LAW_COLOURS[law] if filled else "white"
+                    face = law_colour(law) if filled else "white"
                     for ax, mean, std in (
                         (top, own.nu, own.nu_std), (bottom, own.stiffness_ratio, own.stiffness_ratio_std)
                     ):  # fmt: skip
-                        ax.errorbar(own.values, mean, yerr=np.nan_to_num(std), color=_LAW_COLOURS[law], marker=marker,
+                        ax.errorbar(own.values, mean, yerr=np.nan_to_num(std), color=law_colour(law), marker=marker,
                                     markersize=4.0, markerfacecolor=face, capsize=2.0, elinewidth=0.9, linewidth=1.2,
                                     linestyle="-" if filled else (0, (3, 2)), label=shape)  # fmt: skip
             first = next(found[law] for found in curves.values() if law in found)
-            fixed = ", ".join(f"{_SYMBOLS[name]} = {value:g}" for name, value in first.fixed.items())
-            top.set_title(_WORDS.get(law, law) + (f" ({fixed})" if fixed else ""))
+            fixed = ", ".join(f"{PARAMETERS[name].tex} = {value:g}" for name, value in first.fixed.items())
+            top.set_title(named(law) + (f" ({fixed})" if fixed else ""))
             top.axhline(silica["nu"], color=INK, linewidth=0.9, linestyle=(0, (1, 1.5)), label="silica, ν = 0.17")
-            if law == "EulerBernoulli":
+            if law == DEFAULT.__name__:
                 _mark_paper(top, silica["radius_ratio"], silica["nu"], "the paper, r̃ = 0.71")
                 _mark_paper(bottom, silica["radius_ratio"], silica["E"] / silica["E_mu"], "72.5 / 265 GPa")
-            if first.parameter != "radius_ratio":
-                bottom.set_xscale("log")
-            bottom.set(xlabel=f"{_SYMBOLS[first.parameter]} [-]", yscale="log")
-            top.legend(fontsize=7.0, loc="upper right" if first.parameter != "kappa" else "lower right")
+            free = LAWS[law].free
+            bottom.set(xlabel=free.label, xscale=free.scale, yscale="log")
+            top.legend(fontsize=7.0, loc="lower right" if first.nu[-1] > first.nu[0] else "upper right")
         axes[0, 0].set_ylabel("Poisson's ratio ν [-]")
         axes[1, 0].set_ylabel(r"$E\,/\,E_\mu$ [-]")
 
@@ -81,15 +78,15 @@ def draw_reach(path: Path, curves: Mapping[str, Mapping[str, Curve]]) -> None:
                 own, filled = found[law], marker == _MARKS[0]
                 low, high = own.reach
                 left.barh(row + (-0.17 if filled else 0.17), high - low, left=low, height=0.3,
-                          color=_LAW_COLOURS[law], alpha=1.0 if filled else 0.45)  # fmt: skip
+                          color=law_colour(law), alpha=1.0 if filled else 0.45)  # fmt: skip
                 for value, side in ((low, "right"), (high, "left")) if filled else ():
                     left.text(value + (0.006 if side == "left" else -0.006), row - 0.17,
                               f"{value:.3f}".replace("-", "−"), fontsize=7.5, va="center", ha=side)  # fmt: skip
-                right.plot(own.nu, own.stiffness_ratio, color=_LAW_COLOURS[law], marker=marker, markersize=3.5,
+                right.plot(own.nu, own.stiffness_ratio, color=law_colour(law), marker=marker, markersize=3.5,
                            linestyle="-" if filled else (0, (3, 2)), linewidth=1.3,
-                           markerfacecolor=_LAW_COLOURS[law] if filled else "white",
-                           label=_WORDS.get(law, law) if filled else None)  # fmt: skip
-        left.set_yticks(range(len(laws)), [_WORDS.get(law, law) for law in laws])
+                           markerfacecolor=law_colour(law) if filled else "white",
+                           label=named(law) if filled else None)  # fmt: skip
+        left.set_yticks(range(len(laws)), [named(law) for law in laws])
         lowest = min(own.reach[0] for found in curves.values() for own in found.values())
         left.set_xlim(min(lowest - 0.08, 0.0), 0.5)
         left.set_ylim(len(laws) - 0.4, -0.75 - 0.5 * len(laws))

@@ -6,10 +6,9 @@ import numpy as np
 
 from bondem.calibration.abacus import curve
 from bondem.calibration.elastic import Calibration
-from bondem.report.numbers import quantity, words
+from bondem.laws.catalogue import named
+from bondem.report.numbers import quantity
 from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
-
-_NAMES = {"radius_ratio": "radius ratio r̃ [-]", "kappa": "stiffness ratio κ [-]", "alpha_s": "shear factor α_s [-]"}
 
 
 def draw_calibration(path: Path, fit: Calibration) -> None:
@@ -19,22 +18,20 @@ def draw_calibration(path: Path, fit: Calibration) -> None:
         path: PNG to write.
         fit: the calibration.
     """
-    known = curve(type(fit.law))
+    known, free = curve(type(fit.law)), fit.law.free
     trial = np.array([(one.value, one.nu, one.stiffness_ratio) for one in fit.table]).T
     with sheet(path, 10.2, 3.5, 1, 3) as (_, (left, middle, right)):
         for ax, row, label, name in (
-            (left, 1, "Poisson's ratio ν [-]", "nu"), (middle, 2, "E / E_μ [-]", "stiffness_ratio"),
+            (left, 1, "Poisson's ratio ν [-]", "nu"), (middle, 2, r"$E\,/\,E_\mu$ [-]", "stiffness_ratio"),
         ):  # fmt: skip
-            if known is not None and known.parameter == fit.parameter:
+            if known is not None and known.parameter == free.name:
                 ax.plot(known.values, getattr(known, name), color=GREY, linewidth=1.2, label="curve in bulk")
             ax.plot(trial[0], trial[row], "o", color=BLUE, markersize=4.5, label="evaluations")
             ax.axvline(fit.value, color=ORANGE, linewidth=1.0)
-            ax.set(xlabel=_NAMES[fit.parameter], ylabel=label)
-            if fit.parameter != "radius_ratio":
-                ax.set_xscale("log")
+            ax.set(xlabel=free.label, xscale=free.scale, ylabel=label)
         left.axhline(fit.material.nu, color=ORANGE, linewidth=1.0, label=f"wanted: {fit.material.nu:g}")
-        left.set_title(f"{words(type(fit.law).__name__)} bonds: {fit.value:.4g}")
-        middle.set_title(f"E_μ = {quantity(fit.law.E, 'Pa')}")
+        left.set_title(f"{named(type(fit.law).__name__)} bonds, {free.tex} = {fit.value:.4g}")
+        middle.set_title(f"$E_\\mu$ = {quantity(fit.law.E, 'Pa')}")
         for ax in (left, middle):
             ax.legend(fontsize=8.0)
         E, nu = (fit.sample(name).values for name in ("E", "nu"))

@@ -9,7 +9,8 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 
 from bondem._types import Floats
-from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, SEQUENTIAL, sheet
+from bondem.laws.catalogue import named
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, SEQUENTIAL, law_colour, sheet
 
 Groups = Mapping[str, Sequence[Mapping[str, Any]]]
 
@@ -19,12 +20,11 @@ _STYLES = {
     True: {"linestyle": "-"},
     False: {"linestyle": _DASHED, "markerfacecolor": "white"},
 }
-_WORDS = {"EulerBernoulli": "Euler–Bernoulli"}
 _E_RATIO, _NU = r"$E\,/\,E_\mu$ [-]", "Poisson's ratio ν [-]"
 
 
 def draw_nu_mu(path: Path, groups: Groups, *, radius_ratio: float) -> None:
-    """Figure 11: E and ν over ν_μ, of Euler–Bernoulli and of Timoshenko bonds.
+    """Figure 11: E and ν over ν_μ, of bonds of several laws.
 
     Args:
         path: PNG to write.
@@ -33,9 +33,9 @@ def draw_nu_mu(path: Path, groups: Groups, *, radius_ratio: float) -> None:
     """
     with sheet(path, 8.6, 3.9, 1, 2) as (_, (left, right)):
         for k, (shape, own) in enumerate(groups.items()):
-            for law, colour in (("EulerBernoulli", BLUE), ("Timoshenko", GREEN)):
-                chosen = [one for one in own if one["law"] == law]
-                label = f"{_WORDS.get(law, law)}, {shape}"
+            for law in dict.fromkeys(one["law"] for one in own):
+                chosen, colour = [one for one in own if one["law"] == law], law_colour(law)
+                label = f"{named(law)}, {shape}"
                 _line(left, chosen, "nu_mu", "stiffness_ratio", colour, k, label)
                 _line(right, chosen, "nu_mu", "nu", colour, k, None)
         left.set(xlabel=r"$\nu_\mu$ [-]", ylabel=_E_RATIO, title=f"(a) stiffness at r̃ = {radius_ratio:g}")

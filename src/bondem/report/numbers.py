@@ -52,11 +52,6 @@ def signed(value: float, digits: int = 4) -> str:
     return text[1:] if float(text) == 0.0 else text.replace("-", "−")
 
 
-def words(name: str) -> str:
-    """EulerBernoulli becomes Euler–Bernoulli, ParallelBond parallel."""
-    return {"EulerBernoulli": "Euler–Bernoulli", "ParallelBond": "parallel", "ContactBond": "contact"}.get(name, name)
-
-
 def measures(shape: Shape) -> str:
     """A shape as engineers write it, such as Ø 10 × 40 mm."""
     lower, upper = shape.bounds

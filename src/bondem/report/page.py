@@ -12,10 +12,11 @@ import numpy as np
 
 from bondem.errors import InputError
 from bondem.io.atomic import write_text
+from bondem.laws.catalogue import named
 from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
 from bondem.report.fabric_figures import draw_distribution, draw_layering
 from bondem.report.findings import Findings
-from bondem.report.numbers import measures, percent, quantity, signed, signed_percent, words
+from bondem.report.numbers import measures, percent, quantity, signed, signed_percent
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_calibration, draw_profiles, draw_tension
@@ -127,14 +128,16 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         "percent": percent,
         "signed": signed_percent,
         "difference": signed,
-        "camel": words,
     }
     rows = rows_of(findings)
+    law = findings.fit.law if findings.fit is not None else None
     return templates.get_template("report.html").render(
         findings=findings,
         results=findings.results,
         pictures=pictures,
         rows=rows,
+        bonds=named(type(law).__name__) if law is not None else None,
+        free=law.free if law is not None else None,
         worst=max(rows, key=lambda row: abs(row["error"])) if rows else None,
         quality=quality_rows(findings.specimens),
         shape=measures(findings.specimens[0].lattice.particles.envelope),

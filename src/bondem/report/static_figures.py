@@ -10,8 +10,6 @@ from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.report.findings import Examined, Findings
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 
-_SYMBOLS = {"radius_ratio": "bond radius ratio,  r̃ [-]", "kappa": "stiffness ratio,  κ [-]"}
-
 
 def draw_calibration(path: Path, findings: Findings) -> None:
     """ν and E / E_μ over the free parameter of the law, with the trials and the chosen point."""
@@ -24,8 +22,8 @@ def draw_calibration(path: Path, findings: Findings) -> None:
     fine = np.linspace(value[0], value[-1], 200)
     with sheet(path, 8.2, 3.2, 1, 2) as (_, axes):
         rows = (
-            ("nu", "Poisson's ratio,  ν [-]", material.nu, fit.nu, BLUE),
-            ("stiffness_ratio", "modulus over that of the bonds,  E / E$_μ$ [-]", None, fit.E / fit.law.E, GREEN),
+            ("nu", "Poisson's ratio ν [-]", material.nu, fit.nu, BLUE),
+            ("stiffness_ratio", "modulus ratio E / E$_μ$ [-]", None, fit.E / fit.law.E, GREEN),
         )
         for ax, (name, label, target, reached, colour) in zip(axes, rows, strict=True):
             ax.plot(fine, PchipInterpolator(value, [getattr(trial, name) for trial in curve])(fine), color=colour)
@@ -37,7 +35,7 @@ def draw_calibration(path: Path, findings: Findings) -> None:
                     xytext=(0, 3), textcoords="offset points",
                 )  # fmt: skip
             ax.plot([chosen], [reached], "D", color=ORANGE, markersize=7, label=f"calibrated: {chosen:.4f}", zorder=5)
-            ax.set(xlabel=_SYMBOLS[fit.parameter], ylabel=label)
+            ax.set(xlabel=fit.law.free.label, ylabel=label)
             ax.legend(loc="best")
 
 

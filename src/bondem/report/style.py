@@ -8,6 +8,8 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
+from bondem.laws.catalogue import LAWS
+
 INK = "#1f2933"
 GREY = "#8a96a3"
 PALE = "#e4e9ee"
@@ -19,6 +21,9 @@ PURPLE = "#8a5a9c"
 DIVERGING = "RdBu_r"
 #: One-sided colour scale.
 SEQUENTIAL = "cividis"
+
+# Of the laws in the order of the catalogue, from the start again where there are more.
+_LAW_COLOURS = (BLUE, PURPLE, ORANGE, GREEN, GREY, INK)
 
 _SETTINGS: Any = {
     "font.family": "DejaVu Sans",
@@ -51,6 +56,11 @@ _SETTINGS: Any = {
     "mathtext.fontset": "dejavusans",
 }
 _DOTS_PER_INCH = 160
+
+
+def law_colour(law: str) -> str:
+    """The colour of a bond law in every figure, by the name of its class."""
+    return _LAW_COLOURS[list(LAWS).index(law) % len(_LAW_COLOURS)]
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""Calibration curves of four laws (André et al. 2012, §5.3, figs 15 and 16): `bondem study abacus`."""
+"""Calibration curves of every law (André et al. 2012, §5.3, figs 15 and 16): `bondem study abacus`."""
 
 import csv
 import io
@@ -15,10 +15,7 @@ from bondem.calibration.abacus import Curve
 from bondem.errors import InputError
 from bondem.io.atomic import write_text
 from bondem.laws.bond import BondLaw
-from bondem.laws.euler_bernoulli import EulerBernoulli
-from bondem.laws.obermayr import Obermayr
-from bondem.laws.parallel_bond import ParallelBond
-from bondem.laws.timoshenko import Timoshenko
+from bondem.laws.catalogue import DEFAULT, LAWS, PARAMETERS
 from bondem.report.abacus_figures import draw_abacus, draw_reach, draw_silica
 from bondem.study.elastic_rows import MEASURED, SHAPES, ElasticRequest, cells_and_bars
 from bondem.study.frame import PackingStudy, Row
@@ -39,36 +36,33 @@ class Sweep:
 
     Attributes:
         law: its class.
-        parameter: what varies.
-        values: at these values, ascending [-].
-        fixed: parameters that do not vary.
     """
 
     law: type[BondLaw]
-    parameter: str
-    values: tuple[float, ...]
-    fixed: Mapping[str, float]
+
+    @property
+    def parameter(self) -> str:
+        """Name of what varies."""
+        return self.law.free.name
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """Of the parameter, ascending [-]."""
+        return self.law.free.curve
+
+    @property
+    def fixed(self) -> dict[str, float]:
+        """Parameters that do not vary."""
+        return self.law.with_radius({})
 
     @property
     def laws(self) -> list[BondLaw]:
         """The law at every value."""
-        bonds: Any = self.law
-        return [bonds(E=_E_MU, nu=_NU_MU, **self.fixed, **{self.parameter: value}) for value in self.values]
+        return [self.law.at(value, E=_E_MU, nu=_NU_MU) for value in self.values]
 
 
-_RADII = (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.65, 0.7, 0.75, 0.8, 0.9, 1.0)
-# Stubbier bonds than 1 are no longer inside the elements; ν of Timoshenko bonds goes on falling, ever more slowly.
-_SWEEPS = (
-    Sweep(EulerBernoulli, "radius_ratio", _RADII, {}),
-    Sweep(Timoshenko, "radius_ratio", (*_RADII, 1.25, 1.5), {}),
-    Sweep(ParallelBond, "kappa", (0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0, 12.0, 20.0, 30.0, 50.0),
-          {"radius_ratio": 1.0}),
-    Sweep(Obermayr, "alpha_s", (0.02, 0.04, 0.07, 0.1, 0.15, 0.25, 0.4, 0.6, 0.75, 0.9, 1.2, 1.5, 2.5, 5.0),
-          {"radius_ratio": 1.0}),
-)  # fmt: skip
-
-#: The laws by name.
-SWEEPS = {sweep.law.__name__: sweep for sweep in _SWEEPS}
+#: Those of the laws that declare a curve, by name.
+SWEEPS = {name: Sweep(law) for name, law in LAWS.items() if law.free.curve}
 
 
 @dataclass(frozen=True)
@@ -109,7 +103,7 @@ class Abacus(PackingStudy):
 
     def results(self, rows: Sequence[Row]) -> dict[str, Any]:
         """See `PackingStudy`; the curves of cells and of bars, and fused silica with each law."""
-        by = ("periodic", "law", "radius_ratio", "kappa", "alpha_s")
+        by = ("periodic", "law", *PARAMETERS)
         groups = summary(rows, by, MEASURED)
         curves = {
             shape: {name: found for name in self.laws if (found := _curve(SWEEPS[name], groups, periodic))}
@@ -142,9 +136,9 @@ class Abacus(PackingStudy):
         figures = out / "figures"
         draw_abacus(figures / "abacus.png", read, SILICA)
         draw_reach(figures / "reach.png", read)
-        if "EulerBernoulli" in self.laws:
-            draw_silica(figures / "silica.png", {shape: curves["EulerBernoulli"] for shape, curves in read.items()},
-                        SILICA)  # fmt: skip
+        paper = DEFAULT.__name__
+        if paper in self.laws:
+            draw_silica(figures / "silica.png", {shape: curves[paper] for shape, curves in read.items()}, SILICA)
         self._write_data(out, rows, results["curves"])
 
     def _write_data(self, out: Path, rows: Sequence[Row], curves: Mapping[str, Any]) -> None:
@@ -161,6 +155,8 @@ class Abacus(PackingStudy):
             }  # fmt: skip
             name = "abacus.json" if periodic else "abacus_cylinder.json"
             write_text(out / name, json.dumps(data, indent=1, allow_nan=False) + "\n")
+            if periodic:
+                _write_curves(out / "curves", data)
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         columns = ("values", "nu", "nu_std", "stiffness_ratio", "stiffness_ratio_std")
@@ -170,6 +166,14 @@ class Abacus(PackingStudy):
                 for line in zip(*(data[name] for name in columns), strict=True):
                     writer.writerow([shape, law, data["parameter"], *line])
         write_text(out / "abacus.csv", text.getvalue())
+
+
+def _write_curves(folder: Path, data: Mapping[str, Any]) -> None:
+    """Each law in a file of its own, as the package has them."""
+    folder.mkdir(exist_ok=True)
+    shared = {name: value for name, value in data.items() if name != "laws"}
+    for law, own in data["laws"].items():
+        write_text(folder / f"{law}.json", json.dumps(shared | own, indent=1, allow_nan=False) + "\n")
 
 
 def _curve(sweep: Sweep, groups: Sequence[Mapping[str, Any]], periodic: bool) -> dict[str, Any] | None:

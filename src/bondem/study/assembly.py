@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from bondem.errors import InputError
-from bondem.laws.euler_bernoulli import EulerBernoulli
+from bondem.laws.catalogue import DEFAULT
 from bondem.report.assembly_figures import draw_assembly, draw_fineness, draw_scatter
 from bondem.report.limit import Limit, limit
 from bondem.report.packing_curves import NAMES
@@ -22,7 +22,7 @@ from bondem.study.request import Request
 COUNTS = (500, 700, 1000, 1400, 2000, 2800, 4000, 5600, 8000, 11_000, 15_000, 20_000)
 
 #: The paper's fused silica, Table 2.
-LAW = EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+LAW = DEFAULT(E=265e9, nu=0.3, radius_ratio=0.71)
 
 #: What is in print of the scatter of E and ν: of the paper's beams over 7500 elements, and what it quotes of Hentz
 #: for the springs of Liao and for his own criterion.
@@ -96,7 +96,7 @@ class Assembly(PackingStudy):
             "packings": self.packings,
             "cells": self.cells,
             "spread": self.spread,
-            "law": {"name": "EulerBernoulli", "E_mu": LAW.E, "nu_mu": LAW.nu, "radius_ratio": LAW.radius_ratio},
+            "law": {"name": DEFAULT.__name__, "E_mu": LAW.E, "nu_mu": LAW.nu, "radius_ratio": LAW.radius_ratio},
             "in_print": {name: {"E": E, "nu": nu} for name, (E, nu) in IN_PRINT.items()},
             "targets": {target: _found(_of_bars(good, target)) for target in self.targets},
             "summary": summary(rows, ("target", "periodic", "count"), MEASURED),

@@ -8,7 +8,7 @@ from bondem.calibration import calibrate
 from bondem.errors import InputError
 from bondem.labtests.tension import Tension, static_tension
 from bondem.laws.bond import BondLaw
-from bondem.laws.euler_bernoulli import EulerBernoulli
+from bondem.laws.catalogue import DEFAULT
 from bondem.packing import pack
 from bondem.specimen.bonding import connect
 from bondem.specimen.geometry import Cylinder
@@ -92,7 +92,7 @@ class CalibratedBar:
 
 
 def calibrated_bars(request: BarRequest, tell: Callable[[str, float], None]) -> tuple[CalibratedBar, ...]:
-    """Pack and bond all, calibrate Euler–Bernoulli bonds on the first, and pull each once.
+    """Pack and bond all, calibrate the paper's bonds on the first, and pull each once.
 
     Args:
         request: which packings.
@@ -110,7 +110,7 @@ def calibrated_bars(request: BarRequest, tell: Callable[[str, float], None]) -> 
         )  # fmt: skip
         lattices.append(connect(particles))
     tell("calibrate", 0.0)
-    fit = calibrate(lattices[0], fused_silica, law=EulerBernoulli)
+    fit = calibrate(lattices[0], fused_silica, law=DEFAULT)
     bars = []
     for k, lattice in enumerate(lattices):
         tension = static_tension(lattice, fit.law)

@@ -14,6 +14,7 @@ from bondem.calibration.response import Response
 from bondem.io.packing_cache import key
 from bondem.labtests import bulk, gauge_length, tension
 from bondem.laws.bond import BondLaw
+from bondem.laws.catalogue import PARAMETERS
 from bondem.specimen.lattice import Lattice
 from bondem.study.packing_rows import PackingRequest, kept_lattice
 from bondem.study.request import Request
@@ -66,7 +67,7 @@ class ElasticRequest(Request):
         """See `Request`; E_mu [Pa], nu_mu and the other parameters of the law [-]."""
         law = asdict(self.law)
         named = {"law": type(self.law).__name__, "E_mu": law.pop("E"), "nu_mu": law.pop("nu")}
-        return asdict(self.packing) | named | {name: law.get(name) for name in ("radius_ratio", "kappa", "alpha_s")}
+        return asdict(self.packing) | named | {name: law.get(name) for name in PARAMETERS}
 
     def whole(self, folder: Path) -> bool:
         """See `Request`."""

@@ -10,10 +10,7 @@ from typing import Any
 
 from bondem.errors import StudyError
 from bondem.laws.bond import RADIUS_RULES, BondLaw
-from bondem.laws.euler_bernoulli import EulerBernoulli
-from bondem.laws.obermayr import Obermayr
-from bondem.laws.parallel_bond import ParallelBond
-from bondem.laws.timoshenko import Timoshenko
+from bondem.laws.catalogue import CALIBRATED, DEFAULT
 from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
@@ -23,9 +20,6 @@ from bondem.study.toml_table import TomlTable
 STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
 DYNAMIC_TESTS = ("dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact")
 TESTS = STATIC_TESTS + DYNAMIC_TESTS
-LAWS: dict[str, type[BondLaw]] = {
-    law.__name__: law for law in (EulerBernoulli, Timoshenko, ParallelBond, Obermayr)
-}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,7 +33,7 @@ class BondPlan:
         reach: bond where L <= reach (Ri + Rj) [-], or None.
     """
 
-    law: type[BondLaw] = EulerBernoulli
+    law: type[BondLaw] = DEFAULT
     nu_mu: float = 0.3
     radius_rule: str = "mean"
     tolerance: float | None = 0.0
@@ -224,7 +218,7 @@ def _bond(table: TomlTable) -> BondPlan:
         if reach is not None and table.has("tolerance"):
             raise StudyError(f"give '{table.name('tolerance')}' or '{table.name('reach')}', not both")
         return BondPlan(
-            law=LAWS[table.text("law", default="EulerBernoulli", choices=tuple(LAWS))],
+            law=CALIBRATED[table.text("law", default=DEFAULT.__name__, choices=tuple(CALIBRATED))],
             nu_mu=table.number("nu_mu", "-", default=0.3, above=-1.0, below=0.5),
             radius_rule=table.text("radius_rule", default="mean", choices=RADIUS_RULES),
             tolerance=table.number("tolerance", "-", default=0.0) if reach is None else None,

@@ -7,6 +7,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.calibration.surface_correction import lattice_terms, law_terms
+from bondem.laws.catalogue import PARAMETERS
 from bondem.study.frame import Row
 
 # The scatter that sets the weights of rows, √(a² + b² / elements): first guess, then as found.
@@ -143,8 +144,7 @@ class CurveFit:
 
 def law_name(row: Row) -> str:
     """A law of a row, to read and to group by."""
-    parts = [f"{label} {row[name]:g}" for name, label in (("radius_ratio", "r̃"), ("kappa", "κ"), ("alpha_s", "α_s"))
-             if row[name] is not None]  # fmt: skip
+    parts = [f"{one.symbol} {row[name]:g}" for name, one in PARAMETERS.items() if row[name] is not None]
     return f"{row['law']} {', '.join(parts)}"
 
 

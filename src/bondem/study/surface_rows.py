@@ -19,6 +19,7 @@ from bondem.labtests.bulk import bulk_moduli
 from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.labtests.tension import static_tension
 from bondem.laws.bond import BondLaw
+from bondem.laws.catalogue import PARAMETERS
 from bondem.model.boundary import Drive, Fix
 from bondem.model.model import Model
 from bondem.packing import pack
@@ -174,7 +175,7 @@ class ModuliRequest(Request):
     def asked(self) -> dict[str, Any]:
         """See `Request`."""
         law = asdict(self.law)
-        named = {name: law.get(name) for name in ("radius_ratio", "kappa", "alpha_s")}
+        named = {name: law.get(name) for name in PARAMETERS}
         return asdict(self.specimen) | {"law": type(self.law).__name__, "test": self.test} | named
 
     def whole(self, folder: Path) -> bool:

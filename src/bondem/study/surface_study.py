@@ -12,10 +12,7 @@ from bondem import __version__
 from bondem.errors import InputError
 from bondem.io.atomic import write_text
 from bondem.laws.bond import BondLaw
-from bondem.laws.euler_bernoulli import EulerBernoulli
-from bondem.laws.obermayr import Obermayr
-from bondem.laws.parallel_bond import ParallelBond
-from bondem.laws.timoshenko import Timoshenko
+from bondem.laws.catalogue import LAWS, PARAMETERS
 from bondem.report.surface_figure import draw_surface
 from bondem.study.frame import PackingStudy, Row
 from bondem.study.request import Request
@@ -26,17 +23,13 @@ from bondem.study.surface_tables import accuracy, bodies, ends, predicted, table
 _COMMON: dict[str, Any] = {"E": 1e9, "nu": 0.3}
 
 #: Laws whose rows the coefficients are fitted to, from shear-soft to shear-stiff.
-FITTED: tuple[BondLaw, ...] = (
-    *(EulerBernoulli(**_COMMON, radius_ratio=ratio) for ratio in (0.3, 0.5, 0.8)),
-    *(Timoshenko(**_COMMON, radius_ratio=ratio) for ratio in (0.6,)),
-    *(ParallelBond(**_COMMON, radius_ratio=1.0, kappa=kappa) for kappa in (1.5, 5.0)),
-    *(Obermayr(**_COMMON, radius_ratio=1.0, alpha_s=alpha) for alpha in (0.25,)),
+FITTED: tuple[BondLaw, ...] = tuple(
+    law.at(value, **_COMMON) for law in LAWS.values() for value in law.free.fitted
 )
 
 #: Laws held out, to test them on; the first is used for what is measured once only.
-HELD_OUT: tuple[BondLaw, ...] = (
-    EulerBernoulli(**_COMMON, radius_ratio=0.7),
-    ParallelBond(**_COMMON, radius_ratio=0.7, kappa=4.0),
+HELD_OUT: tuple[BondLaw, ...] = tuple(
+    law.at(value, **_COMMON, radius_ratio=0.7) for law in LAWS.values() for value in law.free.held_out
 )
 
 _BARS = ("cube", "beam", "plate", "cylinder")
@@ -163,5 +156,4 @@ class SurfaceStudy(PackingStudy):
 
 
 def _name(law: BondLaw) -> str:
-    return law_name({"law": type(law).__name__, "radius_ratio": law.radius_ratio,
-                     "kappa": getattr(law, "kappa", None), "alpha_s": getattr(law, "alpha_s", None)})  # fmt: skip
+    return law_name({"law": type(law).__name__} | {name: getattr(law, name, None) for name in PARAMETERS})

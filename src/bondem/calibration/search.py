@@ -1,17 +1,14 @@
-"""Which parameter of a bond law sets Poisson's ratio, and the search for its value."""
+"""The search for the value of a parameter at which a specimen has a Poisson's ratio."""
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from bondem.errors import ConvergenceError, UnreachableTargetError
-from bondem.laws.bond import BondLaw
-from bondem.laws.obermayr import Obermayr
-from bondem.laws.parallel_bond import ParallelBond
 
 
 @dataclass(frozen=True)
-class FreeParameter:
+class Search:
     """A positive law parameter that ν depends on, monotonically, and where to look for it.
 
     Attributes:
@@ -22,19 +19,6 @@ class FreeParameter:
     name: str
     low: float
     high: float
-
-    @classmethod
-    def of(cls, law: type[BondLaw], search: tuple[float, float] | None = None) -> "FreeParameter":
-        """κ or α_s for bonds whose shear stiffness does not know their slenderness, else r̃.
-
-        Parallel bonds and those of Obermayr barely change ν with r̃: all their stiffnesses but the moments grow
-        as r̃².
-        """
-        if issubclass(law, ParallelBond):
-            return cls("kappa", *(search or (0.5, 50.0)))
-        if issubclass(law, Obermayr):
-            return cls("alpha_s", *(search or (0.05, 2.5)))
-        return cls("radius_ratio", *(search or (0.1, 0.9)))
 
     def solve(
         self,

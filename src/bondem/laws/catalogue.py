@@ -1,0 +1,32 @@
+"""Every bond law of bondem, once. What a law is called and which parameter it varies, it says itself."""
+
+from bondem.laws.bond import BondLaw
+from bondem.laws.contact_bond import ContactBond
+from bondem.laws.euler_bernoulli import EulerBernoulli
+from bondem.laws.free_parameter import RADIUS_RATIO, FreeParameter
+from bondem.laws.obermayr import Obermayr
+from bondem.laws.parallel_bond import ParallelBond
+from bondem.laws.timoshenko import Timoshenko
+
+# In the order in which they are recommended: Euler–Bernoulli bonds are those of the paper that bondem follows, with
+# one parameter beside E_μ that is a length one can see; those of Obermayr and parallel bonds reach the widest range
+# of ν by a factor on the shear stiffness alone; those of Timoshenko barely change ν at all; contact bonds let
+# elements roll.
+_LAWS: tuple[type[BondLaw], ...] = (EulerBernoulli, Obermayr, ParallelBond, Timoshenko, ContactBond)
+
+#: Every law by the name of its class.
+LAWS: dict[str, type[BondLaw]] = {law.__name__: law for law in _LAWS}
+
+#: Those with which packings are calibrated and tested: elements that may roll have no static solution.
+CALIBRATED: dict[str, type[BondLaw]] = {name: law for name, law in LAWS.items() if law.moments}
+
+#: The law of the paper (André et al. 2012), which studies take unless told otherwise.
+DEFAULT: type[BondLaw] = EulerBernoulli
+
+#: r̃ and every parameter beside it that a law varies, by name.
+PARAMETERS: dict[str, FreeParameter] = {one.name: one for one in (RADIUS_RATIO, *(law.free for law in _LAWS))}
+
+
+def named(law: str) -> str:
+    """A law as people call its bonds, by the name of its class: EulerBernoulli becomes Euler–Bernoulli."""
+    return LAWS[law].title if law in LAWS else law
