@@ -20,7 +20,7 @@ ARITHMETIC = re.compile(r"^\s+v(?:fn?m(?:add|sub)\d+|mul|add|sub|div|sqrt)([ps])
 @pytest.fixture(scope="module")
 def arguments() -> tuple:
     lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [1.0, 0, 0]], [0.5, 0.5]), [(0, 1)])
-    model = bd.Model(lattice, bond=bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.1))
+    model = bd.Model(lattice, bond=bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.1), density=1000.0)
     layout, state = model.layout, State(model)
     whole = (None, state.integrity, model.period, 0, 1, *np.empty((9, 1)))
     return (state.pose, layout.i, layout.j, model.bonds.constants, *whole)
