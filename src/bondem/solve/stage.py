@@ -97,7 +97,7 @@ def _refuse_jump(owner: str, schedule: Schedule, time: float, where: Floats, sla
     if abs(worst - value) > _SHARE * max(abs(worst), abs(value)) + slack:
         raise InputError(
             f"{owner} begins at {value:.6g}, but is at {worst:.6g} when the run begins (t = {time:.6g} s), and an"
-            f" explicit run cannot jump: begin there, such as by bd.Ramp({worst:.6g}, {schedule.final:.6g}, duration),"
+            f" explicit run cannot jump: begin there, as by bd.Ramp({worst:.6g}, {schedule.final:.6g}, duration),"
             " or give a velocity"
         )
 
