@@ -7,7 +7,7 @@ from typing import get_args
 
 import numpy as np
 
-from bondem._checks import array, instance, several, shown
+from bondem._checks import array, instance, possible, several, shown
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.errors import InputError
 from bondem.laws.bond import BondStiffness
@@ -58,8 +58,8 @@ class Model:
         density = array("Model", "density", self.density, wanted="a positive number [kg/m³], or one an element")
         if density.shape not in ((), (len(self.lattice.particles),)):
             raise InputError(f"density has shape {density.shape}; give a number or one value an element")
-        if not (np.isfinite(density) & (density > 0.0)).all():
-            raise InputError("density must be positive [kg/m³] for every element")
+        if not possible(density) or not (density > 0.0).all():
+            raise InputError("density must be positive and finite [kg/m³] for every element")
         object.__setattr__(self, "boundary", _conditions(self.boundary))
         object.__setattr__(self, "walls", check_walls(self.walls))
         if self.contact is not None and not isinstance(self.contact, LinearContact):
