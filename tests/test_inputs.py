@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial import KDTree
 
 import bondem as bd
 from bondem.errors import FaceWarning, InputError
@@ -171,6 +172,16 @@ def test_a_guess_of_another_lattice_is_refused():
     other = bd.solve_static(bd.Model(small, LAW, 1.0, boundary=bd.Fix(bd.Index([0]))))
     with pytest.raises(InputError, match="20 elements"):
         bd.solve_static(HELD, guess=other)
+
+
+def test_overlaps_everywhere_are_refused_before_all_pairs_are_listed(monkeypatch):
+    class Listing(KDTree):
+        def query_pairs(self, *args, **options):
+            raise MemoryError
+
+    monkeypatch.setattr("bondem.specimen.particles.KDTree", Listing)
+    with pytest.raises(InputError, match="both in metres"):
+        bd.Particles(GRID, 1.0)
 
 
 def test_bonds_beyond_all_memory_are_refused_before_they_are_listed():

@@ -156,6 +156,17 @@ def test_a_constant_displacement_holds_what_is_there():
         go(model_of(bd.Fix(LEFT), bd.Drive(RIGHT, x=0.0)), 5, state=pulled)
 
 
+def test_a_turn_about_two_axes_goes_on_in_its_own_model():
+    """The rotation vector is then not the schedules' values, and need not be."""
+    ramp = bd.Ramp(0.0, 0.2, 40 * DT)
+    model = model_of(bd.Fix(LEFT), bd.Drive(bd.Index([44]), rx=ramp, ry=bd.Ramp(0.0, 0.2, 20 * DT), rz=ramp))
+    whole = go(model, 40).state
+    on = go(model, 10, state=go(model, 30).state).state
+    np.testing.assert_allclose(on.orientation, whole.orientation, rtol=1e-9, atol=1e-12)
+    with pytest.raises(InputError, match=r"Drive\(r.=\) begins at .* give a velocity"):
+        go(model_of(bd.Drive(bd.Index([44]), rx=ramp, ry=0.2, rz=ramp)), 10, state=whole)
+
+
 # ---- time goes on
 
 
