@@ -223,7 +223,7 @@ def free_frequencies(part: Specimen, law: Any, density: Any, nu: float) -> list[
 def deflections(part: Specimen, law: Any) -> dict[str, float]:
     """What each unit load on the clamped specimen does where it acts [m/N, rad/(N·m)]: its work."""
     body, lattice = bodies()[part.name], part.lattice
-    statics = Statics(bd.Model(lattice, law, boundary=[bd.Fix(bd.Face("x_min", DEPTH))]))
+    statics = Statics(bd.Model(lattice, law, 1000.0, boundary=[bd.Fix(bd.Face("x_min", DEPTH))]))
     moved = {}
     for load, (force, moment) in body.loads.items():
         chosen, values = bd.Load(bd.Face(body.loaded, DEPTH), force=force, moment=moment).nodal(lattice)

@@ -133,7 +133,7 @@ def print_tables(static: list[dict], dynamic: list[dict], large: list[dict]) -> 
     }  # fmt: skip
     print("  bonds       axial               PBM shear           EBBM shear          TBBM shear")
     for n, said in printed.items():
-        laws = [bd.Model(CASES["3"][n][0], bond(law, 0.2)).stiffness for law in ("PBM", "EBBM", "TBBM")]
+        laws = [bd.Model(CASES["3"][n][0], bond(law, 0.2), 1000.0).stiffness for law in ("PBM", "EBBM", "TBBM")]
         ours = [laws[0].kn[0], *(k.ks[0] for k in laws)]
         print(f"  {n:5}  " + "".join(f"  {1e-9 * a:8.5g} / {b:<7.4g}" for a, b in zip(ours, said, strict=True)))
 

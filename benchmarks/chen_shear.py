@@ -47,7 +47,7 @@ def ratios() -> list[dict]:
     rows = []
     for law in LAWS:
         for k, (n, (lattice, radius, _)) in enumerate(CASES["3"].items()):
-            stiffness = bd.Model(lattice, bond(law, radius)).stiffness
+            stiffness = bd.Model(lattice, bond(law, radius), 1000.0).stiffness
             printed = PRINTED_RATIOS[law][k] if law in PRINTED_RATIOS else None
             rows.append(
                 {"law": law, "bonds": int(n), "ratio": float(stiffness.kn[0] / stiffness.ks[0]),

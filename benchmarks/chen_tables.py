@@ -39,7 +39,7 @@ def stiffnesses() -> list[dict[str, float]]:
     """Table 5: axial and shear stiffness of a bond in case 3 [N/m]."""
     rows = []
     for n, (lattice, radius, _) in CASES["3"].items():
-        laws = {law: bd.Model(lattice, bond(law, radius)).stiffness for law in ("PBM", "EBBM", "TBBM")}
+        laws = {law: bd.Model(lattice, bond(law, radius), 1000.0).stiffness for law in ("PBM", "EBBM", "TBBM")}
         shear = {law: float(k.ks[0]) for law, k in laws.items()}
         rows.append({"bonds": n, "axial": float(laws["PBM"].kn[0])} | shear)
     return rows

@@ -52,7 +52,7 @@ def main(counts: list[int]) -> None:
         free = model.with_boundary([pull, bd.Load(bd.Face("x_min", depth=DEPTH), force=(-1e3, 0.0, 0.0))])
         near = bd.solve_static(model)
         similar = bd.Model(
-            lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.52), boundary=[clamp, pull]
+            lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.52), 1000.0, boundary=[clamp, pull]
         )
         print(f"{len(lattice.particles)} elements, {len(lattice.pairs)} bonds")
         clock("static, clamped", lambda m=model: bd.solve_static(m))

@@ -46,7 +46,7 @@ def cylinder(seed: int) -> dict[str, float]:
     for name, test in TESTS.items():
         outcome = test(lattice, fit.law, E=tension.E, nu=tension.nu, gyration=tension.gyration)
         found |= {f"{name}_error": outcome.error, f"{name}_refined": outcome.error_refined}
-    return {name: float(value) for name, value in found.items()}
+    return {name: float(value) for name, value in found.items() if value is not None}
 
 
 def cell(seed: int) -> bd.Lattice:

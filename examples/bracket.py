@@ -35,7 +35,7 @@ def main(count: int = 6000, cell: int = 6000) -> tuple[np.ndarray, float]:
 
     # against a triangulated wall some of the first layer stop a little short of it
     foot, tip = bd.Face("x_min", depth=0.25), bd.Face("z_max", depth=0.25)
-    bent = bd.solve_static(bd.Model(lattice, bonds, boundary=[bd.Fix(foot), bd.Load(tip, force=FORCE)]))
+    bent = bd.solve_static(bd.Model(lattice, bonds, 1000.0, boundary=[bd.Fix(foot), bd.Load(tip, force=FORCE)]))
     return ringing.frequency, float(bent.displacement[tip.select(lattice), 1].mean())
 
 

@@ -30,7 +30,7 @@ def main(count: int = 3000) -> Answer:
     law = bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
     heat = bd.Eigenstrain(EXPANSION * HEATING)
 
-    free = bd.solve_static(bd.Model(lattice, law, boundary=[heat]))
+    free = bd.solve_static(bd.Model(lattice, law, 1000.0, boundary=[heat]))
     x, u = lattice.particles.position[lattice.connected, 0], free.displacement[lattice.connected, 0]
     growth = float(np.polyfit(x, u, 1)[0])
     print(f"free: strain {growth:.6g}, elastic energy {free.energy.total:.2g} J")
@@ -38,7 +38,7 @@ def main(count: int = 3000) -> Answer:
     ends = [bd.Face("x_min"), bd.Face("x_max")]
     walls = [bd.Fix(end, translation="x", rotation="") for end in ends]
     steady = bd.Fix(bd.Index(ends[0].select(lattice)[:2]), translation="yz", rotation="")
-    clamped = bd.solve_static(bd.Model(lattice, law, boundary=[heat, steady, *walls]))
+    clamped = bd.solve_static(bd.Model(lattice, law, 1000.0, boundary=[heat, steady, *walls]))
     E = bd.labtests.static_tension(lattice, law).E
     thrust = clamped.reaction[ends[0].select(lattice), 0].sum()
     stress = float(thrust / shape.section() / (E * EXPANSION * HEATING))

@@ -45,7 +45,7 @@ def cell() -> bd.Model:
     rng = np.random.default_rng(2)
     grid = np.indices((3, 3, 3)).reshape(3, -1).T.astype(float)
     particles = bd.Particles(grid + rng.uniform(-0.1, 0.1, grid.shape), np.full(27, 0.5), period=(3.0, 3.0, 3.0))
-    return bd.Model(bd.connect(particles, reach=1.15), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6))
+    return bd.Model(bd.connect(particles, reach=1.15), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6), 1000.0)
 
 
 def moving(model: bd.Model, speed: float = 0.5) -> State:

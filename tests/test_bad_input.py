@@ -39,6 +39,10 @@ def with_nan():
     return position
 
 
+def model_of(boundary=()):
+    return bd.Model(bar(), LAW, 1000.0, boundary=boundary)
+
+
 PARTICLES = bd.Particles(row(3), 0.5e-3)
 NOWHERE = bd.Within(bd.Ball(1e-9))
 
@@ -56,31 +60,31 @@ CASES = {
     "a second large piece": (DisconnectedError, "pieces of 12 and 12 elements", two_pieces),
     "a region that selects nothing": (
         EmptyRegionError, "selects no connected element",
-        lambda: bd.Model(bar(), LAW, boundary=[bd.Fix(NOWHERE)]),
+        lambda: model_of([bd.Fix(NOWHERE)]),
     ),
     "a load on nothing": (
         EmptyRegionError, "selects no connected element",
-        lambda: bd.Model(bar(), LAW, boundary=[bd.Load(NOWHERE, force=(1, 0, 0))]),
+        lambda: model_of([bd.Load(NOWHERE, force=(1, 0, 0))]),
     ),
     "a gauge on nothing": (
         EmptyRegionError, "selects no connected element",
-        lambda: bd.solve_explicit(bd.Model(bar(), LAW), duration=1e-6, gauges={"g": bd.Gauge(NOWHERE, "velocity")}),
+        lambda: bd.solve_explicit(model_of(), duration=1e-6, gauges={"g": bd.Gauge(NOWHERE, "velocity")}),
     ),
-    "an unknown face": (InputError, "its faces are", lambda: bd.Model(bar(), LAW, boundary=[bd.Fix(bd.Face("top"))])),
+    "an unknown face": (InputError, "its faces are", lambda: model_of([bd.Fix(bd.Face("top"))])),
     "dt above the limit": (
         UnstableStepError, "pass dt=None or a smaller dt",
-        lambda: bd.solve_explicit(bd.Model(bar(), LAW), duration=1e-3, dt=1e-3),
+        lambda: bd.solve_explicit(model_of(), duration=1e-3, dt=1e-3),
     ),
     "dt not positive": (
         UnstableStepError, "positive time step",
-        lambda: bd.solve_explicit(bd.Model(bar(), LAW), duration=1e-3, dt=0.0),
+        lambda: bd.solve_explicit(model_of(), duration=1e-3, dt=0.0),
     ),
-    "NaN duration": (InputError, "duration", lambda: bd.solve_explicit(bd.Model(bar(), LAW), duration=math.nan)),
+    "NaN duration": (InputError, "duration", lambda: bd.solve_explicit(model_of(), duration=math.nan)),
     "a duplicate bond": (InputError, "duplicate", lambda: bd.Lattice(PARTICLES, [[0, 1], [1, 2], [1, 0]])),
     "a bond to itself": (InputError, "to itself", lambda: bd.Lattice(PARTICLES, [[0, 1], [2, 2]])),
     "an index out of range": (InputError, "from 0 to 2", lambda: bd.Lattice(PARTICLES, [[0, 3]])),
     "a negative index": (InputError, "from 0 to 2", lambda: bd.Lattice(PARTICLES, [[-1, 1]])),
-    "an index region out of range": (InputError, "from 0 to 11", lambda: bd.Model(bar(), LAW, boundary=[
+    "an index region out of range": (InputError, "from 0 to 11", lambda: model_of([
         bd.Fix(bd.Index([12]))])),
     "E of a material": (InputError, "E = 0.0 Pa", lambda: bd.Material("m", E=0.0, nu=0.2, rho=1.0)),
     "E of a bond": (InputError, "E = -1.0 Pa", lambda: bd.EulerBernoulli(E=-1.0, nu=0.2, radius_ratio=0.5)),
@@ -191,7 +195,7 @@ def test_no_permission_to_write(tmp_path):
     assert done.returncode == 2
     assert "cannot be written (Permission denied)" in done.stderr
     with pytest.raises(InputError, match="Permission denied"):
-        bd.solve_explicit(bd.Model(bar(), LAW), duration=1e-6, out=tmp_path / "locked" / "run.h5")
+        bd.solve_explicit(model_of(), duration=1e-6, out=tmp_path / "locked" / "run.h5")
 
 
 @pytest.mark.skipif(not Path("/proc/self").is_dir(), reason="needs a file system on which nobody may write")
@@ -201,7 +205,7 @@ def test_not_even_the_superuser_may_write(tmp_path):
     assert "output folder '/proc/bondem' cannot be written" in done.stderr
     assert len(done.stderr.splitlines()) == 1
     with pytest.raises(InputError, match="choose a place you may write to"):
-        bd.solve_explicit(bd.Model(bar(), LAW), duration=1e-6, out="/proc/run.h5")
+        bd.solve_explicit(model_of(), duration=1e-6, out="/proc/run.h5")
 
 
 def test_an_unreachable_target_leaves_nothing_behind(tmp_path):

@@ -13,7 +13,7 @@ from bondem.model.state import State
 
 def grains(position, *, law, walls=()) -> bd.Model:
     lattice = bd.Lattice(bd.Particles(position, np.ones(len(position))), np.zeros((0, 2), dtype=int))
-    return bd.Model(lattice, None, contact=law, walls=walls)
+    return bd.Model(lattice, None, 1000.0, contact=law, walls=walls)
 
 
 @pytest.mark.parametrize(
@@ -36,9 +36,9 @@ def grains(position, *, law, walls=()) -> bd.Model:
         (lambda: bd.Driven(x=1.0, vx=1.0), "once"),
         (lambda: bd.WallGauge(0, "speed"), "'speed'"),
         (lambda: grains([[0, 0, 0]], law=None, walls=[bd.PlaneWall((0, 0, -1), (0, 0, 1))]), "contact="),
-        (lambda: grains([[0, 0, 0]], law=bd.LinearContact(E=1.0), walls=[3]), "int"),
+        (lambda: grains([[0, 0, 0]], law=bd.LinearContact(E=1.0), walls=[3]), "walls = 3; give bd.PlaneWall"),
         (lambda: grains([[0, 0, 0]], law=3), "contact="),
-        (lambda: bd.Model(bd.Lattice(bd.Particles(2.0 * np.eye(3), np.ones(3)), [[0, 1], [1, 2]]), None), "bond="),
+        (lambda: bd.Model(bd.Lattice(bd.Particles(2.0 * np.eye(3), 1.0), [[0, 1], [1, 2]]), None, 1.0), "bond="),
     ],
 )
 def test_bad_input_is_refused(make, words: str) -> None:

@@ -176,7 +176,7 @@ def test_a_face_that_is_held_keeps_its_velocity_and_first_passage_is_between_sam
 def test_the_profile_of_stress_holds_the_whole_force_and_its_gyration(specimen):
     law = bd.EulerBernoulli(E=E, nu=0.3, radius_ratio=0.7)
     tension = bd.labtests.static_tension(specimen, law)
-    profile = section_profile(Model(specimen, law), tension.solution, annuli=50)
+    profile = section_profile(Model(specimen, law, 1000.0), tension.solution, annuli=50)
     assert profile.carried[-1] == pytest.approx(1.0)
     area = np.diff(profile.edge**2)
     second = (profile.stress * area * profile.middle**2).sum() / area.sum()
@@ -191,7 +191,8 @@ def test_the_profile_of_stress_holds_the_whole_force_and_its_gyration(specimen):
 
 def test_a_chain_carries_everything_on_its_axis():
     lattice = chain(40)
-    profile = section_profile(Model(lattice, LAW), bd.labtests.static_tension(lattice, LAW).solution, annuli=10)
+    tension = bd.labtests.static_tension(lattice, LAW)
+    profile = section_profile(Model(lattice, LAW, 1000.0), tension.solution, annuli=10)
     np.testing.assert_allclose(profile.carried[1:], 1.0)
     assert profile.stress[0] == pytest.approx(100.0)
 

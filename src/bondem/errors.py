@@ -37,6 +37,14 @@ class StepWarning(UserWarning):
     """A time step so close to the stability limit that large strains may take the run across it."""
 
 
+class FaceWarning(UserWarning):
+    """A face of particles without a shape has far fewer elements than lie near it."""
+
+
+class StageWarning(UserWarning):
+    """A schedule of a run that goes on from a state is over before the run begins."""
+
+
 class UnstableRunError(BondemError):
     """A run on which a result depends became unstable."""
 

@@ -1,14 +1,15 @@
 """The public solvers: they turn a path into a sink and choose the device."""
 
 import importlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from bondem._checks import instance, shown
 from bondem.errors import InputError
 from bondem.io.runfile import RunFile, read_run
 from bondem.laws.damping import AnyDamping
-from bondem.model.gauges import Gauge
+from bondem.model.gauges import AnyGauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.events import Event
@@ -17,6 +18,7 @@ from bondem.solve.modal import solve_modes
 from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status
 from bondem.solve.relaxation import solve_relaxed
 from bondem.solve.schemes import Scheme, VelocityVerlet
+from bondem.solve.stage import begin, check_gauges
 from bondem.solve.static import solve_static
 from bondem.solve.timestep import choose_step
 
@@ -30,10 +32,10 @@ def solve_explicit(
     dt: float | None = None,
     scheme: Scheme | None = None,
     damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
-    gauges: Mapping[str, Gauge] | None = None,
+    gauges: Mapping[str, AnyGauge] | None = None,
     every: int = 100,
     save_every: int = 0,
-    until: tuple[Event, ...] = (),
+    until: Event | Sequence[Event] = (),
     safety: float = 0.9,
     state: State | None = None,
     device: str = "cpu",
@@ -49,12 +51,13 @@ def solve_explicit(
         dt: time step [s]; None for `safety` times the critical one of the assembled lattice.
         scheme: time integration; velocity Verlet unless given.
         damping: of elements or bonds, one kind or several in a tuple; none unless asked.
-        gauges: what to record, by name.
+        gauges: what to record, by name: `bd.Gauge`, `bd.WallGauge`.
         every: steps between records; 0 for none.
-        save_every: steps between checkpoints; 0 for the last state only.
-        until: events that end the run early.
+        save_every: steps between checkpoints into `out`; 0 for the last state only.
+        until: an event that ends the run early, or several.
         safety: share of the critical step to use when dt is None [-].
-        state: where to start, such as the end of another run; it is changed in place, and its time goes on.
+        state: where to start, such as the end of another run of the same elements and bonds; it stays as it is. Its
+            time goes on, and with it that of all schedules: those of a second stage begin at `state.time`.
         device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`): total formulation, no contacts.
         out: run file (HDF5) to write; nothing is written when None.
         progress: called now and then with the share done, 0 … 1.
@@ -67,30 +70,39 @@ def solve_explicit(
 
     Warns:
         StepWarning: the given dt is above 0.9 of the critical step; the message says so too.
+        StageWarning: a schedule that is new in this stage began before it.
 
     Raises:
         UnstableStepError: dt above the critical step.
-        InputError: a bad value, or an output path that cannot be written.
+        InputError: a bad value, the state of another model, a prescribed displacement that does not begin where the
+            elements are, or an output path that cannot be written.
     """
+    instance("solve_explicit", "model", model, Model, "bd.Model(...)")
+    if state is not None:
+        instance("solve_explicit", "state", state, State, "the state of a run, or model.state()")
+    for name, given in (("progress", progress), ("callback", callback)):
+        if given is not None and not callable(given):
+            raise InputError(f"solve_explicit: {name} = {shown(given)}; give a function, or None")
     plan = Plan(
         duration=duration,
         dt=dt,
         scheme=scheme if scheme is not None else VelocityVerlet(),
         damping=damping,
-        gauges=dict(gauges or {}),
+        gauges={} if gauges is None else gauges,
         every=every,
         save_every=save_every,
         until=until,
         safety=safety,
     )
     loop_of = _loop_on(device, model, plan)
+    check_gauges(model, plan)
+    own = begin(model, state)
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
     plan = replace(plan, dt=step.dt)
+    plan.steps  # noqa: B018  refuses more than anyone waits for
     sink = RunFile(out, model, plan) if out is not None else None
-    if state is not None:
-        state.begin(model)
     return integrate(
-        model, plan, state=state, sink=sink, progress=progress, callback=callback, loop_of=loop_of,
+        model, plan, state=own, sink=sink, progress=progress, callback=callback, loop_of=loop_of,
         remark=step.remark,
     )  # fmt: skip
 
@@ -112,9 +124,16 @@ def resume(
         InputError: the file cannot be written.
     """
     kept = read_run(path)
-    if kept.state.step and any(event.happened(kept.state) for event in kept.plan.until):
-        message = f"had been stopped by an event at t = {kept.state.time:.6g} s"
-        return ExplicitResult(Status.STOPPED, kept.state, kept.history, kept.plan.dt or 0.0, kept.state.step, message)
+    if kept.state.step and any(event.happened(kept.state) for event in kept.plan.events):
+        return ExplicitResult(
+            status=Status.STOPPED,
+            iterations=kept.state.step,
+            residual=kept.history.imbalance,
+            state=kept.state,
+            history=kept.history,
+            dt=kept.plan.dt or 0.0,
+            message=f"had been stopped by an event at t = {kept.state.time:.6g} s",
+        )
     loop_of = _loop_on(device, kept.model, kept.plan)
     sink = RunFile(path, kept.model, kept.plan)
     return integrate(
@@ -131,7 +150,7 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
     if device == "cpu":
         return None
     if device != "gpu":
-        raise InputError(f"device = '{device}' is unknown; choose 'cpu' or 'gpu'")
+        raise InputError(f"device = {shown(device)} is unknown; choose 'cpu' or 'gpu'")
     try:
         gpu = importlib.import_module("bondem.solve.loop_cuda")
     except ImportError as error:

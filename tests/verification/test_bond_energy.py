@@ -131,7 +131,7 @@ def test_quaternions_turn_and_rotate_as_they_should(angle: float) -> None:
 
 @every_law
 def test_force_is_the_gradient_of_the_energy(law: BondLaw) -> None:
-    model = bd.Model(cluster(), bond=law)
+    model = bd.Model(cluster(), bond=law, density=1000.0)
     pose = moved(model, shift=0.12, degrees=20.0).pose
     expected = [-derivative(lambda x: energies(model, x).sum(), pose, dof) for dof in range(6 * len(pose))]
     actual = forces(model, pose)
@@ -140,7 +140,7 @@ def test_force_is_the_gradient_of_the_energy(law: BondLaw) -> None:
 
 @every_law
 def test_energy_is_the_formula_and_its_parts_are_not_negative(law: BondLaw) -> None:
-    model = bd.Model(cluster(), bond=law)
+    model = bd.Model(cluster(), bond=law, density=1000.0)
     state = moved(model, shift=0.12, degrees=20.0, seed=3)
     parts = energies(model, state.pose)
 
@@ -177,7 +177,7 @@ def test_a_twist_is_twisting_and_a_bend_is_bending(axis: tuple[float, float, flo
     across = np.cross(X, np.array([0.3, -0.5, 0.9]))
     across /= np.linalg.norm(across)
     lattice = bd.Lattice(bd.Particles(np.array([0 * X, 2 * X]), np.ones(2)), [(0, 1)])
-    model = bd.Model(lattice, bond=LAWS["Timoshenko"])
+    model = bd.Model(lattice, bond=LAWS["Timoshenko"], density=1000.0)
     k = model.stiffness
     angle = 0.3
     for around, row, stiffness in ((X, 3, k.kt[0]), (across, 2, k.kb[0])):
@@ -192,7 +192,7 @@ def test_a_twist_is_twisting_and_a_bend_is_bending(axis: tuple[float, float, flo
 
 @every_law
 def test_hessian_at_rest_is_the_stiffness_matrix(law: BondLaw) -> None:
-    model = bd.Model(cluster(), bond=law)
+    model = bd.Model(cluster(), bond=law, density=1000.0)
     pose = State(model).pose
     K = stiffness_matrix(model).toarray()
     measured = np.array([-derivative(lambda x: forces(model, x), pose, dof) for dof in range(len(K))])
@@ -226,7 +226,8 @@ def test_hessian_at_rest_is_the_textbook_beam(shear: bool, direction: tuple[floa
     L, r, Ri, Rj = 1.7, 0.35, 0.5, 1.1
     X = np.array(direction) / np.linalg.norm(direction)
     law = (bd.Timoshenko if shear else bd.EulerBernoulli)(E=E, nu=NU, radius=r)
-    model = bd.Model(bd.Lattice(bd.Particles(np.array([0 * X, L * X]), np.array([Ri, Rj])), [(0, 1)]), bond=law)
+    pair = bd.Lattice(bd.Particles(np.array([0 * X, L * X]), np.array([Ri, Rj])), [(0, 1)])
+    model = bd.Model(pair, bond=law, density=1000.0)
     G, I = E / (2 * (1 + NU)), math.pi * r**4 / 4
     Phi = 12 * E * I * (10 / 9) / (G * math.pi * r**2 * L**2) if shear else 0.0
     local = textbook_beam(L, E * math.pi * r**2, E * I, G * 2 * I, Phi)
@@ -247,7 +248,7 @@ def test_parallel_bond_is_that_of_chen_tables_1_and_2() -> None:
     X = np.array([0.6, 0.0, -0.8])
     model = bd.Model(
         bd.Lattice(bd.Particles(np.array([0 * X, L * X]), np.array([Ra, Rb])), [(0, 1)]),
-        bond=bd.ParallelBond(E=E, nu=NU, radius=rb),
+        bond=bd.ParallelBond(E=E, nu=NU, radius=rb), density=1000.0,
     )
     kn = E * math.pi * rb**2 / L
     ks = kn / (2 * (1 + NU))
@@ -268,7 +269,7 @@ def test_parallel_bond_is_that_of_chen_tables_1_and_2() -> None:
 @every_law
 def test_rigid_motion_gives_no_force(law: BondLaw) -> None:
     lattice = cluster()
-    model = bd.Model(lattice, bond=law)
+    model = bd.Model(lattice, bond=law, density=1000.0)
     k, L = model.bonds.kn, model.bonds.length
     rng = np.random.default_rng(8)
     for angle in (1e-9, 1e-3, 0.3, 1.0, 2.0, 3.0, math.pi):
@@ -286,7 +287,7 @@ def test_rigid_motion_gives_no_force(law: BondLaw) -> None:
 
 @every_law
 def test_every_bond_is_in_balance(law: BondLaw) -> None:
-    model = bd.Model(cluster(), bond=law)
+    model = bd.Model(cluster(), bond=law, density=1000.0)
     pose = moved(model, shift=0.12, degrees=20.0, seed=5).pose
     f, t_i, t_j = (part.T for part in np.split(bond_forces(model, pose), 3))
     d = pose[model.layout.j, :3] - pose[model.layout.i, :3]
@@ -306,7 +307,7 @@ def test_guard_counts_wide_and_lost_bonds(bend: float, twist: float, wide: int, 
     # c < 0.7 beyond 45.6° of bending, w² < 0.75 beyond 60° of twist; c = 0 at 90°, w² = ¼ at 120°
     model = bd.Model(
         bd.Lattice(bd.Particles(np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0]]), np.ones(3)), [(0, 1), (2, 0)]),
-        bond=LAWS["Timoshenko"],
+        bond=LAWS["Timoshenko"], density=1000.0,
     )
     turn = Rotation.from_euler("zx", [bend, twist], degrees=True)
     orientation = np.tile([1.0, 0.0, 0.0, 0.0], (3, 1))

@@ -112,7 +112,7 @@ def test_table_5() -> None:
     ]  # fmt: skip
     for n, *expected in printed:
         models = [
-            bd.Model(CASES[f"3, {n} bonds"][0], law(E=E, nu=NU, radius=0.2))
+            bd.Model(CASES[f"3, {n} bonds"][0], law(E=E, nu=NU, radius=0.2), 1000.0)
             for law in (bd.ParallelBond, bd.EulerBernoulli, bd.Timoshenko)
         ]
         found = [models[0].stiffness.kn[0], *(model.stiffness.ks[0] for model in models)]
@@ -159,7 +159,7 @@ def test_axial_over_shear_stiffness_of_figure_17() -> None:
             (bd.ParallelBond, 2.0 * (1.0 + NU)), (bd.EulerBernoulli, square),
             (bd.Timoshenko, square + 20.0 / 9.0 * (1.0 + NU)), (bd.Obermayr, 2.0 * (1.0 + NU) / 0.9),
         ):  # fmt: skip
-            k = bd.Model(CASES[f"3, {n} bonds"][0], law(E=E, nu=NU, radius=0.2)).stiffness
+            k = bd.Model(CASES[f"3, {n} bonds"][0], law(E=E, nu=NU, radius=0.2), 1000.0).stiffness
             np.testing.assert_allclose(k.kn / k.ks, expected, rtol=1e-12)
 
 

@@ -91,7 +91,7 @@ def test_block_gradients_find_the_modes_of_inverse_lanczos(block, held, monkeypa
 
 
 def test_more_modes_than_there_are_is_an_error():
-    model = bd.Model(beads(2), LAW, boundary=[bd.Fix(bd.Index(0))])
+    model = bd.Model(beads(2), LAW, 1000.0, boundary=[bd.Fix(bd.Index(0))])
     assert len(bd.solve_modes(model, count=6).frequency) == 6
     with pytest.raises(InputError, match="has 6 modes"):
         bd.solve_modes(model, count=7)

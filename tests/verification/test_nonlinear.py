@@ -24,7 +24,7 @@ def rod(bonds: int) -> bd.Lattice:
 
 
 def bent(bonds: int, *conditions, nonlinear: bool = True):
-    model = bd.Model(rod(bonds), LAW, boundary=[bd.Fix(bd.Index(0)), *conditions])
+    model = bd.Model(rod(bonds), LAW, 1.0, boundary=[bd.Fix(bd.Index(0)), *conditions])
     return bd.solve_static(model, nonlinear=nonlinear)
 
 
@@ -81,7 +81,7 @@ def test_small_loads_give_the_linear_answer():
 
 
 def test_a_driven_turn_of_the_support_is_rigid():
-    model = bd.Model(rod(6), LAW, boundary=[bd.Fix(bd.Index(0), rotation="xy"), bd.Drive(bd.Index(0), rz=2.0)])
+    model = bd.Model(rod(6), LAW, 1.0, boundary=[bd.Fix(bd.Index(0), rotation="xy"), bd.Drive(bd.Index(0), rz=2.0)])
     static = bd.solve_static(model, nonlinear=True)
     x = model.lattice.particles.position[:, 0]
     expected = np.stack([x * (math.cos(2.0) - 1.0), x * math.sin(2.0), 0.0 * x], axis=1)
@@ -91,7 +91,7 @@ def test_a_driven_turn_of_the_support_is_rigid():
 
 
 def test_tangent_at_rest_is_the_stiffness_matrix():
-    model = bd.Model(rod(5), bd.Timoshenko(E=E, nu=NU, radius=0.03))
+    model = bd.Model(rod(5), bd.Timoshenko(E=E, nu=NU, radius=0.03), 1000.0)
     system = System.of(model)
     tangent = tangent_matrix(model, system.matrix, State(model).pose)
     assert np.abs((tangent - system.matrix).toarray()).max() <= 1e-8 * np.abs(system.matrix.data).max()
@@ -105,7 +105,7 @@ def test_a_block_twisted_by_its_faces_balances():
     lattice = bd.connect(particles, reach=1.6)
     load = bd.Load(bd.Face("x_max", depth=1.0), force=(0.0, 9e-3, 0.0), moment=(0.02, 0.0, 0.0))
     law = bd.EulerBernoulli(E=1.0, nu=NU, radius_ratio=0.8)
-    model = bd.Model(lattice, law, boundary=[bd.Fix(bd.Face("x_min", depth=1.0)), load])
+    model = bd.Model(lattice, law, 1.0, boundary=[bd.Fix(bd.Face("x_min", depth=1.0)), load])
     static = bd.solve_static(model, nonlinear=True)
     assert np.linalg.norm(static.rotation, axis=1).max() > 0.1
     chosen, nodal = load.nodal(lattice)
@@ -118,7 +118,7 @@ def test_a_block_twisted_by_its_faces_balances():
 
 def test_what_cannot_stand_is_an_error():
     pull = [bd.Load(bd.Index(k), force=(sign, 0.0, 0.0)) for k, sign in ((0, -1.0), (4, 1.0))]
-    model = bd.Model(rod(4), LAW, boundary=pull)
+    model = bd.Model(rod(4), LAW, 1.0, boundary=pull)
     with pytest.raises(InputError, match="needs a specimen that is held"):
         bd.solve_static(model, nonlinear=True)
     with pytest.raises(ConvergenceError, match="more and shorter bonds"):

@@ -30,7 +30,7 @@ def bar(law, *conditions) -> bd.Model:
     position = np.vstack([grid + rng.uniform(-0.2, 0.2, grid.shape), [[10.0, 2.5, 9.0]]])
     particles = bd.Particles(position, 0.35, shape=bd.Box(size=(20.0, 5.0, 5.0)))
     clamp = bd.Fix(bd.Face("x_min", depth=1.0))
-    return bd.Model(bd.connect(particles, reach=1.6), law, boundary=[clamp, *conditions])
+    return bd.Model(bd.connect(particles, reach=1.6), law, 1.0, boundary=[clamp, *conditions])
 
 
 def far(a: np.ndarray, b: np.ndarray) -> float:
@@ -72,7 +72,7 @@ def test_a_cantilever_bends_to_the_elastica(load: float) -> None:
     """As far as the same lattice does under Newton's method; and that is the elastica, but for the bonds' length."""
     bonds = 30
     boundary = [bd.Fix(bd.Index(0)), bd.Load(bd.Index(bonds), force=(0.0, load * BENDING / LENGTH**2, 0.0))]
-    model = bd.Model(rod(bonds), THICK, boundary=boundary)
+    model = bd.Model(rod(bonds), THICK, 1.0, boundary=boundary)
     relaxed, newton = bd.solve_relaxed(model, tolerance=1e-8), bd.solve_static(model, nonlinear=True)
     assert np.abs(newton.rotation).max() > 0.4
     assert far(relaxed.displacement, newton.displacement) < 1e-5
@@ -84,7 +84,7 @@ def test_a_cantilever_bends_to_the_elastica(load: float) -> None:
 
 
 def test_a_driven_turn_of_the_support_is_rigid() -> None:
-    model = bd.Model(rod(6), THICK, boundary=[bd.Fix(bd.Index(0), rotation="xy"), bd.Drive(bd.Index(0), rz=2.0)])
+    model = bd.Model(rod(6), THICK, 1.0, boundary=[bd.Fix(bd.Index(0), rotation="xy"), bd.Drive(bd.Index(0), rz=2.0)])
     relaxed = bd.solve_relaxed(model)
     x = model.lattice.particles.position[:, 0]
     expected = np.stack([x * (math.cos(2.0) - 1.0), x * math.sin(2.0), 0.0 * x], axis=1)
@@ -100,15 +100,15 @@ def test_the_masses_make_a_step_of_one_stable() -> None:
 
 def test_what_it_cannot_do_is_an_error() -> None:
     boundary = [bd.Fix(bd.Index(0)), bd.Load(bd.Index(6), force=(0.0, 1.0, 0.0))]
-    model = bd.Model(rod(6), THICK, boundary=boundary)
+    model = bd.Model(rod(6), THICK, 1.0, boundary=boundary)
     with pytest.raises(InputError, match="tolerance"):
         bd.solve_relaxed(model, tolerance=0.0)
     with pytest.raises(InputError, match="use solve_explicit"):
-        bd.solve_relaxed(bd.Model(rod(6), THICK, boundary=boundary, contact=bd.LinearContact(E=1e9)))
+        bd.solve_relaxed(bd.Model(rod(6), THICK, 1.0, boundary=boundary, contact=bd.LinearContact(E=1e9)))
     with pytest.raises(InputError, match="is held"):
-        bd.solve_relaxed(bd.Model(rod(6), THICK))
+        bd.solve_relaxed(bd.Model(rod(6), THICK, 1000.0))
     with pytest.raises(ConvergenceError, match="do not balance after 50 steps"):
         bd.solve_relaxed(model, most=50)
     fold = [bd.Fix(bd.Index(0)), bd.Load(bd.Index(2), moment=(0.0, 0.0, 6.0 * BENDING / LENGTH))]
     with pytest.raises(ConvergenceError, match="more and shorter bonds"):
-        bd.solve_relaxed(bd.Model(rod(2), THICK, boundary=fold))
+        bd.solve_relaxed(bd.Model(rod(2), THICK, 1.0, boundary=fold))

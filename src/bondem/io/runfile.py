@@ -19,6 +19,7 @@ import h5py
 import numpy as np
 
 from bondem import __version__
+from bondem._checks import place
 from bondem.errors import RunFileError
 from bondem.io.atomic import replacing, require_writable
 from bondem.io.codec import decode, encode
@@ -66,7 +67,7 @@ class RunFile:
     """
 
     def __init__(self, path: str | Path, model: Model, plan: Plan) -> None:
-        self.path = Path(path)
+        self.path = place("out", path)
         require_writable(self.path, "run file")
         self._model = model
         self._texts = {
@@ -110,7 +111,7 @@ def read_run(path: str | Path) -> Checkpoint:
     Raises:
         RunFileError: no such file, not a run file, damaged, or of a newer bondem.
     """
-    path = Path(path)
+    path = place("path", path)
     if not path.is_file():
         raise RunFileError(f"there is no run file '{path}'; check the path")
     try:

@@ -4,6 +4,7 @@ from bondem.labtests.any_shape import UniformStress, uniform_stress
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
+from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import Tension, static_tension
@@ -11,6 +12,7 @@ from bondem.labtests.vibration import FreeVibration, free_vibration
 
 __all__ = [
     "FreeVibration",
+    "Isotropic",
     "NaturalFrequencies",
     "Outcome",
     "Tension",

@@ -98,7 +98,7 @@ def uniform_stress(lattice: Lattice, law: BondAssignment, *, depth: float = 0.02
     """
     if not lattice.particles.envelope.faces:
         raise InputError("uniform_stress loads the surface, and a periodic cell has none; use bd.bulk_moduli")
-    statics = Statics(Model(lattice, law))
+    statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
     owner, centre, area = _surface(lattice, depth)
     moving = np.flatnonzero(lattice.connected)
     position = lattice.particles.position

@@ -94,7 +94,7 @@ def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | No
         raise InputError(
             "bulk_moduli needs a periodic cell: pack a bd.Cell, or give Particles their period= [m]"
         )
-    statics = Statics(Model(lattice, law))
+    statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
     k = statics.model.stiffness
     moving = lattice.connected[lattice.pairs[:, 0], None]
     still = np.zeros((len(lattice.particles), 3))

@@ -87,6 +87,7 @@ class Cantilever:
         model = Model(
             self.lattice,
             law,
+            density=1.0,  # statics do not depend on it
             boundary=[
                 Fix(Face("x_min", depth)),
                 Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0)),

@@ -10,7 +10,7 @@ from bondem.errors import InputError
 from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Fix
 from bondem.model.model import Model
-from bondem.solve.modal import Modes, solve_modes
+from bondem.solve.modal import ModesResult, solve_modes
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -28,7 +28,7 @@ class NaturalFrequencies:
     tension: float
     bending: float
     torsion: float
-    modes: Modes
+    modes: ModesResult
     mass_share: Floats
 
 

@@ -70,7 +70,8 @@ def tension_model(lattice: Lattice, law: BondAssignment, *, stress: float = 1e6,
     """The free specimen under the two forces of a tension test; see `static_tension`."""
     force = stress * lattice.particles.envelope.section()
     pull = [(Face("x_max", depth), force), (Face("x_min", depth), -force)]
-    return Model(lattice, law, boundary=[Load(face, force=(along, 0.0, 0.0)) for face, along in pull])
+    loads = [Load(face, force=(along, 0.0, 0.0)) for face, along in pull]
+    return Model(lattice, law, 1.0, boundary=loads)  # statics do not depend on the density
 
 
 def tension_of(

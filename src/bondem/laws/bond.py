@@ -5,7 +5,6 @@ normal, shear, bending and twisting stiffness of the bond and in where along it 
 A law is therefore data, computed once per bond; `bondem.laws.beam_energy` is the physics of them all.
 """
 
-import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
@@ -13,6 +12,7 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from bondem._checks import choice, number
 from bondem._types import PerBond
 from bondem.errors import InputError
 from bondem.laws.free_parameter import RADIUS_RATIO, FreeParameter
@@ -108,20 +108,15 @@ class BondLaw(ABC):
 
     def __post_init__(self) -> None:
         law = type(self).__name__
-        if not (math.isfinite(self.E) and self.E > 0.0):
-            raise InputError(f"{law}: E = {self.E} Pa; give a positive Young's modulus in Pa")
-        if not -1.0 < self.nu < 0.5:
-            raise InputError(f"{law}: nu = {self.nu}; give a Poisson's ratio in (-1, 0.5)")
+        number(law, "E", self.E, unit="Pa", above=0.0, advice="a positive Young's modulus in Pa")
+        number(law, "nu", self.nu, above=-1.0, below=0.5, advice="a Poisson's ratio in (-1, 0.5)")
         if (self.radius_ratio is None) == (self.radius is None):
             raise InputError(f"{law}: give either radius_ratio= [-] or radius= [m]")
         for name in ("radius_ratio", "radius"):
-            value = getattr(self, name)
-            if value is not None and not (math.isfinite(value) and value > 0.0):
-                raise InputError(f"{law}: {name} = {value}; give a positive number")
-        if self.radius_rule not in RADIUS_RULES:
-            raise InputError(f"{law}: radius_rule = '{self.radius_rule}'; choose from {', '.join(RADIUS_RULES)}")
-        if self.formulation not in FORMULATIONS:
-            raise InputError(f"{law}: formulation = '{self.formulation}'; choose from {', '.join(FORMULATIONS)}")
+            if getattr(self, name) is not None:
+                number(law, name, getattr(self, name), above=0.0)
+        choice(law, "radius_rule", self.radius_rule, RADIUS_RULES)
+        choice(law, "formulation", self.formulation, FORMULATIONS)
 
     @property
     def G(self) -> float:

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import instance, number
 from bondem._compile import device
 from bondem._types import Floats
-from bondem.errors import InputError
 
 # Contacts a sphere can have with spheres of its size: the kissing number bounds the stiffness around it.
 _KISSING = 12
@@ -41,14 +41,12 @@ class LinearContact:
     stress_free: bool = True
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.E) and self.E > 0.0):
-            raise InputError(f"LinearContact: E = {self.E} Pa; give a positive effective modulus")
-        if not (math.isfinite(self.friction) and self.friction >= 0.0):
-            raise InputError(f"LinearContact: friction = {self.friction}; give a coefficient of zero or more")
-        if not (math.isfinite(self.kappa) and self.kappa > 0.0):
-            raise InputError(f"LinearContact: kappa = {self.kappa}; give a positive ratio kn / ks")
-        if not 0.0 <= self.damping < 1.0:
-            raise InputError(f"LinearContact: damping = {self.damping}; give a share of critical damping in [0, 1)")
+        law = "LinearContact"
+        number(law, "E", self.E, unit="Pa", above=0.0, advice="a positive effective modulus in Pa")
+        number(law, "friction", self.friction, least=0.0, advice="a coefficient of zero or more")
+        number(law, "kappa", self.kappa, above=0.0, advice="a positive ratio kn / ks")
+        number(law, "damping", self.damping, least=0.0, below=1.0, advice="a share of critical damping in [0, 1)")
+        instance(law, "stress_free", self.stress_free, bool, "True or False")
 
     @property
     def restitution(self) -> float:

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+from bondem._checks import number, shown
 from bondem._compile import device
 from bondem.errors import InputError
 
@@ -23,8 +24,7 @@ class LocalDamping:
     gamma: float
 
     def __post_init__(self) -> None:
-        if not 0.0 <= self.gamma < 1.0:
-            raise InputError(f"LocalDamping: gamma = {self.gamma}; give a coefficient in [0, 1)")
+        number("LocalDamping", "gamma", self.gamma, least=0.0, below=1.0, advice="a coefficient in [0, 1)")
 
 
 @dataclass(frozen=True)
@@ -41,8 +41,7 @@ class MassDamping:
     alpha: float
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.alpha) and self.alpha >= 0.0):
-            raise InputError(f"MassDamping: alpha = {self.alpha}; give a rate of zero or more [1/s]")
+        number("MassDamping", "alpha", self.alpha, least=0.0, advice="a rate of zero or more [1/s]")
 
 
 @dataclass(frozen=True)
@@ -65,9 +64,7 @@ class BondDamping:
 
     def __post_init__(self) -> None:
         for name in ("eta", "beta"):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and value >= 0.0):
-                raise InputError(f"BondDamping: {name} = {value}; give a value of zero or more")
+            number("BondDamping", name, getattr(self, name), least=0.0, advice="a value of zero or more")
 
 
 AnyDamping = LocalDamping | MassDamping | BondDamping
@@ -100,7 +97,8 @@ class DampingTerms:
         for kind in kinds:
             if not isinstance(kind, AnyDamping):
                 raise InputError(
-                    f"damping= takes bd.LocalDamping, bd.MassDamping, bd.BondDamping or several of them, not {kind!r}"
+                    "damping= takes bd.LocalDamping, bd.MassDamping, bd.BondDamping or several of them, not"
+                    f" {shown(kind)}"
                 )
             own = vars(kind)
             if values.keys() & own.keys():

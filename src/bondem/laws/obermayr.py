@@ -1,10 +1,9 @@
 """Shear-flexible beam bond after Obermayr et al. (2013)."""
 
-import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from bondem.errors import InputError
+from bondem._checks import number
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness, Section
 from bondem.laws.free_parameter import FreeParameter
 
@@ -32,8 +31,7 @@ class Obermayr(BondLaw):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if not (math.isfinite(self.alpha_s) and self.alpha_s > 0.0):
-            raise InputError(f"Obermayr: alpha_s = {self.alpha_s}; give a positive shear correction factor")
+        number("Obermayr", "alpha_s", self.alpha_s, above=0.0, advice="a positive shear correction factor")
 
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         section = Section(self.bond_radius(bonds))

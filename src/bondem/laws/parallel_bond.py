@@ -1,10 +1,9 @@
 """Parallel bond (Potyondy and Cundall 2004, as in PFC3D)."""
 
-import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from bondem.errors import InputError
+from bondem._checks import number
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness, Section
 from bondem.laws.free_parameter import FreeParameter
 
@@ -33,8 +32,8 @@ class ParallelBond(BondLaw):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.kappa is not None and not (math.isfinite(self.kappa) and self.kappa > 0.0):
-            raise InputError(f"ParallelBond: kappa = {self.kappa}; give a positive stiffness ratio or leave it out")
+        if self.kappa is not None:
+            number("ParallelBond", "kappa", self.kappa, above=0.0, advice="a positive ratio, or None for 2 (1 + ν)")
 
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         section = Section(self.bond_radius(bonds))

@@ -4,10 +4,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from bondem._checks import instance
 from bondem.errors import InputError
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Region
+from bondem.specimen.regions import Region, as_region
 
 BondAssignment = BondLaw | Mapping[Region | tuple[Region, Region], BondLaw]
 
@@ -38,12 +39,12 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
         return bond.stiffness(geometry), bond.formulation
     if not isinstance(bond, Mapping) or not bond:
         raise InputError("bond= takes a bond law, or a mapping {region: law, (region, region): law}")
+    entries = [(_ends(where), instance("Model", "bond", law, BondLaw, "a bond law")) for where, law in bond.items()]
     formulations = {law.formulation for law in bond.values()}
     if len(formulations) > 1:
         raise InputError("all bond laws of one model must share a formulation; choose 'total' or 'incremental'")
     table = BondStiffness.empty(len(lattice.pairs))
-    for where, law in bond.items():
-        first, second = where if isinstance(where, tuple) else (where, where)
+    for (first, second), law in entries:
         a, b = np.zeros((2, len(lattice.particles)), dtype=bool)
         a[first.select(lattice)] = True
         b[second.select(lattice)] = True
@@ -57,3 +58,10 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
         )
     table.put(np.isnan(table.kn), BondStiffness(*(np.zeros(1) for _ in range(6))))
     return table, formulations.pop()
+
+
+def _ends(where: object) -> tuple[Region, Region]:
+    pair = where if isinstance(where, tuple) else (where, where)
+    if len(pair) != 2:
+        raise InputError(f"bond= names {len(pair)} regions together; a bond has two: give (region, region): law")
+    return as_region("bond=", pair[0]), as_region("bond=", pair[1])

@@ -4,18 +4,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import instance, vector
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.model.balance import balanced_forces
 from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.model.schedules import Constant, Schedule, as_schedule
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Region
+from bondem.specimen.regions import Region, as_region
 
 _AXES = {"x": 0, "y": 1, "z": 2}
 
 
 def _components(owner: str, axes: str) -> tuple[int, ...]:
+    instance(owner, "translation= or rotation", axes, str, "axes as text: a subset of 'xyz', or '' for none")
     if any(axis not in _AXES for axis in axes):
         raise InputError(f"{owner}: '{axes}' names no axes; give a subset of 'xyz', or '' for none")
     return tuple(sorted({_AXES[axis] for axis in axes}))
@@ -36,6 +38,7 @@ class Fix:
     rotation: str = "xyz"
 
     def __post_init__(self) -> None:
+        as_region("Fix", self.region)
         if not self.components:
             raise InputError("Fix holds nothing; name axes in translation= or rotation=")
 
@@ -51,6 +54,9 @@ class Drive:
     """Prescribe the motion of elements; what is not named stays free.
 
     `Drive(Face("x_max"), x=Ramp(0, 1e-4, 1e-3))` moves the face along x. Numbers are constant schedules.
+    Displacements and rotations count from the reference configuration, in static and explicit solutions alike. A
+    static solution takes them at the end of their schedules. An explicit run cannot jump: its schedules must begin
+    where the elements are, at 0 from rest.
 
     Attributes:
         region: who.
@@ -67,6 +73,7 @@ class Drive:
     motion: tuple[tuple[int, Schedule, bool], ...]
 
     def __init__(self, region: Region, **components: float | Schedule) -> None:
+        as_region("Drive", region)
         names = {}
         for k, axis in enumerate("xyz"):
             names |= {axis: (k, False), "v" + axis: (k, True), "r" + axis: (3 + k, False), "w" + axis: (3 + k, True)}
@@ -75,7 +82,9 @@ class Drive:
             raise InputError(f"Drive: unknown component '{unknown[0]}'; choose from {', '.join(names)}")
         if not components:
             raise InputError("Drive prescribes nothing; name a component, such as x= or vx=")
-        motion = tuple((names[key][0], as_schedule(value), names[key][1]) for key, value in components.items())
+        motion = tuple(
+            (names[key][0], as_schedule("Drive", key, value), names[key][1]) for key, value in components.items()
+        )
         if len({dof for dof, _, _ in motion}) < len(motion):
             raise InputError("Drive: give the displacement or the velocity of a component, not both")
         object.__setattr__(self, "region", region)
@@ -94,7 +103,7 @@ class Load:
         region: who.
         force: total force [N], (3,).
         moment: total moment [N·m], (3,).
-        schedule: factor over time [-]; constant from t = 0 unless given.
+        schedule: factor over time [-]; constant from t = 0 unless given; a number is constant.
     """
 
     region: Region
@@ -103,11 +112,10 @@ class Load:
     schedule: Schedule = Constant(1.0)
 
     def __post_init__(self) -> None:
+        as_region("Load", self.region)
         for name in ("force", "moment"):
-            value = np.asarray(getattr(self, name), dtype=float)
-            if value.shape != (3,) or not np.isfinite(value).all():
-                raise InputError(f"Load: {name} = {getattr(self, name)}; give three finite components")
-            object.__setattr__(self, name, tuple(value.tolist()))
+            object.__setattr__(self, name, vector("Load", name, getattr(self, name)))
+        object.__setattr__(self, "schedule", as_schedule("Load", "schedule", self.schedule))
 
     def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
         """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""

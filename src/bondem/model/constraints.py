@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import shown
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import InputError
 from bondem.kernels.tables import Rows, Schedules
@@ -86,9 +87,8 @@ class Constraints:
                     chosen = layout.rank[condition.region.select(lattice)]
                     for dof, schedule, rate in condition.motion:
                         if driven[chosen, dof].any():
-                            raise InputError(
-                                f"{condition.region} is driven twice in one component; take one Drive out"
-                            )
+                            where = shown(condition.region)
+                            raise InputError(f"{where} is driven twice in one component; take one Drive out")
                         driven[chosen, dof] = True
                         drives.append((chosen, dof, len(schedules), rate))
                         schedules.append(schedule)
@@ -111,10 +111,7 @@ class Constraints:
                     strains.append((condition.parts(lattice)[layout.bond_order], len(schedules)))
                     schedules.append(condition.schedule)
                 case _:
-                    raise InputError(
-                        f"{condition!r} is no boundary condition; give Fix, Drive, Load, Pressure, BodyForce,"
-                        " Absorbing or Eigenstrain"
-                    )
+                    raise AssertionError(f"unreachable: a model refuses {condition!r}")
             owns[chosen] = True
         if (fixed.astype(bool) & driven).any():
             raise InputError("an element is both fixed and driven in one component; subtract the regions")

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from bondem.errors import InputError
-from bondem.specimen.regions import Region
+from bondem._checks import choice, count
+from bondem.specimen.regions import Region, as_region
 
 QUANTITIES = ("displacement", "velocity", "rotation", "angular_velocity", "force")
 WALL_QUANTITIES = ("displacement", "force", "growth")
@@ -18,18 +18,19 @@ class Gauge:
         region: who.
         quantity: "displacement" [m], "velocity" [m/s], "rotation" [rad], "angular_velocity" [rad/s] or
             "force" [N], that of loads and supports on the region.
-        reduction: "mean", "sum" or "max_abs" over the elements, component by component.
+        reduction: "mean", "sum" or "max_abs" over the elements, component by component; unless given the sum of a
+            force and the mean of all else.
     """
 
     region: Region
     quantity: str
-    reduction: str = "mean"
+    reduction: str = ""
 
     def __post_init__(self) -> None:
-        if self.quantity not in QUANTITIES:
-            raise InputError(f"Gauge: unknown quantity '{self.quantity}'; choose from {', '.join(QUANTITIES)}")
-        if self.reduction not in REDUCTIONS:
-            raise InputError(f"Gauge: unknown reduction '{self.reduction}'; choose from {', '.join(REDUCTIONS)}")
+        as_region("Gauge", self.region)
+        choice("Gauge", "quantity", self.quantity, QUANTITIES)
+        usual = "sum" if self.quantity == "force" else "mean"
+        object.__setattr__(self, "reduction", choice("Gauge", "reduction", self.reduction or usual, REDUCTIONS))
 
 
 @dataclass(frozen=True)
@@ -46,10 +47,8 @@ class WallGauge:
     quantity: str
 
     def __post_init__(self) -> None:
-        if self.quantity not in WALL_QUANTITIES:
-            raise InputError(
-                f"WallGauge: unknown quantity '{self.quantity}'; choose from {', '.join(WALL_QUANTITIES)}"
-            )
+        object.__setattr__(self, "wall", count("WallGauge", "wall", self.wall, advice="the number of a wall, from 0"))
+        choice("WallGauge", "quantity", self.quantity, WALL_QUANTITIES)
 
 
 AnyGauge = Gauge | WallGauge

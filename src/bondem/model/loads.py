@@ -6,13 +6,14 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import KDTree
 
+from bondem._checks import number, vector
 from bondem._types import Floats, Ints, PerBond
 from bondem.errors import InputError
 from bondem.model.balance import balanced_forces
-from bondem.model.schedules import Constant, Schedule
+from bondem.model.schedules import Constant, Schedule, as_schedule
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.patches import face_patches
-from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region
+from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region, as_region
 
 # Size of the patches of a face, over the mean radius.
 _PATCH = 0.25
@@ -35,10 +36,9 @@ class BodyForce:
     schedule: Schedule = Constant(1.0)
 
     def __post_init__(self) -> None:
-        value = np.asarray(self.acceleration, dtype=float)
-        if value.shape != (3,) or not np.isfinite(value).all():
-            raise InputError(f"BodyForce: acceleration = {self.acceleration}; give three finite components [m/s²]")
-        object.__setattr__(self, "acceleration", tuple(value.tolist()))
+        object.__setattr__(self, "acceleration", vector("BodyForce", "acceleration", self.acceleration, unit="m/s²"))
+        as_region("BodyForce", self.region)
+        object.__setattr__(self, "schedule", as_schedule("BodyForce", "schedule", self.schedule))
 
 
 @dataclass(frozen=True)
@@ -61,8 +61,8 @@ class Pressure:
 
     def __post_init__(self) -> None:
         face_of("Pressure", self.region)
-        if not math.isfinite(self.pressure):
-            raise InputError(f"Pressure: pressure = {self.pressure}; give a finite value [Pa]")
+        object.__setattr__(self, "pressure", number("Pressure", "pressure", self.pressure, unit="Pa"))
+        object.__setattr__(self, "schedule", as_schedule("Pressure", "schedule", self.schedule))
 
     def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
         """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
@@ -104,13 +104,12 @@ class Absorbing:
 
     def __post_init__(self) -> None:
         face_of("Absorbing", self.region)
-        for name in ("density", "E"):
-            if not (math.isfinite(getattr(self, name)) and getattr(self, name) > 0.0):
-                raise InputError(f"Absorbing: {name} = {getattr(self, name)}; give a positive value")
-        if not -1.0 < self.nu < 0.5:
-            raise InputError(f"Absorbing: nu = {self.nu}; give Poisson's ratio in (-1, 0.5)")
-        if self.c is not None and not (math.isfinite(self.c) and self.c > 0.0):
-            raise InputError(f"Absorbing: c = {self.c} m/s; give a positive celerity, or None")
+        for name, unit in (("density", "kg/m³"), ("E", "Pa")):
+            object.__setattr__(self, name, number("Absorbing", name, getattr(self, name), unit=unit, above=0.0))
+        nu = number("Absorbing", "nu", self.nu, above=-1.0, below=0.5, advice="Poisson's ratio in (-1, 0.5)")
+        object.__setattr__(self, "nu", nu)
+        if self.c is not None:
+            number("Absorbing", "c", self.c, unit="m/s", above=0.0, advice="a positive celerity, or None")
 
     @property
     def celerities(self) -> tuple[float, float]:
@@ -150,7 +149,10 @@ class Eigenstrain:
     schedule: Schedule = Constant(1.0)
 
     def __post_init__(self) -> None:
-        if not math.isfinite(self.strain) or not (1.0 + self.strain * self.schedule.table[1] > 0.0).all():
+        object.__setattr__(self, "strain", number("Eigenstrain", "strain", self.strain))
+        as_region("Eigenstrain", self.region)
+        object.__setattr__(self, "schedule", as_schedule("Eigenstrain", "schedule", self.schedule))
+        if not (1.0 + self.strain * self.schedule.table[1] > 0.0).all():
             raise InputError(f"Eigenstrain: strain = {self.strain}; give a finite value that stays above -1")
 
     def parts(self, lattice: Lattice) -> PerBond:
@@ -173,6 +175,8 @@ def face_of(owner: str, region: Region) -> Face:
             return face_of(owner, first)
         case Intersection(first=first, second=second):
             return face_of(owner, first if isinstance(first, Face | Difference | Intersection) else second)
+        case _:
+            as_region(owner, region)
     raise InputError(
         f'{owner}: {region} is no face; give bd.Face("x_min") or a part of one, and one {owner} for each face'
     )

@@ -1,11 +1,13 @@
 """The model: everything that does not change while it is solved."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
+from typing import get_args
 
 import numpy as np
 
+from bondem._checks import array, instance, possible, several, shown
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.errors import InputError
 from bondem.laws.bond import BondStiffness
@@ -16,6 +18,7 @@ from bondem.model.boundary import BoundaryCondition
 from bondem.model.constraints import Constraints
 from bondem.model.contacts import ContactModel
 from bondem.model.layout import Layout
+from bondem.model.state import State
 from bondem.model.walls import Wall, WallTable, check_walls
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
@@ -25,41 +28,57 @@ from bondem.specimen.particles import freeze
 class Model:
     """A lattice with bonds, masses and boundary conditions.
 
+    What is not named in a model is not there: contacts and walls act in explicit runs only, and static solutions and
+    modes refuse a model that has them.
+
     Attributes:
         lattice: elements and bonds.
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
-        density: of the elements themselves, ρ_μ [kg/m³]; a number or shape (n,).
-        boundary: what is fixed, driven, loaded, absorbed or strained.
+        density: of the elements themselves, ρ_μ [kg/m³]; a number or shape (n,). Only linear statics without body
+            forces do not depend on it.
+        boundary: what is fixed, driven, loaded, absorbed or strained; one condition or several.
         contact: law of the contacts between elements that no intact bond joins, and with walls; None for none.
         walls: rigid planes and cylinders; they need a `contact` law.
 
     Raises:
-        InputError: a density that is not positive, or boundary conditions that contradict each other.
+        InputError: a density that is not positive, boundary conditions that contradict each other, or masses and
+            stiffnesses beyond what numbers hold.
         EmptyRegionError: a region that selects no connected element.
     """
 
     lattice: Lattice
     bond: BondAssignment | None
-    density: float | ArrayLike = 1000.0
+    density: float | ArrayLike
     boundary: Sequence[BoundaryCondition] = field(default=())
     contact: LinearContact | None = None
     walls: Sequence[Wall] = field(default=())
 
     def __post_init__(self) -> None:
-        density = np.asarray(self.density, dtype=float)
+        instance("Model", "lattice", self.lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
+        density = array("Model", "density", self.density, wanted="a positive number [kg/m³], or one an element")
         if density.shape not in ((), (len(self.lattice.particles),)):
             raise InputError(f"density has shape {density.shape}; give a number or one value an element")
-        if not (np.isfinite(density) & (density > 0.0)).all():
-            raise InputError("density must be positive [kg/m³] for every element")
-        object.__setattr__(self, "boundary", tuple(self.boundary))
+        if not possible(density) or not (density > 0.0).all():
+            raise InputError("density must be positive and finite [kg/m³] for every element")
+        object.__setattr__(self, "boundary", _conditions(self.boundary))
         object.__setattr__(self, "walls", check_walls(self.walls))
         if self.contact is not None and not isinstance(self.contact, LinearContact):
-            raise InputError(f"contact= takes a contact law such as bd.LinearContact, not {self.contact!r}")
+            raise InputError(f"contact= takes a contact law such as bd.LinearContact, not {shown(self.contact)}")
         if self.walls and self.contact is None:
             raise InputError("walls need a law of contact: give contact=bd.LinearContact(E=...)")
-        self.constraints  # noqa: B018  regions and laws are checked when the model is made
-        self.stiffness  # noqa: B018
+        self._check_magnitudes()
+        self.constraints  # noqa: B018  regions are checked when the model is made
         self._check_strain()
+
+    def _check_magnitudes(self) -> None:
+        with np.errstate(all="ignore"):
+            mass, inertia, stiffness = self.mass, self.inertia, self.stiffness
+        held = [(item.name, getattr(stiffness, item.name)) for item in fields(stiffness)]
+        for name, values in (("masses", mass), ("moments of inertia", inertia), *held):
+            if not np.isfinite(values).all() or (name.startswith("m") and not (values > 0.0).all()):
+                raise InputError(
+                    f"the {name} of this model are beyond what numbers hold; check the units of density, bonds, radii"
+                )
 
     def _check_strain(self) -> None:
         if len(self.constraints.strain_part) and self.formulation == "incremental":
@@ -123,8 +142,18 @@ class Model:
         other = Model.__new__(Model)
         for name in ("lattice", "bond", "density", "contact", "walls"):
             object.__setattr__(other, name, getattr(self, name))
-        object.__setattr__(other, "boundary", tuple(boundary))
+        object.__setattr__(other, "boundary", _conditions(boundary))
         for name in ("layout", "_assigned", "bonds", "mass", "inertia"):
             other.__dict__[name] = getattr(self, name)
+        other.constraints  # noqa: B018  regions are checked now
         other._check_strain()
         return other
+
+    def state(self) -> State:
+        """A new state: the reference configuration, at rest, at time 0; to be given velocities, poses or strains."""
+        return State(self)
+
+
+def _conditions(boundary: object) -> tuple[BoundaryCondition, ...]:
+    wanted = "Fix, Drive, Load, Pressure, BodyForce, Absorbing or Eigenstrain, one or a sequence of them"
+    return several("Model", "boundary", boundary, get_args(BoundaryCondition), wanted)

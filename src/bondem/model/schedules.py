@@ -5,12 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._checks import array, instance, number
+from bondem._types import ArrayLike, Floats
 from bondem.errors import InputError
 
 
 class Schedule(ABC):
-    """A quantity over time."""
+    """A quantity over time: that of the state, which goes on from run to run."""
 
     @property
     @abstractmethod
@@ -22,16 +23,32 @@ class Schedule(ABC):
         """The value it ends at; static solutions use it."""
         return float(self.table[1][-1])
 
+    def at(self, time: float) -> float:
+        """The value at a time [s]."""
+        times, values = self.table
+        k = int(np.searchsorted(times, time, side="right"))
+        if k in (0, len(times)):
+            return float(values[max(k - 1, 0)])
+        share = (time - times[k - 1]) / (times[k] - times[k - 1])
+        return float(values[k - 1] + (values[k] - values[k - 1]) * share)
+
 
 @dataclass(frozen=True)
 class Constant(Schedule):
-    """The same value at all times."""
+    """The same value at all times.
+
+    Attributes:
+        value: finite.
+    """
 
     value: float
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "value", number("Constant", "value", self.value))
+
     @property
     def table(self) -> tuple[Floats, Floats]:
-        return np.zeros(1), np.array([self.value], dtype=float)
+        return np.zeros(1), np.array([self.value])
 
 
 @dataclass(frozen=True)
@@ -50,12 +67,18 @@ class Ramp(Schedule):
     begin: float = 0.0
 
     def __post_init__(self) -> None:
-        if not self.duration > 0.0:
-            raise InputError(f"Ramp: duration = {self.duration} s; give a positive time")
+        for name in ("start", "end"):
+            object.__setattr__(self, name, number("Ramp", name, getattr(self, name)))
+        begin = number("Ramp", "begin", self.begin, unit="s", advice="a finite time")
+        duration = number("Ramp", "duration", self.duration, unit="s", above=0.0, advice="a positive time")
+        if not begin + duration > begin:
+            raise InputError(f"Ramp: duration = {duration} s is lost against begin = {begin} s; give a longer one")
+        object.__setattr__(self, "begin", begin)
+        object.__setattr__(self, "duration", duration)
 
     @property
     def table(self) -> tuple[Floats, Floats]:
-        return np.array([self.begin, self.begin + self.duration]), np.array([self.start, self.end], dtype=float)
+        return np.array([self.begin, self.begin + self.duration]), np.array([self.start, self.end])
 
 
 @dataclass(frozen=True)
@@ -70,20 +93,30 @@ class Table(Schedule):
     times: tuple[float, ...]
     values: tuple[float, ...]
 
-    def __post_init__(self) -> None:
-        times, values = np.asarray(self.times, dtype=float), np.asarray(self.values, dtype=float)
-        if times.shape != values.shape or times.ndim != 1 or len(times) == 0:
+    def __init__(self, times: ArrayLike, values: ArrayLike) -> None:
+        t = array("Table", "times", times, wanted="times [s], shape (k,)")
+        v = array("Table", "values", values, wanted="values, shape (k,)")
+        if t.shape != v.shape or t.ndim != 1 or len(t) == 0:
             raise InputError("Table: give as many values as times, at least one")
-        if (np.diff(times) < 0.0).any() or not (np.isfinite(times).all() and np.isfinite(values).all()):
+        if not (np.isfinite(t).all() and np.isfinite(v).all()) or (np.diff(t) < 0.0).any():
             raise InputError("Table: times must be finite and not decrease, values must be finite")
-        object.__setattr__(self, "times", tuple(times.tolist()))
-        object.__setattr__(self, "values", tuple(values.tolist()))
+        for name, found in (("times", t), ("values", v)):
+            number("Table", name, np.abs(found).max())
+            object.__setattr__(self, name, tuple(found.tolist()))
 
     @property
     def table(self) -> tuple[Floats, Floats]:
         return np.array(self.times), np.array(self.values)
 
 
-def as_schedule(value: "float | Schedule") -> Schedule:
-    """A number as a constant schedule; a schedule as it is."""
-    return value if isinstance(value, Schedule) else Constant(float(value))
+def as_schedule(owner: str, name: str, value: "float | Schedule") -> Schedule:
+    """A number as a constant schedule; a schedule as it is.
+
+    Raises:
+        InputError: something else, or a number that is not finite.
+    """
+    if isinstance(value, Schedule):
+        return value
+    if isinstance(value, str) or not np.isscalar(value):
+        instance(owner, name, value, Schedule, "a number, or a schedule such as bd.Ramp(0, 1, duration)")
+    return Constant(number(owner, name, value))

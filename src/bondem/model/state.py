@@ -1,19 +1,25 @@
 """The state: the only arrays that change."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from bondem._checks import array
 from bondem._types import Floats, Pairs, PerBond, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.walls import COLUMNS, FORCE, WORK
-from bondem.model.model import Model
+from bondem.model.origin import Origin, difference
+from bondem.model.walls import Wall
 
 
 class State:
     """Where everything is, and how it moves; see docs/decisions/0001-state.md.
 
-    Internal arrays are in the kernels' order; the properties are in the user's.
+    `model.state()` makes one at rest; `set_motion`, `set_pose` and `set_eigenstrain` change it. Internal arrays are
+    in the kernels' order; the properties are in the user's.
 
     Attributes:
+        model: the model that it is a state of; that of the last run.
         pose: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
         motion: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
         acceleration: translational and rotational at the present pose, shape (n, 6).
@@ -36,7 +42,8 @@ class State:
         stale: whether the acceleration must be found anew before the next step.
     """
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Origin) -> None:
+        self.model = model
         order = model.layout.order
         n, m, rows = len(order), len(model.layout.i), len(model.constraints.element)
         self.layout = model.layout
@@ -80,26 +87,55 @@ class State:
             setattr(twin, name, getattr(self, name).copy())
         return twin
 
-    def begin(self, model: Model) -> None:
-        """Make this the start of a new run of `model`, the same lattice under the same or other conditions.
+    def begin(self, model: Origin) -> None:
+        """Make this the start of a new run of `model`: the same elements and bonds, under these or other conditions.
 
-        Time, motion and bonds go on; steps, work and losses are counted from here.
+        Time, motion and bonds go on; steps, work and losses are counted from here. Boundary conditions, contacts and
+        walls may be others: a wall that was there stays where it has come to, a new one is where it is defined. So
+        may be the stiffness of bonds of the total formulation, as their forces follow from where elements are.
 
         Raises:
-            InputError: the state of another lattice.
+            InputError: the state of a model with other elements, masses or bonds.
         """
-        if not np.array_equal(model.layout.order, self.layout.order) or len(model.layout.i) != len(self.integrity):
-            raise InputError("state belongs to another lattice; start from a state of this one, or leave state= out")
+        other = difference(self.model, model)
+        if other:
+            raise InputError(
+                f"state belongs to another {other}; start from a state of this model, or give one that model.state()"
+                " makes positions and velocities by set_pose and set_motion"
+            )
         rows = len(model.constraints.element)
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(model.constraints.works[2])
         self.loss[:] = 0.0
-        if len(self.walls) != len(model.walls):
-            self.walls = np.zeros((len(model.walls), COLUMNS))
-            self.wall_touching, self.wall_stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
+        if model.contact is None:
+            self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
+        self._take_walls(model.walls)
         self.walls[:, WORK] = 0.0
+        self.model, self.layout = model, model.layout
         self.step = 0
         self.stale = True
+
+    def _take_walls(self, walls: Sequence[Wall]) -> None:
+        """Carry displacement and contacts of the walls that go on, known by where they are defined."""
+        rows = [wall.row.tolist() for wall in self.model.walls]
+        came: list[int] = []
+        for wall in walls:
+            row = wall.row.tolist()
+            came.append(rows.index(row) if row in rows else -1)
+            if came[-1] >= 0:
+                rows[came[-1]] = []  # of two walls in one place each goes on by itself
+        if came == list(range(len(self.walls))):
+            return
+        old, number = self.walls, np.full(len(self.walls), -1)
+        self.walls = np.zeros((len(came), COLUMNS))
+        for new, before in enumerate(came):
+            if before >= 0:
+                self.walls[new], number[before] = old[before], new
+        kept = number[self.wall_touching[:, 1]] >= 0
+        element, wall = self.wall_touching[kept, 0], number[self.wall_touching[kept, 1]]
+        order = np.lexsort((wall, element))
+        self.wall_touching = np.column_stack([element, wall])[order]
+        self.wall_stretch = self.wall_stretch[kept][order]
 
     def _by_user(self, internal: np.ndarray) -> np.ndarray:
         return internal[self.layout.rank]
@@ -167,10 +203,10 @@ class State:
         for value, columns in ((velocity, slice(0, 3)), (angular_velocity, slice(4, 7))):
             if value is None:
                 continue
-            array = np.asarray(value, dtype=float)
-            if array.shape != (len(self.pose), 3) or not np.isfinite(array).all():
-                raise InputError(f"velocities have shape {array.shape}; give finite ({len(self.pose)}, 3)")
-            self.motion[:, columns] = array[self.layout.order]
+            given = array("State", "velocity", value, wanted=f"finite ({len(self.pose)}, 3)")
+            if given.shape != (len(self.pose), 3) or not np.isfinite(given).all():
+                raise InputError(f"velocities have shape {given.shape}; give finite ({len(self.pose)}, 3)")
+            self.motion[:, columns] = given[self.layout.order]
             self.stale = True
 
     def set_eigenstrain(self, strain: float | np.ndarray) -> None:
@@ -182,7 +218,7 @@ class State:
         if self.history.shape[1] > 0:
             raise InputError("eigenstrain needs stored rest lengths: use formulation='total'")
         count = len(self.integrity)
-        values = np.asarray(strain, dtype=float)
+        values = array("State", "eigenstrain", strain, wanted=f"values above -1, one or ({count},)")
         if values.shape not in ((), (count,)) or not (np.isfinite(values) & (values > -1.0)).all():
             raise InputError(f"eigenstrain: give finite values above -1, one or ({count},), not {values.shape}")
         self.eigenstrain = np.broadcast_to(values, (count,))[self.layout.bond_order].copy()
@@ -192,15 +228,18 @@ class State:
         """Move the elements to centres [m] (n, 3) and unit quaternions (n, 4), user's order.
 
         Raises:
-            InputError: a wrong shape or a value that is not finite.
+            InputError: a wrong shape, a value that is not finite, or quaternions that are not of unit length.
         """
         for value, columns in ((position, slice(0, 3)), (orientation, slice(4, 8))):
             if value is None:
                 continue
-            array = np.asarray(value, dtype=float)
-            if array.shape != self.pose[:, columns].shape or not np.isfinite(array).all():
-                raise InputError(f"poses have shape {array.shape}; give finite {self.pose[:, columns].shape}")
-            self.pose[:, columns] = array[self.layout.order]
+            shape = self.pose[:, columns].shape
+            given = array("State", "pose", value, wanted=f"finite {shape}")
+            if given.shape != shape or not np.isfinite(given).all():
+                raise InputError(f"poses have shape {given.shape}; give finite {shape}")
+            if shape[1] == 4 and np.abs((given**2).sum(axis=1) - 1.0).max() > 1e-6:
+                raise InputError("orientations are no unit quaternions (w, x, y, z); divide each by its length")
+            self.pose[:, columns] = given[self.layout.order]
             self.stale = True
 
 

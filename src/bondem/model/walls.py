@@ -1,12 +1,11 @@
 """Walls: rigid planes and cylinders that elements touch, held, driven or servo-controlled."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from bondem._checks import instance, number, several, vector
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.model.schedules import Schedule, as_schedule
@@ -37,7 +36,9 @@ class Driven:
         unknown = sorted(set(components) - set(names))
         if unknown:
             raise InputError(f"Driven: unknown component '{unknown[0]}'; choose from {', '.join(names)}")
-        motion = tuple((names[key][0], as_schedule(value), names[key][1]) for key, value in components.items())
+        motion = tuple(
+            (names[key][0], as_schedule("Driven", key, value), names[key][1]) for key, value in components.items()
+        )
         if not motion or len({k for k, _, _ in motion}) < len(motion):
             raise InputError("Driven: name each component once, as a displacement or as a velocity")
         object.__setattr__(self, "motion", motion)
@@ -61,37 +62,37 @@ class Servo:
     mass: float | None
 
     def __init__(self, force: float | Schedule, *, speed: float, mass: float | None = None) -> None:
-        schedule = as_schedule(force)
+        schedule = as_schedule("Servo", "force", force)
         if not min(schedule.table[1]) >= 0.0:
             raise InputError("Servo: force must be zero or more [N]; elements can only press on a wall")
-        if not (math.isfinite(speed) and speed > 0.0):
-            raise InputError(f"Servo: speed = {speed} m/s; give the largest speed of the wall, positive")
-        if mass is not None and not (math.isfinite(mass) and mass > 0.0):
-            raise InputError(f"Servo: mass = {mass} kg; give the positive mass of the platen, or None")
+        number("Servo", "speed", speed, unit="m/s", above=0.0, advice="the largest speed of the wall, positive")
+        if mass is not None:
+            number("Servo", "mass", mass, unit="kg", above=0.0, advice="the positive mass of the platen, or None")
         object.__setattr__(self, "force", schedule)
         object.__setattr__(self, "mass", mass)
         object.__setattr__(self, "speed", float(speed))
 
 
 def _direction(owner: str, value: object) -> tuple[float, float, float]:
-    vector = np.asarray(value, dtype=float)
-    if vector.shape != (3,) or not np.isfinite(vector).all() or not np.linalg.norm(vector) > 0.0:
-        raise InputError(f"{owner} = {value}; give three finite components, not all zero")
-    x, y, z = (vector / np.linalg.norm(vector)).tolist()
+    wanted = "three finite components, not all zero"
+    components = np.array(vector("", owner, value, advice=wanted))
+    size = np.linalg.norm(components)
+    if not size > 0.0:
+        raise InputError(f"{owner} = {value}; give {wanted}")
+    x, y, z = (components / size).tolist()
     return x, y, z
 
 
 def _point(owner: str, value: object) -> tuple[float, float, float]:
-    vector = np.asarray(value, dtype=float)
-    if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise InputError(f"{owner} = {value}; give three finite coordinates [m]")
-    x, y, z = vector.tolist()
-    return x, y, z
+    return vector("", owner, value, advice="three finite coordinates [m]")
 
 
-def _check_friction(owner: str, friction: float | None) -> None:
-    if friction is not None and not (math.isfinite(friction) and friction >= 0.0):
-        raise InputError(f"{owner}: friction = {friction}; give a coefficient of zero or more, or None")
+def _check_motion(owner: str, motion: object, friction: object) -> None:
+    if motion is not None:
+        wanted = "bd.Driven(x=schedule) or bd.Servo(force, speed=...), or None"
+        instance(owner, "motion", motion, (Driven, Servo), wanted)
+    if friction is not None:
+        number(owner, "friction", friction, least=0.0, advice="a coefficient of zero or more, or None")
 
 
 @dataclass(frozen=True)
@@ -113,7 +114,7 @@ class PlaneWall:
     def __post_init__(self) -> None:
         object.__setattr__(self, "point", _point("PlaneWall: point", self.point))
         object.__setattr__(self, "normal", _direction("PlaneWall: normal", self.normal))
-        _check_friction("PlaneWall", self.friction)
+        _check_motion("PlaneWall", self.motion, self.friction)
         if isinstance(self.motion, Driven) and any(k == 3 for k, _, _ in self.motion.motion):
             raise InputError("PlaneWall: a plane has no radius to grow; name x, y or z")
 
@@ -144,11 +145,11 @@ class CylinderWall:
     friction: float | None = None
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.radius) and self.radius > 0.0):
-            raise InputError(f"CylinderWall: radius = {self.radius} m; give a positive radius")
+        number("CylinderWall", "radius", self.radius, unit="m", above=0.0, advice="a positive radius")
         object.__setattr__(self, "point", _point("CylinderWall: point", self.point))
         object.__setattr__(self, "axis", _direction("CylinderWall: axis", self.axis))
-        _check_friction("CylinderWall", self.friction)
+        _check_motion("CylinderWall", self.motion, self.friction)
+        instance("CylinderWall", "outside", self.outside, bool, "True or False")
 
     @property
     def row(self) -> Floats:
@@ -159,17 +160,13 @@ class CylinderWall:
 Wall = PlaneWall | CylinderWall
 
 
-def check_walls(walls: Any) -> tuple[Wall, ...]:
+def check_walls(walls: object) -> tuple[Wall, ...]:
     """Walls as a tuple.
 
     Raises:
         InputError: something else than walls.
     """
-    found = tuple(walls) if isinstance(walls, Sequence) else (walls,)
-    for wall in found:
-        if not isinstance(wall, PlaneWall | CylinderWall):
-            raise InputError(f"walls= takes bd.PlaneWall and bd.CylinderWall, not {type(wall).__name__}")
-    return found
+    return several("Model", "walls", walls, (PlaneWall, CylinderWall), "bd.PlaneWall and bd.CylinderWall")
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem.errors import InputError
+from bondem._checks import number
 from bondem.model.state import State
 
 
@@ -30,8 +30,8 @@ class AtRest(Event):
     after: float = 0.0
 
     def __post_init__(self) -> None:
-        if not self.speed > 0.0:
-            raise InputError(f"AtRest: speed = {self.speed} m/s; give a positive speed")
+        number("AtRest", "speed", self.speed, unit="m/s", above=0.0, advice="a positive speed")
+        number("AtRest", "after", self.after, unit="s", advice="a finite time")
 
     def happened(self, state: State) -> bool:
         fastest = np.sqrt((state.motion[:, :3] ** 2).sum(axis=1).max())

@@ -58,7 +58,7 @@ def integrate(
     history = History.empty(names) if history is None else history
     state = State(model) if state is None else state
     loop = (CpuLoop if loop_of is None else loop_of)(model, plan, state, dt)
-    total = round(plan.duration / dt)
+    total = plan.steps
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     kept = (state.copy(),)
     begun = loop.look()  # whether it is kept or not: guards need its energy
@@ -70,7 +70,7 @@ def integrate(
     turned = ""
     while state.step < total and not stop:
         goal = min(total, kept[-1].step + _CHUNK)
-        looked = plan.every if plan.until or callback is not None else 0
+        looked = plan.every if plan.events or callback is not None else 0
         for interval in (plan.save_every, looked):
             if interval:
                 goal = min(goal, (state.step // interval + 1) * interval)
@@ -101,7 +101,7 @@ def integrate(
             kept = (kept[-1], state.copy())
         if callback is not None and len(records) and callback(state, History(records, names)):
             stop = True
-        elif any(event.happened(state) for event in plan.until):
+        elif any(event.happened(state) for event in plan.events):
             status, message = Status.STOPPED, f"stopped by an event at t = {state.time:.6g} s"
             break
     if stop:
@@ -109,7 +109,10 @@ def integrate(
     history = history.extended(*fresh)
     if sink is not None and status is not Status.UNSTABLE:
         sink.checkpoint(state, history)
-    return ExplicitResult(status, state, history, dt, state.step, message + turned + warning)
+    return ExplicitResult(
+        status=status, iterations=state.step, residual=history.imbalance,
+        state=state, history=history, dt=dt, message=message + turned + warning,
+    )  # fmt: skip
 
 
 _CAUSES = {

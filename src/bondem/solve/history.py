@@ -58,3 +58,13 @@ class History:
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
         held = sum(ledger[name] for name in _STORED) + ledger["loss"] + ledger["friction"] - ledger["work"]
         return ledger | {"balance": held - held[:1]}
+
+    @property
+    def imbalance(self) -> float:
+        """Largest balance of the ledger over its largest entry [-]; NaN without records, 0 without any energy."""
+        if len(self) == 0:
+            return np.nan
+        ledger = self.energy
+        balance = float(np.abs(ledger.pop("balance")).max())
+        largest = max(float(np.abs(values).max()) for values in ledger.values())
+        return balance / largest if largest > 0.0 else 0.0

@@ -55,10 +55,15 @@ class System:
         """The matrix and supports of a model.
 
         Raises:
-            InputError: walls, which only press and therefore have no matrix.
+            InputError: contacts or walls, which only press and therefore have no matrix, or no bonds.
         """
-        if model.walls:
-            raise InputError("walls act in explicit runs only; hold or load faces with bd.Fix and bd.Load instead")
+        if model.contact is not None:
+            raise InputError(
+                "contacts and walls act in explicit runs only; leave contact= and walls= out of the model, and hold"
+                " or load faces with bd.Fix and bd.Load"
+            )
+        if len(model.lattice.pairs) == 0:
+            raise InputError("elements without bonds have no stiffness; bond them, or use solve_explicit")
         lattice, order = model.lattice, model.layout.order
         connected = lattice.connected[order]
         position = lattice.particles.position[order]
@@ -118,8 +123,8 @@ def rigid_motions(position: Floats, periodic: bool) -> Floats:
 class Solver(Protocol):
     """Solves K u = f for one system and many right-hand sides."""
 
-    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
-        """Displacements and rotations u (6 n,), zero where held and without rigid motion.
+    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
+        """Displacements and rotations u (6 n,), zero where held and without rigid motion, and how many iterations.
 
         Args:
             load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where held.
@@ -170,8 +175,8 @@ class Elimination:
         # on a mechanism a load need not work: iteration finds out
         self._iteration = Iteration(system) if singular else None
 
-    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
-        """See `Solver`."""
+    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
+        """See `Solver`; it needs no guess."""
         if self._iteration is not None:
             return self._iteration.solve(load, guess=guess, rtol=rtol)
         right = self._scale * load[self._live]
@@ -179,7 +184,7 @@ class Elimination:
         x += self._factors.solve(right - self._matrix @ x)
         solution = np.zeros_like(load)
         solution[self._live] = self._scale * x
-        return self._system.without_rigid_motion(solution)
+        return self._system.without_rigid_motion(solution), 1
 
 
 class Iteration:
@@ -205,21 +210,22 @@ class Iteration:
         if self._rigid.shape[1]:
             self._rigid = orthonormal(self._rigid)
 
-    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> Floats:
+    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
         """See `Solver`."""
         system = self._system
         start = np.zeros_like(load) if guess is None else np.where(system.free.ravel(), guess, 0.0)
         load = system.balanced(load)
         right = _by_element(self._turned, load)
         residual = right if guess is None else right - _by_element(self._turned, system.matrix @ start)
-        x = conjugate_gradients(self.scaled, self.approximate, residual, rtol * float(np.linalg.norm(right)))
+        stop = rtol * float(np.linalg.norm(right))
+        x, rounds = conjugate_gradients(self.scaled, self.approximate, residual, stop)
         solution = system.without_rigid_motion(start + _by_element(self.root, x))
         # motions that an element's own block does not resist are left out of S: a load on them shows here
         measure = np.where(system.free, [1.0] * 3 + [1.0 / system.length] * 3, 0.0).ravel()
         rest = np.linalg.norm(measure * (load - system.matrix @ solution))
         if rest > 1e-4 * np.linalg.norm(measure * load) + 1e-9 * np.linalg.norm(load):
             raise ConvergenceError(_MECHANISM)
-        return solution
+        return solution, rounds
 
     def approximate(self, residual: Floats) -> Floats:
         """Roughly (Sᵀ K S)⁻¹ times residuals of shape (6 n,) or (6 n, k)."""
@@ -262,15 +268,15 @@ def element_roots(matrix: bsr_array, free: Mask) -> tuple[Floats, Floats]:
 
 def conjugate_gradients(
     matrix: bsr_array, precondition: Callable[[Floats], Floats], residual: Floats, stop: float
-) -> Floats:
-    """x with |residual - K x| <= stop."""
+) -> tuple[Floats, int]:
+    """x with |residual - K x| <= stop, and the iterations it took."""
     x = np.zeros_like(residual)
     r = residual.copy()
     p = np.zeros_like(r)
     rho = 1.0
-    for _ in range(_ROUNDS):
+    for k in range(_ROUNDS):
         if np.linalg.norm(r) <= stop:
-            return x
+            return x, k
         z = precondition(r)
         rho, old = r @ z, rho
         p *= rho / old

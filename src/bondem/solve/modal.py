@@ -6,12 +6,15 @@ import numpy as np
 from scipy.linalg import eigh
 from scipy.sparse import bsr_array, csc_array, diags_array
 
+from bondem._checks import count as whole_number
+from bondem._checks import instance
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.matrices import mass_diagonal
 from bondem.model.model import Model
 from bondem.solve.lanczos import lowest_modes
 from bondem.solve.linear import Elimination, Iteration, System, normalising, orthonormal, prefers_elimination
+from bondem.solve.solution import Solution
 from bondem.solve.threads import one_blas_thread
 
 # Vectors iterated beside the wanted ones, so that a wanted pair is not cut in two.
@@ -22,8 +25,10 @@ _ROUNDS = 300
 
 
 @dataclass(frozen=True, eq=False)
-class Modes:
+class ModesResult(Solution):
     """The lowest natural modes; a motion the supports leave free is no mode.
+
+    The residual is the largest error of ω² that K φ - ω² M φ allows, over the largest ω² asked for.
 
     Attributes:
         frequency: ω / 2π, ascending [Hz], shape (count,).
@@ -36,32 +41,44 @@ class Modes:
 
 
 @one_blas_thread
-def solve_modes(model: Model, *, count: int = 8) -> Modes:
-    """Lowest natural frequencies and modes, without damping.
+def solve_modes(model: Model, *, count: int = 8) -> ModesResult:
+    """Lowest natural frequencies and modes about the reference configuration, without damping.
 
-    What is fixed or driven is held; rigid motions that the supports permit are left out, as are rattlers.
+    What is fixed or driven is held; rigid motions that the supports permit are left out, as are rattlers. Loads,
+    strains and absorbing boundaries take no part.
 
     Raises:
-        InputError: more modes than the model has.
+        InputError: more modes than the model has, contacts or walls.
         ConvergenceError: the iteration stopped before the tolerance of 1e-6 on frequencies.
     """
+    instance("solve_modes", "model", model, Model, "bd.Model(...)")
+    count = whole_number("solve_modes", "count", count, least=1)
     system, mass = System.of(model), mass_diagonal(model)
     available = int(system.free.sum()) - system.loose.shape[1]
     if not 1 <= count <= available:
         raise InputError(f"count = {count}, but the model has {available} modes; ask for at least one, and no more")
     if available <= max(200, 4 * count):
-        square, shape = _dense(system, mass, count)
+        square, shape, rounds = _dense(system, mass, count)
     elif prefers_elimination(system):
-        square, shape = _inverse_lanczos(system, mass, count)
+        square, shape, rounds = _inverse_lanczos(system, mass, count)
     else:
-        square, shape = _block_gradients(system, mass, count)
+        square, shape, rounds = _block_gradients(system, mass, count)
     shape /= np.sqrt((mass[:, None] * shape**2).sum(axis=0))
     shape *= np.sign(shape[np.abs(shape).argmax(axis=0), np.arange(count)])
     frequency = np.sqrt(np.maximum(square, 0.0)) / (2.0 * np.pi)
-    return Modes(frequency, shape.T.reshape(count, -1, 6)[:, model.layout.rank].copy())
+    return ModesResult(
+        frequency, shape.T.reshape(count, -1, 6)[:, model.layout.rank].copy(),
+        iterations=rounds, residual=_residual(system, mass, square, shape),
+    )  # fmt: skip
 
 
-def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats]:
+def _residual(system: System, mass: Floats, square: Floats, shape: Floats) -> float:
+    rest = (system.matrix @ shape - mass[:, None] * shape * square) * system.free.ravel()[:, None]
+    error = np.sqrt((rest**2 / mass[:, None]).sum(axis=0).max())
+    return float(error / square[-1]) if square[-1] > 0.0 else 0.0
+
+
+def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     live = np.flatnonzero(system.free)
     matrix = csc_array(system.matrix.tocsc())[:, live][live].toarray()
     scale = 1.0 / np.sqrt(mass[live])
@@ -69,10 +86,10 @@ def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats]:
     square, vector = eigh(matrix * scale[:, None] * scale, subset_by_index=[none, none + count - 1])
     shape = np.zeros((len(mass), count))
     shape[live] = scale[:, None] * vector
-    return square, shape
+    return square, shape, 1
 
 
-def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, Floats]:
+def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     root = np.sqrt(mass)
     rigid = orthonormal(root[:, None] * system.loose)
     elimination = Elimination(system)
@@ -80,18 +97,22 @@ def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, 
     def free(v: Floats) -> Floats:
         return v - rigid @ (rigid.T @ v)
 
+    rounds = 0
+
     def inverse(v: Floats) -> Floats:
-        return free(root * elimination.solve(root * free(v * alive)))
+        nonlocal rounds
+        rounds += 1
+        return free(root * elimination.solve(root * free(v * alive))[0])
 
     alive = system.free.ravel().astype(float)
     scale = diags_array(1.0 / root)
     start = free(alive * np.random.default_rng(0).standard_normal(len(mass)))
     matrix = csc_array(scale @ system.matrix @ scale)
     square, vector = lowest_modes(matrix, inverse, start, count=count, tolerance=1e-12)
-    return square, vector / root[:, None]
+    return square, vector / root[:, None], rounds
 
 
-def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats]:
+def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     """Locally optimal block preconditioned conjugate gradients (Knyazev 2001), begun with the clumps' modes."""
     iteration = Iteration(system)
     n, none = len(iteration.root), system.loose.shape[1]
@@ -106,7 +127,7 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
     S -= rigid @ (M_rigid.T @ S)
     KS, MS = K @ S, M @ S
     last = 0
-    for _ in range(_ROUNDS):
+    for k in range(_ROUNDS):
         square, turn = _ritz(S.T @ KS, S.T @ MS, width)
         X, KX, MX = S @ turn, KS @ turn, MS @ turn
         R = KX - MX * square
@@ -114,7 +135,7 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
         # bounds the error of each ω², but for the quality of the preconditioner
         error = np.einsum("nk,nk->k", R, W)
         if (error[:count] <= _TOLERANCE * square[:count]).all():
-            return square[:count], iteration.displacement(X[:, :count])
+            return square[:count], iteration.displacement(X[:, :count]), k + 1
         W -= rigid @ (M_rigid.T @ W)
         turn[:last] = 0.0
         last = width

@@ -37,11 +37,15 @@ class Bent:
         state: the poses.
         motion: displacements and rotation vectors [m, rad], shape (n, 6).
         force: what the bonds oppose to displacements and spins, K u for small ones [N, N·m], (n, 6).
+        rounds: of Newton's method, over all steps of the load.
+        residual: unbalanced force at the end, over that of loads and supports [-].
     """
 
     state: State
     motion: Floats
     force: Floats
+    rounds: int
+    residual: float
 
 
 def follow(model: Model, system: System) -> Bent:
@@ -56,21 +60,23 @@ def follow(model: Model, system: System) -> Bent:
     n = len(system.free)
     load, motion = model.constraints.final_load(n), model.constraints.final_motion(n)
     state = State(model)
-    done, step = 0.0, 1.0
+    done, step, residual = 0.0, 1.0, 0.0
+    rounds = 0
     while done < 1.0:
         step = min(step, 1.0 - done)
         trial = _advance(strained(model, done + step), system, state, load * (done + step), motion * step)
-        if isinstance(trial, State):
-            state, done, step = trial, done + step, 2.0 * step
+        rounds += trial.rounds
+        if trial.state is not None:
+            state, done, step, residual = trial.state, done + step, 2.0 * step, trial.residual
         else:
-            step *= trial
+            step *= trial.shorter
             if step < _SHORTEST:
                 raise ConvergenceError(
                     f"no equilibrium was found beyond {done:.4g} of the load: it buckles, or turns bonds too far;"
                     " lower it, bond with more and shorter bonds, or use solve_explicit with damping"
                 )
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
-    return Bent(state, turned, _forces(strained(model, 1.0), state.pose))
+    return Bent(state, turned, _forces(strained(model, 1.0), state.pose), rounds, residual)
 
 
 def strained(model: Model, share: float) -> Model:
@@ -83,8 +89,18 @@ def strained(model: Model, share: float) -> Model:
     return twin
 
 
-def _advance(model: Model, system: System, start: State, load: Floats, motion: Floats) -> State | float:
-    """The equilibrium under `load` after a prescribed `motion`, or by how much to shorten the step."""
+@dataclass(frozen=True, eq=False)
+class _Trial:
+    """A step of the load: its equilibrium and what is left unbalanced, or by how much to shorten it."""
+
+    rounds: int
+    state: State | None = None
+    residual: float = np.nan
+    shorter: float = 0.5
+
+
+def _advance(model: Model, system: System, start: State, load: Floats, motion: Floats) -> _Trial:
+    """The equilibrium under `load` after a prescribed `motion`."""
     state = start.copy()
     metric = np.repeat([1.0, 1.0 / system.length], 3)
     noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(load))
@@ -95,25 +111,26 @@ def _advance(model: Model, system: System, start: State, load: Floats, motion: F
         scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, 0.0, force) * metric)
         if k and np.linalg.norm(rest) <= _TOLERANCE * scale + noise:
             wide, _, sick = rotation_guard(state.pose, bonds)
-            return 0.5 if wide or sick else state
+            left = float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
+            return _Trial(k) if wide or sick else _Trial(k, state, left)
         tangent = replace(system, matrix=tangent_matrix(model, system.matrix, state.pose))
         right = (load - force).ravel()
         if k == 0 and motion.any():
             right = right - tangent.matrix @ motion.ravel()
         try:
-            change = solver(tangent).solve(right, rtol=1e-8).reshape(-1, 6)
+            change = solver(tangent).solve(right, rtol=1e-8)[0].reshape(-1, 6)
         except ConvergenceError:
-            return 0.5
+            return _Trial(k)
         if k == 0:
             change += motion
         turn = np.sqrt((change[:, 3:] ** 2).sum(axis=1).max())
         if not turn <= 3.0 * _TURN:
-            return min(0.5, _TURN / turn) if np.isfinite(turn) else 0.5
+            return _Trial(k, shorter=min(0.5, _TURN / turn) if np.isfinite(turn) else 0.5)
         if k == 0 and turn > 1.2 * _TURN:
-            return _TURN / turn
+            return _Trial(k, shorter=_TURN / turn)
         state.pose[:, :3] += change[:, :3]
         state.pose[:, 4:] = _turned(state.pose[:, 4:], change[:, 3:])
-    return 0.5
+    return _Trial(_ROUNDS)
 
 
 def _forces(model: Model, pose: Floats) -> Floats:

@@ -1,33 +1,30 @@
 """What an explicit run is asked to do, and what comes back."""
 
-import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from enum import Enum
 from typing import Protocol
 
 import numpy as np
 
+from bondem._checks import count, instance, number, several
 from bondem.errors import InputError
 from bondem.laws.damping import AnyDamping, DampingTerms
-from bondem.model.gauges import AnyGauge
+from bondem.model.gauges import AnyGauge, Gauge, WallGauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.events import Event
 from bondem.solve.history import History
 from bondem.solve.schemes import Scheme, VelocityVerlet
+from bondem.solve.solution import Solution, Status
 from bondem.solve.timestep import choose_step
 
 # Called with the state and the record of each output; ends the run by returning True.
 Callback = Callable[[State, History], bool | None]
 
+__all__ = ["Callback", "ExplicitResult", "Loop", "Plan", "Status", "settled"]
 
-class Status(Enum):
-    """How a run ended."""
-
-    COMPLETED = "completed"
-    STOPPED = "stopped by an event"
-    UNSTABLE = "unstable"
+# More steps than these take weeks on two elements: a duration in other units.
+_MOST = 10**12
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,7 +39,7 @@ class Plan:
         gauges: what to record, by name.
         every: steps between records; 0 for none.
         save_every: steps between checkpoints; 0 for none but the last.
-        until: events that end the run.
+        until: an event that ends the run, or several.
         safety: share of the critical time step to use when dt is None [-].
     """
 
@@ -53,43 +50,74 @@ class Plan:
     gauges: Mapping[str, AnyGauge] = field(default_factory=dict)
     every: int = 100
     save_every: int = 0
-    until: tuple[Event, ...] = ()
+    until: Event | Sequence[Event] = ()
     safety: float = 0.9
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.duration) and self.duration >= 0.0):
-            raise InputError(f"duration = {self.duration} s; give a time of zero or more")
-        if not 0.0 < self.safety <= 1.0:
+        number("", "duration", self.duration, unit="s", least=0.0, advice="a time of zero or more")
+        if self.dt is not None:
+            number("", "dt", self.dt, unit="s", advice="a time step, or None for the best stable one")
+        share = number("", "safety", self.safety, above=0.0, advice="a share of the critical step in (0, 1]")
+        if share > 1.0:
             raise InputError(f"safety = {self.safety}; give a share of the critical step in (0, 1]")
         for name in ("every", "save_every"):
-            if getattr(self, name) < 0 or int(getattr(self, name)) != getattr(self, name):
-                raise InputError(f"{name} = {getattr(self, name)}; give a whole number of steps, 0 for never")
+            whole = count("", name, getattr(self, name), advice="a whole number of steps, 0 for never")
+            object.__setattr__(self, name, whole)
+        instance("", "scheme", self.scheme, Scheme, "a scheme such as bd.VelocityVerlet()")
+        instance("", "gauges", self.gauges, Mapping, 'gauges by name, {"end": bd.Gauge(region, "displacement")}')
+        for name, gauge in self.gauges.items():
+            instance("gauges", "a name", name, str, "text")
+            instance("gauges", name, gauge, (Gauge, WallGauge), "bd.Gauge(...) or bd.WallGauge(...)")
+        object.__setattr__(self, "gauges", dict(self.gauges))
+        until = several("", "until", self.until, Event, "bd.AtRest(...), or several events")
+        object.__setattr__(self, "until", until)
         if self.until and not self.every:
             raise InputError("events are looked at with each record: give every= at least 1 where there is until=")
-        object.__setattr__(self, "until", tuple(self.until))
         DampingTerms.of(self.damping)
 
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """What ends the run."""
+        return (self.until,) if isinstance(self.until, Event) else tuple(self.until)
 
-@dataclass(frozen=True, eq=False)
-class ExplicitResult:
-    """What came back.
+    @property
+    def steps(self) -> int:
+        """round(duration / dt), of a plan whose time step is settled.
+
+        Raises:
+            InputError: more steps than anyone waits for.
+        """
+        assert self.dt is not None
+        if not self.duration <= _MOST * self.dt:
+            raise InputError(
+                f"duration = {self.duration:.3g} s takes {self.duration / self.dt:.3g} steps of {self.dt:.3g} s;"
+                " check its units (seconds), or give dt="
+            )
+        return round(self.duration / self.dt)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ExplicitResult(Solution):
+    """What came back: `iterations` are the steps done since the start of the run, `residual` is what the energy
+    ledger misses at most, over its largest entry (NaN without records).
 
     Attributes:
-        status: how the run ended.
         state: where everything is; after an unstable run, where all was well for the last time, at most 10 000
             steps before.
         history: the records.
         dt: time step used [s].
-        steps: steps done since the start of the model's time.
         message: one line for people.
     """
 
-    status: Status
     state: State
     history: History
     dt: float
-    steps: int
     message: str
+
+    @property
+    def steps(self) -> int:
+        """Steps done since the start of the run."""
+        return self.iterations
 
 
 class Loop(Protocol):

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from bondem._checks import count, instance, number
 from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.kernels.bond_pass import rotation_guard
@@ -39,9 +40,10 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         InputError: contacts or walls, no supports, a prescribed velocity, or a tolerance outside (0, 1).
         ConvergenceError: no balance in `most` steps, or bonds turned too far.
     """
-    if not 0.0 < tolerance < 1.0:
-        raise InputError(f"tolerance = {tolerance}; give a share of the force in (0, 1), such as 1e-6")
-    if model.contacts is not None or model.walls:
+    instance("solve_relaxed", "model", model, Model, "bd.Model(...)")
+    number("", "tolerance", tolerance, above=0.0, below=1.0, advice="a share of the force in (0, 1), such as 1e-6")
+    count("solve_relaxed", "most", most, least=1)
+    if model.contact is not None:
         raise InputError("contacts and walls act in explicit runs only; use solve_explicit with damping instead")
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
@@ -84,7 +86,10 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
     values = turned[layout.rank]
     reaction = np.where(held, -relaxation.before - load, 0.0)[layout.rank]
-    return StaticResult(values[:, :3].copy(), values[:, 3:].copy(), reaction, elastic_energy(model, state))
+    return StaticResult(
+        values[:, :3].copy(), values[:, 3:].copy(), reaction, elastic_energy(model, state),
+        iterations=done, residual=float(ratio),
+    )  # fmt: skip
 
 
 def masses(model: Model) -> tuple[PerElement, PerElement]:

@@ -8,7 +8,7 @@ import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
-from bondem.errors import InputError
+from bondem._checks import number
 
 
 class Scheme(ABC):
@@ -53,8 +53,7 @@ class TchamwaWielgosz(Scheme):
     phi: float = 1.3
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.phi) and self.phi >= 1.0):
-            raise InputError(f"TchamwaWielgosz: phi = {self.phi}; give a dissipation of at least 1")
+        number("TchamwaWielgosz", "phi", self.phi, least=1.0, advice="a dissipation of at least 1")
 
     @property
     def critical(self) -> float:

@@ -4,18 +4,23 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._checks import instance
 from bondem._types import Floats, PerBond, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.observe.energy import EnergyParts, elastic_energy, linear_energy
 from bondem.solve.linear import System, solver
 from bondem.solve.nonlinear import follow, strained
+from bondem.solve.solution import Solution
 from bondem.solve.threads import one_blas_thread
 
 
 @dataclass(frozen=True, eq=False)
-class StaticResult:
+class StaticResult(Solution):
     """An equilibrium, in the user's order; rattlers stay at 0.
+
+    Its residual is the unbalanced force over the sum of applied and supporting force, roots of sums of squares,
+    torques over the mean radius.
 
     Attributes:
         displacement: of the centres [m], shape (n, 3).
@@ -39,26 +44,35 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     """Equilibrium under the loads and prescribed motions at the end of their schedules.
 
     A specimen that its supports leave free to move rigidly must carry balanced loads; its rigid motion is
-    taken out of the result.
+    taken out of the result. Absorbing boundaries take no part.
 
     Args:
         model: what is solved.
         nonlinear: follow large rotations; else K u = f at the reference.
-        guess: a solution of a similar model, to start from.
+        guess: a solution of a similar model, to start from where K u = f is solved by iteration; an elimination needs
+            none, and a nonlinear path begins at rest.
 
     Raises:
-        InputError: unbalanced loads on a specimen that is free to move, or a prescribed velocity.
+        InputError: unbalanced loads on a specimen that is free to move, a prescribed velocity, contacts or walls, or
+            a guess for a nonlinear path or of another lattice.
         ConvergenceError: a load that no bond resists.
     """
+    instance("solve_static", "model", model, Model, "bd.Model(...)")
+    instance("solve_static", "nonlinear", nonlinear, bool, "True or False")
     if not nonlinear:
         return Statics(model).equilibrium(guess=guess)
+    if guess is not None:
+        raise InputError("solve_static: a nonlinear path begins at rest and takes no guess=; leave it out")
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
     bent = follow(model, System.of(model))
     values = bent.motion[layout.rank]
     reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n), 0.0)
     energy = elastic_energy(strained(model, 1.0), bent.state)
-    return StaticResult(values[:, :3].copy(), values[:, 3:].copy(), reaction[layout.rank], energy)
+    return StaticResult(
+        values[:, :3].copy(), values[:, 3:].copy(), reaction[layout.rank], energy,
+        iterations=bent.rounds, residual=bent.residual,
+    )  # fmt: skip
 
 
 class Statics:
@@ -83,9 +97,14 @@ class Statics:
         right = load - system.matrix @ motion if motion.any() else load
         start = None
         if guess is not None:
+            instance("solve_static", "guess", guess, StaticResult, "what solve_static returned for a similar model")
+            if guess.displacement.shape != (n, 3):
+                raise InputError(f"guess= has {len(guess.displacement)} elements; give a solution with {n}")
             start = np.hstack([guess.displacement, guess.rotation])[layout.order].ravel()
-        solution = motion + self._solver.solve(right, guess=start)
-        reaction = np.where(constraints.held(n), (system.matrix @ solution - load).reshape(n, 6), 0.0)
+        change, iterations = self._solver.solve(right, guess=start)
+        solution = motion + change
+        unbalanced = (system.matrix @ solution - load).reshape(n, 6)
+        reaction = np.where(constraints.held(n), unbalanced, 0.0)
         values = solution.reshape(n, 6)[layout.rank]
         displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
         return StaticResult(
@@ -93,6 +112,8 @@ class Statics:
             rotation=rotation,
             reaction=reaction[layout.rank],
             energy=linear_energy(model, displacement, rotation, strain),
+            iterations=iterations,
+            residual=_residual(system, unbalanced, load.reshape(n, 6)),
         )
 
     @one_blas_thread
@@ -112,7 +133,15 @@ class Statics:
         load = load[order].ravel()
         _check_balance(self._system, load)
         start = None if guess is None else guess[order].ravel()
-        return self._solver.solve(load, guess=start, rtol=rtol).reshape(-1, 6)[rank]
+        return self._solver.solve(load, guess=start, rtol=rtol)[0].reshape(-1, 6)[rank]
+
+
+def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
+    """What is unbalanced where elements are free, over loads and what the supports bear [-]."""
+    metric = np.repeat([1.0, 1.0 / system.length], 3)
+    rest = float(np.linalg.norm(np.where(system.free, unbalanced, 0.0) * metric))
+    scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, 0.0, unbalanced) * metric)
+    return rest / float(scale) if scale > 0.0 else 0.0
 
 
 def strain_load(model: Model, strain: PerBond) -> Floats:

@@ -1,16 +1,18 @@
 """Which elements become bonded: by gap, by reach, or over all pairs one names oneself."""
 
-import math
-
 import numpy as np
 from scipy.spatial import KDTree
 
+from bondem._checks import instance, number
 from bondem.errors import InputError
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
 
 # Contacts of a packing touch to rounding only: what overlaps by less than this share of R̄ still touches.
 _TOUCH = 1e-9
+# Beyond this reach, over the largest radius, pairs are counted before they are listed, and this many an element are
+# the most that memory is asked for.
+_FAR, _MOST = 6.0, 500
 
 
 def connect(particles: Particles, *, tolerance: float | None = None, reach: float | None = None) -> Lattice:
@@ -30,16 +32,29 @@ def connect(particles: Particles, *, tolerance: float | None = None, reach: floa
     """
     if tolerance is not None and reach is not None:
         raise InputError("connect takes tolerance= or reach=, not both; leave one out")
-    value = reach if reach is not None else (0.0 if tolerance is None else tolerance)
-    if not math.isfinite(value) or (reach is not None and value <= 0.0):
-        raise InputError(f"connect: {value} is no bonding distance; give a finite tolerance= or positive reach=")
+    instance("connect", "particles", particles, Particles, "bd.Particles")
+    if reach is not None:
+        value = number("connect", "reach", reach, above=0.0, advice="a positive multiple of the radii [-]")
+    else:
+        value = 0.0 if tolerance is None else number(
+            "connect", "tolerance", tolerance, advice="a finite bonding distance, in mean radii [-]"
+        )  # fmt: skip
     r = particles.radius
     slack = (value if reach is None else 0.0) * particles.mean_radius + _TOUCH * particles.mean_radius
     stretch = value if reach is not None else 1.0
     farthest = stretch * 2.0 * r.max() + slack
     if particles.period is not None and 2.0 * farthest >= particles.period.min():
         raise InputError(f"bonds up to {farthest:.3g} m need a periodic cell of more than twice that; enlarge it")
-    near = KDTree(particles.position, boxsize=particles.period).query_pairs(farthest, output_type="ndarray")
+    if farthest <= 0.0:
+        raise InputError(f"connect: tolerance = {tolerance} asks for overlaps that no two spheres have; raise it")
+    tree = KDTree(particles.position, boxsize=particles.period)
+    if farthest > _FAR * r.max() and len(r) > _MOST:
+        each = (tree.count_neighbors(tree, farthest) - len(r)) / len(r)
+        if each > _MOST:
+            raise InputError(
+                f"bonds up to {farthest:.3g} m are {each:.0f} an element; lower tolerance= or reach= (in radii)"
+            )
+    near = tree.query_pairs(farthest, output_type="ndarray")
     near = np.sort(near.astype(np.int64).reshape(-1, 2), axis=1)
     gap = np.linalg.norm(particles.separation(near[:, 0], near[:, 1]), axis=1)
     pairs = near[gap <= stretch * (r[near[:, 0]] + r[near[:, 1]]) + slack]

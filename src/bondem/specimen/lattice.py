@@ -7,6 +7,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from bondem._checks import instance, shown
 from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3
 from bondem.errors import DisconnectedError, InputError
 from bondem.specimen.geometry import Shape
@@ -34,12 +35,10 @@ class Lattice:
     pairs: Pairs
 
     def __init__(self, particles: Particles, pairs: ArrayLike) -> None:
-        bonds = np.array(pairs, dtype=np.int64).reshape(-1, 2) if np.size(pairs) == 0 else np.array(pairs)
+        instance("Lattice", "particles", particles, Particles, "bd.Particles")
+        bonds = _whole(pairs)
         if bonds.ndim != 2 or bonds.shape[1] != 2:
             raise InputError(f"pairs has shape {bonds.shape}; give element indices as an array of shape (m, 2)")
-        if not np.issubdtype(bonds.dtype, np.integer):
-            raise InputError(f"pairs holds {bonds.dtype}; give integer element indices")
-        bonds = bonds.astype(np.int64)
         _check_pairs(bonds, len(particles))
         object.__setattr__(self, "particles", particles)
         object.__setattr__(self, "pairs", freeze(bonds))
@@ -98,6 +97,18 @@ class Lattice:
         return 2.0 * len(self.pairs) / len(self.particles)
 
 
+def _whole(pairs: ArrayLike) -> Ints:
+    try:
+        found = np.array(pairs)
+    except (TypeError, ValueError, OverflowError):
+        found = np.zeros(1, dtype=object)
+    if found.size == 0 and found.dtype.kind in "iuf":
+        return np.zeros((0, 2), dtype=np.int64)
+    if found.dtype.kind not in "iu":
+        raise InputError(f"pairs = {shown(pairs)} holds {found.dtype}; give integer element indices, shape (m, 2)")
+    return found.astype(np.int64)
+
+
 def _check_pairs(pairs: Pairs, count: int) -> None:
     outside = np.flatnonzero(((pairs < 0) | (pairs >= count)).any(axis=1))
     if outside.size:
@@ -127,6 +138,8 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
         InputError: no element lies inside.
         DisconnectedError: the part falls into two large pieces.
     """
+    instance("carve", "lattice", lattice, Lattice, "a lattice, from bd.connect")
+    instance("carve", "shape", shape, Shape, "a shape such as bd.Box(...)")
     keep = shape.contains(lattice.particles.position)
     if not keep.any():
         raise InputError(f"no element lies inside {shape}; check its size and position (metres)")

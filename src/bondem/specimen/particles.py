@@ -5,15 +5,19 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import KDTree
 
+from bondem._checks import array, instance, shown
 from bondem._types import ArrayLike, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.specimen.geometry import BoundingBox, Shape
 
+# Spheres outside this have a mass or a moment of inertia that is no number any more [m].
+_SMALLEST, _LARGEST = 1e-60, 1e60
 
-def freeze(array: np.ndarray) -> np.ndarray:
+
+def freeze(values: np.ndarray) -> np.ndarray:
     """The same array, read-only."""
-    array.setflags(write=False)
-    return array
+    values.setflags(write=False)
+    return values
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,8 +47,8 @@ class Particles:
         period: ArrayLike | None = None,
         shape: Shape | None = None,
     ) -> None:
-        x = np.array(position, dtype=float, order="C")
-        r = np.array(radius, dtype=float)
+        x = array("", "position", position, wanted="centres as an array of shape (n, 3) [m]")
+        r = array("", "radius", radius, wanted="one radius, or shape (n,) [m]")
         if x.ndim != 2 or x.shape[1] != 3 or len(x) == 0:
             raise InputError(f"position has shape {x.shape}; give centres as an array of shape (n, 3)")
         if r.ndim == 0:
@@ -56,12 +60,19 @@ class Particles:
         if (r <= 0.0).any():
             worst = int(np.argmin(r))
             raise InputError(f"radius[{worst}] = {r[worst]} m; every radius must be positive")
+        for name, values in (("position", x), ("radius", r)):
+            far = np.abs(values)
+            if far.max() > _LARGEST or (name == "radius" and far.min() < _SMALLEST):
+                worst = far.max() if far.max() > _LARGEST else far.min()
+                raise InputError(f"{name} {worst:.3g} m is no length of a specimen; check its units (metres)")
+        if shape is not None:
+            instance("Particles", "shape", shape, Shape, "a shape such as bd.Box(...), or None")
         if period is None and shape is not None:
             period = shape.period
         if period is not None:
-            cell = np.array(period, dtype=float)
+            cell = array("Particles", "period", period, wanted="three positive edge lengths in metres")
             if cell.shape != (3,) or not (np.isfinite(cell) & (cell > 0.0)).all():
-                raise InputError(f"period = {period}; give three positive edge lengths in metres")
+                raise InputError(f"period = {shown(period)}; give three positive edge lengths in metres")
             if cell.min() < 4.0 * r.max():
                 raise InputError(
                     f"period {cell.min():.4g} m is below two of the largest diameters; enlarge the cell"
@@ -78,7 +89,14 @@ class Particles:
 
     def _check_overlap(self) -> None:
         tree = KDTree(self.position, boxsize=self.period)
-        close = tree.query_pairs(1.5 * self.radius.max(), output_type="ndarray")
+        # radii in other units than centres: nearly all pairs would overlap, more than memory holds; a few say so
+        some = np.linspace(0, len(self) - 1, min(len(self), 100)).astype(int)
+        nearest = np.asarray(tree.query(self.position[some], k=2)[1])[:, 1]
+        known = nearest < len(self)
+        self._refuse_overlap(np.column_stack([some, nearest])[known])
+        self._refuse_overlap(tree.query_pairs(1.5 * self.radius.max(), output_type="ndarray"))
+
+    def _refuse_overlap(self, close: np.ndarray) -> None:
         if len(close) == 0:
             return
         i, j = close.T
@@ -89,7 +107,8 @@ class Particles:
             a, b = sorted(close[bad[0]])
             raise InputError(
                 f"elements {a} and {b} overlap by {overlap[bad[0]]:.3g} m, more than half the smaller radius"
-                f" ({bad.size} such pairs); remove doubled or coincident spheres"
+                f" (at least {bad.size} such pairs); remove doubled or coincident spheres, and give"
+                " centres and radii both in metres"
             )
 
     def separation(self, i: np.ndarray, j: np.ndarray) -> np.ndarray:

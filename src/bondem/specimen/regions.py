@@ -1,14 +1,20 @@
 """Regions: who is meant. A region selects connected elements of a lattice and is combined by & | -."""
 
+import warnings
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from bondem._types import Ints, Mask, Vector
-from bondem.errors import EmptyRegionError, InputError
+from bondem._checks import instance, number, shown
+from bondem._types import ArrayLike, Ints, Mask, Vector
+from bondem.errors import EmptyRegionError, FaceWarning, InputError
 from bondem.specimen.geometry import Shape
 from bondem.specimen.lattice import Lattice
+
+# Without a shape a face is the plane of the outermost sphere. It is warned of where it has less than this share
+# of the elements within one mean radius of it, and those are at least so many.
+_SPARSE, _LAYER = 0.25, 10
 
 
 class Region(ABC):
@@ -37,13 +43,13 @@ class Region(ABC):
         return lattice.particles.position[self.select(lattice)].mean(axis=0)
 
     def __and__(self, other: "Region") -> "Region":
-        return Intersection(self, other)
+        return Intersection(self, as_region("&", other))
 
     def __or__(self, other: "Region") -> "Region":
-        return Union(self, other)
+        return Union(self, as_region("|", other))
 
     def __sub__(self, other: "Region") -> "Region":
-        return Difference(self, other)
+        return Difference(self, as_region("-", other))
 
 
 @dataclass(frozen=True)
@@ -58,6 +64,9 @@ class Everything(Region):
 class Face(Region):
     """Elements whose surface lies at a named face of the shape.
 
+    Without a shape the face is that of the bounding box of the spheres, which in a loose or cut packing few of them
+    reach: a layer is then what `depth=1.0` selects, and a face of far fewer is warned of (`FaceWarning`).
+
     Attributes:
         name: "x_min", "x_max", ... or "side".
         depth: how far from the face their surface may lie, in mean radii [-].
@@ -66,10 +75,26 @@ class Face(Region):
     name: str
     depth: float = 0.02
 
+    def __post_init__(self) -> None:
+        instance("Face", "name", self.name, str, 'the name of a face, such as "x_min" or "side"')
+        depth = number("Face", "depth", self.depth, advice="a finite depth, in mean radii [-]")
+        object.__setattr__(self, "depth", depth)
+
     def mask(self, lattice: Lattice) -> Mask:
         particles = lattice.particles
-        distance = particles.envelope.face_depth(self.name, particles.position) - particles.radius
-        return distance <= self.depth * particles.mean_radius
+        if particles.shape is None and particles.period is not None:
+            raise InputError(f"periodic particles have no face '{self.name}'; give bd.Within(...) or bd.Index(...)")
+        gap = particles.envelope.face_depth(self.name, particles.position) - particles.radius
+        chosen = gap <= self.depth * particles.mean_radius
+        layer = int((gap <= particles.mean_radius).sum())
+        if particles.shape is None and layer >= _LAYER and chosen.sum() < _SPARSE * layer:
+            warnings.warn(
+                f"{self} is {chosen.sum()} of the {layer} elements within a mean radius of the bounding box, as the"
+                " particles have no shape; give bd.Particles shape=, or the face depth=1.0",
+                FaceWarning,
+                stacklevel=2,
+            )
+        return chosen
 
     def anchor(self, lattice: Lattice) -> Vector:
         return lattice.particles.envelope.face_centre(self.name)
@@ -77,19 +102,36 @@ class Face(Region):
 
 @dataclass(frozen=True)
 class Index(Region):
-    """Elements by number, in the user's order.
+    """Elements by number, or by a mask, in the user's order.
 
     Attributes:
         elements: indices.
+        size: number of elements where a mask was given, else None.
+
+    Args:
+        elements: one index, indices (k,), or truth values (n,).
+        size: number of elements that there must be; None for any.
     """
 
     elements: tuple[int, ...]
+    size: int | None = field(default=None, compare=False)
 
-    def __init__(self, elements: object) -> None:
-        object.__setattr__(self, "elements", tuple(int(k) for k in np.atleast_1d(np.asarray(elements))))
+    def __init__(self, elements: ArrayLike, size: int | None = None) -> None:
+        found = _indices(elements)
+        if found.dtype == bool:
+            size, found = len(found), np.flatnonzero(found)
+        if found.size and found.min() < 0:
+            raise InputError(f"Index names element {found.min()}, but element indices start at 0")
+        object.__setattr__(self, "elements", tuple(found.tolist()))
+        object.__setattr__(self, "size", size)
+
+    def __repr__(self) -> str:
+        return f"Index(elements={shown(list(self.elements))})"
 
     def mask(self, lattice: Lattice) -> Mask:
         n = len(lattice.particles)
+        if self.size is not None and self.size != n:
+            raise InputError(f"Index was given a mask of {self.size} elements, but there are {n}")
         wrong = [k for k in self.elements if not 0 <= k < n]
         if wrong:
             raise InputError(f"Index names element {wrong[0]}, but element indices run from 0 to {n - 1}")
@@ -107,6 +149,9 @@ class Within(Region):
     """
 
     shape: Shape
+
+    def __post_init__(self) -> None:
+        instance("Within", "shape", self.shape, Shape, "a shape such as bd.Ball(...)")
 
     def mask(self, lattice: Lattice) -> Mask:
         return self.shape.contains(lattice.particles.position)
@@ -143,3 +188,31 @@ class Difference(Region):
 
     def mask(self, lattice: Lattice) -> Mask:
         return self.first.mask(lattice) & ~self.second.mask(lattice)
+
+
+def as_region(owner: str, value: object) -> Region:
+    """A region, as it is.
+
+    Raises:
+        InputError: something else, such as the name of a face.
+    """
+    if isinstance(value, Region):
+        return value
+    meant = f"bd.Face({value!r})" if isinstance(value, str) else 'bd.Face("x_min"), bd.Index(...) or bd.Within(...)'
+    raise InputError(f"{owner}: {shown(value)} is no region; give {meant}")
+
+
+def _indices(elements: ArrayLike) -> np.ndarray:
+    """Whole numbers or truth values, (k,)."""
+    try:
+        found = np.atleast_1d(np.asarray(elements))
+    except (TypeError, ValueError, OverflowError):
+        found = np.zeros(1, dtype=object)
+    if found.size == 0 and found.ndim == 1:
+        return np.zeros(0, dtype=np.int64)
+    mixed = found.dtype != bool and isinstance(elements, list | tuple) and any(isinstance(k, bool) for k in elements)
+    if found.ndim != 1 or found.dtype.kind not in "biu" or mixed:
+        raise InputError(
+            f"Index: elements = {shown(elements)}; give whole numbers, shape (k,), or truth values, shape (n,)"
+        )
+    return found

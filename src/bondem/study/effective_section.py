@@ -81,7 +81,7 @@ def run_section(
     bars = calibrated_bars(study.bar, tell)
     rows, profiles = [], []
     for k, bar in enumerate(bars):
-        profiles.append(section_profile(Model(bar.lattice, bar.law), bar.tension.solution, annuli=_ANNULI))
+        profiles.append(section_profile(Model(bar.lattice, bar.law, 1.0), bar.tension.solution, annuli=_ANNULI))
         rows.append(_measured(bar))
         tell("bend", (k + 1) / len(bars))
     results = {

@@ -232,7 +232,7 @@ def _between_plates(lattice: Lattice, law: BondLaw) -> tuple[float, float]:
     """E and ν in the gauge of `static_tension`, the ends moved apart by smooth rigid plates instead of loaded."""
     shape = lattice.particles.envelope
     held = Fix(Face("x_min"), translation="x", rotation="")
-    pulled = solve_static(Model(lattice, law, boundary=[Drive(Face("x_max"), x=1e-3 * shape.extent), held]))
+    pulled = solve_static(Model(lattice, law, 1.0, boundary=[Drive(Face("x_max"), x=1e-3 * shape.extent), held]))
     force = -float(pulled.reaction[held.region.select(lattice), 0].sum())
     chosen = middle_half(lattice)
     strain = np.diag(AffineField.fit(lattice.particles.position[chosen], pulled.displacement[chosen]).strain)

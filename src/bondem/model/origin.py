@@ -1,0 +1,72 @@
+"""What a state needs of the model it belongs to, and when it may become the state of another."""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from bondem._types import PerElement
+from bondem.laws.bond import BondStiffness
+from bondem.laws.contact import LinearContact
+from bondem.model.boundary import BoundaryCondition
+from bondem.model.constraints import Constraints
+from bondem.model.layout import Layout
+from bondem.model.walls import Wall
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.particles import Particles
+
+
+class Origin(Protocol):
+    """What a state must know of its model."""
+
+    @property
+    def lattice(self) -> Lattice: ...
+    @cached_property
+    def layout(self) -> Layout: ...
+    @cached_property
+    def mass(self) -> PerElement: ...
+    @cached_property
+    def inertia(self) -> PerElement: ...
+    @property
+    def stiffness(self) -> BondStiffness: ...
+    @property
+    def formulation(self) -> str: ...
+    @property
+    def boundary(self) -> Sequence[BoundaryCondition]: ...
+    @cached_property
+    def constraints(self) -> Constraints: ...
+    @property
+    def contact(self) -> LinearContact | None: ...
+    @property
+    def walls(self) -> Sequence[Wall]: ...
+
+
+def difference(one: Origin, other: Origin) -> str:
+    """In what two models differ that a state depends on; empty where their states may be exchanged."""
+    if one is other:
+        return ""
+    a, b = one.lattice.particles, other.lattice.particles
+    if one.lattice is not other.lattice:
+        if not np.array_equal(a.position, b.position) or not np.array_equal(a.radius, b.radius):
+            same = len(a) == len(b) and a.position.any()
+            scale = float(np.abs(b.position).sum() / np.abs(a.position).sum()) if same else 1.0
+            hint = f": {scale:.4g} times as large" if not 0.9 < scale < 1.1 else ""
+            return f"lattice, of other elements{hint}"
+        if _edges(a) != _edges(b):
+            return "lattice, of another period"
+        if not np.array_equal(one.lattice.pairs, other.lattice.pairs):
+            return "lattice, of other bonds"
+    if one.formulation != other.formulation:
+        return f"formulation ('{one.formulation}', not '{other.formulation}')"
+    if not np.array_equal(one.mass, other.mass):
+        return "density of the elements"
+    names = ("kn", "ks", "kb", "kt", "lever")
+    held = ((getattr(one.stiffness, name), getattr(other.stiffness, name)) for name in names)
+    if one.formulation == "incremental" and not all(np.array_equal(p, q) for p, q in held):
+        return "bond law, whose forces it has stored"
+    return ""
+
+
+def _edges(particles: Particles) -> list[float]:
+    return [] if particles.period is None else particles.period.tolist()
