@@ -37,6 +37,14 @@ class StepWarning(UserWarning):
     """A time step so close to the stability limit that large strains may take the run across it."""
 
 
+class UnitWarning(UserWarning):
+    """A value that is possible, but so far off that its unit may be another one."""
+
+
+class FillingWarning(UserWarning):
+    """Particles that do not fill the shape they are said to fill, or stick out of it."""
+
+
 class UnstableRunError(BondemError):
     """A run on which a result depends became unstable."""
 

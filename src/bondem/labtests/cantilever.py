@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints
+from bondem.labtests.arguments import check
 from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, rigid_motion, twist_rate
 from bondem.labtests.outcome import Outcome
@@ -132,6 +133,7 @@ def clamped_tension(
         stress: F / S [Pa].
         depth: of the two faces, in mean radii [-].
     """
+    check("clamped_tension", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     force = stress * bar.paper.section.area
     u = bar.respond(law, depth, force=(force, 0.0, 0.0))
@@ -171,6 +173,7 @@ def static_bending(
         stress: mean shear stress F / S [Pa].
         depth: of the two faces, in mean radii [-].
     """
+    check("static_bending", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     force = stress * bar.paper.section.area
     u = bar.respond(law, depth, force=(0.0, force, 0.0))
@@ -213,6 +216,7 @@ def static_torsion(
         stress: T √S / J [Pa], about the largest shear stress.
         depth: of the two faces, in mean radii [-].
     """
+    check("static_torsion", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     section = bar.paper.section
     moment = stress * section.torsion_constant / section.area**0.5

@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.errors import InputError
-from bondem.laws.bond import BondStiffness
+from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.contact import LinearContact
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.model.bond_table import BondTable
@@ -19,6 +19,7 @@ from bondem.model.layout import Layout
 from bondem.model.walls import Wall, WallTable, check_walls
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
+from bondem.specimen.plausibility import question_bond_radius
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +60,8 @@ class Model:
             raise InputError("walls need a law of contact: give contact=bd.LinearContact(E=...)")
         self.constraints  # noqa: B018  regions and laws are checked when the model is made
         self.stiffness  # noqa: B018
+        if isinstance(self.bond, BondLaw) and self.bond.radius is not None:
+            question_bond_radius(self.bond.radius, self.lattice.particles.mean_radius)
         self._check_strain()
 
     def _check_strain(self) -> None:

@@ -4,10 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import instance
 from bondem._types import Floats, Ints, Mask, PerBond3, Vector
+from bondem.errors import InputError
 from bondem.specimen.core import core_solid, region, solid_fraction
+from bondem.specimen.filling import unfilled
 from bondem.specimen.geode import geode
-from bondem.specimen.geometry import Shape
+from bondem.specimen.geometry import BoundingBox, Shape
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
 from bondem.specimen.strata import Strata, strata
@@ -108,7 +111,15 @@ def fabric(lattice: Lattice) -> Fabric:
 
     Returns:
         The measures and the verdict, by effect sizes that do not depend on the number of elements.
+
+    Raises:
+        InputError: no bonds to measure.
     """
+    instance("fabric", "lattice", lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
+    if not len(lattice.pairs):
+        raise InputError(
+            f"fabric: the lattice of {len(lattice.particles)} elements has no bonds; bond it with bd.connect"
+        )
     particles = lattice.particles
     n, m = len(particles), len(lattice.pairs)
     direction = lattice.branch / lattice.length[:, None]
@@ -123,6 +134,7 @@ def fabric(lattice: Lattice) -> Fabric:
     core_spheres = core_solid(particles, shape, _DEEP * R)
     slices = strata(shape, particles.position, particles.radius, bonds, core_spheres, _DEEP * R)
     lower, upper = shape.bounds
+    empty = [] if isinstance(shape, BoundingBox) else unfilled(shape, particles.position, particles.radius)
     return Fabric(
         volume_fraction=float(particles.volume.sum()) / shape.volume,
         coordination_number=z,
@@ -147,7 +159,8 @@ def fabric(lattice: Lattice) -> Fabric:
         eigenvalues=freeze(np.linalg.eigvalsh(all_of_them.tensor)),
         reasons=(
             *_isotropy_reasons(core),
-            *_strata_reasons(slices),
+            # what is empty would be found in strata, too
+            *(empty or _strata_reasons(slices)),
             *_contact_reasons(z, lattice.rattlers / n),
         ),
     )

@@ -19,6 +19,7 @@ from bondem.laws.euler_bernoulli import EulerBernoulli
 from bondem.laws.obermayr import Obermayr
 from bondem.laws.parallel_bond import ParallelBond
 from bondem.laws.timoshenko import Timoshenko
+from bondem.packing.sizes import SPREAD
 from bondem.report.abacus_figures import draw_abacus, draw_reach, draw_silica
 from bondem.study.elastic_rows import MEASURED, SHAPES, ElasticRequest, cells_and_bars
 from bondem.study.frame import PackingStudy, Row
@@ -88,7 +89,7 @@ class Abacus(PackingStudy):
     count: int = 10_000
     packings: int = 3
     bars: int = 3
-    spread: float = 0.25
+    spread: float = SPREAD
     laws: tuple[str, ...] = tuple(SWEEPS)
 
     def __post_init__(self) -> None:

@@ -1,0 +1,200 @@
+"""Checks of what users give: each returns the value in the form wanted, or refuses it in one line.
+
+`owner` is the class or function that was called and `name` the argument, so that the line says where to look.
+"""
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import InputError
+
+# No length, stiffness or force in SI units comes near these; products of such numbers are no numbers any more.
+_LARGEST = 1e100
+
+Kind = TypeVar("Kind")
+
+
+def shown(value: object) -> str:
+    """A value in a message: one short line."""
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, np.ndarray) and value.ndim:
+        return f"array of {value.dtype}, shape {value.shape}"
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def number(
+    owner: str,
+    name: str,
+    value: object,
+    *,
+    unit: str = "",
+    above: float | None = None,
+    least: float | None = None,
+    below: float | None = None,
+    advice: str = "",
+) -> float:
+    """A finite number within bounds.
+
+    Args:
+        owner: who was called; may be empty.
+        name: of the argument.
+        value: what was given.
+        unit: of the number, for the message.
+        above, least: what it must exceed, or at least be.
+        below: what it must stay below.
+        advice: what to do, after "give"; made from the bounds unless given.
+
+    Raises:
+        InputError: text, a truth value, NaN, infinity, beyond 10^±100, or out of bounds.
+    """
+    found = _real(value)
+    inside = (
+        found is not None
+        and (found == 0.0 or 1.0 / _LARGEST <= abs(found) <= _LARGEST)
+        and (above is None or found > above)
+        and (least is None or found >= least)
+        and (below is None or found < below)
+    )
+    if found is not None and inside:
+        return found
+    where = f"{owner}: {name}" if owner else name
+    measure = f" {unit}" if unit and found is not None else ""
+    wanted = advice or _bounds(above, least, below) + (f" [{unit}]" if unit else "")
+    raise InputError(f"{where} = {shown(value)}{measure}; give {wanted}")
+
+
+def _real(value: object) -> float | None:
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | float | np.integer | np.floating):
+        return None
+    try:
+        return float(value) if math.isfinite(value) else math.nan
+    except OverflowError:
+        return math.inf
+
+
+def _bounds(above: float | None, least: float | None, below: float | None) -> str:
+    if below is not None:
+        bracket, low = ("(", above) if above is not None else ("[", least)
+        return f"a number below {below:g}" if low is None else f"a number in {bracket}{low:g}, {below:g})"
+    if above is not None:
+        return "a positive number" if above == 0.0 else f"a number above {above:g}"
+    if least is not None:
+        return "a number of zero or more" if least == 0.0 else f"a number of at least {least:g}"
+    return "a finite number"
+
+
+def count(owner: str, name: str, value: object, *, least: int = 0, advice: str = "") -> int:
+    """A whole number.
+
+    Raises:
+        InputError: something else, or one below `least`.
+    """
+    found = _real(value)
+    if found is None or not abs(found) < 2.0**62 or found != round(found) or found < least:
+        where = f"{owner}: {name}" if owner else name
+        raise InputError(f"{where} = {shown(value)}; give {advice or f'a whole number of at least {least}'}")
+    return int(found)
+
+
+def vector(
+    owner: str, name: str, value: object, *, unit: str = "", advice: str = ""
+) -> tuple[float, float, float]:
+    """Three finite components.
+
+    Raises:
+        InputError: something else.
+    """
+    wanted = advice or "three finite components" + (f" [{unit}]" if unit else "")
+    found = _numbers(value)
+    where = f"{owner}: {name}" if owner else name
+    if found is None or found.shape != (3,) or not _possible(found):
+        raise InputError(f"{where} = {shown(value)}; give {wanted}")
+    x, y, z = found.tolist()
+    return x, y, z
+
+
+def array(owner: str, name: str, value: object, *, wanted: str) -> Floats:
+    """An array of numbers, whatever its shape, copied; `wanted` says what to give.
+
+    Raises:
+        InputError: text, ragged lists, objects.
+    """
+    found = _numbers(value)
+    if found is None:
+        where = f"{owner}: {name}" if owner else name
+        raise InputError(f"{where} = {shown(value)} holds no numbers; give {wanted}")
+    return found
+
+
+def _numbers(value: object) -> Floats | None:
+    try:
+        found = np.asarray(value)
+    except (TypeError, ValueError, OverflowError):
+        return None
+    if found.size == 0 and found.dtype.kind in "fiu":
+        return found.astype(float)
+    return np.array(found, dtype=float, order="C") if found.dtype.kind in "fiu" else None
+
+
+def _possible(values: Floats) -> bool:
+    size = np.abs(values)
+    return bool((np.isfinite(values) & (size <= _LARGEST) & ((size == 0.0) | (size >= 1.0 / _LARGEST))).all())
+
+
+def instance(
+    owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
+) -> Kind:
+    """A value of given types; `wanted` says what to give.
+
+    Raises:
+        InputError: another type.
+    """
+    if not isinstance(value, kinds):
+        where = f"{owner}: {name}" if owner else name
+        raise InputError(f"{where} = {shown(value)}; give {wanted}")
+    return value
+
+
+def several(
+    owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
+) -> tuple[Kind, ...]:
+    """One value of given types, or a sequence of them, as a tuple; None is none.
+
+    Raises:
+        InputError: another type.
+    """
+    if value is None:
+        return ()
+    found: Sequence[Any] = value if isinstance(value, list | tuple) else (value,)
+    return tuple(instance(owner, name, item, kinds, wanted) for item in found)
+
+
+def choice(owner: str, name: str, value: object, options: Sequence[str]) -> str:
+    """One of some words.
+
+    Raises:
+        InputError: something else.
+    """
+    if not isinstance(value, str) or value not in options:
+        raise InputError(f"{owner}: {name} = {shown(value)}; choose from {', '.join(options)}")
+    return value
+
+
+def place(name: str, value: object) -> Path:
+    """A path.
+
+    Raises:
+        InputError: neither text nor a path.
+    """
+    if not isinstance(value, str | Path) or "\0" in str(value):
+        raise InputError(f"{name} = {shown(value)}; give a path, as text or pathlib.Path")
+    return Path(value)

@@ -1,0 +1,87 @@
+"""Whether spheres fill the shape they are said to fill.
+
+Sections, volumes and walls are taken from the shape: spheres that fill another one give wrong stresses, densities and
+moduli without a sign of it.
+"""
+
+import warnings
+
+import numpy as np
+
+from bondem._types import PerElement, PerElement3
+from bondem.errors import FillingWarning, InputError
+from bondem.specimen.geometry import BoundingBox, Shape
+
+# Over the mean radius: how far a centre may lie outside; how far a sphere may stick out, as it does from soft walls;
+# and how far from a face or, in a periodic cell, from its neighbours along an axis, the nearest sphere may be.
+_OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 4.0
+# ... which of fine dust is nothing over the extent of the shape.
+_SHARE = 0.005
+
+
+def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> None:
+    """Refuse a shape that centres lie outside of; warn of one that spheres stick out of or do not reach the faces of.
+
+    Raises:
+        InputError: centres outside the shape.
+    """
+    if isinstance(shape, BoundingBox):
+        return
+    mean = float(radius.mean())
+    if shape.faces:
+        depth = shape.depth(position)
+        outside = int((depth < -_OUTSIDE * mean).sum())
+        if outside:
+            raise InputError(
+                f"{outside} of {len(radius)} centres lie outside the {type(shape).__name__} they are said to fill, by"
+                f" up to {-depth.min():.3g} m; {_extents(shape, position, radius)}: check its size, place and units"
+                " (metres), or leave out shape="
+            )
+        out = radius - depth
+        sticking = int((out > _OUT * mean).sum())
+        if sticking:
+            _warn(
+                f"{sticking} of {len(radius)} spheres stick out of the {type(shape).__name__} they are said to fill,"
+                f" by up to {out.max():.3g} m, {out.max() / mean:.2g} mean radii; {_extents(shape, position, radius)}"
+            )
+    empty = unfilled(shape, position, radius)
+    if empty:
+        more = f" (and {len(empty) - 1} more such)" if len(empty) > 1 else ""
+        _warn(f"{empty[0]}{more}; {_extents(shape, position, radius)}")
+
+
+def unfilled(shape: Shape, position: PerElement3, radius: PerElement) -> list[str]:
+    """What of a shape is left empty, one sentence each, the widest first: at faces, or across a periodic cell."""
+    mean, found = float(radius.mean()), dict[str, float]()
+    lower, upper = shape.bounds
+    least = _SHARE * float((upper - lower).min())
+    for face in shape.faces:
+        gap = float((shape.face_depth(face, position) - radius).min())
+        if gap > max(_AWAY * mean, least):
+            found[
+                f"no sphere is nearer to the face '{face}' of the {type(shape).__name__} than {gap:.3g} m,"
+                f" {gap / mean:.2g} mean radii: the shape is larger than what fills it"
+            ] = gap
+    if shape.period is not None:
+        for axis, edge in enumerate(shape.period):
+            along = np.sort(np.mod(position[:, axis], edge))
+            gap = float(np.diff(along, append=along[0] + edge).max())
+            if gap > max(_APART * mean, least):
+                found[
+                    f"nothing lies in {gap:.3g} m along {'xyz'[axis]} of the periodic cell, {gap / mean:.2g} mean"
+                    " radii: the cell is larger than what fills it"
+                ] = gap
+    return sorted(found, key=lambda reason: -found[reason])
+
+
+def _extents(shape: Shape, position: PerElement3, radius: PerElement) -> str:
+    lower, upper = shape.bounds
+    low, high = (position - radius[:, None]).min(axis=0), (position + radius[:, None]).max(axis=0)
+    spans = [", ".join(f"{a:.4g} … {b:.4g}" for a, b in zip(*ends, strict=True)) for ends in
+             ((low, high), (lower, upper))]  # fmt: skip
+    return f"spheres span {spans[0]} m, the shape {spans[1]} m"
+
+
+def _warn(text: str) -> None:
+    # the caller of Particles
+    warnings.warn(f"{text}; give the shape that they fill", FillingWarning, stacklevel=4)
