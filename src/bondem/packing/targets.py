@@ -4,7 +4,6 @@ Above jamming the mean overlap grows in proportion to ln(scale), and so does (z 
 coordination number at jamming (O'Hern et al., Phys. Rev. E 68, 2003): a few scales suffice.
 """
 
-import itertools
 import math
 from dataclasses import dataclass
 from typing import Protocol
@@ -65,8 +64,9 @@ class Contacts:
 
     def reach(self, spheres: SoftSpheres) -> None:
         search = _ScaleSearch(self.coordination_number, math.log(spheres.scale))
-        tolerance, first = _ROUGH, spheres.steps
-        for tried in itertools.count(1):
+        tolerance, first, tried = _ROUGH, spheres.steps, 0
+        while True:
+            tried += 1
             rest = spheres.relax(search.scale, tolerance=tolerance, steps=_STEPS)
             miss = abs(rest.coordination_number - self.coordination_number)
             if rest.settled and tolerance == _FINE and miss <= max(_ACCEPTED, 2.0 / len(spheres.sphere)):

@@ -14,7 +14,7 @@ from bondem.specimen.geometry import BoundingBox, Shape
 
 # Over the mean radius: how far a centre may lie outside; how far a sphere may stick out, as it does from soft walls;
 # and how far from a face or, in a periodic cell, from its neighbours along an axis, the nearest sphere may be.
-_OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 4.0
+_OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 2.5
 # ... which of fine dust is nothing over the extent of the shape.
 _SHARE = 0.005
 

@@ -191,7 +191,7 @@ def _section(corner: Floats, x: float) -> float:
 def _arrays(vertices: ArrayLike, triangles: ArrayLike) -> tuple[Floats, Ints]:
     x = array("Surface", "vertices", vertices, wanted="corners, shape (v, 3)")
     numbers = array("Surface", "triangles", triangles, wanted="numbers of corners, shape (t, 3)")
-    if not (np.rint(numbers) == numbers).all():
+    if not ((np.rint(numbers) == numbers) & (np.abs(numbers) < 2.0**31)).all():
         raise InputError("Surface: triangles hold numbers that are not whole; give those of their corners, from 0")
     return x, numbers.astype(np.int64)
 
