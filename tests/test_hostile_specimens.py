@@ -176,6 +176,8 @@ def test_lab_tests_refuse_what_they_cannot_use(lattice, place):
 
 FILES = {
     "no file": lambda path: bd.read_particles(path / "nothing.csv"),
+    "no such long name": lambda path: bd.read_particles(path / f"{'x' * 1000}.csv"),
+    "no particle file of a long name": lambda path: bd.load_particles(path / f"{'x' * 1000}.h5"),
     "no path": lambda path: bd.read_particles(None),
     "a number": lambda path: bd.read_lattice(3),
     "unit": lambda path: bd.read_particles(path / "two.csv", unit=[]),

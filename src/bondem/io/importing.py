@@ -1,6 +1,7 @@
 """Spheres from any file: which reader it needs, and what all of them have in common."""
 
 import importlib
+import os
 import warnings
 from collections.abc import Sequence
 from pathlib import Path
@@ -116,7 +117,7 @@ def read_lattice(
 
 def _existing(path: str | Path) -> Path:
     path = place("path", path)
-    if not path.is_file():
+    if not os.path.isfile(path):
         raise InputError(f"there is no file '{path}'; check the path")
     return path
 

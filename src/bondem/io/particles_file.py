@@ -8,6 +8,7 @@ Arrays are kept to the bit.
 """
 
 import json
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -89,7 +90,7 @@ def read_provenance(path: str | Path) -> dict[str, Any]:
 
 
 def _read(path: Path) -> tuple[Particles, np.ndarray | None, dict[str, Any]]:
-    if not path.is_file():
+    if not os.path.isfile(path):
         raise InputError(f"there is no particle file '{path}'; check the path")
     try:
         file = h5py.File(path, "r")

@@ -1,6 +1,7 @@
 """Shapes bounded by a closed triangulated surface, from a file or from arrays."""
 
 import importlib
+import os
 import warnings
 from dataclasses import dataclass
 from functools import cached_property
@@ -199,7 +200,7 @@ def _arrays(vertices: ArrayLike, triangles: ArrayLike) -> tuple[Floats, Ints]:
 def _read(file: Path) -> tuple[Floats, Ints]:
     if file.suffix.lower() not in _SUFFIXES:
         raise InputError(f"{file}: Surface reads STL and PLY files; export the part as one of these")
-    if not file.is_file():
+    if not os.path.isfile(file):
         raise InputError(f"{file}: there is no such file; check the path")
     # loaded on use: a run without surfaces need not wait for it
     trimesh = importlib.import_module("trimesh")

@@ -79,9 +79,7 @@ def read_specimen(table: TomlTable, folder: Path) -> SpecimenPlan | ImportPlan:
     """
     with table:
         if table.has("particles"):
-            file = folder / table.text("particles")
-            if not file.is_file():
-                raise StudyError(f"'{table.name('particles')}': there is no file '{file}'; check the path")
+            file = table.file("particles", folder)
             shape = _shape(table, folder) if table.has("shape") else None
             return ImportPlan(file=file, unit=table.unit("unit"), shape=shape)
         return SpecimenPlan(
@@ -96,7 +94,7 @@ def read_specimen(table: TomlTable, folder: Path) -> SpecimenPlan | ImportPlan:
 def _shape(table: TomlTable, folder: Path) -> Shape:
     kind = table.text("shape", choices=SHAPES)
     if kind == "surface":
-        file, unit = folder / table.text("file"), table.unit("unit")
+        file, unit = table.file("file", folder), table.unit("unit")
         return _made(table.name("file"), lambda: Surface(file, unit=unit))
     shape = _plain(kind, table)
     lower, upper = shape.bounds

@@ -5,7 +5,9 @@ A number is taken as SI; a text brings its unit along: "72.5 GPa".
 
 import difflib
 import math
+import os
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from bondem._checks import shown
@@ -116,6 +118,14 @@ class TomlTable:
             hint = f"did you mean '{near[0]}'?" if near else f"give {wanted}"
             raise StudyError(f"'{self.name(key)}' = {shown(value)}; {hint}")
         return value
+
+    def file(self, key: str, folder: Path) -> Path:
+        """A file that is there, looked for from `folder`."""
+        name = self.text(key)
+        file = folder / name
+        if not name.isprintable() or not os.path.isfile(file):
+            raise StudyError(f"'{self.name(key)}': there is no file {shown(str(file))}; check the path")
+        return file
 
     def flag(self, key: str, *, default: bool) -> bool:
         """True or false."""
