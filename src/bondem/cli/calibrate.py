@@ -39,7 +39,7 @@ _SYMBOLS = {"radius_ratio": "r̃", "kappa": "κ", "alpha_s": "α_s"}
               help="Packings.")  # fmt: skip
 @click.option("--shape", type=click.Choice(tuple(SHAPES)), default=CalibrationPlan.shape, show_default=True,
               help="A periodic cell (bulk, no surfaces) or the cylinder of André et al. (2012).")  # fmt: skip
-@click.option("--spread", type=Quantity("-"), default=CalibrationPlan.spread, show_default=True,
+@click.option("--spread", type=Quantity("-", least=0.0, below=2.0), default=CalibrationPlan.spread, show_default=True,
               help="Full range of the radii over their mean, κ.")  # fmt: skip
 @click.option("--nu-mu", type=Quantity("-"), default=CalibrationPlan.nu_mu, show_default=True,
               help="Poisson's ratio of the bonds.")  # fmt: skip

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from bondem.cli.quantities import Quantity
 from bondem.cli.studies.options import carry_out, numbers, of_study
 from bondem.packing import METHODS
 from bondem.study.packing_rows import TARGETS
@@ -20,7 +21,7 @@ from bondem.study.refinement import COUNTS, Refinement
               help="Packings of each size.")  # fmt: skip
 @click.option("--periodic", type=click.IntRange(min=0), default=Refinement.periodic, show_default=True,
               help="Packings without walls, to hold the limits against.")  # fmt: skip
-@click.option("--kappa", type=click.FloatRange(0.0, 200.0, max_open=True), default=100.0 * Refinement.spread,
+@click.option("--kappa", type=Quantity("%", least=0.0, below=200.0), default=100.0 * Refinement.spread,
               show_default=True,
               help="Dispersion of the radii in percent.")  # fmt: skip
 @click.option("--method", type=click.Choice(METHODS), default=Refinement.method, show_default=True,

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from bondem.cli.quantities import Quantity
 from bondem.cli.studies.bar_options import carry_out, of_bar
 from bondem.study.calibrated_bar import BarRequest
 from bondem.study.vibration import Vibration, run_vibration
@@ -13,7 +14,7 @@ from bondem.study.vibration import Vibration, run_vibration
 @of_bar(packings=Vibration.bar.packings)
 @click.option("--steps", type=click.IntRange(min=1000), default=Vibration.steps, show_default=True,
               help="Steps of the run.")  # fmt: skip
-@click.option("--ramp", type=click.FloatRange(0.0, 100.0, min_open=True, max_open=True),
+@click.option("--ramp", type=Quantity("%", above=0.0, below=100.0),
               default=100.0 * Vibration.ramp,
               show_default=True, help="Part of the steps in which the loads grow, in percent.")  # fmt: skip
 def command(out: Path, count: int, seed: int, packings: int, steps: int, ramp: float) -> None:

@@ -12,7 +12,7 @@ from bondem.study.wave import WaveStudy, run_wave
 
 @click.command("wave")
 @of_bar(packings=WaveStudy.bar.packings)
-@click.option("--velocity", type=Quantity("m/s"), default=WaveStudy.velocity, show_default=True,
+@click.option("--velocity", type=Quantity("m/s", above=0.0), default=WaveStudy.velocity, show_default=True,
               help="Of the struck face [m/s].")  # fmt: skip
 def command(out: Path, count: int, seed: int, packings: int, velocity: float) -> None:
     """A wave after a strike, and its celerity: figures 20 and 21 of André et al. (2012)."""
