@@ -100,7 +100,9 @@ def _read(path: Path) -> tuple[Particles, np.ndarray | None, dict[str, Any]]:
         head: Any = file.attrs
         if head.get("format") != FORMAT:
             raise InputError(f"'{path}' is not a particle file of bondem; give a file of bd.save_particles")
-        version, schema = str(head.get("bondem_version", "")), head.get("schema", SCHEMA)
+        version, schema = str(head.get("bondem_version", "")), head.get("schema")
+        if schema is None or not version:
+            raise InputError(f"'{path}' is damaged: it does not say which bondem wrote it; make it again")
         if schema > SCHEMA:
             raise InputError(
                 f"'{path}' was written by bondem {version}, which is newer than this {__version__}; update bondem to"

@@ -72,9 +72,9 @@ class Lognormal(SizeLaw):
             ("cv", 1.0, "standard deviation over mean of the radii, above 0 up to 1"),
             ("cut", 4.0, "standard deviations, above 0 up to 4"),
         ):
-            value = number("Lognormal", name, getattr(self, name), above=0.0, advice=what)
+            value = number("", name, getattr(self, name), above=0.0, advice=what)
             if value > most:
-                raise InputError(f"Lognormal: {name} = {value}; give {what}")
+                raise InputError(f"{name} = {value}; give {what}")
             object.__setattr__(self, name, value)
 
     def quantile(self, share: Floats) -> Floats:

@@ -10,7 +10,7 @@ from bondem.errors import InputError
 from bondem.specimen.core import core_solid, region, solid_fraction
 from bondem.specimen.filling import unfilled
 from bondem.specimen.geode import geode
-from bondem.specimen.geometry import BoundingBox, Shape
+from bondem.specimen.geometry import Shape
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
 from bondem.specimen.strata import Strata, strata
@@ -28,6 +28,7 @@ _COORDINATION = (4.5, 18.0)
 _RATTLERS = 0.05
 # Layers along a wall die out within a diameter and a half or so; deeper in, a specimen is to be the same everywhere.
 _DEEP = 3.0  # mean radii from the wall
+_EMPTY = 2.0  # mean radii from a wall to the nearest sphere: the shape is not theirs
 _HELD = 4  # contacts that hold a sphere in place
 _TOUCH = 1e-6  # mean radii
 _STRATA = {"density": 0.03, "coordination": 0.06, "size": 0.35, "layers": 0.6}
@@ -134,7 +135,7 @@ def fabric(lattice: Lattice) -> Fabric:
     core_spheres = core_solid(particles, shape, _DEEP * R)
     slices = strata(shape, particles.position, particles.radius, bonds, core_spheres, _DEEP * R)
     lower, upper = shape.bounds
-    empty = [] if isinstance(shape, BoundingBox) else unfilled(shape, particles.position, particles.radius)
+    empty = unfilled(shape, particles.position, particles.radius, away=_EMPTY)
     return Fabric(
         volume_fraction=float(particles.volume.sum()) / shape.volume,
         coordination_number=z,

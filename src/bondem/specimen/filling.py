@@ -4,6 +4,7 @@ Sections, volumes and walls are taken from the shape: spheres that fill another 
 moduli without a sign of it.
 """
 
+import math
 import warnings
 
 import numpy as np
@@ -15,8 +16,8 @@ from bondem.specimen.geometry import BoundingBox, Shape
 # Over the mean radius: how far a centre may lie outside; how far a sphere may stick out, as it does from soft walls;
 # and how far from a face or, in a periodic cell, from its neighbours along an axis, the nearest sphere may be.
 _OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 2.5
-# ... which of fine dust is nothing over the extent of the shape.
-_SHARE = 0.005
+# ... which of fine dust is nothing over the extent of the shape, and in a dilute gas of n spheres some extents / n.
+_SHARE, _DILUTE = 0.005, 4.0
 
 
 def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> None:
@@ -50,14 +51,21 @@ def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> No
         _warn(f"{empty[0]}{more}; {_extents(shape, position, radius)}")
 
 
-def unfilled(shape: Shape, position: PerElement3, radius: PerElement) -> list[str]:
-    """What of a shape is left empty, one sentence each, the widest first: at faces, or across a periodic cell."""
-    mean, found = float(radius.mean()), dict[str, float]()
+def unfilled(shape: Shape, position: PerElement3, radius: PerElement, *, away: float = _AWAY) -> list[str]:
+    """What of a shape is left empty, one sentence each, the widest first: at faces, or across a periodic cell.
+
+    Args:
+        shape: what is to be filled.
+        position: centres [m], shape (n, 3).
+        radius: radii [m], shape (n,).
+        away: how far from a face the nearest sphere may be, in mean radii [-].
+    """
+    mean, found, n = float(radius.mean()), dict[str, float](), len(radius)
     lower, upper = shape.bounds
-    least = _SHARE * float((upper - lower).min())
+    least = max(_SHARE, _DILUTE / n) * float((upper - lower).max())
     for face in shape.faces:
         gap = float((shape.face_depth(face, position) - radius).min())
-        if gap > max(_AWAY * mean, least):
+        if gap > max(away * mean, least):
             found[
                 f"no sphere is nearer to the face '{face}' of the {type(shape).__name__} than {gap:.3g} m,"
                 f" {gap / mean:.2g} mean radii: the shape is larger than what fills it"
@@ -66,7 +74,7 @@ def unfilled(shape: Shape, position: PerElement3, radius: PerElement) -> list[st
         for axis, edge in enumerate(shape.period):
             along = np.sort(np.mod(position[:, axis], edge))
             gap = float(np.diff(along, append=along[0] + edge).max())
-            if gap > max(_APART * mean, least):
+            if gap > max(_APART * mean, least * (1.0 + math.log(n))):
                 found[
                     f"nothing lies in {gap:.3g} m along {'xyz'[axis]} of the periodic cell, {gap / mean:.2g} mean"
                     " radii: the cell is larger than what fills it"
