@@ -16,15 +16,17 @@ from bondem.specimen.geometry import BoundingBox, Shape
 # Over the mean radius: how far a centre may lie outside; how far a sphere may stick out, as it does from soft walls;
 # and how far from a face or, in a periodic cell, from its neighbours along an axis, the nearest sphere may be.
 _OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 2.5
-# ... which of fine dust is nothing over the extent of the shape, and in a dilute gas of n spheres some extents / n.
+# A gap is none if it is nothing over the extent of the shape, as in fine dust, or some extents / n, as in a gas.
 _SHARE, _DILUTE = 0.005, 4.0
+# Share of the centres that may have strayed outside.
+_STRAY = 0.01
 
 
 def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> None:
     """Refuse a shape that centres lie outside of; warn of one that spheres stick out of or do not reach the faces of.
 
     Raises:
-        InputError: centres outside the shape.
+        InputError: more than a hundredth of the centres outside the shape.
     """
     if isinstance(shape, BoundingBox):
         return
@@ -32,7 +34,7 @@ def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> No
     if shape.faces:
         depth = shape.depth(position)
         outside = int((depth < -_OUTSIDE * mean).sum())
-        if outside:
+        if outside > _STRAY * len(radius):
             raise InputError(
                 f"{outside} of {len(radius)} centres lie outside the {type(shape).__name__} they are said to fill, by"
                 f" up to {-depth.min():.3g} m; {_extents(shape, position, radius)}: check its size, place and units"

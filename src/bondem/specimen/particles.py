@@ -29,7 +29,8 @@ class Particles:
 
     Raises:
         InputError: wrong array shapes, a value that is not finite, a radius that is not positive, or two
-            spheres overlapping by more than half the smaller radius, or centres outside the shape.
+            spheres overlapping by more than half the smaller radius, or centres outside the shape,
+            but for a hundredth.
 
     Warns:
         FillingWarning: spheres stick out of the shape, or do not reach all of its faces.
