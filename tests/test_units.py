@@ -229,7 +229,7 @@ def test_millimetres_taken_for_metres_are_doubted_unless_metres_are_said(tmp_pat
 def test_bonds_far_thicker_or_thinner_than_elements_are_doubted():
     position = np.outer(np.arange(12), [1e-3, 0, 0])
     lattice = bd.connect(bd.Particles(position, 0.5e-3))
-    for radius, word in ((0.3, "thicker"), (0.3e-6, "thinner")):
+    for radius, word in ((0.3, "thicker"), (0.3e-7, "thinner")):
         law = bd.EulerBernoulli(E=70e9, nu=0.3, radius=radius)
         with pytest.warns(UnitWarning, match=word):
             bd.Model(lattice, law, 2500.0)

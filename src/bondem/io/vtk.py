@@ -86,5 +86,5 @@ def _write_fields(
         values = array("write_vtkhdf", f"field '{name}'", field, wanted=wanted)
         values = values.astype(np.asarray(field).dtype)  # whole numbers stay so
         if values.shape[:1] != (count,):
-            raise InputError(f"field '{name}' has shape {values.shape}; give {count} values or rows")
+            raise InputError(f"field '{name}' has {len(values) if values.ndim else 1} values; give {count}")
         group[name] = values if chosen is None else values[chosen]

@@ -18,8 +18,8 @@ from bondem.specimen.geometry import BoundingBox, Shape
 _OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 2.5
 # A gap is none if it is nothing over the extent of the shape, as in fine dust, or some extents / n, as in a gas.
 _SHARE, _DILUTE = 0.005, 4.0
-# Share of the centres that may have strayed outside.
-_STRAY = 0.01
+# Share of the centres that may have strayed outside, and spheres that may stick out, over n^(2/3): half a face.
+_STRAY, _MANY = 0.01, 0.4
 
 
 def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> None:
@@ -42,7 +42,7 @@ def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> No
             )
         out = radius - depth
         sticking = int((out > _OUT * mean).sum())
-        if sticking:
+        if sticking > _MANY * len(radius) ** (2.0 / 3.0):
             _warn(
                 f"{sticking} of {len(radius)} spheres stick out of the {type(shape).__name__} they are said to fill,"
                 f" by up to {out.max():.3g} m, {out.max() / mean:.2g} mean radii; {_extents(shape, position, radius)}"

@@ -41,7 +41,7 @@ _FAR = 300.0
 _MODULUS, _DENSITY, _SPEED = (1e3, 2e12), (0.1, 3e4), (0.3, 5e4)
 
 # Radius of a bond over the mean radius of the elements.
-_BOND_RADIUS = (1.0 / _FAR, 30.0)
+_BOND_RADIUS = (1e-3, 30.0)
 
 
 def question_material(name: str, E: float, rho: float) -> None:
