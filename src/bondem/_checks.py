@@ -4,9 +4,9 @@
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 
@@ -55,18 +55,19 @@ def number(
         InputError: text, a truth value, NaN, infinity, beyond 10^±100, or out of bounds.
     """
     found = _real(value)
-    inside = (
+    if (
         found is not None
-        and (found == 0.0 or 1.0 / _LARGEST <= abs(found) <= _LARGEST)
+        and possible(np.array(found))
         and (above is None or found > above)
         and (least is None or found >= least)
         and (below is None or found < below)
-    )
-    if found is not None and inside:
+    ):
         return found
     where = f"{owner}: {name}" if owner else name
     measure = f" {unit}" if unit and found is not None else ""
     wanted = advice or _bounds(above, least, below) + (f" [{unit}]" if unit else "")
+    if found is not None and math.isfinite(found) and not possible(np.array(found)):
+        measure += ", beyond any quantity in SI units"
     raise InputError(f"{where} = {shown(value)}{measure}; give {wanted}")
 
 
@@ -116,7 +117,7 @@ def vector(
     wanted = advice or "three finite components" + (f" [{unit}]" if unit else "")
     found = _numbers(value)
     where = f"{owner}: {name}" if owner else name
-    if found is None or found.shape != (3,) or not _possible(found):
+    if found is None or found.shape != (3,) or not possible(found):
         raise InputError(f"{where} = {shown(value)}; give {wanted}")
     x, y, z = found.tolist()
     return x, y, z
@@ -145,7 +146,8 @@ def _numbers(value: object) -> Floats | None:
     return np.array(found, dtype=float, order="C") if found.dtype.kind in "fiu" else None
 
 
-def _possible(values: Floats) -> bool:
+def possible(values: Floats) -> bool:
+    """Whether all are finite, and 0 or between 10^-100 and 10^100."""
     size = np.abs(values)
     return bool((np.isfinite(values) & (size <= _LARGEST) & ((size == 0.0) | (size >= 1.0 / _LARGEST))).all())
 
@@ -167,15 +169,16 @@ def instance(
 def several(
     owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
 ) -> tuple[Kind, ...]:
-    """One value of given types, or a sequence of them, as a tuple; None is none.
+    """One value of given types, or several of them, as a tuple; None is none.
 
     Raises:
         InputError: another type.
     """
     if value is None:
         return ()
-    found: Sequence[Any] = value if isinstance(value, list | tuple) else (value,)
-    return tuple(instance(owner, name, item, kinds, wanted) for item in found)
+    if isinstance(value, kinds) or not isinstance(value, Iterable) or isinstance(value, str | Mapping):
+        return (instance(owner, name, value, kinds, wanted),)
+    return tuple(instance(owner, name, item, kinds, wanted) for item in value)
 
 
 def choice(owner: str, name: str, value: object, options: Sequence[str]) -> str:
