@@ -9,6 +9,9 @@ from scipy.spatial.transform import Rotation
 import bondem as bd
 from bondem.specimen.geode import geode
 
+# Crystals and handfuls of spheres stick out of the boxes they are measured in.
+pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.FillingWarning")
+
 
 def directions(count, seed=0):
     vector = np.random.default_rng(seed).normal(size=(count, 3))

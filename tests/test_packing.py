@@ -72,7 +72,7 @@ def test_spheres_are_at_rest(packed):
 
 
 def test_monodisperse_cell_packs_at_random_close_density():
-    particles = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=1500, seed=1)
+    particles = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=1500, spread=0.0, seed=1)
     assert np.ptp(particles.radius) == 0.0
     quality = bd.fabric(bd.connect(particles))
     assert quality.volume_fraction == pytest.approx(0.642, abs=0.008)

@@ -9,6 +9,12 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError, RunFileError
 
+# The files hold a handful of spheres of about a metre.
+pytestmark = [
+    pytest.mark.filterwarnings("ignore::bondem.errors.FillingWarning"),
+    pytest.mark.filterwarnings("ignore::bondem.errors.UnitWarning"),
+]
+
 CENTRE = np.array([[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.0, 0.0, 0.25], [3.0, -1.0 / 3.0, 0.0]])
 RADIUS = np.array([0.5, 0.4, 0.5, 0.45])
 PAIRS = np.array([[0, 1], [1, 2], [2, 3]])

@@ -12,6 +12,9 @@ import bondem as bd
 from bondem.errors import InputError
 from bondem.io.codec import decode, encode
 
+# Surfaces of about a metre, without a unit.
+pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.UnitWarning")
+
 POINTS = np.random.default_rng(0).uniform(-1.5, 3.5, (20_000, 3))
 
 
@@ -97,7 +100,7 @@ def test_units_are_asked_for_and_converted(write):
         bd.Surface(path)
     assert bd.Surface(path, unit="mm").extent == pytest.approx(0.060)
     assert bd.Surface(path, unit="m").extent == pytest.approx(60.0)
-    with pytest.raises(InputError, match="give one of m, cm, mm"):
+    with pytest.raises(InputError, match="the unit of length: 'm', 'cm', 'mm'"):
         bd.Surface(path, unit="furlong")
 
 

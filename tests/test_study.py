@@ -142,7 +142,7 @@ CYLINDER = {"shape": "cylinder", "radius": 5e-3, "length": 30e-3, "count": 500}
         ),
         (
             {"specimen": CYLINDER | {"sizes": {"law": "sieve", "diameters": [1, True], "mass_passing": [0, 1]}}},
-            "'specimen.sizes.diameters'",
+            "'specimen.sizes.diameters[1]'",
             "a list of numbers",
         ),
         ({"specimen": CYLINDER | {"shape": "balls"}}, "'specimen.shape'", "did you mean 'ball'"),

@@ -45,6 +45,14 @@ class StageWarning(UserWarning):
     """A schedule of a run that goes on from a state is over before the run begins."""
 
 
+class UnitWarning(UserWarning):
+    """A value that is possible, but so far off that its unit may be another one."""
+
+
+class FillingWarning(UserWarning):
+    """Particles that do not fill the shape they are said to fill, or stick out of it."""
+
+
 class UnstableRunError(BondemError):
     """A run on which a result depends became unstable."""
 

@@ -6,6 +6,7 @@ Exit status 0 when all went well, 2 for a bad study or bad input (one line on st
 
 import importlib
 import sys
+import warnings
 
 import click
 
@@ -43,19 +44,29 @@ def bondem(context: click.Context) -> None:
 
 def main() -> None:
     """Run the command line and leave with its exit status."""
+    with warnings.catch_warnings():
+        warnings.showwarning = _warn
+        status = _status()
+    sys.exit(status)
+
+
+def _status() -> int:
     try:
-        status = bondem.main(standalone_mode=False)
+        return bondem.main(standalone_mode=False) or OK
     except click.exceptions.Exit as stop:
-        status = stop.exit_code
+        return stop.exit_code
     except click.Abort:
-        status = _complain("interrupted", INTERRUPTED)
+        return _complain("interrupted", INTERRUPTED)
     except click.ClickException as error:
-        status = _complain(f"{error.format_message()} See 'bondem --help'.", BAD_INPUT)
+        return _complain(f"{error.format_message()} See 'bondem --help'.", BAD_INPUT)
     except UnstableRunError as error:
-        status = _complain(str(error), UNSTABLE)
+        return _complain(str(error), UNSTABLE)
     except BondemError as error:
-        status = _complain(str(error), BAD_INPUT)
-    sys.exit(status or OK)
+        return _complain(str(error), BAD_INPUT)
+
+
+def _warn(message: Warning | str, category: type[Warning], *_: object) -> None:
+    click.echo(f"bondem: warning: {' '.join(str(message).split())}", err=True)
 
 
 def _complain(message: str, status: int) -> int:

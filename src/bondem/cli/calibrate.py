@@ -8,6 +8,7 @@ import click
 from rich.console import Console
 from rich.table import Table
 
+from bondem.cli.quantities import Quantity
 from bondem.cli.terminal import on_threads, progress_bars
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw
@@ -23,18 +24,22 @@ _LAWS: dict[str, type[BondLaw]] = {law.title.lower().replace("–", "-"): law fo
 
 @click.command("calibrate")
 @click.option("--material", metavar="NAME", help="From the library, such as granite; --E, --nu, --rho change it.")
-@click.option("--E", "E", type=float, help="Young's modulus [Pa].")
-@click.option("--nu", type=float, help="Poisson's ratio [-].")
-@click.option("--rho", type=float, help="Density [kg/m³].")
+@click.option("--E", "E", type=Quantity("Pa"), help="Young's modulus [Pa], or with its unit: \"72.5 GPa\".")
+@click.option("--nu", type=Quantity("-"), help="Poisson's ratio [-].")
+@click.option("--rho", type=Quantity("kg/m³"), help="Density [kg/m³], or with its unit: \"2.2 g/cm^3\".")
 @click.option("--law", type=click.Choice(tuple(_LAWS)), help="Bond law; the recommended one unless given.")
-@click.option("--count", type=click.IntRange(min=200), default=10_000, show_default=True, help="Elements each.")
-@click.option("--packings", type=click.IntRange(min=1), default=3, show_default=True, help="Packings.")
-@click.option("--shape", type=click.Choice(tuple(SHAPES)), default="cell", show_default=True,
+@click.option("--count", type=click.IntRange(min=200), default=CalibrationPlan.count, show_default=True,
+              help="Elements each.")  # fmt: skip
+@click.option("--packings", type=click.IntRange(min=1), default=CalibrationPlan.packings, show_default=True,
+              help="Packings.")  # fmt: skip
+@click.option("--shape", type=click.Choice(tuple(SHAPES)), default=CalibrationPlan.shape, show_default=True,
               help="A periodic cell (bulk, no surfaces) or the cylinder of André et al. (2012).")  # fmt: skip
-@click.option("--spread", type=click.FloatRange(0.0, 2.0, max_open=True), default=0.25, show_default=True,
+@click.option("--spread", type=Quantity("-", least=0.0, below=2.0), default=CalibrationPlan.spread, show_default=True,
               help="Full range of the radii over their mean, κ.")  # fmt: skip
-@click.option("--nu-mu", type=float, default=0.3, show_default=True, help="Poisson's ratio of the bonds.")
-@click.option("--seed", type=click.IntRange(min=0), default=1, show_default=True, help="Of the first packing.")
+@click.option("--nu-mu", type=Quantity("-"), default=CalibrationPlan.nu_mu, show_default=True,
+              help="Poisson's ratio of the bonds.")  # fmt: skip
+@click.option("--seed", type=click.IntRange(min=0), default=CalibrationPlan.seed, show_default=True,
+              help="Of the first packing.")  # fmt: skip
 @click.option("--out", metavar="DIR", type=click.Path(path_type=Path), help="Where calibration.json goes.")
 @click.option("--threads", type=click.IntRange(min=1), help="Number of threads; all cores unless given.")
 def command(

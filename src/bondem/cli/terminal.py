@@ -1,6 +1,6 @@
 """What the commands share: threads, progress on a terminal, and the table of results."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,14 @@ from bondem.errors import InputError
 from bondem.laws.catalogue import LAWS
 from bondem.report.numbers import percent, quantity, signed_percent
 from bondem.study.study import Study
+
+_EXPLANATION = (
+    "error = measured / theory − 1, mean over the packings; theory has each specimen's own E and ν and the length"
+    " from wall to wall.",
+    "refined: theory with the length between the elements held and loaded, and the section that carries: a bar with"
+    " E and ν exact",
+    "differs from the first by these, and from the second by its clamped end and its grains.",
+)
 
 
 @contextmanager
@@ -79,17 +87,20 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
         for reason in one["fabric_reasons"]:
             console.print(f"  [yellow]packing of seed {one['seed']}: {reason}[/yellow]", soft_wrap=True)
     if results["tests"]:
-        console.print(_tests(study, results["tests"]), soft_wrap=True)
+        console.print(_tests(study, results), soft_wrap=True)
+        for line in _EXPLANATION:
+            console.print(f"  [dim]{line}[/dim]", soft_wrap=True)
     console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True)
 
 
-def _tests(study: Study, tests: Mapping[str, Mapping[str, Any]]) -> Table:
+def _tests(study: Study, results: Mapping[str, Any]) -> Table:
     published = study.reference.errors if study.reference else {}
     table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
     table.add_column("  test", no_wrap=True)
-    for name in ("measured", "theory", "error", "± scatter", "Timoshenko", *(["paper"] if published else [])):
+    columns = ("measured", "theory", "error", "± scatter", "Timoshenko", "refined")
+    for name in (*columns, *(["paper"] if published else [])):
         table.add_column(name, justify="right", no_wrap=True)
-    for name, row in tests.items():
+    for name, row in results["tests"].items():
         against = row["theory_timoshenko"]
         cells = [
             quantity(row["measured"], row["unit"]),
@@ -97,8 +108,14 @@ def _tests(study: Study, tests: Mapping[str, Mapping[str, Any]]) -> Table:
             signed_percent(row["error"]),
             "–" if row["scatter"] is None else percent(row["scatter"]),
             "" if against is None else signed_percent(row["measured"] / against - 1.0),
+            _refined([one["tests"][name]["error_refined"] for one in results["packings"]]),
         ]
         if published:
             cells.append(percent(published[name]) if name in published else "")
         table.add_row(f"  {name}", *cells)
     return table
+
+
+def _refined(errors: Sequence[float | None]) -> str:
+    known = [error for error in errors if error is not None]
+    return signed_percent(sum(known) / len(known)) if known else ""

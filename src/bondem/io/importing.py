@@ -1,13 +1,16 @@
 """Spheres from any file: which reader it needs, and what all of them have in common."""
 
 import importlib
+import os
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
-from bondem._types import ArrayLike
-from bondem.errors import InputError
+from bondem._checks import instance, place, vector
+from bondem._types import ArrayLike, Pairs
+from bondem.errors import InputError, UnitWarning
 from bondem.io.lammps import read_lammps
 from bondem.io.particles_file import load_bonded
 from bondem.io.sphere_tables import RawSpheres, read_csv, read_yade
@@ -15,7 +18,10 @@ from bondem.io.vtkhdf_spheres import read_vtkhdf_spheres
 from bondem.specimen.geometry import Shape
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
+from bondem.specimen.units import length_unit
 
+# Longest specimen taken for metres without being told so [m].
+_USUAL = 1.0
 _OWN = (".h5", ".hdf5")
 _LAMMPS = (".data", ".lmp", ".lammps")
 _VTK = (".vtk", ".vtp", ".vtu")
@@ -25,7 +31,7 @@ _FORMATS = ".h5 (bondem), .csv, .txt (Yade), .data or .lmp (LAMMPS), .vtk, .vtp,
 def read_particles(
     path: str | Path,
     *,
-    unit: float = 1.0,
+    unit: str | float | None = None,
     shape: Shape | None = None,
     period: ArrayLike | None = None,
     columns: Sequence[str | int] | None = None,
@@ -40,7 +46,8 @@ def read_particles(
 
     Args:
         path: the file.
-        unit: the file's unit of length [m]: 1e-3 for millimetres.
+        unit: the file's unit of length, by name ("mm") or in metres (1e-3); None takes metres, with a warning where
+            that makes a specimen of more than a metre. Our own files are in metres.
         shape: the shape the spheres fill [m], where the file does not say.
         period: edge lengths of the periodic cell [m], (3,), where the file does not say; its corner is the origin.
         columns: CSV: which columns hold x, y, z and radius, by name or by number from 0.
@@ -53,17 +60,22 @@ def read_particles(
     Raises:
         InputError: no such file, an unknown format, or spheres that cannot be used; names the file and, of a text,
             the line.
+
+    Warns:
+        UnitWarning: more than a metre long, and no unit given.
+        FillingWarning: the spheres do not fill the shape, or stick out of it.
     """
     path = _existing(path)
+    _check_options(unit, shape, period, columns, radius, periodic)
     if path.suffix.lower() in _OWN:
-        return load_bonded(path)[0]
+        return _own(path, unit, shape, period)[0]
     return _particles(path, _read(path, columns, radius, periodic), unit, shape, period)
 
 
 def read_lattice(
     path: str | Path,
     *,
-    unit: float = 1.0,
+    unit: str | float | None = None,
     shape: Shape | None = None,
     period: ArrayLike | None = None,
     radius: str | None = None,
@@ -84,8 +96,9 @@ def read_lattice(
         DisconnectedError: the specimen falls into two large pieces.
     """
     path = _existing(path)
+    _check_options(unit, shape, period, None, radius, periodic)
     if path.suffix.lower() in _OWN:
-        particles, pairs = load_bonded(path)
+        particles, pairs = _own(path, unit, shape, period)
     else:
         raw = _read(path, None, radius, periodic)
         particles, pairs = _particles(path, raw, unit, shape, period), raw.pairs
@@ -103,10 +116,40 @@ def read_lattice(
 
 
 def _existing(path: str | Path) -> Path:
-    path = Path(path)
-    if not path.is_file():
+    path = place("path", path)
+    if not os.path.isfile(path):
         raise InputError(f"there is no file '{path}'; check the path")
     return path
+
+
+def _check_options(
+    unit: object, shape: object, period: object, columns: object, radius: object, periodic: object
+) -> None:
+    if unit is not None and isinstance(unit, str | float | int):
+        length_unit("read", unit)
+    for name, value, kinds, wanted in (
+        ("unit", unit, (str, float, int, np.number), "a unit of length: 'mm', or 1e-3"),
+        ("shape", shape, Shape, "a shape such as bd.Box(...)"),
+        ("columns", columns, (list, tuple), "four columns: those of x, y, z and radius"),
+        ("radius", radius, str, "the name of the array of radii"),
+        ("periodic", periodic, bool, "True or False"),
+    ):
+        if value is not None:
+            instance("read", name, value, kinds, wanted)
+    if period is not None:
+        vector("read", "period", period, unit="m", advice="three positive edge lengths in metres")
+
+
+def _own(
+    path: Path, unit: str | float | None, shape: Shape | None, period: ArrayLike | None
+) -> tuple[Particles, Pairs | None]:
+    particles, pairs = load_bonded(path)
+    if unit is not None and length_unit("read", unit) != 1.0:
+        raise InputError(f"'{path}' is a file of bondem, in metres; leave out unit=")
+    if shape is None and period is None:
+        return particles, pairs
+    raw = RawSpheres(particles.position, particles.radius, particles.period)
+    return _particles(path, raw, 1.0, shape, period), pairs
 
 
 def _read(path: Path, columns: Sequence[str | int] | None, radius: str | None, periodic: bool) -> RawSpheres:
@@ -132,13 +175,18 @@ def _read(path: Path, columns: Sequence[str | int] | None, radius: str | None, p
 
 
 def _particles(
-    path: Path, raw: RawSpheres, unit: float, shape: Shape | None, period: ArrayLike | None
+    path: Path, raw: RawSpheres, unit: str | float | None, shape: Shape | None, period: ArrayLike | None
 ) -> Particles:
-    if not (np.isfinite(unit) and unit > 0.0):
-        raise InputError(f"unit = {unit}; give the file's unit of length in metres, 1e-3 for millimetres")
+    scale = 1.0 if unit is None else length_unit("read", unit)
     if period is None and raw.period is not None and (shape is None or shape.period is None):
-        period = unit * raw.period
+        period = scale * raw.period
+    longest = float(np.ptp(raw.position, axis=0).max(initial=0.0))
+    if unit is None and longest > _USUAL:
+        warnings.warn(
+            f"'{path}' is taken to be {longest:.4g} m long; give unit='m' if it is, unit='mm' if millimetres",
+            UnitWarning, stacklevel=3,
+        )  # fmt: skip
     try:
-        return Particles(unit * raw.position, unit * raw.radius, period, shape)
+        return Particles(scale * raw.position, scale * raw.radius, period, shape)
     except InputError as error:
         raise InputError(f"'{path}': {error}") from error

@@ -23,7 +23,7 @@ import bondem
 from bondem._compile import cache_directory
 from bondem.errors import RunFileError
 from bondem.io.particles_file import load_particles, save_particles
-from bondem.specimen.particles import Particles
+from bondem.specimen.particles import Particles, filled
 
 _MOST_BYTES = 2 << 30
 # What decides the bits of a packing. Read as text: the rooms above this one may not be imported here.
@@ -140,9 +140,8 @@ class PackingCache:
             return make()
         kept = self.get(name)
         if kept is not None:
-            # Nobody else has it yet; and the user's own shape may have measured its walls already.
-            object.__setattr__(kept, "shape", request["shape"])
-            return kept
+            # the user's own shape may have measured its walls already
+            return filled(kept, request["shape"])
         particles = make()
         self.put(name, particles, provenance=provenance)
         return particles

@@ -8,6 +8,7 @@ Arrays are kept to the bit.
 """
 
 import json
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -16,11 +17,13 @@ import h5py
 import numpy as np
 
 from bondem import __version__
+from bondem._checks import instance, place
 from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
 from bondem.io.codec import decode, encode
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.particles import Particles
+from bondem.specimen.particles import Particles, filled
+from bondem.specimen.shape import Shape
 
 FORMAT = "bondem particles"
 SCHEMA = 1
@@ -41,14 +44,15 @@ def save_particles(
         InputError: the file cannot be written.
         RunFileError: the shape or the provenance holds something that a file cannot.
     """
-    lattice = particles if isinstance(particles, Lattice) else None
-    elements = lattice.particles if lattice is not None else particles
-    assert isinstance(elements, Particles)
+    path = place("save_particles: path", path)
+    given = instance("save_particles", "particles", particles, (Particles, Lattice), "bd.Particles or a lattice")
+    instance("save_particles", "provenance", provenance or {}, Mapping, "a mapping of names to what JSON can hold")
+    lattice = given if isinstance(given, Lattice) else None
+    elements = given.particles if isinstance(given, Lattice) else given
     texts = {
         "shape": json.dumps(encode(elements.shape)),
         "provenance": json.dumps({str(key): encode(value) for key, value in dict(provenance or {}).items()}),
     }
-    path = Path(path)
     require_writable(path, "particle file")
     with replacing(path) as aside, h5py.File(aside, "w") as file:
         file.attrs["format"] = FORMAT
@@ -70,7 +74,7 @@ def load_particles(path: str | Path) -> Particles:
     Raises:
         InputError: no such file, not a particle file, damaged, or of a newer bondem.
     """
-    particles, _, _ = _read(Path(path))
+    particles, _, _ = _read(place("load_particles: path", path))
     return particles
 
 
@@ -82,11 +86,11 @@ def load_bonded(path: str | Path) -> tuple[Particles, np.ndarray | None]:
 
 def read_provenance(path: str | Path) -> dict[str, Any]:
     """How the particles of a file came about: what `save_particles` was told, and `bondem_version`."""
-    return _read(Path(path))[2]
+    return _read(place("read_provenance: path", path))[2]
 
 
 def _read(path: Path) -> tuple[Particles, np.ndarray | None, dict[str, Any]]:
-    if not path.is_file():
+    if not os.path.isfile(path):
         raise InputError(f"there is no particle file '{path}'; check the path")
     try:
         file = h5py.File(path, "r")
@@ -96,19 +100,26 @@ def _read(path: Path) -> tuple[Particles, np.ndarray | None, dict[str, Any]]:
         head: Any = file.attrs
         if head.get("format") != FORMAT:
             raise InputError(f"'{path}' is not a particle file of bondem; give a file of bd.save_particles")
-        if head["schema"] > SCHEMA:
+        version, schema = str(head.get("bondem_version", "")), head.get("schema")
+        if schema is None or not version:
+            raise InputError(f"'{path}' is damaged: it does not say which bondem wrote it; make it again")
+        if schema > SCHEMA:
             raise InputError(
-                f"'{path}' was written by bondem {head['bondem_version']}, which is newer than this"
-                f" {__version__}; update bondem to read it"
+                f"'{path}' was written by bondem {version}, which is newer than this {__version__}; update bondem to"
+                " read it"
             )
-        version = str(head["bondem_version"])
         try:
             period = _array(file, "elements/period") if "elements/period" in file else None
             shape = decode(json.loads(_array(file, "shape").item()))
-            particles = Particles(_array(file, "elements/position"), _array(file, "elements/radius"), period, shape)
+            if not isinstance(shape, Shape | None):
+                raise ValueError(f"its shape is a {type(shape).__name__}")
+            # it may be carved, and stick out of its shape
+            particles = filled(
+                Particles(_array(file, "elements/position"), _array(file, "elements/radius"), period), shape
+            )
             pairs = _array(file, "bonds/pairs") if "bonds/pairs" in file else None
             told = json.loads(_array(file, "provenance").item())
-        except (KeyError, ValueError, OSError) as error:
+        except (AssertionError, AttributeError, KeyError, TypeError, ValueError, OSError) as error:
             raise InputError(f"'{path}' is damaged ({error}); make it again") from error
     return particles, pairs, {"bondem_version": version} | {key: decode(value) for key, value in told.items()}
 

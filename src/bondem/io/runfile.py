@@ -28,7 +28,7 @@ from bondem.model.state import State
 from bondem.solve.history import History
 from bondem.solve.plan import Plan
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.particles import Particles
+from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
 SCHEMA = 2
@@ -154,8 +154,8 @@ def _json(file: h5py.File, name: str) -> Any:
 def _checkpoint(file: h5py.File) -> Checkpoint:
     made_of = {key: decode(value) for key, value in _json(file, "model").items()}
     period = _array(file, "elements/period") if "elements/period" in file else None
-    particles = Particles(
-        _array(file, "elements/position"), _array(file, "elements/radius"), period, made_of["shape"]
+    particles = filled(
+        Particles(_array(file, "elements/position"), _array(file, "elements/radius"), period), made_of["shape"]
     )
     density = _array(file, "elements/density")
     model = Model(

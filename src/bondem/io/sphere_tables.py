@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from bondem._checks import shown
 from bondem._types import Floats, Pairs, PerElement, PerElement3
 from bondem.errors import InputError
 
@@ -165,6 +166,8 @@ def _named(path: Path, line: int, header: list[str], found: dict[str, int], name
 
 
 def _column(path: Path, line: int, header: list[str] | None, one: str | int) -> int:
+    if isinstance(one, bool) or not isinstance(one, int | str) or (isinstance(one, int) and one < 0):
+        raise InputError(f"columns: {shown(one)} is no column; give names in the header or numbers from 0")
     if isinstance(one, int):
         return one
     if header is None:

@@ -6,6 +6,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from bondem._checks import array, instance, place
 from bondem._types import ArrayLike
 from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
@@ -35,6 +36,17 @@ def write_vtkhdf(
     Raises:
         InputError: the file cannot be written, or a field has the wrong length.
     """
+    path = place("write_vtkhdf: path", path)
+    instance("write_vtkhdf", "lattice", lattice, Lattice, "a lattice")
+    if state is not None:
+        instance("write_vtkhdf", "state", state, State, "a state of a model of this lattice")
+        if len(state.displacement) != len(lattice.particles):
+            raise InputError(
+                f"write_vtkhdf: the state has {len(state.displacement)} elements, the lattice"
+                f" {len(lattice.particles)}; give the lattice of its model"
+            )
+    for name, given in (("elements", elements), ("bonds", bonds)):
+        instance("write_vtkhdf", name, given or {}, Mapping, "fields by name")
     particles, pairs = lattice.particles, lattice.pairs
     points = particles.position if state is None else particles.position + state.displacement
     of_elements: dict[str, ArrayLike] = {"radius": particles.radius, "connected": lattice.connected.astype(np.int8)}
@@ -48,7 +60,6 @@ def write_vtkhdf(
         of_bonds["integrity"] = state.bond_integrity
     plain = particles.position[pairs[:, 1]] - particles.position[pairs[:, 0]]
     drawn = np.abs(plain - lattice.branch).max(axis=1) < 1e-6 * particles.mean_radius
-    path = Path(path)
     require_writable(path, "VTK file")
     with replacing(path) as aside, h5py.File(aside, "w") as file:
         root = file.create_group("VTKHDF")
@@ -71,7 +82,9 @@ def _write_fields(
     group: h5py.Group, fields: Mapping[str, ArrayLike], count: int, chosen: np.ndarray | None = None
 ) -> None:
     for name, field in fields.items():
-        values = np.asarray(field)
-        if len(values) != count:
-            raise InputError(f"field '{name}' has {len(values)} values; give {count}")
+        wanted = f"one row for each of {count}"
+        values = array("write_vtkhdf", f"field '{name}'", field, wanted=wanted)
+        values = values.astype(np.asarray(field).dtype)  # whole numbers stay so
+        if values.shape[:1] != (count,):
+            raise InputError(f"field '{name}' has {len(values) if values.ndim else 1} values; give {count}")
         group[name] = values if chosen is None else values[chosen]

@@ -5,8 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import KDTree
 
+from bondem._checks import choice
 from bondem._types import Floats, PerElement6
 from bondem.errors import InputError
+from bondem.labtests.arguments import check
 from bondem.labtests.gauge_length import AffineField
 from bondem.labtests.isotropic import Isotropic
 from bondem.model.assignment import BondAssignment
@@ -70,7 +72,7 @@ class UniformStress:
 
     def along(self, axis: str) -> tuple[float, float]:
         """E [Pa] and ν [-] of tension along "x", "y" or "z"."""
-        k = "xyz".index(axis)
+        k = "xyz".index(choice("along", "axis", axis, ("x", "y", "z")))
         S = self.compliance
         return 1.0 / S[k, k], -0.5 * (S[:3, k].sum() - S[k, k]) / S[k, k]
 
@@ -96,6 +98,7 @@ def uniform_stress(lattice: Lattice, law: BondAssignment, *, depth: float = 0.02
         InputError: a periodic cell, or a shape whose faces cannot be cut into patches.
         EmptyRegionError: no connected element at a face.
     """
+    check("uniform_stress", lattice, depth=depth)
     if not lattice.particles.envelope.faces:
         raise InputError("uniform_stress loads the surface, and a periodic cell has none; use bd.bulk_moduli")
     statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._checks import instance
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.isotropic import Isotropic
@@ -89,6 +90,9 @@ def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | No
     Raises:
         InputError: the lattice is not periodic.
     """
+    instance("bulk_moduli", "lattice", lattice, Lattice, "a periodic lattice, from bd.connect")
+    if not len(lattice.pairs):
+        raise InputError("bulk_moduli: the lattice has no bonds; bond it with bd.connect")
     period = lattice.particles.period
     if period is None:
         raise InputError(

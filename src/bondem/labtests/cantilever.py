@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints
+from bondem.labtests.arguments import check
 from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, rigid_motion, twist_rate
 from bondem.labtests.outcome import Outcome
@@ -133,6 +134,7 @@ def clamped_tension(
         stress: F / S [Pa].
         depth: of the two faces, in mean radii [-].
     """
+    check("clamped_tension", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     force = stress * bar.paper.section.area
     u = bar.respond(law, depth, force=(force, 0.0, 0.0))
@@ -172,6 +174,7 @@ def static_bending(
         stress: mean shear stress F / S [Pa].
         depth: of the two faces, in mean radii [-].
     """
+    check("static_bending", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     force = stress * bar.paper.section.area
     u = bar.respond(law, depth, force=(0.0, force, 0.0))
@@ -214,6 +217,7 @@ def static_torsion(
         stress: T √S / J [Pa], about the largest shear stress.
         depth: of the two faces, in mean radii [-].
     """
+    check("static_torsion", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     section = bar.paper.section
     moment = stress * section.torsion_constant / section.area**0.5

@@ -3,6 +3,7 @@
 import numpy as np
 
 from bondem.errors import InputError
+from bondem.labtests.arguments import check
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.wave import first_passage, strike
@@ -42,6 +43,7 @@ def impact(
     Raises:
         InputError: no plateau: the specimen is too coarse or the wrong E and rho were given.
     """
+    check("impact", lattice, density=density, E=E, nu=nu, rho=rho, velocity=velocity, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, depth=depth)
     expected = bar.paper.length / bar.paper.wave_speed
     wave = strike(lattice, law, density=density, duration=2.7 * expected, velocity=velocity, depth=depth)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from bondem._types import Floats
+from bondem.labtests.arguments import check
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import spectrum
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
@@ -42,6 +43,7 @@ def dynamic_tension(
         vibration: its free vibration, likewise.
         depth: of the two faces, in mean radii [-].
     """
+    check("dynamic_tension", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
@@ -71,6 +73,7 @@ def dynamic_bending(
 
     Arguments as for `dynamic_tension`.
     """
+    check("dynamic_bending", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
@@ -101,6 +104,7 @@ def dynamic_torsion(
 
     Arguments as for `dynamic_tension`.
     """
+    check("dynamic_torsion", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(

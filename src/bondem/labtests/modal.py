@@ -7,6 +7,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.labtests.arguments import check
 from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Fix
 from bondem.model.model import Model
@@ -51,6 +52,7 @@ def natural_frequencies(
     Raises:
         InputError: no mode of a kind among those computed.
     """
+    check("natural_frequencies", lattice, density=density, depth=depth)
     model = Model(lattice, law, density=density, boundary=[Fix(Face("x_min", depth))])
     modes = solve_modes(model, count=count)
     share = _effective_mass(model, modes.shape)

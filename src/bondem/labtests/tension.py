@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats
+from bondem.labtests.arguments import check
 from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Load
@@ -63,6 +64,7 @@ def static_tension(
         EmptyRegionError: no connected element at a face.
         InputError: too few elements in the middle half.
     """
+    check("static_tension", lattice, stress=stress, depth=depth)
     return tension_of(Statics(tension_model(lattice, law, stress=stress, depth=depth)), stress=stress, depth=depth)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
+from bondem.labtests.arguments import check
 from bondem.labtests.beams import CrossSection
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import dominant_frequency
@@ -90,6 +91,9 @@ def free_vibration(
         stress: that each load causes, roughly [Pa].
         depth: of the two faces, in mean radii [-].
     """
+    check(
+        "free_vibration", lattice, density=density, E=E, nu=nu, rho=rho, periods=periods, stress=stress, depth=depth
+    )
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, depth=depth).paper
     held = Fix(Face("x_min", depth))
     model = Model(lattice, law, density=density, boundary=[held])

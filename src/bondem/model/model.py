@@ -10,7 +10,7 @@ import numpy as np
 from bondem._checks import array, instance, possible, several, shown
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.errors import InputError
-from bondem.laws.bond import BondStiffness
+from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.contact import LinearContact
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.model.bond_table import BondTable
@@ -22,6 +22,7 @@ from bondem.model.state import State
 from bondem.model.walls import Wall, WallTable, check_walls
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
+from bondem.specimen.plausibility import question_bond_radius
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +69,8 @@ class Model:
             raise InputError("walls need a law of contact: give contact=bd.LinearContact(E=...)")
         self._check_magnitudes()
         self.constraints  # noqa: B018  regions are checked when the model is made
+        if isinstance(self.bond, BondLaw) and self.bond.radius is not None:
+            question_bond_radius(self.bond.radius, self.lattice.particles.mean_radius)
         self._check_strain()
 
     def _check_magnitudes(self) -> None:

@@ -4,34 +4,41 @@ from collections.abc import Callable
 
 import numpy as np
 
+from bondem._checks import choice, instance
+from bondem._checks import count as whole
 from bondem.errors import InputError
 from bondem.io.packing_cache import PackingCache, wanted
 from bondem.packing.compression import compress
 from bondem.packing.growth import grow
 from bondem.packing.quench import quench
 from bondem.packing.shear import shear
-from bondem.packing.sizes import SizeLaw, Uniform
+from bondem.packing.sizes import SPREAD, SizeLaw, Uniform
 from bondem.packing.targets import chosen
 from bondem.specimen.geometry import Shape
-from bondem.specimen.particles import Particles
+from bondem.specimen.particles import Particles, filled
 
-__all__ = ["METHODS", "pack"]
+__all__ = ["METHOD", "METHODS", "SEED", "pack"]
 
 _METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": shear}
 # Relaxation steps after which progress stands at one half; how many are needed is not known beforehand.
 _USUAL_STEPS = 2000
-#: Names of the methods.
+#: Names of the methods, the default one, and the default seed: one place for Python, studies and the command line.
 METHODS = tuple(_METHODS)
+METHOD = "quench"
+SEED = 1
+
+# More would take a day, and more memory than a machine has.
+_MOST = 100_000_000
 
 
 def pack(
     shape: Shape,
     *,
     count: int,
-    spread: float = 0.0,
+    spread: float | None = None,
     sizes: SizeLaw | None = None,
-    method: str = "quench",
-    seed: int = 0,
+    method: str = METHOD,
+    seed: int = SEED,
     coordination_number: float | None = None,
     volume_fraction: float | None = None,
     jamming: bool = False,
@@ -59,7 +66,8 @@ def pack(
     Args:
         shape: any shape; walls that are not those of a Cylinder, Box, Ball or Cell are read from a grid of depths.
         count: number of spheres.
-        spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10).
+        spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
+            `sizes` is given. Equal spheres (0) order at walls.
         sizes: law of the radii: Uniform, Lognormal, Sieve; in place of `spread`.
         method: "quench", "growth", "compression" or "shear" (Box and Cylinder).
         seed: which of the random packings.
@@ -79,16 +87,18 @@ def pack(
         InputError: an argument out of range.
         PackingError: the target was not reached.
     """
-    if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
-        raise InputError(f"count = {count!r}; give a whole number of spheres, at least 1")
-    if sizes is not None and spread != 0.0:
+    instance("pack", "shape", shape, Shape, "a shape such as bd.Cylinder(radius=5e-3, length=40e-3)")
+    count = whole("pack", "count", count, least=1, advice=f"a whole number of spheres, from 1 to {_MOST}")
+    if count > _MOST:
+        raise InputError(f"pack: count = {count}; give at most {_MOST} spheres")
+    if sizes is not None and spread is not None:
         raise InputError("give spread= or sizes=, not both: spread=κ is short for sizes=bd.Uniform(κ)")
-    if seed < 0:
-        raise InputError(f"seed = {seed}; give a whole number from 0 up")
-    if method not in _METHODS:
-        raise InputError(f"method = {method!r}; there are {', '.join(_METHODS)}")
+    if sizes is not None:
+        instance("pack", "sizes", sizes, SizeLaw, "a law of the radii: bd.Uniform, bd.Lognormal or bd.Sieve")
+    seed = whole("pack", "seed", seed, advice="a whole number from 0 up")
+    choice("pack", "method", method, METHODS)
     target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
-    size_law = Uniform(spread) if sizes is None else sizes
+    size_law = Uniform(SPREAD if spread is None else spread) if sizes is None else sizes
     told = progress or (lambda share: None)
 
     def make() -> Particles:
@@ -98,7 +108,7 @@ def pack(
             lambda steps: told(steps / (steps + _USUAL_STEPS)),
         )  # fmt: skip
         target.reach(spheres)
-        return Particles(spheres.sphere[:, :3].copy(), spheres.sphere[:, 3].copy(), shape=shape)
+        return filled(Particles(spheres.sphere[:, :3].copy(), spheres.sphere[:, 3].copy(), shape.period), shape)
 
     request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
     particles = PackingCache().remembered(request, make) if cache and wanted(count) else make()

@@ -10,10 +10,14 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr, ndtri
 
+from bondem._checks import array, number
 from bondem._types import Floats
 from bondem.errors import InputError
 
-__all__ = ["Lognormal", "Sieve", "SizeLaw", "Uniform"]
+__all__ = ["SPREAD", "Lognormal", "Sieve", "SizeLaw", "Uniform"]
+
+#: κ of a packing of which nothing is said about sizes [-]: that of André et al. (2012); equal spheres order at walls.
+SPREAD = 0.25
 
 
 class SizeLaw(ABC):
@@ -39,13 +43,12 @@ class Uniform(SizeLaw):
         spread: κ = (R_max - R_min) / R̄ [-], from 0 up to below 2.
     """
 
-    spread: float
+    spread: float = SPREAD
 
     def __post_init__(self) -> None:
-        if not 0.0 <= self.spread < 2.0:
-            raise InputError(
-                f"spread = {self.spread}; give the range of radii over their mean, from 0 up to below 2"
-            )
+        wanted = "the range of radii over their mean, from 0 up to below 2"
+        spread = number("", "spread", self.spread, least=-1e-12, below=2.0, advice=wanted)
+        object.__setattr__(self, "spread", max(spread, 0.0))
 
     def quantile(self, share: Floats) -> Floats:
         return 1.0 + self.spread * (share - 0.5)
@@ -65,10 +68,14 @@ class Lognormal(SizeLaw):
     cut: float = 2.5
 
     def __post_init__(self) -> None:
-        if not 0.0 < self.cv <= 1.0:
-            raise InputError(f"cv = {self.cv}; give standard deviation over mean of the radii, above 0 up to 1")
-        if not 0.0 < self.cut <= 4.0:
-            raise InputError(f"cut = {self.cut}; give standard deviations, above 0 up to 4")
+        for name, most, what in (
+            ("cv", 1.0, "standard deviation over mean of the radii, above 0 up to 1"),
+            ("cut", 4.0, "standard deviations, above 0 up to 4"),
+        ):
+            value = number("", name, getattr(self, name), above=0.0, advice=what)
+            if value > most:
+                raise InputError(f"{name} = {value}; give {what}")
+            object.__setattr__(self, name, value)
 
     def quantile(self, share: Floats) -> Floats:
         tail = ndtr(-self.cut)
@@ -88,8 +95,11 @@ class Sieve(SizeLaw):
     mass_passing: tuple[float, ...]
 
     def __post_init__(self) -> None:
-        diameters = tuple(float(d) for d in self.diameters)
-        passing = tuple(float(p) for p in self.mass_passing)
+        wanted = "one number for each sieve"
+        given = [array("Sieve", name, getattr(self, name), wanted=wanted) for name in ("diameters", "mass_passing")]
+        if any(one.ndim != 1 for one in given):
+            raise InputError(f"Sieve: diameters= and mass_passing= are lists; give {wanted}")
+        diameters, passing = (tuple(one.tolist()) for one in given)
         object.__setattr__(self, "diameters", diameters)
         object.__setattr__(self, "mass_passing", passing)
         if len(diameters) != len(passing) or len(diameters) < 2:

@@ -8,6 +8,7 @@ import math
 from dataclasses import dataclass
 from typing import Protocol
 
+from bondem._checks import instance, number
 from bondem.errors import InputError, PackingError
 from bondem.packing.soft_spheres import Rest, SoftSpheres
 
@@ -21,11 +22,16 @@ _NEAR, _ACCEPTED = 0.25, 0.01
 # First guesses: z at jamming, rattlers included, and d(mean overlap / R̄)/d ln(scale).
 _Z_JAMMED, _GROWTH = 5.4, 1.5
 
-# Radii grow by this much where the spheres turned out loose.
-_TIGHTEN = 0.005
+# Radii grow by this much where the spheres turned out loose, and shrink by this much at most where they press too
+# hard.
+_TIGHTEN, _LOOSEN = 0.005, 0.1
 
 # Steps to come to rest, and in all; a usual packing takes about 2500 in all. At jamming hardly anything is stiff.
 _STEPS, _ALL_STEPS = 10_000, 50_000
+# Scales tried for a coordination number: usually 10, seldom 20. Loose spheres are at rest after a step or two, so
+# that below the coordination number at jamming the steps would last for ever; there it is a jump from loose to too
+# many contacts that the search closes in on, once in a while also in a packing that rearranges.
+_SCALES, _JUMPS = 60, 4
 _JAMMED_STEPS, _ALL_JAMMED_STEPS = 20_000, 400_000
 
 # Two spheres may overlap by this share of the smallest radius; `Particles` refuses more than half.
@@ -58,17 +64,18 @@ class Contacts:
 
     def reach(self, spheres: SoftSpheres) -> None:
         search = _ScaleSearch(self.coordination_number, math.log(spheres.scale))
-        tolerance, first = _ROUGH, spheres.steps
+        tolerance, first, tried = _ROUGH, spheres.steps, 0
         while True:
+            tried += 1
             rest = spheres.relax(search.scale, tolerance=tolerance, steps=_STEPS)
             miss = abs(rest.coordination_number - self.coordination_number)
             if rest.settled and tolerance == _FINE and miss <= max(_ACCEPTED, 2.0 / len(spheres.sphere)):
                 break
-            if spheres.steps - first > _ALL_STEPS:
+            if tried >= _SCALES or search.jumps >= _JUMPS or spheres.steps - first > _ALL_STEPS:
                 raise PackingError(
                     f"{spheres} came to a coordination number of {rest.coordination_number:.2f} instead of"
-                    f" {self.coordination_number:.2f}; ask for another seed=, more spheres or another"
-                    " coordination_number="
+                    f" {self.coordination_number:.2f}, and jam at about 4 to 6; ask for a larger"
+                    " coordination_number=, more spheres or another seed=, or for volume_fraction= or jamming=True"
                 )
             if rest.settled and tolerance == _ROUGH and miss < _NEAR:
                 tolerance = _FINE
@@ -142,18 +149,18 @@ def chosen(
     Raises:
         InputError: more than one, or one out of range.
     """
+    instance("pack", "jamming", jamming, bool, "True or False")
     if (coordination_number is not None) + (volume_fraction is not None) + jamming > 1:
         raise InputError("give one target only: coordination_number=, volume_fraction= or jamming=True")
     if jamming:
         return Jammed()
     if volume_fraction is not None:
-        if not 0.0 < volume_fraction <= 0.8:
-            raise InputError(
-                f"volume_fraction = {volume_fraction}; give the volume of spheres over that of the shape, above 0 up"
-                " to 0.8 (random packings jam near 0.64)"
-            )
-        return Fraction(float(volume_fraction))
-    z = 6.2 if coordination_number is None else coordination_number
+        wanted = "the volume of spheres over that of the shape, above 0 up to 0.8 (random packings jam near 0.64)"
+        phi = number("", "volume_fraction", volume_fraction, above=0.0, advice=wanted)
+        if phi > 0.8:
+            raise InputError(f"volume_fraction = {phi}; give {wanted}")
+        return Fraction(phi)
+    z = 6.2 if coordination_number is None else number("pack", "coordination_number", coordination_number)
     if not 0.0 < z < count:
         raise InputError(
             f"{count} spheres cannot touch {z} others each; give a positive coordination_number= and more spheres"
@@ -167,6 +174,7 @@ class _ScaleSearch:
     def __init__(self, coordination_number: float, size: float) -> None:
         self._wanted = _excess(coordination_number)
         self._size = size  # ln(scale)
+        self.jumps = 0  # how often loose spheres and too many contacts were next to each other
         self.forget()
 
     @property
@@ -190,12 +198,14 @@ class _ScaleSearch:
             (s0, e0), (s1, e1) = self._below, self._above
             self._size = s0 + min(max((self._wanted - e0) / (e1 - e0), 0.1), 0.9) * (s1 - s0)
             if s1 - s0 < 1e-4:  # the packing rearranged on the way: the bracket is of another one
+                self.jumps += e0 == 0.0
                 self.forget()
         elif excess <= 0.0:
             self._size += _TIGHTEN
         else:
-            # just above jamming the guess may be far too high
-            self._size += min(rest.mean_overlap * (self._wanted / excess - 1.0) / _GROWTH, 2.0 * _TIGHTEN)
+            # just above jamming the guess may be far too high, or without bound too low
+            step = rest.mean_overlap * (self._wanted / excess - 1.0) / _GROWTH
+            self._size += min(max(step, -_LOOSEN), 2.0 * _TIGHTEN)
 
 
 def _excess(coordination_number: float) -> float:

@@ -4,8 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import instance
 from bondem._types import Floats, Ints, Mask, PerBond3, Vector
+from bondem.errors import InputError
 from bondem.specimen.core import core_solid, region, solid_fraction
+from bondem.specimen.filling import unfilled
 from bondem.specimen.geode import geode
 from bondem.specimen.geometry import Shape
 from bondem.specimen.lattice import Lattice
@@ -25,6 +28,7 @@ _COORDINATION = (4.5, 18.0)
 _RATTLERS = 0.05
 # Layers along a wall die out within a diameter and a half or so; deeper in, a specimen is to be the same everywhere.
 _DEEP = 3.0  # mean radii from the wall
+_EMPTY = 2.0  # mean radii from a wall to the nearest sphere: the shape is not theirs
 _HELD = 4  # contacts that hold a sphere in place
 _TOUCH = 1e-6  # mean radii
 _STRATA = {"density": 0.03, "coordination": 0.06, "size": 0.35, "layers": 0.6}
@@ -108,7 +112,15 @@ def fabric(lattice: Lattice) -> Fabric:
 
     Returns:
         The measures and the verdict, by effect sizes that do not depend on the number of elements.
+
+    Raises:
+        InputError: no bonds to measure.
     """
+    instance("fabric", "lattice", lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
+    if not len(lattice.pairs):
+        raise InputError(
+            f"fabric: the lattice of {len(lattice.particles)} elements has no bonds; bond it with bd.connect"
+        )
     particles = lattice.particles
     n, m = len(particles), len(lattice.pairs)
     direction = lattice.branch / lattice.length[:, None]
@@ -123,6 +135,7 @@ def fabric(lattice: Lattice) -> Fabric:
     core_spheres = core_solid(particles, shape, _DEEP * R)
     slices = strata(shape, particles.position, particles.radius, bonds, core_spheres, _DEEP * R)
     lower, upper = shape.bounds
+    empty = unfilled(shape, particles.position, particles.radius, away=_EMPTY)
     return Fabric(
         volume_fraction=float(particles.volume.sum()) / shape.volume,
         coordination_number=z,
@@ -147,7 +160,8 @@ def fabric(lattice: Lattice) -> Fabric:
         eigenvalues=freeze(np.linalg.eigvalsh(all_of_them.tensor)),
         reasons=(
             *_isotropy_reasons(core),
-            *_strata_reasons(slices),
+            # what is empty would be found in strata, too
+            *(empty or _strata_reasons(slices)),
             *_contact_reasons(z, lattice.rattlers / n),
         ),
     )

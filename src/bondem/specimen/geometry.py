@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import array, number, shown
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.specimen.shape import BOX_FACES, Shape
@@ -12,10 +13,23 @@ from bondem.specimen.shape import BOX_FACES, Shape
 __all__ = ["Ball", "BoundingBox", "Box", "Cell", "Cylinder", "Shape"]
 
 
-def _positive(owner: str, **lengths: float) -> None:
-    for name, value in lengths.items():
-        if not (math.isfinite(value) and value > 0.0):
-            raise InputError(f"{owner}: {name} = {value} m; give a positive length in metres")
+# Beyond these, volumes and moments of inertia are no numbers any more [m].
+_SMALLEST, _LARGEST = 1e-30, 1e30
+
+
+def _length(owner: str, name: str, value: object) -> float:
+    length = number(owner, name, value, unit="m", above=0.0, advice="a positive length in metres")
+    if not _SMALLEST <= length <= _LARGEST:
+        raise InputError(f"{owner}: {name} = {length:g} m is no length of a specimen; check its unit (metres)")
+    return length
+
+
+def _edges(owner: str, size: object) -> tuple[float, float, float]:
+    given = array(owner, "size", size, wanted="three edge lengths in metres")
+    if given.shape != (3,):
+        raise InputError(f"{owner}: size = {shown(size)}; give three edge lengths in metres")
+    a, b, c = (_length(owner, f"size[{k}]", value) for k, value in enumerate(given.tolist()))
+    return a, b, c
 
 
 def _axis_depth(lower: Floats, upper: Floats, face: str, points: PerElement3) -> PerElement:
@@ -37,7 +51,8 @@ class Cylinder(Shape):
     length: float
 
     def __post_init__(self) -> None:
-        _positive("Cylinder", radius=self.radius, length=self.length)
+        for name in ("radius", "length"):
+            object.__setattr__(self, name, _length("Cylinder", name, getattr(self, name)))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -78,10 +93,7 @@ class Box(Shape):
     size: tuple[float, float, float]
 
     def __post_init__(self) -> None:
-        if len(self.size) != 3:
-            raise InputError(f"{type(self).__name__}: size = {self.size}; give three edge lengths in metres")
-        object.__setattr__(self, "size", tuple(float(edge) for edge in self.size))
-        _positive(type(self).__name__, **dict(zip(("size[0]", "size[1]", "size[2]"), self.size, strict=True)))
+        object.__setattr__(self, "size", _edges("Box", self.size))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -119,7 +131,7 @@ class Cell(Shape):
     size: tuple[float, float, float]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "size", Box(self.size).size)
+        object.__setattr__(self, "size", _edges("Cell", self.size))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -160,7 +172,7 @@ class Ball(Shape):
     radius: float
 
     def __post_init__(self) -> None:
-        _positive("Ball", radius=self.radius)
+        object.__setattr__(self, "radius", _length("Ball", "radius", self.radius))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:

@@ -11,7 +11,7 @@ from bondem._checks import instance, shown
 from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3
 from bondem.errors import DisconnectedError, InputError
 from bondem.specimen.geometry import Shape
-from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.particles import Particles, filled, freeze
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,5 +149,7 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
     if lattice.particles.period is not None and periodic is None:
         plain = lattice.particles.position[lattice.pairs[:, 1]] - lattice.particles.position[lattice.pairs[:, 0]]
         inside &= np.isclose(plain, lattice.branch, atol=1e-9 * lattice.particles.mean_radius).all(axis=1)
-    part = Particles(lattice.particles.position[keep], lattice.particles.radius[keep], periodic, shape)
+    if periodic is None:
+        periodic = shape.period
+    part = filled(Particles(lattice.particles.position[keep], lattice.particles.radius[keep], periodic), shape)
     return Lattice(part, number[lattice.pairs[inside]])

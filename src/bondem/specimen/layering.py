@@ -5,7 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import count as whole
+from bondem._checks import instance, number
 from bondem._types import Floats, Mask
+from bondem.errors import InputError
 from bondem.specimen.core import region, samples, solid
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.quasirandom import points_inside
@@ -13,6 +16,7 @@ from bondem.specimen.quasirandom import points_inside
 _SAMPLES = 1 << 18
 _ASIDE = 1.5  # mean diameters from the other walls, where there is room
 _FEW = 100  # points to a bin
+_MOST_BINS = 10_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +49,17 @@ def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter
 
     Returns:
         Face by face; empty for a periodic cell.
+
+    Raises:
+        InputError: a reach that is not positive, or too many bins.
     """
+    instance("wall_layering", "particles", particles, Particles, "bd.Particles")
+    reach = number("wall_layering", "reach", reach, above=0.0)
+    bins_per_diameter = whole("wall_layering", "bins_per_diameter", bins_per_diameter, least=1)
+    if reach * bins_per_diameter > _MOST_BINS:
+        raise InputError(
+            f"wall_layering: {reach:g} diameters of {bins_per_diameter} bins; give at most {_MOST_BINS} bins in all"
+        )
     shape, diameter = region(particles), 2.0 * particles.mean_radius
     spheres = solid(particles, shape)
     space, share = points_inside(shape, samples(shape, _SAMPLES), 0.0)

@@ -1,9 +1,16 @@
 """A continuum material, as the user knows it."""
 
-import math
 from dataclasses import dataclass
+from typing import Any
 
-from bondem.errors import InputError
+from bondem._checks import instance, number, shown
+from bondem.specimen.plausibility import question_material
+
+_RANGES: dict[str, dict[str, Any]] = {
+    "E": {"above": 0.0, "unit": "Pa", "advice": "a positive Young's modulus in Pa"},
+    "nu": {"above": -1.0, "below": 0.5, "advice": "a Poisson's ratio in (-1, 0.5)"},
+    "rho": {"above": 0.0, "unit": "kg/m³", "advice": "a positive density"},
+}
 
 
 @dataclass(frozen=True)
@@ -19,6 +26,9 @@ class Material:
 
     Raises:
         InputError: a value is not finite or outside its physical range.
+
+    Warns:
+        UnitWarning: E or ρ is off by 10³ for what is named, or that of no solid.
     """
 
     name: str
@@ -28,12 +38,12 @@ class Material:
     source: str = ""
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.E) and self.E > 0.0):
-            raise InputError(f"material '{self.name}': E = {self.E} Pa; give a positive Young's modulus in Pa")
-        if not -1.0 < self.nu < 0.5:
-            raise InputError(f"material '{self.name}': nu = {self.nu}; give a Poisson's ratio in (-1, 0.5)")
-        if not (math.isfinite(self.rho) and self.rho > 0.0):
-            raise InputError(f"material '{self.name}': rho = {self.rho} kg/m³; give a positive density")
+        instance("Material", "name", self.name, str, "what the reports call it, as text")
+        instance("Material", "source", self.source, str, "where the values are from, as text")
+        for name, options in _RANGES.items():
+            value = number(f"material {shown(self.name)}", name, getattr(self, name), **options)
+            object.__setattr__(self, name, value)
+        question_material(" ".join(self.name.split()), self.E, self.rho)
 
     @property
     def G(self) -> float:

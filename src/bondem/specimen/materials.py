@@ -6,6 +6,7 @@ how much; change what is known better with `dataclasses.replace(bd.materials.gra
 
 import difflib
 
+from bondem._checks import instance, shown
 from bondem.errors import InputError
 from bondem.specimen.material import Material
 
@@ -59,9 +60,10 @@ def get(name: str) -> Material:
     Raises:
         InputError: there is none of this name.
     """
+    instance("materials.get", "name", name, str, "a name, as text")
     key = name.strip().lower().replace(" ", "_").replace("-", "_")
     if key not in _LIBRARY:
         near = difflib.get_close_matches(key, _LIBRARY, n=1)
         hint = f"did you mean '{near[0]}'?" if near else f"choose from {', '.join(names())}"
-        raise InputError(f"no material '{name}' in the library; {hint} (or give your own: bd.Material)")
+        raise InputError(f"no material {shown(name)} in the library; {hint} (or give your own: bd.Material)")
     return _LIBRARY[key]

@@ -8,6 +8,7 @@ from scipy.spatial import KDTree
 from bondem._checks import array, instance, shown
 from bondem._types import ArrayLike, PerElement, PerElement3, Vector
 from bondem.errors import InputError
+from bondem.specimen.filling import check_filling
 from bondem.specimen.geometry import BoundingBox, Shape
 
 # Spheres outside this have a mass or a moment of inertia that is no number any more [m].
@@ -32,7 +33,11 @@ class Particles:
 
     Raises:
         InputError: wrong array shapes, a value that is not finite, a radius that is not positive, or two
-            spheres overlapping by more than half the smaller radius.
+            spheres overlapping by more than half the smaller radius, or centres outside the shape,
+            but for a hundredth.
+
+    Warns:
+        FillingWarning: spheres stick out of the shape, or do not reach all of its faces.
     """
 
     position: PerElement3
@@ -86,6 +91,8 @@ class Particles:
         object.__setattr__(self, "radius", freeze(r))
         object.__setattr__(self, "shape", shape)
         self._check_overlap()
+        if shape is not None:
+            check_filling(shape, x, r)
 
     def _check_overlap(self) -> None:
         tree = KDTree(self.position, boxsize=self.period)
@@ -135,6 +142,14 @@ class Particles:
     def envelope(self) -> Shape:
         """The shape, or the bounding box of the spheres where none is known."""
         return self.shape if self.shape is not None else BoundingBox.of(self.position, self.radius)
+
+
+def filled(particles: Particles, shape: Shape | None) -> Particles:
+    """The same particles as what fills `shape`, unchecked: they were packed into it, or cut to it and stick out."""
+    same = Particles.__new__(Particles)
+    for name, value in (*vars(particles).items(), ("shape", shape)):
+        object.__setattr__(same, name, value)
+    return same
 
 
 def _check_finite(name: str, values: np.ndarray) -> None:

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import KDTree
 
+from bondem._checks import count as whole
+from bondem._checks import instance, number
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.specimen.core import core_volume, region, samples
@@ -15,6 +17,7 @@ from bondem.specimen.quasirandom import points_inside, spread_directions
 _CORE_DEPTH = 3.0  # mean radii from wall to centre
 _SAMPLES = 1 << 15
 _CENTRES = 20_000
+_MOST_BINS = 10_000
 _SUPPORTS = 21  # distances between which the covariance, a smooth curve, is interpolated
 
 
@@ -52,8 +55,11 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
     Raises:
         InputError: no room for it away from the walls.
     """
-    if bins < 1 or reach <= 0.0:
-        raise InputError(f"radial_distribution: reach = {reach}, bins = {bins}; give positive ones")
+    instance("radial_distribution", "particles", particles, Particles, "bd.Particles")
+    reach = number("radial_distribution", "reach", reach, above=0.0)
+    bins = whole("radial_distribution", "bins", bins, least=1)
+    if bins > _MOST_BINS:
+        raise InputError(f"radial_distribution: bins = {bins}; give at most {_MOST_BINS}")
     shape, diameter = region(particles), 2.0 * particles.mean_radius
     depth = _CORE_DEPTH * particles.mean_radius
     centre = particles.position[shape.depth(particles.position) >= depth]

@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from bondem._checks import array, choice, instance, number, shown, vector
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.specimen.quadrature import Content, content
@@ -89,17 +90,20 @@ class Shape(ABC):
 
     def contains(self, points: PerElement3) -> np.ndarray:
         """Whether points lie inside or on the wall, shape (n,)."""
-        return self.depth(points) >= 0.0
+        at = np.atleast_2d(array("contains", "points", points, wanted="points as an array of shape (n, 3) [m]"))
+        if at.shape[1:] != (3,):
+            raise InputError(f"contains: points has shape {at.shape}; give points as an array of shape (n, 3) [m]")
+        return self.depth(at) >= 0.0
 
     def moved(self, by: Sequence[float]) -> "Shape":
         """The shape moved by `by` [m], (3,)."""
-        x, y, z = map(float, by)
+        x, y, z = vector(type(self).__name__, "by", by, unit="m")
         return _place(self, np.eye(3), np.array([x, y, z]))
 
     def rotated(self, axis: str, angle: float) -> "Shape":
         """The shape turned by `angle` [rad], right-handed, about the axis "x", "y" or "z" through the origin."""
-        if axis not in ("x", "y", "z"):
-            raise InputError(f"rotated: axis = {axis!r}; give 'x', 'y' or 'z'")
+        choice(f"{type(self).__name__}.rotated", "axis", axis, ("x", "y", "z"))
+        angle = number(f"{type(self).__name__}.rotated", "angle", angle, unit="rad")
         # Whole turns of a right angle keep every bit of a box.
         c, s = (np.rint(v) if abs(v - np.rint(v)) < 1e-15 else v for v in (math.cos(angle), math.sin(angle)))
         turn = np.eye(3)
@@ -121,9 +125,9 @@ class Shape(ABC):
         return Cut(self, other)
 
     def _check_face(self, face: str) -> None:
-        if face not in self.faces:
+        if not isinstance(face, str) or face not in self.faces:
             known = ", ".join(self.faces) or "none (it is periodic)"
-            raise InputError(f"{type(self).__name__} has no face '{face}'; its faces are: {known}")
+            raise InputError(f"{type(self).__name__} has no face {shown(face)}; its faces are: {known}")
 
 
 def _place(shape: Shape, turn: Floats, by: Vector) -> "Placed":
@@ -135,6 +139,7 @@ def _place(shape: Shape, turn: Floats, by: Vector) -> "Placed":
 
 def _refuse_periodic(*shapes: Shape) -> None:
     for shape in shapes:
+        instance("", "what is combined with a shape", shape, Shape, "a shape such as bd.Box(...)")
         if shape.period is not None:
             raise InputError(f"{shape} is periodic and has no walls to move or cut; take a Box of the same size")
 
@@ -200,10 +205,7 @@ def _section(shape: Shape) -> float:
 
 
 class _Pair(Shape):
-    """Two shapes combined; what is not known of the result in closed form is measured by refinement.
-
-    The measured parts are exact to about 1e-3, areas to 1e-2.
-    """
+    """Two shapes combined; what has no closed form is measured by refinement, to about 1e-3, areas to 1e-2."""
 
     first: Shape
     second: Shape
@@ -250,6 +252,7 @@ class Overlap(_Pair):
 
     def __post_init__(self) -> None:
         _refuse_periodic(self.first, self.second)
+        instance("Overlap", "name", self.name, str, "a text")
         lower, upper = self.bounds
         if (lower >= upper).any():
             raise InputError(f"{self.first} and {self.second} have nothing in common; check positions (metres)")
@@ -296,6 +299,7 @@ class Cut(_Pair):
 
     def __post_init__(self) -> None:
         _refuse_periodic(self.first, self.second)
+        instance("Cut", "name", self.name, str, "a text")
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:

@@ -1,22 +1,27 @@
 """Shapes bounded by a closed triangulated surface, from a file or from arrays."""
 
 import importlib
+import os
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
+from bondem._checks import array, place
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
-from bondem.errors import InputError
+from bondem.errors import InputError, UnitWarning
 from bondem.specimen.shape import BOX_FACES, Shape
 from bondem.specimen.triangles import Triangles
+from bondem.specimen.units import length_unit
 
-UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": 0.0254}
 _SUFFIXES = (".stl", ".ply")
 
-# Longest specimen taken for metres without being told so [m].
-_PLAUSIBLE = 10.0
+# Longest specimen taken for metres without being told so, with a warning and without [m].
+_PLAUSIBLE, _USUAL = 10.0, 1.0
+
+_FARTHEST = 1e30  # of a vertex [m]: beyond, volumes are no numbers any more
 
 # How far from a side of the bounding box a facet may lie to be part of that face, over the size of the box;
 # STL files keep seven digits.
@@ -35,6 +40,9 @@ class Surface(Shape):
 
     Raises:
         InputError: no such file, another format, a size that cannot be metres, or a surface that is not closed.
+
+    Warns:
+        UnitWarning: a file of more than a metre without a unit.
     """
 
     vertices: Floats
@@ -44,7 +52,7 @@ class Surface(Shape):
         self,
         file: str | Path | None = None,
         *,
-        unit: str | None = None,
+        unit: str | float | None = None,
         vertices: ArrayLike | None = None,
         triangles: ArrayLike | None = None,
     ) -> None:
@@ -52,29 +60,34 @@ class Surface(Shape):
 
         Args:
             file: STL or PLY.
-            unit: of its numbers, "m", "cm", "mm", "um" or "in"; None takes metres if that is plausible.
+            unit: of its numbers, by name ("mm") or in metres (1e-3); None takes metres if that is plausible.
             vertices: instead of a file, corners (v, 3) in `unit`.
             triangles: and the triangles, (t, 3).
         """
-        if unit is not None and unit not in UNITS:
-            raise InputError(f"Surface: unit = {unit!r}; give one of {', '.join(UNITS)}")
+        scale = None if unit is None else length_unit("Surface", unit)
         if file is not None:
-            x, t = _read(Path(file))
+            name = str(place("Surface: file", file))
+            x, t = _read(Path(name))
         elif vertices is not None and triangles is not None:
-            x, t = np.array(vertices, dtype=float), np.array(triangles, dtype=np.int64)
+            name = "the surface"
+            x, t = _arrays(vertices, triangles)
         else:
             raise InputError("Surface needs a file, or both vertices= and triangles=")
-        name = "the surface" if file is None else str(file)
         t = _checked(name, x, t)
         size = float(np.ptp(x, axis=0).max())
-        if file is not None and unit is None and size > _PLAUSIBLE:
+        if file is not None and scale is None and size > _PLAUSIBLE:
             raise InputError(
                 f"{name} is {size:.4g} long, and its unit is not known; give unit='mm', or unit='m' if it is metres"
             )
-        x *= UNITS[unit or "m"]
-        for key, array in (("vertices", x), ("triangles", t)):
-            array.setflags(write=False)
-            object.__setattr__(self, key, array)
+        if file is not None and scale is None and size > _USUAL:
+            warnings.warn(
+                f"{name} is taken to be {size:.4g} m long; give unit='m' if it is, or unit='mm' if it is millimetres",
+                UnitWarning, stacklevel=2,
+            )  # fmt: skip
+        x *= 1.0 if scale is None else scale
+        for key, values in (("vertices", x), ("triangles", t)):
+            values.setflags(write=False)
+            object.__setattr__(self, key, values)
 
     def __repr__(self) -> str:
         a, b, c = np.ptp(self.vertices, axis=0)
@@ -176,10 +189,18 @@ def _section(corner: Floats, x: float) -> float:
     return abs(area)
 
 
+def _arrays(vertices: ArrayLike, triangles: ArrayLike) -> tuple[Floats, Ints]:
+    x = array("Surface", "vertices", vertices, wanted="corners, shape (v, 3)")
+    numbers = array("Surface", "triangles", triangles, wanted="numbers of corners, shape (t, 3)")
+    if not ((np.rint(numbers) == numbers) & (np.abs(numbers) < 2.0**31)).all():
+        raise InputError("Surface: triangles hold numbers that are not whole; give those of their corners, from 0")
+    return x, numbers.astype(np.int64)
+
+
 def _read(file: Path) -> tuple[Floats, Ints]:
     if file.suffix.lower() not in _SUFFIXES:
         raise InputError(f"{file}: Surface reads STL and PLY files; export the part as one of these")
-    if not file.is_file():
+    if not os.path.isfile(file):
         raise InputError(f"{file}: there is no such file; check the path")
     # loaded on use: a run without surfaces need not wait for it
     trimesh = importlib.import_module("trimesh")
@@ -194,8 +215,8 @@ def _checked(name: str, vertices: Floats, triangles: Ints) -> Ints:
     """The triangles, without those that have no area, all facing outwards."""
     if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
         raise InputError(f"{name}: vertices {vertices.shape} and triangles {triangles.shape} are no (v, 3), (t, 3)")
-    if not np.isfinite(vertices).all():
-        raise InputError(f"{name} has a vertex that is not finite; export it again")
+    if not np.isfinite(vertices).all() or np.abs(vertices).max(initial=0.0) > _FARTHEST:
+        raise InputError(f"{name} has a vertex that is not finite, or beyond all measure; export it again")
     if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
         raise InputError(f"{name}: triangles name vertices that are not there; count them from 0")
     triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]

@@ -16,6 +16,7 @@ from bondem.errors import InputError
 from bondem.io.atomic import write_text
 from bondem.laws.bond import BondLaw
 from bondem.laws.catalogue import DEFAULT, LAWS, PARAMETERS
+from bondem.packing.sizes import SPREAD
 from bondem.report.abacus_figures import draw_abacus, draw_reach, draw_silica
 from bondem.study.elastic_rows import MEASURED, SHAPES, ElasticRequest, cells_and_bars
 from bondem.study.frame import PackingStudy, Row
@@ -82,7 +83,7 @@ class Abacus(PackingStudy):
     count: int = 10_000
     packings: int = 3
     bars: int = 3
-    spread: float = 0.25
+    spread: float = SPREAD
     laws: tuple[str, ...] = tuple(SWEEPS)
 
     def __post_init__(self) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 
 from bondem.errors import InputError
 from bondem.laws.catalogue import DEFAULT
+from bondem.packing.sizes import SPREAD
 from bondem.report.assembly_figures import draw_assembly, draw_fineness, draw_scatter
 from bondem.report.limit import Limit, limit
 from bondem.report.packing_curves import NAMES
@@ -66,7 +67,7 @@ class Assembly(PackingStudy):
     packings: int = 4
     cells: int = 3
     targets: tuple[str, ...] = ("contacts",)
-    spread: float = 0.25
+    spread: float = SPREAD
 
     def __post_init__(self) -> None:
         if not self.counts or min(self.counts) < 300 or len(set(self.counts)) < len(self.counts):

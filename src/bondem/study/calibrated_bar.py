@@ -9,7 +9,8 @@ from bondem.errors import InputError
 from bondem.labtests.tension import Tension, static_tension
 from bondem.laws.bond import BondLaw
 from bondem.laws.catalogue import DEFAULT
-from bondem.packing import pack
+from bondem.packing import SEED, pack
+from bondem.packing.sizes import SPREAD
 from bondem.specimen.bonding import connect
 from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
@@ -17,8 +18,6 @@ from bondem.specimen.materials import fused_silica
 
 #: Diameter 10 mm, length 40 mm.
 CYLINDER = Cylinder(radius=5e-3, length=40e-3)
-#: κ [-].
-SPREAD = 0.25
 
 
 @dataclass(frozen=True)
@@ -32,7 +31,7 @@ class BarRequest:
     """
 
     count: int = 10_000
-    seed: int = 1
+    seed: int = SEED
     packings: int = 1
 
     def __post_init__(self) -> None:

@@ -8,12 +8,15 @@ from pathlib import Path
 from typing import Any
 
 from bondem import __version__
+from bondem._checks import count as whole
+from bondem._checks import instance, number
 from bondem.calibration.elastic import Calibration, calibrate
 from bondem.calibration.reach import recommend
 from bondem.errors import InputError
 from bondem.io.atomic import require_folder, write_text
 from bondem.laws.bond import BondLaw
-from bondem.packing import pack
+from bondem.packing import SEED, pack
+from bondem.packing.sizes import SPREAD, Uniform
 from bondem.report.calibration_figure import draw_calibration
 from bondem.specimen.bonding import connect
 from bondem.specimen.geometry import Cell, Cylinder, Shape
@@ -44,15 +47,18 @@ class CalibrationPlan:
     count: int = 10_000
     packings: int = 3
     shape: str = "cell"
-    spread: float = 0.25
+    spread: float = SPREAD
     nu_mu: float = 0.3
-    seed: int = 1
+    seed: int = SEED
 
     def __post_init__(self) -> None:
         if self.shape not in SHAPES:
             raise InputError(f"shape = '{self.shape}'; choose from {', '.join(SHAPES)}")
-        if self.packings < 1:
-            raise InputError(f"packings = {self.packings}; give at least 1")
+        instance("calibrate", "material", self.material, Material, "a material such as bd.materials.granite")
+        for name, least in (("count", 1), ("packings", 1), ("seed", 0)):
+            whole("", name, getattr(self, name), least=least)
+        Uniform(self.spread)
+        number("", "nu_mu", self.nu_mu, above=-1.0, below=0.5, advice="a Poisson's ratio in (-1, 0.5)")
 
 
 def run_calibration(

@@ -11,6 +11,7 @@ from bondem.calibration.elastic import Calibration, calibrate
 from bondem.calibration.uncertainty import Sample, half_width
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw
+from bondem.packing.sizes import SPREAD
 from bondem.report.coverage_figure import draw_coverage
 from bondem.report.study_page import write_study_page
 from bondem.specimen.materials import fused_silica
@@ -62,7 +63,7 @@ class Coverage:
         """All packings, those that calibrate first."""
         number = self.calibrating + self.held_out
         cells, bars = (number, 0) if self.shape == "cell" else (0, number)
-        return cells_and_bars(self.count, 0.25, cells=cells, bars=bars)
+        return cells_and_bars(self.count, SPREAD, cells=cells, bars=bars)
 
 
 def run_coverage(

@@ -14,7 +14,7 @@ from bondem.study.packing_rows import PackingRequest, kept_lattice
 from bondem.study.packing_tables import markdown, summary
 
 #: κ from 0 to 40 % [-].
-SPREADS = tuple(0.05 * step for step in range(9))
+SPREADS = tuple(5 * step / 100.0 for step in range(9))
 
 # The two that the paper's figures 5 and 6 show.
 _SHOWN = (0.0, 0.25)

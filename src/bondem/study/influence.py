@@ -10,6 +10,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.laws.catalogue import CALIBRATED, DEFAULT
+from bondem.packing.sizes import SPREAD
 from bondem.report.elastic_curves import draw_bond_modulus, draw_bond_radius, draw_exponent, draw_nu_mu
 from bondem.study.elastic_rows import MEASURED, SHAPES, ElasticRequest, cells_and_bars
 from bondem.study.frame import PackingStudy, Row
@@ -67,7 +68,7 @@ class Influence(PackingStudy):
     count: int = 10_000
     packings: int = 3
     bars: int = 3
-    spread: float = 0.25
+    spread: float = SPREAD
 
     def __post_init__(self) -> None:
         if self.count < 100:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from bondem.calibration.elastic import Calibration, Trial, calibrate
+from bondem.calibration.reach import recommend
 from bondem.io.atomic import require_folder, write_text
 from bondem.io.particles_file import save_particles
 from bondem.io.runfile import RunFile
@@ -58,11 +59,13 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         InputError: the folder cannot be written to (found out before any work), or the study asks for
             something impossible.
         PackingError: a packing did not reach its target.
-        UnreachableTargetError: the bond law cannot give the material's Poisson's ratio.
+        UnreachableTargetError: the bond law, or none that could be recommended, gives the material's Poisson's ratio.
     """
     out = Path(out)
     require_folder(out, "output folder")
     tell = progress or (lambda stage, share: None)
+    if study.material is not None and study.bond.law is None:
+        recommend(study.material.nu)  # raises before any work
     watch = _Watch()
     lattices = tuple(packed(study, k, tell) for k in range(study.packings))
     watch.lap("pack_s")

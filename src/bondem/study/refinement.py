@@ -8,6 +8,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from bondem.errors import InputError
+from bondem.packing import METHOD
+from bondem.packing.sizes import SPREAD
 from bondem.report.limit import Limit, limit
 from bondem.report.packing_curves import NAMES, draw_refinement
 from bondem.study.frame import PackingStudy, Row
@@ -59,8 +61,8 @@ class Refinement(PackingStudy):
 
     counts: tuple[int, ...] = COUNTS
     packings: int = 5
-    spread: float = 0.25
-    method: str = "quench"
+    spread: float = SPREAD
+    method: str = METHOD
     targets: tuple[str, ...] = TARGETS
     periodic: int = 3
 

@@ -1,24 +1,25 @@
 """The table [specimen] of a study: what to pack, or which particles to read."""
 
+import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
 
-from bondem.errors import InputError, StudyError
+from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.io.importing import read_particles
-from bondem.packing import METHODS, pack
-from bondem.packing.sizes import Lognormal, Sieve, SizeLaw, Uniform
+from bondem.packing import METHOD, METHODS, pack
+from bondem.packing.sizes import SPREAD, Lognormal, Sieve, SizeLaw, Uniform
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
 from bondem.specimen.particles import Particles
-from bondem.specimen.surface import UNITS, Surface
+from bondem.specimen.surface import Surface
 from bondem.study.toml_table import TomlTable
 
 SHAPES = ("cylinder", "box", "ball", "cell", "surface")
 SIZE_LAWS = ("uniform", "lognormal", "sieve")
 TARGETS = ("coordination_number", "volume_fraction", "jamming")
-#: κ of a study that says nothing about sizes [-].
-SPREAD = 0.25
+# Longest specimen given in plain numbers that is not asked about [m].
+_PLAUSIBLE = 1.0
 
 _Made = TypeVar("_Made")
 
@@ -37,8 +38,8 @@ class SpecimenPlan:
 
     shape: Shape
     count: int
-    sizes: SizeLaw = Uniform(SPREAD)
-    method: str = "quench"
+    sizes: SizeLaw = Uniform()
+    method: str = METHOD
     target: Mapping[str, Any] = field(default_factory=dict)
 
     def particles(self, seed: int, progress: Callable[[float], None]) -> Particles:
@@ -55,17 +56,17 @@ class ImportPlan:
 
     Attributes:
         file: any that `bd.read_particles` knows.
-        unit: the file's unit of length [m].
+        unit: the file's unit of length [m]; None for metres, with a warning where that is not likely.
         shape: what the particles fill, where the file does not say; None for its own, or their bounding box.
     """
 
     file: Path
-    unit: float = 1.0
+    unit: float | None = None
     shape: Shape | None = None
 
     def particles(self, seed: int, progress: Callable[[float], None]) -> Particles:
         """The particles of the file, whatever the seed."""
-        particles = read_particles(self.file, unit=self.unit, shape=self.shape)
+        particles = _made("specimen.particles", lambda: read_particles(self.file, unit=self.unit, shape=self.shape))
         progress(1.0)
         return particles
 
@@ -78,35 +79,45 @@ def read_specimen(table: TomlTable, folder: Path) -> SpecimenPlan | ImportPlan:
     """
     with table:
         if table.has("particles"):
-            file = folder / table.text("particles")
-            if not file.is_file():
-                raise StudyError(f"'{table.name('particles')}': there is no file '{file}'; check the path")
+            file = table.file("particles", folder)
             shape = _shape(table, folder) if table.has("shape") else None
-            unit = UNITS[table.text("unit", default="m", choices=tuple(UNITS))]
-            return ImportPlan(file=file, unit=unit, shape=shape)
+            return ImportPlan(file=file, unit=table.unit("unit"), shape=shape)
         return SpecimenPlan(
             shape=_shape(table, folder),
             count=table.count("count", least=100),
             sizes=_sizes(table),
-            method=table.text("method", default="quench", choices=METHODS),
+            method=table.text("method", default=METHOD, choices=METHODS),
             target=_target(table),
         )
 
 
 def _shape(table: TomlTable, folder: Path) -> Shape:
-    match table.text("shape", choices=SHAPES):
+    kind = table.text("shape", choices=SHAPES)
+    if kind == "surface":
+        file, unit = table.file("file", folder), table.unit("unit")
+        return _made(table.name("file"), lambda: Surface(file, unit=unit))
+    shape = _plain(kind, table)
+    lower, upper = shape.bounds
+    longest = float((upper - lower).max())
+    if longest > _PLAUSIBLE and not table.has_text("radius", "length", "size"):
+        warnings.warn(
+            f"'{table.name('shape')}': the {kind} is {longest:.4g} m long; if its numbers are millimetres, write"
+            ' "5 mm" instead of 5, and if they are metres, "5 m"', UnitWarning, stacklevel=2,
+        )  # fmt: skip
+    return shape
+
+
+def _plain(kind: str, table: TomlTable) -> Shape:
+    match kind:
         case "cylinder":
             radius = table.number("radius", "m", above=0.0)
-            return Cylinder(radius=radius, length=table.number("length", "m", above=0.0))
-        case "box":
-            return Box(table.lengths("size"))
+            length = table.number("length", "m", above=0.0)
+            return _made(table.name("radius"), lambda: Cylinder(radius=radius, length=length))
         case "ball":
-            return Ball(radius=table.number("radius", "m", above=0.0))
-        case "cell":
-            return Cell(table.lengths("size"))
-    file = folder / table.text("file")
-    unit = table.text("unit", choices=tuple(UNITS)) if table.has("unit") else None
-    return _made(table.name("file"), lambda: Surface(file, unit=unit))
+            ball = table.number("radius", "m", above=0.0)
+            return _made(table.name("radius"), lambda: Ball(radius=ball))
+    size = table.lengths("size")
+    return _made(table.name("size"), lambda: Box(size) if kind == "box" else Cell(size))
 
 
 def _sizes(table: TomlTable) -> SizeLaw:
@@ -121,7 +132,7 @@ def _sizes(table: TomlTable) -> SizeLaw:
             case "lognormal":
                 cv, cut = sizes.number("cv", "-"), sizes.number("cut", "-", default=Lognormal.cut)
                 return _made(table.name("sizes"), lambda: Lognormal(cv, cut))
-        diameters, passing = sizes.numbers("diameters"), sizes.numbers("mass_passing")
+        diameters, passing = sizes.numbers("diameters", "m"), sizes.numbers("mass_passing", "-")
         return _made(table.name("sizes"), lambda: Sieve(diameters, passing))
 
 

@@ -10,7 +10,8 @@ from typing import Any
 
 from bondem.errors import StudyError
 from bondem.laws.bond import RADIUS_RULES, BondLaw
-from bondem.laws.catalogue import CALIBRATED, DEFAULT
+from bondem.laws.catalogue import CALIBRATED
+from bondem.packing import SEED
 from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
@@ -27,13 +28,13 @@ class BondPlan:
     """Which bonds to make, and by which law.
 
     Attributes:
-        law: class of the bond law.
+        law: class of the bond law; None for the one recommended for the material, as in `bd.calibrate`.
         nu_mu: Poisson's ratio of the bond [-].
         tolerance: bond where gap <= tolerance · R̄ [-]; None when `reach` is given.
         reach: bond where L <= reach (Ri + Rj) [-], or None.
     """
 
-    law: type[BondLaw] = DEFAULT
+    law: type[BondLaw] | None = None
     nu_mu: float = 0.3
     radius_rule: str = "mean"
     tolerance: float | None = 0.0
@@ -83,7 +84,7 @@ class Study:
     packings: int = 2
     calibrating: int = 1
     tests: tuple[str, ...] = TESTS
-    seed: int = 1
+    seed: int = SEED
     figures: bool = True
     vtk: bool = False
     run_files: bool = False
@@ -177,8 +178,8 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
         bar = specimen.shape is None or _is_bar(specimen.shape)
         return Study(
             name=name,
-            seed=top.count("seed", default=1, least=0),
-            packings=top.count("packings", default=1 if isinstance(specimen, ImportPlan) else 2),
+            seed=top.count("seed", default=Study.seed, least=0),
+            packings=top.count("packings", default=1 if isinstance(specimen, ImportPlan) else Study.packings),
             material=material,
             specimen=specimen,
             bond=_bond(top.section("bond")),
@@ -218,23 +219,23 @@ def _bond(table: TomlTable) -> BondPlan:
         if reach is not None and table.has("tolerance"):
             raise StudyError(f"give '{table.name('tolerance')}' or '{table.name('reach')}', not both")
         return BondPlan(
-            law=CALIBRATED[table.text("law", default=DEFAULT.__name__, choices=tuple(CALIBRATED))],
-            nu_mu=table.number("nu_mu", "-", default=0.3, above=-1.0, below=0.5),
-            radius_rule=table.text("radius_rule", default="mean", choices=RADIUS_RULES),
-            tolerance=table.number("tolerance", "-", default=0.0) if reach is None else None,
+            law=CALIBRATED[table.text("law", choices=tuple(CALIBRATED))] if table.has("law") else BondPlan.law,
+            nu_mu=table.number("nu_mu", "-", default=BondPlan.nu_mu, above=-1.0, below=0.5),
+            radius_rule=table.text("radius_rule", default=BondPlan.radius_rule, choices=RADIUS_RULES),
+            tolerance=table.number("tolerance", "-", default=BondPlan.tolerance) if reach is None else None,
             reach=reach,
         )
 
 
 def _calibrating(table: TomlTable) -> int:
     with table:
-        return table.count("packings", default=1)
+        return table.count("packings", default=Study.calibrating)
 
 
 def _output(table: TomlTable) -> dict[str, bool]:
     with table:
-        defaults = {"figures": True, "vtk": False, "run_files": False, "packing_files": False}
-        return {name: table.flag(name, default=default) for name, default in defaults.items()}
+        flags = ("figures", "vtk", "run_files", "packing_files")
+        return {name: table.flag(name, default=getattr(Study, name)) for name in flags}
 
 
 def _reference(table: TomlTable) -> Reference:

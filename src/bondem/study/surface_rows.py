@@ -23,6 +23,7 @@ from bondem.laws.catalogue import PARAMETERS
 from bondem.model.boundary import Drive, Fix
 from bondem.model.model import Model
 from bondem.packing import pack
+from bondem.packing.sizes import SPREAD
 from bondem.solve.static import solve_static
 from bondem.specimen.bonding import connect
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
@@ -84,7 +85,7 @@ class SpecimenRequest(Request):
     count: int
     target: str
     seed: int
-    spread: float = 0.25
+    spread: float = SPREAD
 
     @property
     def name(self) -> str:

@@ -1,13 +1,22 @@
-"""Strict reading of TOML: every value is asked for by name, checked, and what nobody asked for is an error."""
+"""Strict reading of TOML: every value is asked for by name, checked, and what nobody asked for is an error.
+
+A number is taken as SI; a text brings its unit along: "72.5 GPa".
+"""
 
 import difflib
 import math
+import os
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
-from bondem.errors import StudyError
+from bondem._checks import shown
+from bondem.errors import InputError, StudyError
+from bondem.specimen.units import length_unit, quantity
 
 _NEEDED = object()
+# Nothing physical in SI units is larger, or smaller than one over it; their products are numbers still.
+_LARGEST = 1e60
 
 
 class TomlTable:
@@ -59,29 +68,45 @@ class TomlTable:
         """A table within; an empty one where it is not given."""
         value = self._get(key, {}, "a table")
         if not isinstance(value, Mapping):
-            raise StudyError(f"'{self.name(key)}' is {value!r}; make it a table [{self.name(key)}]")
+            raise StudyError(f"'{self.name(key)}' is {shown(value)}; make it a table [{self.name(key)}]")
         return TomlTable(value, self.name(key))
 
     def number(
         self, key: str, unit: str, *, default: Any = _NEEDED, above: float = -math.inf, below: float = math.inf
     ) -> Any:
-        """A finite number strictly between `above` and `below`."""
+        """A finite number strictly between `above` and `below`, or a text with its unit."""
         wanted = f"a number {_range(above, below)}[{unit}]"
         value = self._get(key, default, wanted)
         if value is default:
             return value
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise StudyError(f"'{self.name(key)}' is {value!r}; give {wanted}")
-        if not (math.isfinite(value) and above < value < below):
-            raise StudyError(f"'{self.name(key)}' = {value!r}; give {wanted}")
-        return float(value)
+        return self._number(self.name(key), value, unit, wanted, above, below)
 
-    def count(self, key: str, *, default: Any = _NEEDED, least: int = 1) -> int:
-        """A whole number, at least `least`."""
-        wanted = f"a whole number of at least {least}"
+    def _number(
+        self, name: str, value: object, unit: str, wanted: str, above: float = -math.inf, below: float = math.inf
+    ) -> float:
+        found = value
+        if isinstance(value, str):
+            try:
+                found = quantity(f"'{name}'", value, unit)
+            except InputError as error:
+                raise StudyError(str(error)) from None
+        if isinstance(found, bool) or not isinstance(found, int | float):
+            raise StudyError(f"'{name}' is {shown(value)}; give {wanted}, or with a unit")
+        if not (above < found < below and abs(found) <= _LARGEST and (found == 0 or abs(found) >= 1.0 / _LARGEST)):
+            raise StudyError(f"'{name}' = {shown(value)}; give {wanted}")
+        return float(found)
+
+    def has_text(self, *keys: str) -> bool:
+        """Whether one of these keys is a text, or a list with a text in it: a unit is given."""
+        given = [self._data.get(key) for key in keys]
+        return any(isinstance(one, str) for item in given for one in (item if isinstance(item, list) else [item]))
+
+    def count(self, key: str, *, default: Any = _NEEDED, least: int = 1, most: int = 1 << 62) -> int:
+        """A whole number, at least `least` and at most `most`."""
+        wanted = f"a whole number of at least {least}" + (f" and at most {most}" if most < 1 << 62 else "")
         value = self._get(key, default, wanted)
-        if isinstance(value, bool) or not isinstance(value, int) or value < least:
-            raise StudyError(f"'{self.name(key)}' = {value!r}; give {wanted}")
+        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+            raise StudyError(f"'{self.name(key)}' = {shown(value)}; give {wanted}")
         return value
 
     def text(self, key: str, *, default: Any = _NEEDED, choices: Sequence[str] = ()) -> str:
@@ -91,47 +116,68 @@ class TomlTable:
         if not isinstance(value, str) or (choices and value not in choices):
             near = difflib.get_close_matches(str(value), choices, n=1)
             hint = f"did you mean '{near[0]}'?" if near else f"give {wanted}"
-            raise StudyError(f"'{self.name(key)}' = {value!r}; {hint}")
+            raise StudyError(f"'{self.name(key)}' = {shown(value)}; {hint}")
         return value
+
+    def file(self, key: str, folder: Path) -> Path:
+        """A file that is there, looked for from `folder`."""
+        name = self.text(key)
+        file = folder / name
+        if not name.isprintable() or not os.path.isfile(file):
+            raise StudyError(f"'{self.name(key)}': there is no file {shown(str(file))}; check the path")
+        return file
 
     def flag(self, key: str, *, default: bool) -> bool:
         """True or false."""
         value = self._get(key, default, "true or false")
         if not isinstance(value, bool):
-            raise StudyError(f"'{self.name(key)}' = {value!r}; give true or false")
+            raise StudyError(f"'{self.name(key)}' = {shown(value)}; give true or false")
         return value
 
     def texts(self, key: str, *, choices: Sequence[str], default: tuple[str, ...]) -> tuple[str, ...]:
         """A list of different choices."""
         values = self._get(key, default, "a list")
         if not isinstance(values, list | tuple):
-            raise StudyError(f"'{self.name(key)}' = {values!r}; give a list of {', '.join(choices)}")
+            raise StudyError(f"'{self.name(key)}' = {shown(values)}; give a list of {', '.join(choices)}")
         for value in values:
             if value not in choices:
                 near = difflib.get_close_matches(str(value), choices, n=1)
                 hint = f"did you mean '{near[0]}'?" if near else f"choose from {', '.join(choices)}"
-                raise StudyError(f"'{self.name(key)}' names {value!r}; {hint}")
+                raise StudyError(f"'{self.name(key)}' names {shown(value)}; {hint}")
         if len(set(values)) < len(values):
             raise StudyError(f"'{self.name(key)}' names one thing twice; take one out")
         return tuple(values)
 
-    def numbers(self, key: str) -> tuple[float, ...]:
-        """A list of finite numbers."""
-        wanted = "a list of numbers"
+    def numbers(self, key: str, unit: str) -> tuple[float, ...]:
+        """A list of finite numbers, each of which may be a text with its unit."""
+        wanted = f"a list of numbers [{unit}]"
         values = self._get(key, _NEEDED, wanted)
-        good = isinstance(values, list | tuple) and not any(isinstance(v, bool) for v in values)
-        if not good or not all(isinstance(v, int | float) and math.isfinite(v) for v in values):
-            raise StudyError(f"'{self.name(key)}' = {values!r}; give {wanted}")
-        return tuple(float(v) for v in values)
+        if not isinstance(values, list | tuple):
+            raise StudyError(f"'{self.name(key)}' = {shown(values)}; give {wanted}")
+        return tuple(
+            self._number(f"{self.name(key)}[{k}]", value, unit, wanted) for k, value in enumerate(values)
+        )
 
     def lengths(self, key: str) -> tuple[float, float, float]:
         """Three positive lengths [m]."""
-        wanted = "three positive lengths [m], such as [0.01, 0.01, 0.04]"
+        wanted = 'three positive lengths [m], such as [0.01, 0.01, 0.04] or ["10 mm", "10 mm", "40 mm"]'
         values = self._get(key, _NEEDED, wanted)
-        good = isinstance(values, list) and len(values) == 3
-        if not good or not all(isinstance(v, int | float) and 0.0 < v < math.inf for v in values):
-            raise StudyError(f"'{self.name(key)}' = {values!r}; give {wanted}")
-        return (float(values[0]), float(values[1]), float(values[2]))
+        if not isinstance(values, list) or len(values) != 3:
+            raise StudyError(f"'{self.name(key)}' = {shown(values)}; give {wanted}")
+        a, b, c = (
+            self._number(f"{self.name(key)}[{k}]", value, "m", wanted, above=0.0) for k, value in enumerate(values)
+        )
+        return a, b, c
+
+    def unit(self, key: str) -> float | None:
+        """A unit of length in metres, by name or as a number; None where it is not given."""
+        value = self._get(key, None, "a unit of length")
+        if value is None:
+            return None
+        try:
+            return length_unit(f"'{self._path}'", value)
+        except InputError as error:
+            raise StudyError(f"'{self.name(key)}': {error}") from None
 
 
 def _range(above: float, below: float) -> str:

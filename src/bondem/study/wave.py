@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from bondem._checks import number
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.wave import Wave, first_passage, strike
 from bondem.report.study_page import write_study_page
@@ -46,6 +47,9 @@ class WaveStudy:
 
     bar: BarRequest = BarRequest(packings=5)
     velocity: float = 0.1
+
+    def __post_init__(self) -> None:
+        number("", "velocity", self.velocity, above=0.0, unit="m/s", advice="a positive velocity in m/s")
 
 
 def run_wave(

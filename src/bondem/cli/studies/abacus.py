@@ -10,10 +10,11 @@ from bondem.study.abacus import SWEEPS, Abacus
 
 @click.command("abacus")
 @of_study
-@click.option("--count", type=click.IntRange(min=100), default=10_000, show_default=True,
+@click.option("--count", type=click.IntRange(min=100), default=Abacus.count, show_default=True,
               help="Elements of a packing.")  # fmt: skip
-@click.option("--packings", type=click.IntRange(min=1), default=3, show_default=True, help="Periodic cells.")
-@click.option("--bars", type=click.IntRange(min=0), default=3, show_default=True,
+@click.option("--packings", type=click.IntRange(min=1), default=Abacus.packings, show_default=True,
+              help="Periodic cells.")
+@click.option("--bars", type=click.IntRange(min=0), default=Abacus.bars, show_default=True,
               help="Cylinders of 10 x 40 mm, the paper's specimen.")  # fmt: skip
 @click.option("--law", "laws", type=click.Choice(tuple(SWEEPS)), multiple=True,
               help="Which laws; all unless given.")  # fmt: skip

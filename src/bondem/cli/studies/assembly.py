@@ -15,8 +15,9 @@ from bondem.study.packing_rows import TARGETS
     "--counts", default=",".join(map(str, COUNTS)), show_default=True, callback=numbers(int, "numbers of elements"),
     help="Numbers of elements.",
 )  # fmt: skip
-@click.option("--packings", type=click.IntRange(min=2), default=4, show_default=True, help="Bars of each size.")
-@click.option("--cells", type=click.IntRange(min=0), default=3, show_default=True,
+@click.option("--packings", type=click.IntRange(min=2), default=Assembly.packings, show_default=True,
+              help="Bars of each size.")  # fmt: skip
+@click.option("--cells", type=click.IntRange(min=0), default=Assembly.cells, show_default=True,
               help="Periodic cells, to hold the limits against.")  # fmt: skip
 @click.option("--target", type=click.Choice((*TARGETS, "both")), default="contacts", show_default=True,
               help="Where a packing ends: 6.2 contacts an element, the onset of jamming, or each.")  # fmt: skip

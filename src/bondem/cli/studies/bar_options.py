@@ -8,6 +8,7 @@ import click
 
 from bondem.cli.studies.options import show
 from bondem.cli.terminal import progress_bars
+from bondem.study.calibrated_bar import BarRequest
 
 Command = Callable[..., Any]
 
@@ -22,11 +23,12 @@ def of_bar(packings: int) -> Callable[[Command], Command]:
                 help="Packings of the cylinder, seeds in sequence.",
             )(function)  # fmt: skip
         function = click.option(
-            "--seed", type=click.IntRange(min=0), default=1, show_default=True,
+            "--seed", type=click.IntRange(min=0), default=BarRequest.seed, show_default=True,
             help="Of the first packing, on which the bonds are calibrated.",
         )(function)  # fmt: skip
         function = click.option(
-            "--count", type=click.IntRange(min=500), default=10_000, show_default=True, help="Spheres of a packing."
+            "--count", type=click.IntRange(min=500), default=BarRequest.count, show_default=True,
+            help="Spheres of a packing."
         )(function)
         out = click.Path(path_type=Path)
         return click.option("--out", required=True, metavar="DIR", type=out, help="Where results go.")(function)

@@ -10,10 +10,11 @@ from bondem.study.influence import Influence
 
 @click.command("influence")
 @of_study
-@click.option("--count", type=click.IntRange(min=100), default=10_000, show_default=True,
+@click.option("--count", type=click.IntRange(min=100), default=Influence.count, show_default=True,
               help="Elements of a packing.")  # fmt: skip
-@click.option("--packings", type=click.IntRange(min=1), default=3, show_default=True, help="Periodic cells.")
-@click.option("--bars", type=click.IntRange(min=0), default=3, show_default=True,
+@click.option("--packings", type=click.IntRange(min=1), default=Influence.packings, show_default=True,
+              help="Periodic cells.")
+@click.option("--bars", type=click.IntRange(min=0), default=Influence.bars, show_default=True,
               help="Cylinders of 10 x 40 mm, the paper's specimen.")  # fmt: skip
 def command(out: Path, processes: int | None, count: int, packings: int, bars: int) -> None:
     """E and ν over the parameters of bonds: figures 11, 13 and 14 of André et al. (2012)."""

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from bondem.cli.quantities import Quantity
 from bondem.cli.studies.options import carry_out, numbers, of_study
 from bondem.packing import METHODS
 from bondem.study.packing_rows import TARGETS
@@ -16,12 +17,15 @@ from bondem.study.refinement import COUNTS, Refinement
     "--counts", default=",".join(map(str, COUNTS)), show_default=True, callback=numbers(int, "numbers of spheres"),
     help="Numbers of spheres.",
 )  # fmt: skip
-@click.option("--packings", type=click.IntRange(min=1), default=5, show_default=True, help="Packings of each size.")
-@click.option("--periodic", type=click.IntRange(min=0), default=3, show_default=True,
+@click.option("--packings", type=click.IntRange(min=1), default=Refinement.packings, show_default=True,
+              help="Packings of each size.")  # fmt: skip
+@click.option("--periodic", type=click.IntRange(min=0), default=Refinement.periodic, show_default=True,
               help="Packings without walls, to hold the limits against.")  # fmt: skip
-@click.option("--kappa", type=click.FloatRange(0.0, 200.0, max_open=True), default=25.0, show_default=True,
+@click.option("--kappa", type=Quantity("%", least=0.0, below=200.0), default=100.0 * Refinement.spread,
+              show_default=True,
               help="Dispersion of the radii in percent.")  # fmt: skip
-@click.option("--method", type=click.Choice(METHODS), default="quench", show_default=True, help="How to pack.")
+@click.option("--method", type=click.Choice(METHODS), default=Refinement.method, show_default=True,
+              help="How to pack.")  # fmt: skip
 @click.option("--target", type=click.Choice((*TARGETS, "both")), default="both", show_default=True,
               help="Where a packing ends: the onset of jamming, 6.2 contacts a sphere, or one of each.")  # fmt: skip
 def command(

@@ -10,7 +10,7 @@ from bondem.study.effective_section import SectionStudy, run_section
 
 
 @click.command("section")
-@of_bar(packings=8)
+@of_bar(packings=SectionStudy.bar.packings)
 def command(out: Path, count: int, seed: int, packings: int) -> None:
     """The section that forces fill, and bending with it: figure 22 of André et al. (2012)."""
     carry_out(run_section, SectionStudy(bar=BarRequest(count, seed, packings)), out)

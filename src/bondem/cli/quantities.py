@@ -1,0 +1,37 @@
+"""Options of the command line that are physical quantities: plain numbers in SI, or with a unit ("72.5 GPa")."""
+
+import click
+
+from bondem._checks import number
+from bondem.errors import InputError
+from bondem.specimen.units import quantity
+
+
+class Quantity(click.ParamType):
+    """A finite number in a unit, or a text with a unit of the same kind.
+
+    Args:
+        unit: SI unit; "-" for plain numbers, of which text may be a percentage; "%" for numbers in percent.
+        above: what it must exceed, if anything.
+        least: or at least be.
+        below: what it must stay below.
+    """
+
+    def __init__(
+        self, unit: str, *, above: float | None = None, least: float | None = None, below: float | None = None
+    ) -> None:
+        self.unit = unit
+        self.name = "number" if unit == "-" else unit
+        self._above, self._least, self._below = above, least, below
+
+    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        name = param.opts[0] if param is not None else "the value"
+        try:
+            given: object = float(value) if isinstance(value, str) else value
+        except ValueError:
+            given = None
+        try:
+            found = given if given is not None else quantity(name, str(value), self.unit)
+            return number("", name, found, above=self._above, least=self._least, below=self._below)
+        except InputError as error:
+            self.fail(str(error), param, ctx)

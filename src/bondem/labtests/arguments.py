@@ -1,0 +1,38 @@
+"""What all tests of a specimen ask of their arguments."""
+
+from typing import Any
+
+from bondem._checks import instance, number
+from bondem.errors import InputError
+from bondem.specimen.lattice import Lattice
+
+_RULES: dict[str, dict[str, Any]] = {
+    "E": {"above": 0.0, "unit": "Pa", "advice": "the specimen's own Young's modulus in Pa"},
+    "nu": {"above": -1.0, "below": 0.5, "advice": "the specimen's own Poisson's ratio, in (-1, 0.5)"},
+    "rho": {"above": 0.0, "unit": "kg/m³", "advice": "a positive density in kg/m³"},
+    "density": {"above": 0.0, "unit": "kg/m³", "advice": "a positive density of the elements in kg/m³"},
+    "stress": {"unit": "Pa", "advice": "a stress in Pa other than zero"},
+    "velocity": {"above": 0.0, "unit": "m/s", "advice": "a positive velocity in m/s"},
+    "periods": {"above": 0.0, "advice": "a positive number of periods"},
+    "depth": {"least": 0.0, "advice": "a depth of zero or more, in mean radii"},
+}
+
+
+def check(test: str, lattice: object, **given: object) -> None:
+    """Make sure of a lattice with bonds and of numbers in their range.
+
+    Args:
+        test: the function that was called.
+        lattice: its specimen.
+        **given: its other arguments, by the names all tests give them.
+
+    Raises:
+        InputError: one of them is something else.
+    """
+    specimen = instance(f"labtests.{test}", "lattice", lattice, Lattice, "a lattice, from bd.connect")
+    if not len(specimen.pairs):
+        raise InputError(f"labtests.{test}: the lattice has no bonds; bond it with bd.connect")
+    for name, value in given.items():
+        found = number(f"labtests.{test}", name, value, **_RULES[name])
+        if name == "stress" and found == 0.0:
+            raise InputError(f"labtests.{test}: stress = 0; give {_RULES[name]['advice']}")

@@ -1,0 +1,97 @@
+"""Whether spheres fill the shape they are said to fill.
+
+Sections, volumes and walls are taken from the shape: spheres that fill another one give wrong stresses, densities and
+moduli without a sign of it.
+"""
+
+import math
+import warnings
+
+import numpy as np
+
+from bondem._types import PerElement, PerElement3
+from bondem.errors import FillingWarning, InputError
+from bondem.specimen.geometry import BoundingBox, Shape
+
+# Over the mean radius: how far a centre may lie outside; how far a sphere may stick out, as it does from soft walls;
+# and how far from a face or, in a periodic cell, from its neighbours along an axis, the nearest sphere may be.
+_OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 2.5
+# A gap is none if it is nothing over the extent of the shape, as in fine dust, or some extents / n, as in a gas.
+_SHARE, _DILUTE = 0.005, 4.0
+# Share of the centres that may have strayed outside, and spheres that may stick out, over n^(2/3): half a face.
+_STRAY, _MANY = 0.01, 0.4
+
+
+def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> None:
+    """Refuse a shape that centres lie outside of; warn of one that spheres stick out of or do not reach the faces of.
+
+    Raises:
+        InputError: more than a hundredth of the centres outside the shape.
+    """
+    if isinstance(shape, BoundingBox):
+        return
+    mean = float(radius.mean())
+    if shape.faces:
+        depth = shape.depth(position)
+        outside = int((depth < -_OUTSIDE * mean).sum())
+        if outside > _STRAY * len(radius):
+            raise InputError(
+                f"{outside} of {len(radius)} centres lie outside the {type(shape).__name__} they are said to fill, by"
+                f" up to {-depth.min():.3g} m; {_extents(shape, position, radius)}: check its size, place and units"
+                " (metres), or leave out shape="
+            )
+        out = radius - depth
+        sticking = int((out > _OUT * mean).sum())
+        if sticking > _MANY * len(radius) ** (2.0 / 3.0):
+            _warn(
+                f"{sticking} of {len(radius)} spheres stick out of the {type(shape).__name__} they are said to fill,"
+                f" by up to {out.max():.3g} m, {out.max() / mean:.2g} mean radii; {_extents(shape, position, radius)}"
+            )
+    empty = unfilled(shape, position, radius)
+    if empty:
+        more = f" (and {len(empty) - 1} more such)" if len(empty) > 1 else ""
+        _warn(f"{empty[0]}{more}; {_extents(shape, position, radius)}")
+
+
+def unfilled(shape: Shape, position: PerElement3, radius: PerElement, *, away: float = _AWAY) -> list[str]:
+    """What of a shape is left empty, one sentence each, the widest first: at faces, or across a periodic cell.
+
+    Args:
+        shape: what is to be filled.
+        position: centres [m], shape (n, 3).
+        radius: radii [m], shape (n,).
+        away: how far from a face the nearest sphere may be, in mean radii [-].
+    """
+    mean, found, n = float(radius.mean()), dict[str, float](), len(radius)
+    lower, upper = shape.bounds
+    least = max(_SHARE, _DILUTE / n) * float((upper - lower).max())
+    for face in shape.faces:
+        gap = float((shape.face_depth(face, position) - radius).min())
+        if gap > max(away * mean, least):
+            found[
+                f"no sphere is nearer to the face '{face}' of the {type(shape).__name__} than {gap:.3g} m,"
+                f" {gap / mean:.2g} mean radii: the shape is larger than what fills it"
+            ] = gap
+    if shape.period is not None:
+        for axis, edge in enumerate(shape.period):
+            along = np.sort(np.mod(position[:, axis], edge))
+            gap = float(np.diff(along, append=along[0] + edge).max())
+            if gap > max(_APART * mean, least * (1.0 + math.log(n))):
+                found[
+                    f"nothing lies in {gap:.3g} m along {'xyz'[axis]} of the periodic cell, {gap / mean:.2g} mean"
+                    " radii: the cell is larger than what fills it"
+                ] = gap
+    return sorted(found, key=lambda reason: -found[reason])
+
+
+def _extents(shape: Shape, position: PerElement3, radius: PerElement) -> str:
+    lower, upper = shape.bounds
+    low, high = (position - radius[:, None]).min(axis=0), (position + radius[:, None]).max(axis=0)
+    spans = [", ".join(f"{a:.4g} … {b:.4g}" for a, b in zip(*ends, strict=True)) for ends in
+             ((low, high), (lower, upper))]  # fmt: skip
+    return f"spheres span {spans[0]} m, the shape {spans[1]} m"
+
+
+def _warn(text: str) -> None:
+    # the caller of Particles
+    warnings.warn(f"{text}; give the shape that they fill", FillingWarning, stacklevel=4)

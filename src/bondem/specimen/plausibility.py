@@ -1,0 +1,84 @@
+"""What is possible, but so far from what is usual that its unit is likely another: a warning, never a refusal."""
+
+import math
+import re
+import warnings
+
+from bondem.errors import UnitWarning
+
+# Young's modulus [Pa] and density [kg/m³], to the order of magnitude, by a word in the name of a material.
+_USUAL: dict[str, tuple[float, float]] = {
+    "alumina": (400e9, 3950.0),
+    "aluminium": (70e9, 2700.0),
+    "aluminum": (70e9, 2700.0),
+    "basalt": (70e9, 2900.0),
+    "brass": (100e9, 8500.0),
+    "concrete": (35e9, 2400.0),
+    "copper": (120e9, 8900.0),
+    "diamond": (1050e9, 3500.0),
+    "glass": (70e9, 2500.0),
+    "granite": (60e9, 2650.0),
+    "ice": (9e9, 917.0),
+    "iron": (150e9, 7500.0),
+    "limestone": (40e9, 2500.0),
+    "marble": (50e9, 2700.0),
+    "mortar": (25e9, 2100.0),
+    "quartz": (75e9, 2500.0),
+    "rock": (40e9, 2600.0),
+    "sandstone": (20e9, 2300.0),
+    "silica": (72e9, 2200.0),
+    "steel": (205e9, 7850.0),
+    "titanium": (115e9, 4500.0),
+    "wood": (10e9, 600.0),
+}
+# Of these there is any amount of air in a material, which may be a thousand times softer and lighter.
+_POROUS = ("aerogel", "foam", "powder", "porous", "wool")
+# Three orders of magnitude, less what materials of one name differ by.
+_FAR = 300.0
+
+# All solids: gels to diamond, aerogels to osmium; and the speed √(E/ρ) of a wave in a rod, in which a wrong unit of
+# either shows.
+_MODULUS, _DENSITY, _SPEED = (1e3, 2e12), (0.1, 3e4), (0.3, 5e4)
+
+# Radius of a bond over the mean radius of the elements.
+_BOND_RADIUS = (1e-3, 30.0)
+
+
+def question_material(name: str, E: float, rho: float) -> None:
+    """Warn of a modulus [Pa] or a density [kg/m³] that no solid has, or that is off by 10³ for the material named."""
+    words = re.findall(r"[a-z]+", name.lower())
+    named = [word for word in words if word in _USUAL]
+    if named and not any(word in _POROUS for word in words):
+        for symbol, value, usual, unit in zip("Eρ", (E, rho), _USUAL[named[-1]], ("Pa", "kg/m³"), strict=True):
+            if not 1.0 / _FAR < value / usual < _FAR:
+                _question(
+                    f"material '{name}': {symbol} = {value:.4g} {unit}, of {named[-1]} about {usual:.2g} {unit}"
+                    "; check its unit (SI)"
+                )
+                return
+    for symbol, value, (low, high), unit in (
+        ("E", E, _MODULUS, "Pa"), ("ρ", rho, _DENSITY, "kg/m³"), ("√(E/ρ)", math.sqrt(E / rho), _SPEED, "m/s"),
+    ):  # fmt: skip
+        if not low <= value <= high:
+            _question(
+                f"material '{name}': {symbol} = {value:.4g} {unit} is no solid's ({low:.2g} to {high:.2g} {unit})"
+                "; check the units of E and ρ (SI)"
+            )
+            return
+
+
+def question_bond_radius(radius: float, mean_radius: float) -> None:
+    """Warn of bonds far thicker or thinner than the elements that they join [m]."""
+    low, high = _BOND_RADIUS
+    if not low <= radius / mean_radius <= high:
+        thick = "thicker" if radius > mean_radius else "thinner"
+        _question(
+            f"bonds of radius {radius:.3g} m are {max(radius / mean_radius, mean_radius / radius):.2g} times {thick}"
+            f" than their elements, of mean radius {mean_radius:.3g} m; check the units of radius= and of the"
+            " particles (metres)"
+        )
+
+
+def _question(text: str) -> None:
+    # the caller of the frozen dataclass whose __post_init__ asks
+    warnings.warn(text, UnitWarning, stacklevel=5)
