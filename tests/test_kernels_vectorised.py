@@ -77,6 +77,6 @@ def test_loops_of_a_step_are_packed_arithmetic(name: str) -> None:
 def test_the_count_notices_scalar_arithmetic() -> None:
     """The same law for one bond."""
     numbers = tuple(np.arange(1.0, 21.0))
-    packed, scalar = arithmetic(numbers, lambda *args: bond_force(*args))
+    packed, scalar = arithmetic(numbers, bond_force.py_func)
     assert packed == 0
     assert scalar >= 100
