@@ -91,7 +91,7 @@ def test_all_kernels_compile_without_a_driver() -> None:
 def model_and_plan(**options) -> tuple[bd.Model, Plan]:
     lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [1, 0, 0]], [0.5, 0.5]), [[0, 1]])
     law = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6, formulation=options.pop("formulation", "total"))
-    return bd.Model(lattice, law, **options), Plan(duration=0.0)
+    return bd.Model(lattice, law, 1000.0, **options), Plan(duration=0.0)
 
 
 def test_what_the_device_cannot_do_is_refused() -> None:

@@ -2,7 +2,6 @@
 
 import math
 import typing
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -118,8 +117,6 @@ REFUSED = {
     "depth as text": ("depth = 'a'", lambda: bd.Face("x_min", "a")),
     "within a name": ("a shape such as", lambda: bd.Within("box")),
     "a face and a name": ("no region", lambda: LEFT & "x_max"),
-    "a face of periodic particles": ("periodic particles have no face", lambda: bd.Face("x_min").select(
-        bd.connect(bd.Particles(GRID, 0.5e-3, period=(5e-3, 3e-3, 3e-3))))),
     "speed as text": ("speed = 'a'", lambda: bd.AtRest("a")),
     "phi as text": ("phi = 'a'", lambda: bd.TchamwaWielgosz("a")),
     "velocity as text": ("holds no numbers", lambda: HELD.state().set_motion(velocity="a")),
@@ -284,7 +281,3 @@ def test_a_face_of_a_shape_or_of_a_grid_is_what_it_was():
     np.testing.assert_array_equal(bd.Face("x_max").select(shaped), np.flatnonzero(gap <= 0.02 * 0.45e-3))
     plain = bd.connect(bd.Particles(GRID, 0.5e-3))
     assert len(bd.Face("x_max").select(plain)) == 9
-
-
-def test_the_wheel_ships_types():
-    assert (Path(bd.__file__).parent / "py.typed").is_file()

@@ -82,8 +82,6 @@ class Face(Region):
 
     def mask(self, lattice: Lattice) -> Mask:
         particles = lattice.particles
-        if particles.shape is None and particles.period is not None:
-            raise InputError(f"periodic particles have no face '{self.name}'; give bd.Within(...) or bd.Index(...)")
         gap = particles.envelope.face_depth(self.name, particles.position) - particles.radius
         chosen = gap <= self.depth * particles.mean_radius
         layer = int((gap <= particles.mean_radius).sum())
