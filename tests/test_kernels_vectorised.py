@@ -13,7 +13,7 @@ from bondem._compile import LANES
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.element_pass import move
 from bondem.kernels.incremental import incremental_loads
-from bondem.kernels.tables import Elements, Scheme
+from bondem.kernels.tables import Elements, StepScheme
 from bondem.laws.beam_energy import bond_force
 from bondem.model.blocks import Blocks
 from bondem.model.state import State
@@ -30,7 +30,7 @@ def arguments() -> dict[str, tuple]:
     cut = Blocks.of(layout, 4000, 1, np.zeros(3, dtype=bool)).table()
     elements = Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest)
     rows = model.constraints.rows(state.reaction, state.work)
-    scheme = Scheme(1e-3, 5e-4, 5e-4, 0.0, 0.0, 0.0)
+    scheme = StepScheme(1e-3, 5e-4, 5e-4, 0.0, 0.0, 0.0)
     ends = cut.sums, cut.row_i, cut.row_j, 0, 2
     return {
         "bonds": (state.pose, bonds, model.bonds.alike, *ends),

@@ -29,6 +29,7 @@ _PUBLIC = {
     "bondem.laws.contact_bond": ("ContactBond",),
     "bondem.laws.damping": ("AnyDamping", "BondDamping", "LocalDamping", "MassDamping"),
     "bondem.laws.euler_bernoulli": ("EulerBernoulli",),
+    "bondem.laws.free_parameter": ("FreeParameter",),
     "bondem.laws.obermayr": ("Obermayr",),
     "bondem.laws.parallel_bond": ("ParallelBond",),
     "bondem.laws.timoshenko": ("Timoshenko",),

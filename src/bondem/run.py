@@ -157,5 +157,5 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
         raise InputError(
             f"device='gpu' needs the package numba-cuda ({error}): pip install \"bondem[gpu]\", or use device='cpu'"
         ) from error
-    gpu.check(model, plan)
+    gpu.require_runnable(model, plan)
     return gpu.GpuLoop

@@ -13,7 +13,7 @@ from bondem.cli.terminal import on_threads, progress_bars
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw
 from bondem.laws.catalogue import CALIBRATED, LAWS, named
-from bondem.report.numbers import percent, quantity
+from bondem.report.numbers import percent, with_unit
 from bondem.specimen import materials
 from bondem.specimen.material import Material
 from bondem.study.calibration import SHAPES, CalibrationPlan, run_calibration
@@ -80,15 +80,15 @@ def _show(found: dict[str, Any]) -> None:
     symbol = LAWS[found["law"]].free.symbol
     target = found["material"]
     console.print(
-        f"\n[bold]{named(found['law'])} bonds[/bold] for {target['name']} (E = {quantity(target['E'], 'Pa')},"
-        f" ν = {target['nu']:g}, ρ = {quantity(target['rho'], 'kg/m³')})", soft_wrap=True,
+        f"\n[bold]{named(found['law'])} bonds[/bold] for {target['name']} (E = {with_unit(target['E'], 'Pa')},"
+        f" ν = {target['nu']:g}, ρ = {with_unit(target['rho'], 'kg/m³')})", soft_wrap=True,
     )  # fmt: skip
     if found["reason"]:
         console.print(f"  recommended: {found['reason']}", soft_wrap=True)
     radius = "" if found["parameter"] == "radius_ratio" else f", r̃ = {micro['r_mu_ratio']:g}"
     console.print(
-        f"\n  E_μ = {quantity(micro['E_mu'], 'Pa')}, {symbol} = {micro[found['parameter']]:.4f}{radius},"
-        f" ν_μ = {micro['nu_mu']:g}, ρ_μ = {quantity(micro['rho_mu'], 'kg/m³')}\n", soft_wrap=True,
+        f"\n  E_μ = {with_unit(micro['E_mu'], 'Pa')}, {symbol} = {micro[found['parameter']]:.4f}{radius},"
+        f" ν_μ = {micro['nu_mu']:g}, ρ_μ = {with_unit(micro['rho_mu'], 'kg/m³')}\n", soft_wrap=True,
     )  # fmt: skip
     table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
     for name in ("", "achieved", "scatter", "mean of all packings, 95 %", "one new packing, 95 %"):
@@ -97,7 +97,7 @@ def _show(found: dict[str, Any]) -> None:
     for key, label, unit in rows:
         one = found["quantities"][key]
         scatter = "–" if one["std"] is None else percent(one["std"] / one["mean"])
-        table.add_row(label, quantity(one["mean"], unit), scatter, _interval(one["confidence_95"], unit),
+        table.add_row(label, with_unit(one["mean"], unit), scatter, _interval(one["confidence_95"], unit),
                       _interval(one["prediction_95"], unit))  # fmt: skip
     console.print(table, soft_wrap=True)
     place = "periodic cell" if specimen["shape"] == "cell" else specimen["shape"]
@@ -113,4 +113,4 @@ def _show(found: dict[str, Any]) -> None:
 
 
 def _interval(interval: tuple[float, float] | None, unit: str) -> str:
-    return "–" if interval is None else " … ".join(quantity(value, unit) for value in interval)
+    return "–" if interval is None else " … ".join(with_unit(value, unit) for value in interval)

@@ -12,7 +12,7 @@ from rich.table import Table
 from bondem._compile import compiled_before, most_threads, threads
 from bondem.errors import InputError
 from bondem.laws.catalogue import LAWS
-from bondem.report.numbers import percent, quantity, signed_percent
+from bondem.report.numbers import percent, signed_percent, with_unit
 from bondem.study.study import Study
 
 _EXPLANATION = (
@@ -74,9 +74,9 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
         free = LAWS[micro["law"]].free
         varied = "" if free.is_radius else f" {free.symbol} = {micro[free.name]:.4f},"
         lines += [
-            f"  {micro['law']}: E_μ = {quantity(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},{varied}"
-            f" ρ_μ = {quantity(micro['rho_mu'], 'kg/m³')}",
-            f"  E = {quantity(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, ρ = {quantity(macro['rho'], 'kg/m³')}"
+            f"  {micro['law']}: E_μ = {with_unit(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},{varied}"
+            f" ρ_μ = {with_unit(micro['rho_mu'], 'kg/m³')}",
+            f"  E = {with_unit(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, ρ = {with_unit(macro['rho'], 'kg/m³')}"
             + spread,
         ]
     console.print()
@@ -103,8 +103,8 @@ def _tests(study: Study, results: Mapping[str, Any]) -> Table:
     for name, row in results["tests"].items():
         against = row["theory_timoshenko"]
         cells = [
-            quantity(row["measured"], row["unit"]),
-            quantity(row["theory"], row["unit"]),
+            with_unit(row["measured"], row["unit"]),
+            with_unit(row["theory"], row["unit"]),
             signed_percent(row["error"]),
             "–" if row["scatter"] is None else percent(row["scatter"]),
             "" if against is None else signed_percent(row["measured"] / against - 1.0),

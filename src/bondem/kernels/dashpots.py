@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import apart, group, groups
-from bondem.kernels.element_pass import collect
+from bondem.kernels.element_pass import collect_parts
 from bondem.kernels.lane_memory import add_loads, places, row, side
 from bondem.laws.damping import dashpot_force
 
@@ -23,10 +23,10 @@ def damp_bonds(added, elements, bonds, row_i, row_j, first, last):
 
 @device
 def collect_dashpots(added, cut, first, last):
-    """As `collect` does with the sums of the springs."""
+    """As `collect_parts` does with the sums of the springs."""
     if added is not None:
         if len(added.dashed) > 0:
-            collect(added.dashed, cut.shared_row, cut.parts, cut.part, first, last)
+            collect_parts(added.dashed, cut.shared_row, cut.parts, cut.part, first, last)
 
 
 @kernel(parallel=False)

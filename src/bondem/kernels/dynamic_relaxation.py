@@ -92,7 +92,7 @@ def _go_on(pose, c, share, rate, step):
 
 
 @kernel(parallel=False)
-def relax(pose, bonds, same, relaxation, first, steps):
+def relax_bonds(pose, bonds, same, relaxation, first, steps):
     """Steps first … first + steps, or fewer where the forces balance.
 
     Each step damps by c = 2 ω, the critical rate of the frequency ω² = Σ v·ΔF / Σ m v² at which the free elements

@@ -170,7 +170,7 @@ open_step_serial = kernel(parallel=False)(_open)
 
 
 @kernel(parallel=False)
-def collect(sums, row_of_sums, parts, part, first, last):
+def collect_parts(sums, row_of_sums, parts, part, first, last):
     """Add what bonds of other domains have left to the sums of shared elements, and leave zeros there."""
     for e in range(first, last):
         for q in range(parts + part[e], parts + part[e + 1]):

@@ -13,7 +13,7 @@ from numba.core import cgutils, types
 from bondem.kernels.lanes import WIDTH, instruction, lanes, shuffled, vector
 
 __all__ = [
-    "add_loads", "chosen", "clear_row", "entry", "places", "places_below", "prefetch", "put_entry", "put_row",
+    "add_loads", "clear_row", "entry", "places", "places_below", "places_in", "prefetch", "put_entry", "put_row",
     "put_side", "row", "side",
 ]  # fmt: skip
 
@@ -98,7 +98,7 @@ def places_below(typingctx, column, k, end):
 
 
 @instruction
-def chosen(typingctx, column, p):
+def places_in(typingctx, column, p):
     """Number p of a column of uint32, or those of many, to be used as a place."""
     if not (isinstance(column, types.Array) and column.dtype == types.uint32 and column.layout == "C"):
         return None

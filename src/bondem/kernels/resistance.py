@@ -6,7 +6,7 @@ its row of the boundary, or None for elements that own none; m and u are 1/mass 
 
 from bondem._compile import device
 from bondem.kernels.element_rows import free
-from bondem.kernels.lane_memory import chosen, clear_row, entry, put_entry, row
+from bondem.kernels.lane_memory import clear_row, entry, places_in, put_entry, row
 from bondem.kernels.lanes import dot, fused, sign, zero_of
 from bondem.kernels.tables import DAMPED, POWER
 from bondem.laws.damping import local_damping
@@ -24,7 +24,7 @@ def with_added(added, p, s, m, f, t):
         f = f[0] + d[0], f[1] + d[1], f[2] + d[2]
         t = t[0] + d[4], t[1] + d[5], t[2] + d[6]
     if len(added.group) > 0:
-        q = chosen(added.group, p)
+        q = places_in(added.group, p)
         f = (
             f[0] + entry(added.present, q, 0) / m, f[1] + entry(added.present, q, 1) / m,
             f[2] + entry(added.present, q, 2) / m,
@@ -36,7 +36,7 @@ def with_added(added, p, s, m, f, t):
 def body_work(added, p, m, half, v):
     """Add the work of the body forces over half a step [J]."""
     if len(added.group) > 0:
-        q = chosen(added.group, p)
+        q = places_in(added.group, p)
         power = dot((entry(added.present, q, 0), entry(added.present, q, 1), entry(added.present, q, 2)), v)
         put_entry(added.body, p, 0, entry(added.body, p, 0) + half * power / m)
 

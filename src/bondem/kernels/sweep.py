@@ -6,7 +6,7 @@ See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 from bondem._compile import kernel, prange
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
-from bondem.kernels.element_pass import collect, move, move_held
+from bondem.kernels.element_pass import collect_parts, move, move_held
 from bondem.kernels.incremental import incremental_loads
 
 
@@ -31,7 +31,7 @@ def sweep(elements, bonds, same, history, cut, rows, scheme, added, go_on, first
 @kernel(parallel=False)
 def sweep_shared(elements, cut, rows, scheme, added, go_on, first, last):
     """The shared elements first … last, when the bonds of all domains are done; those that own rows are the last."""
-    collect(cut.sums, cut.shared_row, cut.parts, cut.part, first, last)
+    collect_parts(cut.sums, cut.shared_row, cut.parts, cut.part, first, last)
     collect_dashpots(added, cut, first, last)
     held = min(max(cut.shared_held, first), last)
     move(elements, cut.sums, rows, scheme, added, go_on, cut.shared, cut.shared_row, first, held)

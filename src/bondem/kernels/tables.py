@@ -1,7 +1,7 @@
 """What the kernels take: named arrays, so that no two of them can be swapped.
 
 A kernel gets a handful of these tuples instead of dozens of arrays, and the names say who may write what. They are
-flat, because threads take no others. What only some runs have (`Alike`, `Contacts`, `Added`, `Strain`, and what
+flat, because threads take no others. What only some runs have (`Alike`, `ContactTable`, `Added`, `Strain`, and what
 bonds store in the incremental formulation) is an argument of its own, or None: that is decided when a kernel is
 compiled, so what is absent costs nothing.
 
@@ -82,7 +82,7 @@ class Alike(NamedTuple):
     ktL: float
 
 
-class Cut(NamedTuple):
+class StepCut(NamedTuple):
     """How a step is cut (`bondem.model.blocks`), and the sums it adds to; kernels write `sums` only."""
 
     domain: np.ndarray
@@ -137,7 +137,7 @@ class Gauges(NamedTuple):
     reduction: np.ndarray  #: MEAN, SUM or LARGEST, (g,)
 
 
-class Scheme(NamedTuple):
+class StepScheme(NamedTuple):
     """One step of time integration; see `bondem.solve.schemes`."""
 
     dt: float  #: [s]
@@ -162,7 +162,7 @@ class Run(NamedTuple):
 
     elements: Elements
     bonds: Bonds
-    cut: Cut
+    cut: StepCut
     rows: Rows
     schedules: Schedules
     gauges: Gauges
@@ -201,7 +201,7 @@ class Strain(NamedTuple):
     place: int  #: in the list of works
 
 
-class Contacts(NamedTuple):
+class ContactTable(NamedTuple):
     """Contacts in the kernels' order; c pairs, b contacts with walls, w walls."""
 
     law: np.ndarray  #: E [Pa], ks / kn, μ, β; (4,)

@@ -16,7 +16,7 @@ import numpy as np
 
 from bondem._types import Ints, Mask
 from bondem.kernels.lanes import WIDTH
-from bondem.kernels.tables import Cut, lines
+from bondem.kernels.tables import StepCut, lines
 from bondem.model.bond_table import with_twins
 from bondem.model.layout import Layout
 
@@ -110,9 +110,9 @@ class Blocks:
             parts=rows,
         )
 
-    def table(self) -> Cut:
+    def table(self) -> StepCut:
         """The cut as kernels take it, with sums at zero."""
-        return Cut(
+        return StepCut(
             domain=self.domain, bond=self.bond, move=self.move, held=self.held, ready=self.ready,
             ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,
             shared_row=self.shared_row, shared_held=self.shared_held, part=self.part, parts=self.parts,

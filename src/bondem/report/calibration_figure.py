@@ -7,7 +7,7 @@ import numpy as np
 from bondem.calibration.abacus import curve
 from bondem.calibration.elastic import Calibration
 from bondem.laws.catalogue import named
-from bondem.report.numbers import quantity
+from bondem.report.numbers import with_unit
 from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 
 
@@ -31,7 +31,7 @@ def draw_calibration(path: Path, fit: Calibration) -> None:
             ax.set(xlabel=free.label, xscale=free.scale, ylabel=label)
         left.axhline(fit.material.nu, color=ORANGE, linewidth=1.0, label=f"wanted: {fit.material.nu:g}")
         left.set_title(f"{named(type(fit.law).__name__)} bonds, {free.tex} = {fit.value:.4g}")
-        middle.set_title(f"$E_\\mu$ = {quantity(fit.law.E, 'Pa')}")
+        middle.set_title(f"$E_\\mu$ = {with_unit(fit.law.E, 'Pa')}")
         for ax in (left, middle):
             ax.legend(fontsize=8.0)
         E, nu = (fit.sample(name).values for name in ("E", "nu"))

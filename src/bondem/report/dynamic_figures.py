@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib import colormaps
 
 from bondem.report.findings import Examined
-from bondem.report.numbers import quantity
+from bondem.report.numbers import with_unit
 from bondem.report.spheres import View, render
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 
@@ -40,7 +40,7 @@ def draw_modes(path: Path, specimen: Examined) -> None:
         reach = 0.4 * np.ptp(position[:, 1]) if kind == "torsion" else 0.2 * np.ptp(position[:, 0])
         colour = colormaps["viridis"](moved / moved.max())[:, :3]
         images.append(render(position + reach / moved.max() * shape, radius, colour, view=_VIEW, width=520))
-        titles.append(f"{kind}: {quantity(float(modes.frequency[best]), 'Hz')}")
+        titles.append(f"{kind}: {with_unit(float(modes.frequency[best]), 'Hz')}")
     tallest = max(len(image) for image in images)
     with sheet(path, 8.2, 8.2 / 3.0 * tallest / 520 + 0.3, 1, 3) as (_, axes):
         for ax, title, image in zip(axes, titles, images, strict=True):
@@ -84,8 +84,8 @@ def draw_wave(path: Path, specimen: Examined) -> None:
         ax.plot(time, curves["far"], color=BLUE, label="far face")
         ax.axhline(0.5 * plateau, color=PURPLE, linewidth=1.0, linestyle=(0, (1, 1.5)), label="half of the plateau")
         ax.axvline(expected, color=INK, linewidth=1.0, linestyle=(0, (4, 3)),
-                   label=f"theory √(E/ρ): {quantity(outcome.theory, 'm/s')}")  # fmt: skip
+                   label=f"theory √(E/ρ): {with_unit(outcome.theory, 'm/s')}")  # fmt: skip
         ax.plot([arrival], [0.5 * plateau], "D", color=ORANGE, markersize=7,
-                label=f"arrival: {quantity(outcome.measured, 'm/s')}", zorder=5)  # fmt: skip
+                label=f"arrival: {with_unit(outcome.measured, 'm/s')}", zorder=5)  # fmt: skip
         ax.set(xlabel="time [µs]", ylabel="mean velocity towards the far face [m/s]", xlim=(0.0, time[-1]))
         ax.legend(loc="upper left")

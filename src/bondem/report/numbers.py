@@ -9,7 +9,7 @@ _PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m", -6: "µ", -9: "n"}
 _SCALED = ("Pa", "m", "s", "Hz", "m/s", "N", "J", "rad")
 
 
-def quantity(value: float | None, unit: str = "", digits: int = 4) -> str:
+def with_unit(value: float | None, unit: str = "", digits: int = 4) -> str:
     """A value with a unit: 72.5e9, "Pa" becomes 72.50 GPa."""
     if value is None or not math.isfinite(value):
         return "–"

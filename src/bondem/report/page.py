@@ -16,7 +16,7 @@ from bondem.laws.catalogue import named
 from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
 from bondem.report.fabric_figures import draw_distribution, draw_layering
 from bondem.report.findings import Findings
-from bondem.report.numbers import measures, percent, quantity, signed, signed_percent
+from bondem.report.numbers import measures, percent, signed, signed_percent, with_unit
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_calibration, draw_profiles, draw_tension
@@ -124,7 +124,7 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
     """The HTML of the report."""
     templates = environment()
     templates.filters |= {
-        "quantity": quantity,
+        "quantity": with_unit,
         "percent": percent,
         "signed": signed_percent,
         "difference": signed,

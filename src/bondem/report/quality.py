@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._types import Vector
 from bondem.report.findings import Examined
-from bondem.report.numbers import percent, quantity, signed_percent
+from bondem.report.numbers import percent, signed_percent, with_unit
 from bondem.specimen.fabric import LIMITS
 
 
@@ -69,11 +69,11 @@ def _elements(one: Examined) -> int:
 
 
 def _four(value: float) -> str:
-    return quantity(value)
+    return with_unit(value)
 
 
 def _three(value: float) -> str:
-    return quantity(value, digits=3)
+    return with_unit(value, digits=3)
 
 
 _MEASURES: tuple[tuple[str, Callable[[Examined], float], Callable[[float], str], str, str], ...] = (

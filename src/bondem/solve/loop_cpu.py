@@ -10,7 +10,7 @@ from bondem.kernels.boundary import set_boundary
 from bondem.kernels.contact_pass import contact_loads
 from bondem.kernels.sample import sample
 from bondem.kernels.sweep import sweep, sweep_domains
-from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, Contacts, Elements, Gauges, Run, Span
+from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, ContactTable, Elements, Gauges, Run, Span
 from bondem.laws.damping import DampingTerms
 from bondem.model.blocks import Blocks
 from bondem.model.bond_table import with_zeros
@@ -51,7 +51,7 @@ class CpuLoop:
         self._width = FIXED_COLUMNS + 3 * len(plan.gauges)
         layout, held = model.layout, model.constraints
         terms = DampingTerms.of(plan.damping)
-        self._scheme = tables.Scheme(dt, *plan.scheme.coefficients(dt), terms.gamma, self._origin)
+        self._scheme = tables.StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, self._origin)
         bonds = model.bonds.stretched(state.eigenstrain)
         changing = len(held.strain_part) > 0
         if changing:  # their lengths change while it runs
@@ -78,7 +78,7 @@ class CpuLoop:
         self._history = with_zeros(state.history) if model.formulation == "incremental" else None
 
     @property
-    def _touching(self) -> Contacts | None:
+    def _touching(self) -> ContactTable | None:
         return None if self._contacts is None else self._contacts.arrays
 
     def look(self) -> np.ndarray:

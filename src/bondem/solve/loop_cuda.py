@@ -45,7 +45,7 @@ class GpuLoop:
     """
 
     def __init__(self, model: Model, plan: Plan, state: State, dt: float) -> None:
-        check(model, plan)
+        require_runnable(model, plan)
         self.state = state
         self._every = int(plan.every)
         self._dt = dt
@@ -217,7 +217,7 @@ class GpuLoop:
             download(array, target)
 
 
-def check(model: Model, plan: Plan) -> None:
+def require_runnable(model: Model, plan: Plan) -> None:
     """Whether this can run on a device, and one is there.
 
     Raises:

@@ -5,7 +5,7 @@ import numpy as np
 from bondem._types import Ints
 from bondem.kernels.contact_list import pair_candidates, wall_candidates
 from bondem.kernels.contact_pass import TOUCHING
-from bondem.kernels.tables import Contacts
+from bondem.kernels.tables import ContactTable
 from bondem.model.contacts import ContactModel, near
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -24,7 +24,7 @@ class ContactList:
         arrays: the present list; its memory is that of the state only after `keep`.
     """
 
-    arrays: Contacts
+    arrays: ContactTable
 
     def __init__(self, model: Model, contacts: ContactModel, state: State) -> None:
         self._contacts = contacts
@@ -57,7 +57,7 @@ class ContactList:
             contacts.at_walls.start, contacts.at_walls.partner, contacts.at_walls.gap,
             _starts(state.wall_touching[:, 0], n), state.wall_touching[:, 1].astype(np.uint32), state.wall_stretch,
         )  # fmt: skip
-        self.arrays = Contacts(
+        self.arrays = ContactTable(
             law=contacts.law.parameters, radius=self._radius, load=self._load, listed=position, reach=0.5 * skin,
             first=first, second=second, gap=gap, stretch=stretch, touch=touch, output=np.zeros((len(first), 8)),
             in_start=in_start, out_start=out_start, out_pair=out_pair,

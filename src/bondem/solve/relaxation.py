@@ -6,7 +6,7 @@ from bondem._checks import count, instance, number
 from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.kernels.bond_pass import rotation_guard
-from bondem.kernels.dynamic_relaxation import Relaxation, relax
+from bondem.kernels.dynamic_relaxation import Relaxation, relax_bonds
 from bondem.kernels.tables import lines
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -69,7 +69,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     done, ratio, finished = 0, np.inf, False
     while done < most and not finished:
         goal = min(_CHUNK, most - done)
-        gone, ratio = relax(state.pose, rows, same, relaxation, done, goal)
+        gone, ratio = relax_bonds(state.pose, rows, same, relaxation, done, goal)
         finished = gone < goal
         done += gone
         _, lost, sick = rotation_guard(state.pose, rows)
