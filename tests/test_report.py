@@ -8,7 +8,7 @@ from matplotlib import rcParams
 
 import bondem as bd
 from bondem.report.findings import Examined, Findings
-from bondem.report.numbers import measures, percent, quantity, signed, signed_percent
+from bondem.report.numbers import measures, percent, signed, signed_percent, with_unit
 from bondem.report.page import drawings_of, page
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_specimen
@@ -87,7 +87,7 @@ def test_drawing_leaves_no_global_state(tmp_path):
     ],
 )
 def test_quantities(value, unit, text):
-    assert quantity(value, unit) == text
+    assert with_unit(value, unit) == text
 
 
 def test_percentages_and_signs():
@@ -115,11 +115,11 @@ def examined():
 def test_the_quality_table_says_what_fabric_measured(examined):
     rows = {row.name: row for row in quality_rows(examined)}
     first, second = (one.quality for one in examined)
-    assert rows["φ of the core"].first == quantity(first.core_volume_fraction)
+    assert rows["φ of the core"].first == with_unit(first.core_volume_fraction)
     low, high = sorted((first.backbone_coordination_number, second.backbone_coordination_number))
-    assert rows["z of the backbone"].range == f"{quantity(low)} … {quantity(high)}"
+    assert rows["z of the backbone"].range == f"{with_unit(low)} … {with_unit(high)}"
     assert rows["loose elements"].first == percent(first.loose / 600)
-    assert rows["fineness"].first == quantity(first.fineness, digits=3)
+    assert rows["fineness"].first == with_unit(first.fineness, digits=3)
     assert rows["strata of size"].first == rows["strata of size"].range == "0.00 %"  # all of one size
     assert rows["strata of density"].first == percent(np.nanmax(first.strata.density))
     change = first.strata.density_gradient[np.argmax(np.abs(first.strata.density_gradient))]

@@ -14,6 +14,7 @@ the same process keep theirs.
 
 import hashlib
 import os
+import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -25,11 +26,12 @@ import llvmlite.binding as llvm
 import numba
 import numba.core.config
 from numba import njit, prange
+from numba.core import event
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 
 __all__ = [
     "LANES", "cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange",
-    "threads",
+    "say_nothing", "threads",
 ]  # fmt: skip
 
 # set by numba at import, so that type checkers do not know its attributes
@@ -101,6 +103,37 @@ def _own_cache() -> Iterator[None]:
         yield
     finally:
         config.CACHE_DIR = saved
+
+
+class _Notice(event.Listener):
+    """Tells people who look at a terminal or a notebook, once, why the first run waits."""
+
+    said = False
+
+    def on_start(self, event: Any) -> None:
+        function = event.data["dispatcher"].py_func
+        if self.said or not function.__module__.startswith("bondem.kernels"):
+            return
+        self.said = True
+        if sys.stderr.isatty() or "ipykernel" in sys.modules:
+            what = function.__module__.rpartition(".")[2].replace("_", " ")
+            print(
+                f"bondem: compiling its loops for this CPU ({what} first); a first run waits some 20 s for it, later"
+                f" ones do not: {cache_directory}",
+                file=sys.stderr,
+            )
+
+    def on_end(self, event: Any) -> None:
+        """Nothing to say."""
+
+
+_notice = _Notice()
+event.register("numba:compile", _notice)
+
+
+def say_nothing() -> None:
+    """The caller tells people itself that code is compiled."""
+    _notice.said = True
 
 
 _FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}

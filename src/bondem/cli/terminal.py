@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from bondem._compile import compiled_before, most_threads, threads
+from bondem._compile import compiled_before, most_threads, say_nothing, threads
 from bondem.errors import InputError
 from bondem.laws.catalogue import LAWS
 from bondem.report.numbers import percent, signed_percent, with_unit
@@ -28,6 +28,7 @@ _EXPLANATION = (
 def progress_bars() -> Iterator[Callable[[str, float], None]]:
     """A bar a stage on a terminal, nothing in a pipe; yields progress(stage, share done)."""
     console = Console(stderr=True)
+    say_nothing()
     if console.is_terminal and not compiled_before():
         console.print("First run after an install or an update: bondem compiles itself, once, for half a minute.")
     columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()

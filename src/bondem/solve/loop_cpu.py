@@ -71,7 +71,7 @@ class CpuLoop:
             gauges=gauge_tables(model, plan),
             budget=np.zeros(2),  # as `kernels.advance.guard` has it
         )
-        self._still = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
+        self._still = noticeable(model, dt)
         contact = None if self._contacts is None else self._contacts.arrays.load
         self._added = added(model, terms, state, contact, blocks.rows)
         self._strain = changing_strain(model, state)
@@ -139,6 +139,11 @@ class CpuLoop:
         """Hand what bonds store to the state, where the kernels had a longer table of them."""
         if self._history is not None and self._history is not self.state.history:
             self.state.history[:] = self._history[:, : self._run.bonds.m]
+
+
+def noticeable(model: Model, dt: float) -> float:
+    """Kinetic energy below which no guard minds a run [J]."""
+    return 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
 
 
 def gauge_tables(model: Model, plan: Plan) -> Gauges:

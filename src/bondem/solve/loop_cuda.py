@@ -16,17 +16,17 @@ import numpy as np
 
 from bondem._compile_cuda import Array, download, launch, missing, recorded, upload, zeros
 from bondem.errors import InputError
-from bondem.kernels.advance import GUARD_INTERVAL
+from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUNAWAY
 from bondem.kernels.cuda import sample
 from bondem.kernels.cuda.bonds import bond_forces, rotation_guard
 from bondem.kernels.cuda.elements import move, open_step, schedule_rows
-from bondem.kernels.tables import FIXED_COLUMNS
+from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION
 from bondem.laws.damping import DampingTerms, LocalDamping
 from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.loop_cpu import gauge_tables
+from bondem.solve.loop_cpu import gauge_tables, noticeable
 from bondem.solve.plan import Plan
 
 # Columns of a record that the device fills, in its order; there are no contacts.
@@ -94,6 +94,7 @@ class GpuLoop:
         self._parts, self._fewer = zeros(sample.SUMS, parts), zeros(sample.SUMS, -(-parts // 128))
         self._gauge_parts = zeros(self._gauges, _parts(int(np.diff(start).max(initial=1))), 3)
         self._graphs: dict[int, Any] = {}
+        self._budget, self._still = np.zeros(2), noticeable(model, dt)
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
@@ -106,10 +107,12 @@ class GpuLoop:
         records = zeros(1, sample.SUMS + 3 * self._gauges)
         self._schedule(0)
         self._sample(0, records)
-        return self._finished(records, [self.state.step])
+        record = self._finished(records, [self.state.step])
+        self._budget[0] = max(self._budget[0], self._still + record[0, TRANSLATION : CONTACT + 1].sum())
+        return record
 
-    def run(self, steps: int) -> tuple[np.ndarray, int, int, bool]:
-        """Go on; the records written, bonds turned wide, bonds lost, and whether a number was not finite."""
+    def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
+        """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` would find."""
         if self.state.stale:
             self.look()
         first, every = self.state.step, self._every
@@ -118,8 +121,8 @@ class GpuLoop:
         room = last // every - first // every if every else 0
         records = zeros(room, sample.SUMS + 3 * self._gauges)
         sampled: list[int] = []
-        now, wide, lost, sick = first, 0, 0, 0
-        while now < last and not (lost or sick):
+        now, wide, lost, sick = first, 0, 0, FINE
+        while now < last and not lost and sick == FINE:
             self._open()
             goal = min(last, (now // GUARD_INTERVAL + 1) * GUARD_INTERVAL)
             if every:
@@ -131,13 +134,13 @@ class GpuLoop:
             if now % GUARD_INTERVAL == 0 or now == last:
                 turned, lost, sick = self._guard()
                 wide = max(wide, turned)
-            if every and now % every == 0 and not (lost or sick):
+            if every and now % every == 0 and not lost and sick == FINE:
                 self._sample(len(sampled), records)
                 sampled.append(now)
         self.state.step = now
         self.state.time = self._origin + now * self._dt
         self._fetch()
-        return self._finished(records, sampled), wide, lost, bool(sick)
+        return self._finished(records, sampled), wide, lost, sick
 
     def _schedule(self, ahead: int, stream: Any = 0) -> None:
         launch(
@@ -180,8 +183,18 @@ class GpuLoop:
         i, j, constants, _, integrity, period = self._bond_arrays
         flags = upload(np.zeros(3, dtype=np.int32))
         launch(rotation_guard, self._bonds, self._pose, i, j, constants, integrity, period, self._bonds, flags)
-        wide, lost, sick = flags.copy_to_host().tolist()
-        return wide, lost, sick
+        wide, lost, broken = flags.copy_to_host().tolist()
+        return wide, lost, NOT_FINITE if broken else self._energy_guard()
+
+    def _energy_guard(self) -> int:
+        """As `kernels.advance.guard`: whether the kinetic energy is no more than what can have come in."""
+        launch(sample.element_sums, self._parts.shape[1], self._motion, self._loss, self._work, self._parts)
+        kinetic = float(self._parts.copy_to_host()[: sample.NORMAL].sum())
+        supplied = float(np.abs(self._work.copy_to_host()).sum())
+        if not (kinetic < np.inf and supplied < np.inf):
+            return NOT_FINITE
+        self._budget[1] = max(self._budget[1], supplied)
+        return RUNAWAY if kinetic > BEYOND * self._budget.sum() else FINE
 
     def _sample(self, row: int, records: Array) -> None:
         parts, fewer = self._parts, self._fewer
