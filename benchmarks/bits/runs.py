@@ -19,8 +19,8 @@ GAUGES = {
     "drift": bd.Gauge(bd.Everything(), "velocity"),
     "turned": bd.Gauge(bd.Everything(), "rotation"),
     "spin": bd.Gauge(bd.Everything(), "angular_velocity", "max_abs"),
-    "grip": bd.Gauge(bd.Everything(), "force", "sum"),
 }
+GRIP = {"grip": bd.Gauge(bd.Everything(), "force", "sum")}  # where anything is held or loaded
 # How a run is interrupted: by records, by checkpoints, or by an end and a new beginning.
 PAUSES = ("every 0", "every 1", "every 7", "every 30", "saved every 37", "two runs")
 # Share of the first of two consecutive runs.
@@ -98,7 +98,8 @@ def _paused(case: Case, pause: str, steps: int, dt: float) -> Iterator[Any]:
 
 
 def _explicit(model: bd.Model, case: Case, **options) -> Any:
-    gauges = GAUGES | case.options.get("gauges", {})
+    held = GRIP if len(model.constraints.element) else {}
+    gauges = GAUGES | held | case.options.get("gauges", {})
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", StepWarning)
         return bd.solve_explicit(model, **(case.options | options | {"gauges": gauges}))

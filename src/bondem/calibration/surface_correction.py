@@ -31,7 +31,7 @@ from bondem.labtests.isotropic import Isotropic
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness
 from bondem.specimen.lattice import Lattice
 
-_DATA = Path(__file__).with_name("surface.json")
+_DATA = Path(__file__).with_suffix(".json")
 
 # z and v are taken over those of a cell with 6.2 contacts a sphere, roughly [-].
 _COORDINATION, _LOOSENESS = 6.6, 0.32
