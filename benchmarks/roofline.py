@@ -70,6 +70,7 @@ def _flops(function: Any, module: Any, arguments: int) -> int:
     def plain(compiled: Any) -> Callable:
         code = compiled.py_func.__code__
         inner = {name: known[name] for name in code.co_names if name in known}
+        inner |= {name: value for name, value in vars(module).items() if isinstance(value, float)}
         return FunctionType(code, {**inner, "math": counting})
 
     counting = SimpleNamespace(sqrt=lambda x: x._one(x.value**0.5))
