@@ -27,7 +27,6 @@ import numba
 import numba.core.config
 from numba import njit, prange
 from numba.core import event
-from numba.core.compiler import CompilerBase, DefaultPassBuilder
 
 __all__ = [
     "LANES", "cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange",
@@ -144,30 +143,19 @@ def device(function: F) -> F:
     return cast(F, njit(forceinline=True, **_FLAGS)(function))
 
 
-class _Separate(CompilerBase):
-    """Compiles a function whose arrays never overlap: without that promise LLVM would not vectorise its loop."""
-
-    def define_pipelines(self) -> list[Any]:
-        self.state.flags.noalias = True
-        return [DefaultPassBuilder.define_nopython_pipeline(self.state)]
-
-
-def kernel(*, parallel: bool, separate: bool = False) -> Callable[[F], F]:
+def kernel(*, parallel: bool) -> Callable[[F], F]:
     """Compile a loop over arrays, cached on disk.
 
     Args:
         parallel: its `prange` runs on all threads.
-        separate: no two of its arrays overlap, which a serial loop needs in order to be vectorised.
     """
-    options: dict[str, Any] = _FLAGS | ({"pipeline_class": _Separate} if separate else {})
-
     def decorate(function: F) -> F:
         # the cache tells functions apart by name and line, not by flags: both kinds of one loop need two names
         twin = FunctionType(function.__code__, function.__globals__, function.__name__)
         twin.__doc__ = function.__doc__
         twin.__qualname__ = function.__qualname__ + ("_threaded" if parallel else "")
         with _own_cache():
-            return cast(F, njit(**options, parallel=parallel, cache=True, nogil=True)(twin))
+            return cast(F, njit(**_FLAGS, parallel=parallel, cache=True, nogil=True)(twin))
 
     return decorate
 

@@ -7,6 +7,7 @@ import numpy as np
 from bondem._checks import array
 from bondem._types import Floats, Pairs, PerBond, PerElement3
 from bondem.errors import InputError
+from bondem.kernels.tables import lines
 from bondem.kernels.walls import COLUMNS, FORCE, WORK
 from bondem.model.origin import Origin, difference
 from bondem.model.walls import Wall
@@ -49,10 +50,10 @@ class State:
         self.layout = model.layout
         self.rest = np.zeros((n, 3))
         self.rest[:] = model.lattice.particles.position[order]
-        self.pose = _lines(n)
+        self.pose = lines(n)
         self.pose[:, :3] = self.rest
         self.pose[:, 4] = 1.0
-        self.motion = _lines(n)
+        self.motion = lines(n)
         self.motion[:, 3] = 1.0 / model.mass[order]
         self.motion[:, 7] = 1.0 / model.inertia[order]
         self.acceleration = np.zeros((n, 6))
@@ -241,10 +242,3 @@ class State:
                 raise InputError("orientations are no unit quaternions (w, x, y, z); divide each by its length")
             self.pose[:, columns] = given[self.layout.order]
             self.stale = True
-
-
-def _lines(n: int) -> np.ndarray:
-    """Zeros, (n, 8): each row one cache line, and not the halves of two."""
-    room = np.zeros(8 * n + 8)
-    first = -room.ctypes.data % 64 // 8
-    return room[first : first + 8 * n].reshape(n, 8)
