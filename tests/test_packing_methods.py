@@ -7,13 +7,17 @@ import trimesh
 import bondem as bd
 from bondem._compile import threads
 from bondem.errors import InputError
-from bondem.kernels.growth import GROWN, grow
+from bondem.kernels import growth
+from bondem.kernels.packing_tables import Growing, Near, PackingWalls, Spheres
 
 METHODS = ("quench", "growth", "compression")
 CELL = bd.Cell((1.0, 1.0, 1.0))
 PLAIN = (bd.Cylinder(1.0, 3.0), bd.Box((1.0, 0.8, 1.3)), bd.Ball(2.0), CELL)
 _MESH = trimesh.creation.annulus(r_min=0.4, r_max=1.0, height=1.0)
 TUBE = bd.Surface(vertices=_MESH.vertices, triangles=_MESH.faces)
+NO_WALLS = PackingWalls(
+    np.full(3, -np.inf), np.full(3, np.inf), np.zeros(3), np.inf, np.zeros(3), 0.0, np.empty((0, 0, 0))
+)
 
 
 def overlaps(particles):
@@ -99,14 +103,12 @@ def test_two_growing_spheres_meet_when_they_must_and_gain_the_speed_of_their_sur
     # Surfaces 1 apart, closing at 2 · 0.5 and growing at 2 · 0.25: they meet at 1/1.5 and part.
     sphere = np.array([[0.0, 0.0, 0.0, 1.0], [3.0, 0.0, 0.0, 1.0]])
     velocity = np.array([[0.5, 0.0, 0.0], [-0.5, 0.0, 0.0]])
-    wall = np.array([-np.inf] * 3 + [np.inf] * 3 + [0.0] * 3 + [np.inf])
-    report = np.zeros(3)
-    status = grow(
-        sphere, np.ones(2), velocity, np.zeros(3), wall, np.array([0, 1, 2]), np.array([1, 0], np.uint32),
-        sphere[:, :3].copy(), 10.0, 1.0, 0.25, 1.0, 10, report,
-    )  # fmt: skip
-    assert status == GROWN
-    assert report[2] == 1.0
+    near = Near(np.array([0, 1, 2]), np.array([1, 0], np.uint32), sphere[:, :3].copy(), 10.0)
+    report = np.zeros(growth.REPORTED)
+    spheres = Spheres(sphere, np.ones(2), velocity, np.zeros((2, 3)), np.zeros(3))
+    status = growth.fly_and_grow(spheres, NO_WALLS, near, Growing(1.0, 0.25, 1.0, 10), report)
+    assert status == growth.GROWN
+    assert report[growth.COLLISIONS] == 1.0
     # Relative to the surfaces (0.25 each) they met at 0.75 and part at 0.75: at speed 1.0.
     np.testing.assert_allclose(velocity, [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]], atol=1e-12)
     met = 1.0 / 1.5
@@ -122,15 +124,12 @@ def test_pressure_of_the_hard_sphere_gas_is_that_of_carnahan_and_starling():
     sphere = np.column_stack([gas.position, gas.radius])
     every = np.arange(n, dtype=np.uint32)
     neighbour = np.concatenate([np.delete(every, i) for i in range(n)])
-    wall = np.array([-np.inf] * 3 + [np.inf] * 3 + [0.0] * 3 + [np.inf])
-    heat, report = (velocity**2).sum(), np.zeros(3)
-    duration = 10.0 * gas.radius.mean()
-    grow(
-        sphere, gas.radius.copy(), velocity, np.ones(3), wall, (n - 1) * np.arange(n + 1), neighbour,
-        sphere[:, :3].copy(), 0.2, 1.0, 0.0, duration, 10**7, report,
-    )  # fmt: skip
+    heat, report = (velocity**2).sum(), np.zeros(growth.REPORTED)
+    near = Near((n - 1) * np.arange(n + 1), neighbour, sphere[:, :3].copy(), 0.2)
+    spheres = Spheres(sphere, gas.radius.copy(), velocity, np.zeros((n, 3)), np.ones(3))
+    growth.fly_and_grow(spheres, NO_WALLS, near, Growing(1.0, 0.0, 10.0 * gas.radius.mean(), 10**7), report)
     assert (velocity**2).sum() == pytest.approx(heat, rel=1e-9)
-    pressure = 1.0 + report[1] / (heat * report[0])
+    pressure = 1.0 + report[growth.VIRIAL] / (heat * report[growth.TIME])
     assert pressure == pytest.approx((1.0 + phi + phi**2 - phi**3) / (1.0 - phi) ** 3, rel=0.05)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._types import Pairs
 from bondem.errors import InputError
-from bondem.io.sphere_tables import RawSpheres, numbered_lines, numbers
+from bondem.io.sphere_tables import RawSpheres, floats, numbered_lines
 
 # Column of the diameter and of x; behind z there may be three image flags.
 _STYLES = {"sphere": (2, 4), "bpm/sphere": (3, 5)}
@@ -40,7 +40,7 @@ def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
         words = text.split()
         if len(words) < first + 3:
             raise InputError(f"'{path}', line {line}: {len(words)} columns where {first + 3} are needed; complete it")
-        row = numbers(path, line, [words[0], *words[first : first + 3], words[size]])
+        row = floats(path, line, [words[0], *words[first : first + 3], words[size]])
         if row[-1] <= 0.0:
             raise InputError(f"'{path}', line {line}: diameter {row[-1]:g}; elements need a positive one")
         ids.append(int(row[0]))
@@ -92,8 +92,8 @@ def _box(path: Path, head: _Lines) -> tuple[np.ndarray, np.ndarray]:
         words = text.split()
         for k, axis in enumerate("xyz"):
             if words[2:] == [f"{axis}lo", f"{axis}hi"]:
-                lower[k], upper[k] = numbers(path, line, words[:2])
-        if words[3:] == ["xy", "xz", "yz"] and any(numbers(path, line, words[:3])):
+                lower[k], upper[k] = floats(path, line, words[:2])
+        if words[3:] == ["xy", "xz", "yz"] and any(floats(path, line, words[:3])):
             raise InputError(f"'{path}', line {line}: the box is tilted; a periodic cell here has right angles")
     if np.isnan(upper).any():
         raise InputError(f"'{path}' does not give xlo xhi, ylo yhi and zlo zhi; leave out periodic=True or add them")
@@ -106,7 +106,7 @@ def _bonds(path: Path, lines: Iterable[tuple[int, str]], known: np.ndarray) -> P
         words = text.split()
         if len(words) < 4:
             raise InputError(f"'{path}', line {line}: a bond is given by id, type and two atoms; complete it")
-        ends = np.array([int(one) for one in numbers(path, line, words[2:4])])
+        ends = np.array([int(one) for one in floats(path, line, words[2:4])])
         at = np.searchsorted(known, ends)
         missing = ends[(at >= len(known)) | (known[np.minimum(at, len(known) - 1)] != ends)]
         if missing.size:

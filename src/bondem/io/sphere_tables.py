@@ -52,7 +52,7 @@ def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
         raise InputError(f"'{path}' is not a text file; give spheres in a format its suffix stands for") from None
 
 
-def numbers(path: Path, line: int, words: Sequence[str]) -> list[float]:
+def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
     """Words of a line as finite numbers.
 
     Raises:
@@ -183,7 +183,7 @@ def _row(path: Path, line: int, words: Sequence[str], chosen: Sequence[int]) -> 
             f"'{path}', line {line}: {len(words)} columns where at least {max(chosen) + 1} are needed; complete the"
             " line, or pass columns= with those of x, y, z and radius"
         )
-    row = numbers(path, line, [words[k] for k in chosen])
+    row = floats(path, line, [words[k] for k in chosen])
     if row[-1] <= 0.0:
         raise InputError(f"'{path}', line {line}: {row[-1]:g} is no size; give a positive one or remove the line")
     return row

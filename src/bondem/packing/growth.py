@@ -11,6 +11,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.errors import InputError, PackingError
 from bondem.kernels import growth as kernels
+from bondem.kernels.packing_tables import Growing
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
@@ -62,9 +63,10 @@ def grow(
     # What is left of the overlaps goes: hard spheres have none.
     spheres.scale = 1.0 - 1.001 * rest.largest_overlap * mean / float(spheres.unit.min())
     spheres.sphere[:, 3] = spheres.scale * spheres.unit
-    velocity = random.standard_normal((n, 3))
+    velocity = spheres.table.velocity
+    velocity[:] = random.standard_normal((n, 3))
     last = spheres.scale_for(target.volume_fraction) if isinstance(target, Fraction) else np.inf
-    report, pressure, collisions = np.zeros(3), 0.0, 0.0
+    report, pressure, collisions = np.zeros(kernels.REPORTED), 0.0, 0.0
     while spheres.scale < last and pressure < _JAMMED:
         if collisions > _COLLISIONS * n:
             raise PackingError(
@@ -73,22 +75,20 @@ def grow(
             )
         velocity *= mean * np.sqrt(n / (velocity**2).sum())
         skin = (_SKIN_CAGED if pressure > _CAGED else _SKIN_FLYING) * spheres.mean_radius
-        neighbour = spheres.near(skin)
+        near = spheres.near(skin, 0.5 * (1.0 - _GROWTH_SHARE) * 0.999)
         # Two neighbours may grow by this much before spheres that are not in the list can meet.
         gain = min(0.5 * _GROWTH_SHARE * skin / float(spheres.unit.max()), last - spheres.scale)
-        slack = 0.5 * (1.0 - _GROWTH_SHARE) * 0.999 * skin
         heat = float((velocity**2).sum())
-        kernels.grow(
-            spheres.sphere, spheres.unit, velocity, spheres.period, spheres.wall, *neighbour,
-            spheres.sphere[:, :3].copy(), slack, spheres.scale, _RATE, gain / _RATE, 20 * n, report,
-        )  # fmt: skip
-        spheres.scale += _RATE * float(report[0])
+        growing = Growing(spheres.scale, _RATE, gain / _RATE, 20 * n)
+        kernels.fly_and_grow(spheres.table, spheres.walls, near, growing, report)
+        gone, virial = float(report[kernels.TIME]), float(report[kernels.VIRIAL])
+        spheres.scale += _RATE * gone
         if last - spheres.scale < 1e-12:
             spheres.scale = last
-        collisions += report[2]
+        collisions += report[kernels.COLLISIONS]
         heat = 0.5 * (heat + float((velocity**2).sum()))
-        if report[2] > n:
-            pressure = 1.0 + float(report[1]) / (heat * float(report[0]))
+        if report[kernels.COLLISIONS] > n:
+            pressure = 1.0 + virial / (heat * gone)
         spheres.steps += 1
         spheres.on_step(spheres.steps)
     return spheres

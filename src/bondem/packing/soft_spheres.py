@@ -9,6 +9,7 @@ from bondem._compile import threads
 from bondem._types import Floats
 from bondem.kernels import packing as kernels
 from bondem.kernels.neighbour_grid import neighbours
+from bondem.kernels.packing_tables import Near, RelaxLimits, Spheres
 from bondem.packing.walls import walls
 from bondem.specimen.geometry import Shape
 
@@ -47,12 +48,10 @@ class SoftSpheres:
     """Spheres in a shape, relaxed at one scale of their radii after another.
 
     Attributes:
-        sphere: centres and radii [m], shape (n, 4).
-        unit: radii at scale 1 [m], (n,).
+        table: the spheres in the form the kernels take.
+        walls: the walls of the shape in the form the kernels take.
         scale: factor on the radii they were made with [-].
         steps: minimisation steps taken so far.
-        wall: walls in the form the kernels take.
-        period: periodic edge lengths [m], (3,), 0 where there is none.
         on_step: told `steps`, now and then.
     """
 
@@ -60,17 +59,27 @@ class SoftSpheres:
         self.scale, self.steps = 1.0, 0
         self.on_step: Callable[[int], None] = lambda steps: None
         self._shape = shape
-        self.sphere = np.column_stack([centre, radius])
-        self.unit = radius.copy()
-        self._velocity = np.zeros((len(radius), 3))
-        self._force = np.zeros((len(radius), 3))
         self._lower, self._upper = shape.bounds
-        self.period = np.zeros(3) if shape.period is None else shape.period.copy()
-        self.wall = walls(shape, radius)
+        period = np.zeros(3) if shape.period is None else shape.period.copy()
+        n = len(radius)
+        self.table = Spheres(
+            np.column_stack([centre, radius]), radius.copy(), np.zeros((n, 3)), np.zeros((n, 3)), period
+        )
+        self.walls = walls(shape, radius)
         self._skin = _SKIN_WANDERING
 
     def __str__(self) -> str:
         return f"{len(self.sphere)} spheres in {self._shape}"
+
+    @property
+    def sphere(self) -> Floats:
+        """Centres and radii [m], shape (n, 4)."""
+        return self.table.sphere
+
+    @property
+    def unit(self) -> Floats:
+        """Radii at scale 1 [m], (n,)."""
+        return self.table.unit
 
     @property
     def mean_radius(self) -> float:
@@ -93,20 +102,17 @@ class SoftSpheres:
         """
         self.scale = scale
         self.sphere[:, 3] = scale * self.unit
-        self._velocity[:] = 0.0
+        self.table.velocity[:] = 0.0
         fire = np.array([kernels.DT_START, kernels.ALPHA, 0.0])
-        report = np.zeros(5)
+        report = np.zeros(kernels.REPORTED)
         barely = loose * self.mean_radius
         taken = 0
         with threads(1 if len(self.sphere) < _THREADED else None):
             while True:
-                start, neighbour = self.near(self._skin * self.mean_radius)
-                slack = 0.499 * self._skin * self.mean_radius
-                status = kernels.relax(
-                    self.sphere, self._velocity, self._force, self.period, self.wall, start, neighbour,
-                    self.sphere[:, :3].copy(), slack, fire, tolerance, barely, steps - taken, report,
-                )  # fmt: skip
-                done = int(report[4]) + (status == kernels.STALE)
+                near = self.near(self._skin * self.mean_radius, 0.499)
+                limits = RelaxLimits(float(tolerance), float(barely), steps - taken)
+                status = kernels.relax(self.table, self.walls, near, fire, limits, report)
+                done = int(report[kernels.STEPS]) + (status == kernels.STALE)
                 taken += done
                 self.steps += done
                 self.on_step(self.steps)
@@ -114,13 +120,15 @@ class SoftSpheres:
                     break
         self._skin = _SKIN_SETTLED
         mean = self.mean_radius
-        z = 2.0 * float(report[2]) / len(self.sphere)
-        free = bool(report[1] < barely)  # no forces at all count as balanced for the kernel
+        overlap, largest = float(report[kernels.MEAN_OVERLAP]), float(report[kernels.LARGEST_OVERLAP])
+        z = 2.0 * float(report[kernels.CONTACTS]) / len(self.sphere)
+        free = overlap < barely  # no forces at all count as balanced for the kernel
         settled = status == kernels.CONVERGED and not free
-        return Rest(z, report[1] / mean, report[3] / mean, taken, settled, free)
+        return Rest(z, overlap / mean, largest / mean, taken, settled, free)
 
-    def near(self, skin: float) -> tuple[np.ndarray, np.ndarray]:
-        """Neighbours with gaps up to `skin` [m], as `neighbour_grid.neighbours` has them; centres enter the cell."""
-        periodic = self.period > 0.0
-        self.sphere[:, :3][:, periodic] %= self.period[periodic]
-        return neighbours(self.sphere, self._lower, self._upper, self.period, skin)
+    def near(self, skin: float, share: float) -> Near:
+        """Neighbours up to `skin` apart [m], until a centre has moved by `share` of it. Centres enter the cell."""
+        periodic = self.table.period > 0.0
+        self.sphere[:, :3][:, periodic] %= self.table.period[periodic]
+        start, neighbour = neighbours(self.sphere, self._lower, self._upper, self.table.period, skin)
+        return Near(start, neighbour, self.sphere[:, :3].copy(), share * skin)

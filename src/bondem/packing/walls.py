@@ -7,6 +7,7 @@ from scipy.ndimage import map_coordinates
 
 from bondem._types import Floats, PerElement
 from bondem.errors import InputError
+from bondem.kernels.packing_tables import PackingWalls
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
 
 # Spacing of the grid of depths over the mean radius. Where the shape has an edge the wall is rounded by about
@@ -18,34 +19,33 @@ _MOST_NODES = 250_000_000  # 2 GB; about 100 a sphere in a box, more in a shape 
 _COARSE = 4
 
 
-def walls(shape: Shape, radius: PerElement) -> Floats:
+def walls(shape: Shape, radius: PerElement) -> PackingWalls:
     """Walls of `shape` for spheres of `radius` (n,) [m].
-
-    Returns:
-        Of a plain shape: lower corner [m] (3), upper corner [m] (3), weight of each axis in the distance from the
-        centre line or centre of the round wall (3), radius of the round wall [m]; infinite where it has no such
-        wall; together (10,). Of any other: no such walls, and its depth on a grid, as `kernels.packing` describes.
 
     Raises:
         InputError: more spheres than a grid of depths can be made for.
     """
-    none, everywhere = np.full(3, -np.inf), np.full(3, np.inf)
+    none, everywhere, flat = np.full(3, -np.inf), np.full(3, np.inf), np.zeros(3)
     lower, upper = shape.bounds
     match shape:
         case Box():
-            return np.concatenate([lower, upper, np.zeros(3), [np.inf]])
+            return _plain(lower, upper, flat, np.inf)
         case Cylinder():
-            box = [lower[0], -np.inf, -np.inf, upper[0], np.inf, np.inf]
-            return np.array([*box, 0.0, 1.0, 1.0, shape.radius])
+            ends = np.array([lower[0], -np.inf, -np.inf]), np.array([upper[0], np.inf, np.inf])
+            return _plain(*ends, np.array([0.0, 1.0, 1.0]), shape.radius)
         case Ball():
-            return np.concatenate([none, everywhere, np.ones(3), [shape.radius]])
+            return _plain(none, everywhere, np.ones(3), shape.radius)
         case Cell():
-            return np.concatenate([none, everywhere, np.zeros(3), [np.inf]])
-    return _depth_grid(shape, radius, np.concatenate([none, everywhere, np.zeros(3), [np.inf]]))
+            return _plain(none, everywhere, flat, np.inf)
+    return PackingWalls(none, everywhere, flat, np.inf, *_depth_grid(shape, radius))
 
 
-def _depth_grid(shape: Shape, radius: PerElement, before: Floats) -> Floats:
-    """`before`, then corner, spacing and counts of a grid over the shape, then the depths there [m]."""
+def _plain(lower: Floats, upper: Floats, weight: Floats, radius: float) -> PackingWalls:
+    return PackingWalls(lower.copy(), upper.copy(), weight, float(radius), np.zeros(3), 0.0, np.empty((0, 0, 0)))
+
+
+def _depth_grid(shape: Shape, radius: PerElement) -> tuple[Floats, float, Floats]:
+    """First node [m], spacing [m] and depths [m] of a grid over the shape."""
     h = _SPACING * float(radius.mean())
     lower, upper = shape.bounds
     coarse = [int(n) + 3 for n in np.ceil((upper - lower) / (_COARSE * h))]
@@ -56,10 +56,7 @@ def _depth_grid(shape: Shape, radius: PerElement, before: Floats) -> Floats:
         )
     corner = 0.5 * (lower + upper) - 0.5 * h * (np.array(fine) - 1)
     rough = shape.depth(corner + _COARSE * h * np.indices(coarse).reshape(3, -1).T).reshape(coarse)
-    head = np.concatenate([before, corner, [h], fine])
-    wall = np.empty(len(head) + math.prod(fine))  # one array from the first: a copy of the depths is a gigabyte
-    wall[: len(head)] = head
-    depth = wall[len(head) :].reshape(fine)
+    depth = np.empty(fine)
     # Depths change no faster than distance, and between coarse nodes half a diagonal is the farthest from one.
     farthest = 0.5 * np.sqrt(3.0) * _COARSE * h
     for i in range(fine[0]):  # by layers, for the memory
@@ -68,4 +65,4 @@ def _depth_grid(shape: Shape, radius: PerElement, before: Floats) -> Floats:
         near = (layer > -farthest - 3.0 * h) & (layer < radius.max() * 1.2 + farthest + 3.0 * h)
         layer[near] = shape.depth(corner + h * at[:, near].T)
         depth[i] = layer.reshape(fine[1:])
-    return wall
+    return corner, h, depth

@@ -19,7 +19,7 @@ from bondem.report.findings import Findings
 from bondem.report.numbers import measures, percent, signed, signed_percent, with_unit
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
-from bondem.report.static_figures import draw_calibration, draw_profiles, draw_tension
+from bondem.report.static_figures import draw_free_parameter, draw_profiles, draw_tension
 from bondem.report.study_page import environment
 from bondem.report.summary_figures import draw_errors
 from bondem.specimen.layering import wall_layering
@@ -106,7 +106,7 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         distribution = radial_distribution(first.lattice.particles)
         drawings["distribution"] = lambda path: draw_distribution(path, distribution)
     if findings.fit is not None:
-        drawings["calibration"] = lambda path: draw_calibration(path, findings)
+        drawings["calibration"] = lambda path: draw_free_parameter(path, findings)
         drawings["tension"] = lambda path: draw_tension(path, findings)
     if any(name.startswith("static") for name in first.outcomes):
         drawings["profiles"] = lambda path: draw_profiles(path, first)

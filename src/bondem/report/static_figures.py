@@ -11,7 +11,7 @@ from bondem.report.findings import Examined, Findings
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 
 
-def draw_calibration(path: Path, findings: Findings) -> None:
+def draw_free_parameter(path: Path, findings: Findings) -> None:
     """ν and E / E_μ over the free parameter of the law, with the trials and the chosen point."""
     fit, material = findings.fit, findings.material
     assert fit is not None

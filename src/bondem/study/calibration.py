@@ -102,7 +102,7 @@ def run_calibration(
     fit = calibrate(lattices, plan.material, law=plan.law, nu_mu=plan.nu_mu)
     tell("calibrate", 1.0)
     seconds = {"pack_s": round(packed - begun, 3), "calibrate_s": round(time.perf_counter() - packed, 3)}
-    found = summary(plan, fit, lattices) | {"timing": seconds, "version": __version__}
+    found = _summary(plan, fit, lattices) | {"timing": seconds, "version": __version__}
     if out is not None:
         folder = Path(out)
         folder.mkdir(parents=True, exist_ok=True)
@@ -111,7 +111,7 @@ def run_calibration(
     return fit, found
 
 
-def summary(plan: CalibrationPlan, fit: Calibration, lattices: list[Lattice]) -> dict[str, Any]:
+def _summary(plan: CalibrationPlan, fit: Calibration, lattices: list[Lattice]) -> dict[str, Any]:
     """A calibration as finite numbers, SI; intervals are null for one packing."""
     several = len(fit.responses) > 1
     quantities: dict[str, Any] = {}

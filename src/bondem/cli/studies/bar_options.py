@@ -36,7 +36,7 @@ def of_bar(packings: int) -> Callable[[Command], Command]:
     return options
 
 
-def carry_out(run: Callable[..., Any], study: object, out: Path) -> None:
+def carry_out_on_bar(run: Callable[..., Any], study: object, out: Path) -> None:
     """Run a study, then print its tables and where everything is."""
     with progress_bars() as progress:
         run(study, out, progress=progress)

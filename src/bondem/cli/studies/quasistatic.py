@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from bondem.cli.quantities import Quantity
-from bondem.cli.studies.bar_options import carry_out, of_bar
+from bondem.cli.studies.bar_options import carry_out_on_bar, of_bar
 from bondem.study.calibrated_bar import BarRequest
 from bondem.study.quasistatic import QuasiStatic, run_quasistatic
 
@@ -22,4 +22,4 @@ from bondem.study.quasistatic import QuasiStatic, run_quasistatic
 def command(out: Path, count: int, seed: int, steps: int, ramp: float, phi: float) -> None:
     """A slow tensile test by explicit dynamics: figures 10 and 12 of André et al. (2012)."""
     study = QuasiStatic(bar=BarRequest(count, seed), steps=steps, ramp=ramp / 100.0, phi=phi)
-    carry_out(run_quasistatic, study, out)
+    carry_out_on_bar(run_quasistatic, study, out)

@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from bondem.cli.quantities import Quantity
-from bondem.cli.studies.bar_options import carry_out, of_bar
+from bondem.cli.studies.bar_options import carry_out_on_bar, of_bar
 from bondem.study.calibrated_bar import BarRequest
 from bondem.study.vibration import Vibration, run_vibration
 
@@ -20,4 +20,4 @@ from bondem.study.vibration import Vibration, run_vibration
 def command(out: Path, count: int, seed: int, packings: int, steps: int, ramp: float) -> None:
     """Energies of a free vibration, and the specimen's inertia: figure 19 and eq (19) of André et al. (2012)."""
     study = Vibration(bar=BarRequest(count, seed, packings), steps=steps, ramp=ramp / 100.0)
-    carry_out(run_vibration, study, out)
+    carry_out_on_bar(run_vibration, study, out)
