@@ -31,6 +31,13 @@ class OnHost(np.ndarray):
         self[...] = other
 
 
+def plain(argument: Any) -> Any:
+    """An argument, or a table of them, with arrays that numba knows."""
+    if isinstance(argument, tuple):
+        return type(argument)(*map(plain, argument))
+    return np.asarray(argument) if isinstance(argument, OnHost) else argument
+
+
 def main() -> None:
     dispatcher.get_current_device = lambda: SimpleNamespace(compute_capability=CAPABILITY)
     ptx: dict[str, str] = {}
@@ -38,8 +45,7 @@ def main() -> None:
     def compiled(kernel: Any, count: int, *arguments: Any, stream: Any = 0) -> None:
         name = kernel.py_func.__name__
         if count > 0 and name not in ptx:
-            host = [np.asarray(a) if isinstance(a, OnHost) else a for a in arguments]
-            signature = numba.types.void(*map(numba.typeof, host))
+            signature = numba.types.void(*map(numba.typeof, map(plain, arguments)))
             ptx[name] = numba.cuda.compile_ptx(kernel.py_func, signature, cc=CAPABILITY)[0]
 
     loop_cuda.launch = compiled

@@ -2,8 +2,6 @@
 
 import ast
 
-import pytest
-
 from tests.architecture import measures
 
 # Arguments of a compiled loop that is not the innermost one, at most; `advance` has fewer than ten.
@@ -42,17 +40,9 @@ def test_the_step_takes_named_tables():
     assert count["advance"] < 10
 
 
-@pytest.mark.xfail(strict=True, reason="loops of CUDA still take positional arrays")
 def test_no_kernel_has_a_long_argument_list():
     long = [str(m) for m in measures.argument_lists(innermost=False) if m.count > MOST_ARGUMENTS]
     assert not long
-
-
-def test_no_kernel_of_a_step_has_a_long_argument_list():
-    elsewhere = ("kernels.cuda.",)
-    counted = [m for m in measures.argument_lists(innermost=False) if not any(part in m.name for part in elsewhere)]
-    assert counted
-    assert not [str(m) for m in counted if m.count > MOST_ARGUMENTS]
 
 
 def test_arguments_are_counted():

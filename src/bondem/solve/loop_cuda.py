@@ -20,9 +20,11 @@ from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUN
 from bondem.kernels.cuda import sample
 from bondem.kernels.cuda.bonds import bond_forces, rotation_guard
 from bondem.kernels.cuda.elements import move, open_step, schedule_rows
-from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION
+from bondem.kernels.cuda.tables import DeviceBonds, DeviceElements, DeviceGauges, RowSchedules
+from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, Adjacency, Gauges, Rows, StepScheme
 from bondem.laws.damping import DampingTerms, LocalDamping
 from bondem.model.boundary import Drive, Fix, Load
+from bondem.model.constraints import Constraints
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -48,51 +50,22 @@ class GpuLoop:
         require_runnable(model, plan)
         self.state = state
         self._every = int(plan.every)
-        self._dt = dt
-        self._origin = state.time - state.step * dt
-        self._finish, self._begin, self._extra = plan.scheme.coefficients(dt)
-        self._gamma = DampingTerms.of(plan.damping).gamma
-        layout, held = model.layout, model.constraints
-        n, self._bonds, self._rows = len(layout.order), len(layout.i), len(held.element)
-        self._elements = n
-        bonds = model.bonds.stretched(state.eigenstrain)
-        same = bonds.alike
-        constants = np.vstack([bonds.direction, bonds.length])
-        if same is None:
-            constants = np.vstack([constants, bonds.kn, bonds.A, bonds.B, bonds.C, bonds.kt])
+        gamma = DampingTerms.of(plan.damping).gamma
+        self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), gamma, state.time - state.step * dt)
+        self._still_scheme = self._scheme._replace(dt=0.0, finish=0.0)
         self._clock = upload(np.zeros(1, dtype=np.int64))
-        self._pose, self._motion = upload(state.pose), upload(state.motion)
-        self._acceleration = upload(state.acceleration)
-        self._loss, self._work, self._reaction = upload(state.loss), upload(state.work), upload(state.reaction)
-        self._bond_arrays = (
-            upload(layout.i), upload(layout.j), upload(constants),
-            upload(np.zeros(4) if same is None else np.array(same)), upload(state.integrity), upload(model.period),
-        )  # fmt: skip
-        self._forces = zeros(9, self._bonds)
-        self._adjacency = (
-            upload(layout.in_start.astype(np.int32)), upload(layout.out_start.astype(np.int32)),
-            upload(layout.out_bond),
-        )  # fmt: skip
-        self._row_of, self._fixed = upload(held.row_of.astype(np.int32)), upload(held.fixed)
-        self._force, self._half, self._full = (zeros(self._rows, 6) for _ in range(3))
-        loads, drives = np.argsort(held.load_row, kind="stable"), np.argsort(held.drive_row, kind="stable")
-        self._schedules = tuple(upload(array) for array in (
-            held.times, held.values, held.start,
-            _starts(held.load_row, self._rows), held.load_schedule[loads], held.load_value[loads],
-            _starts(held.drive_row, self._rows), held.drive_dof[drives], held.drive_schedule[drives],
-            held.drive_rate[drives],
-        ))  # fmt: skip
-        gauges = gauge_tables(model, plan)
-        start, element = gauges.start, gauges.element
-        self._gauges = len(gauges.quantity)
-        self._gauge_start, self._reduction = upload(start), upload(gauges.reduction)
-        self._gauge_arrays = (
-            upload(state.rest[element]), self._gauge_start, upload(element.astype(np.int32)), upload(gauges.quantity),
-            self._reduction,
-        )  # fmt: skip
-        parts = _parts(max(n, self._bonds))
+        self._count = len(model.layout.order)
+        self._elements = DeviceElements._make(
+            map(upload, (state.pose, state.motion, state.acceleration, state.loss))
+        )
+        self._bonds = _bonds(model, state)
+        layout = model.layout
+        starts = layout.in_start.astype(np.int32), layout.out_start.astype(np.int32)
+        self._adjacency = Adjacency._make(map(upload, (*starts, layout.out_bond)))
+        self._rows, self._schedules = _rows(model.constraints, state), _schedules(model.constraints)
+        self._gauges = _gauges(gauge_tables(model, plan), state)
+        parts = _parts(max(self._count, self._bonds.m))
         self._parts, self._fewer = zeros(sample.SUMS, parts), zeros(sample.SUMS, -(-parts // 128))
-        self._gauge_parts = zeros(self._gauges, _parts(int(np.diff(start).max(initial=1))), 3)
         self._graphs: dict[int, Any] = {}
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
 
@@ -104,7 +77,7 @@ class GpuLoop:
             self._step(0, still=True)
             self.state.stale = False
             self._fetch()
-        records = zeros(1, sample.SUMS + 3 * self._gauges)
+        records = zeros(1, sample.SUMS + 3 * self._gauges.g)
         self._schedule(0)
         self._sample(0, records)
         record = self._finished(records, [self.state.step])
@@ -119,7 +92,7 @@ class GpuLoop:
         last = first + steps
         self._clock.copy_to_device(np.array([first]))
         room = last // every - first // every if every else 0
-        records = zeros(room, sample.SUMS + 3 * self._gauges)
+        records = zeros(room, sample.SUMS + 3 * self._gauges.g)
         sampled: list[int] = []
         now, wide, lost, sick = first, 0, 0, FINE
         while now < last and not lost and sick == FINE:
@@ -138,31 +111,27 @@ class GpuLoop:
                 self._sample(len(sampled), records)
                 sampled.append(now)
         self.state.step = now
-        self.state.time = self._origin + now * self._dt
+        self.state.time = self._scheme.origin + now * self._scheme.dt
         self._fetch()
         return self._finished(records, sampled), wide, lost, sick
 
     def _schedule(self, ahead: int, stream: Any = 0) -> None:
+        count = self._schedules.r
         launch(
-            schedule_rows, self._rows, self._clock, ahead, self._origin, self._dt, self._rows, *self._schedules,
-            self._force, self._half, self._full, stream=stream,
+            schedule_rows, count, self._clock, ahead, self._scheme, self._schedules, self._rows, stream=stream
         )  # fmt: skip
 
     def _open(self) -> None:
         self._schedule(0)
-        launch(
-            open_step, self._elements, self._pose, self._motion, self._acceleration, self._row_of, self._fixed,
-            self._force, self._half, self._reaction, self._work, self._dt, self._begin, self._extra,
-        )  # fmt: skip
+        launch(open_step, self._count, self._elements, self._rows, self._scheme)
 
     def _step(self, tick: int, *, go_on: bool = False, still: bool = False, stream: Any = 0) -> None:
         """Forces of all bonds, and the motion of all elements; `still` finds the acceleration only."""
-        launch(bond_forces, self._bonds, self._pose, *self._bond_arrays, self._bonds, self._forces, stream=stream)
-        dt, finish = (0.0, 0.0) if still else (self._dt, self._finish)
+        elements, bonds, scheme = self._elements, self._bonds, self._still_scheme if still else self._scheme
+        launch(bond_forces, bonds.m, elements, bonds, stream=stream)
         launch(
-            move, self._elements, self._clock, tick, self._pose, self._motion, self._acceleration, self._forces,
-            *self._adjacency, self._row_of, self._fixed, self._force, self._half, self._full, self._reaction,
-            self._work, dt, finish, self._begin, self._extra, self._gamma, self._loss, go_on, stream=stream,
+            move, self._count, self._clock, tick, elements, self._adjacency, bonds.forces, self._rows, scheme, go_on,
+            stream=stream,
         )  # fmt: skip
 
     def _go_on(self, steps: int) -> None:
@@ -180,52 +149,47 @@ class GpuLoop:
             self._step(1, go_on=True, stream=stream)
 
     def _guard(self) -> tuple[int, int, int]:
-        i, j, constants, _, integrity, period = self._bond_arrays
         flags = upload(np.zeros(3, dtype=np.int32))
-        launch(rotation_guard, self._bonds, self._pose, i, j, constants, integrity, period, self._bonds, flags)
+        launch(rotation_guard, self._bonds.m, self._elements, self._bonds, flags)
         wide, lost, broken = flags.copy_to_host().tolist()
         return wide, lost, NOT_FINITE if broken else self._energy_guard()
 
     def _energy_guard(self) -> int:
         """As `kernels.advance.guard`: whether the kinetic energy is no more than what can have come in."""
-        launch(sample.element_sums, self._parts.shape[1], self._motion, self._loss, self._work, self._parts)
+        launch(sample.element_sums, self._parts.shape[1], self._elements, self._rows, self._parts)
         kinetic = float(self._parts.copy_to_host()[: sample.NORMAL].sum())
-        supplied = float(np.abs(self._work.copy_to_host()).sum())
+        work = np.zeros_like(self.state.work)
+        download(self._rows.work, work)
+        supplied = float(np.abs(work).sum())
         if not (kinetic < np.inf and supplied < np.inf):
             return NOT_FINITE
         self._budget[1] = max(self._budget[1], supplied)
         return RUNAWAY if kinetic > BEYOND * self._budget.sum() else FINE
 
     def _sample(self, row: int, records: Array) -> None:
-        parts, fewer = self._parts, self._fewer
-        launch(sample.element_sums, parts.shape[1], self._motion, self._loss, self._work, parts)
-        launch(sample.bond_sums, parts.shape[1], self._pose, *self._bond_arrays, self._bonds, parts)
-        launch(
-            sample.gauge_sums, self._gauges * self._gauge_parts.shape[1], self._pose, self._motion,
-            *self._gauge_arrays, self._row_of, self._fixed, self._reaction, self._force, self._gauges,
-            self._gauge_parts,
-        )  # fmt: skip
+        parts, fewer, gauges = self._parts, self._fewer, self._gauges
+        launch(sample.element_sums, parts.shape[1], self._elements, self._rows, parts)
+        launch(sample.bond_sums, parts.shape[1], self._elements, self._bonds, parts)
+        launch(sample.gauge_sums, gauges.g * gauges.parts.shape[1], self._elements, gauges, self._rows)
         launch(sample.fold, fewer.size, parts, fewer)
-        launch(
-            sample.write_record, records.shape[1], fewer, self._gauge_parts, self._gauge_start, self._reduction, row,
-            records,
-        )  # fmt: skip
+        launch(sample.write_record, records.shape[1], fewer, gauges, row, records)
 
     def _finished(self, records: Array, steps: list[int]) -> np.ndarray:
         """Records of the device as those of a history."""
         raw = records.copy_to_host()[: len(steps)]
-        whole = np.zeros((len(steps), FIXED_COLUMNS + 3 * self._gauges))
-        whole[:, 0] = [self._origin + step * self._dt for step in steps]
+        whole = np.zeros((len(steps), FIXED_COLUMNS + 3 * self._gauges.g))
+        whole[:, 0] = [self._scheme.origin + step * self._scheme.dt for step in steps]
         whole[:, _COLUMNS] = raw[:, : sample.SUMS]
         whole[:, FIXED_COLUMNS:] = raw[:, sample.SUMS :]
         return whole
 
     def _fetch(self) -> None:
         """Bring the state to what it is on the device."""
-        state = self.state
+        state, elements = self.state, self._elements
         for array, target in (
-            (self._pose, state.pose), (self._motion, state.motion), (self._acceleration, state.acceleration),
-            (self._loss, state.loss), (self._work, state.work), (self._reaction, state.reaction),
+            (elements.pose, state.pose), (elements.motion, state.motion),
+            (elements.acceleration, state.acceleration), (elements.loss, state.loss),
+            (self._rows.work, state.work), (self._rows.reaction, state.reaction),
         ):  # fmt: skip
             download(array, target)
 
@@ -252,6 +216,43 @@ def require_runnable(model: Model, plan: Plan) -> None:
     reason = missing()
     if reason is not None:
         raise InputError(f"device='gpu': {reason}")
+
+
+def _bonds(model: Model, state: State) -> DeviceBonds:
+    layout, bonds = model.layout, model.bonds.stretched(state.eigenstrain)
+    count, same = len(layout.i), bonds.alike
+    constants = [bonds.direction, bonds.length]
+    if same is None:
+        constants += [bonds.kn, bonds.A, bonds.B, bonds.C, bonds.kt]
+    arrays = (
+        layout.i, layout.j, np.vstack(constants), np.zeros(4) if same is None else np.array(same), state.integrity,
+        model.period,
+    )  # fmt: skip
+    return DeviceBonds._make([count, *map(upload, arrays), zeros(9, count)])
+
+
+def _rows(held: Constraints, state: State) -> Rows:
+    of, fixed, reaction, work = map(upload, (held.row_of.astype(np.int32), held.fixed, state.reaction, state.work))
+    force, half, full = (zeros(len(held.element), 6) for _ in range(3))
+    return Rows(of, fixed, force, half, full, reaction, work)
+
+
+def _schedules(held: Constraints) -> RowSchedules:
+    rows = len(held.element)
+    loads, drives = np.argsort(held.load_row, kind="stable"), np.argsort(held.drive_row, kind="stable")
+    arrays = (
+        held.times, held.values, held.start,
+        _starts(held.load_row, rows), held.load_schedule[loads], held.load_value[loads],
+        _starts(held.drive_row, rows), held.drive_dof[drives], held.drive_schedule[drives], held.drive_rate[drives],
+    )  # fmt: skip
+    return RowSchedules._make([rows, *map(upload, arrays)])
+
+
+def _gauges(gauges: Gauges, state: State) -> DeviceGauges:
+    count, element = len(gauges.quantity), gauges.element
+    arrays = state.rest[element], gauges.start, element.astype(np.int32), gauges.quantity, gauges.reduction
+    parts = zeros(count, _parts(int(np.diff(gauges.start).max(initial=1))), 3)
+    return DeviceGauges._make([count, *map(upload, arrays), parts])
 
 
 def _starts(rows: np.ndarray, count: int) -> np.ndarray:

@@ -33,15 +33,16 @@ def stiffness(constants, same, k, s):
 
 
 @cuda_kernel
-def bond_forces(pose, i, j, constants, same, integrity, period, count, forces):
-    """Force on j and torques on i and j of every bond, into the nine rows of `forces` (9, m)."""
+def bond_forces(elements, bonds):
+    """Force on j and torques on i and j of every bond, into the nine rows of `bonds.forces`."""
     k = cuda.grid(1)
-    if k >= count:
+    if k >= bonds.m:
         return
-    a = i[k]
-    b = j[k]
-    dx, dy, dz = branch(pose, a, b, period)
-    kn, A, B, C, kt = stiffness(constants, same, k, integrity[k])
+    pose, constants, forces = elements.pose, bonds.constants, bonds.forces
+    a = bonds.i[k]
+    b = bonds.j[k]
+    dx, dy, dz = branch(pose, a, b, bonds.period)
+    kn, A, B, C, kt = stiffness(constants, bonds.same, k, bonds.integrity[k])
     fx, fy, fz, ax, ay, az, bx, by, bz = bond_force(
         dx, dy, dz,
         pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
@@ -54,14 +55,15 @@ def bond_forces(pose, i, j, constants, same, integrity, period, count, forces):
 
 
 @cuda_kernel
-def rotation_guard(pose, i, j, constants, integrity, period, count, flags):
+def rotation_guard(elements, bonds, flags):
     """Add to `flags` (3,) the bonds beyond the valid range, beyond its end, and with numbers that are not finite."""
     k = cuda.grid(1)
-    if k >= count:
+    if k >= bonds.m:
         return
-    a = i[k]
-    b = j[k]
-    dx, dy, dz = branch(pose, a, b, period)
+    pose, constants = elements.pose, bonds.constants
+    a = bonds.i[k]
+    b = bonds.j[k]
+    dx, dy, dz = branch(pose, a, b, bonds.period)
     c1, c2, w2 = bond_cosines(
         dx, dy, dz,
         pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
@@ -72,7 +74,7 @@ def rotation_guard(pose, i, j, constants, integrity, period, count, flags):
     # counts of whole numbers: the order in which threads add changes nothing
     if not (c * c + w2 < 4.0):
         cuda.atomic.add(flags, 2, 1)
-    if integrity[k] > 0.0:
+    if bonds.integrity[k] > 0.0:
         if c < 0.7 or w2 < 0.75:
             cuda.atomic.add(flags, 0, 1)
         if c <= 0.0 or w2 <= 0.25:

@@ -9,7 +9,7 @@ from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.boundary import interpolate
 from bondem.kernels.element_rows import loaded, prescribed, react, row_power, switched_energy
-from bondem.kernels.tables import DAMPED, POWER
+from bondem.kernels.tables import DAMPED, INVERSE_INERTIA, INVERSE_MASS, POWER
 from bondem.laws.damping import direction, local_damping
 from bondem.laws.rotations import turn
 
@@ -50,63 +50,61 @@ def _drift(pose, p, dt, extra, v, w, a, b):
     )  # fmt: skip
 
 
+@device
+def _value(schedules, s, t):
+    return interpolate(schedules.times, schedules.values, schedules.start[s], schedules.start[s + 1], t)
+
+
 @cuda_kernel
-def schedule_rows(
-    clock, ahead, t0, dt, count, times, values, start, load_start, load_schedule, load_value,
-    drive_start, drive_dof, drive_schedule, drive_rate, row_force, row_half, row_full,
-):  # fmt: skip
-    """Set a row's force and velocities `ahead` steps from now; its loads and drives are contiguous."""
+def schedule_rows(clock, ahead, scheme, schedules, rows):
+    """Set a row's force and velocities `ahead` steps from now."""
     r = cuda.grid(1)
-    if r >= count:
+    if r >= schedules.r:
         return
-    t = t0 + (clock[0] + ahead) * dt
+    dt = scheme.dt
+    t = scheme.origin + (clock[0] + ahead) * dt
     for d in range(6):
-        row_force[r, d] = 0.0
-    for e in range(load_start[r], load_start[r + 1]):
-        s = load_schedule[e]
-        amplitude = interpolate(times, values, start[s], start[s + 1], t)
+        rows.force[r, d] = 0.0
+    for e in range(schedules.load_start[r], schedules.load_start[r + 1]):
+        amplitude = _value(schedules, schedules.load_schedule[e], t)
         for d in range(6):
-            row_force[r, d] += amplitude * load_value[e, d]
-    for e in range(drive_start[r], drive_start[r + 1]):
-        s = drive_schedule[e]
-        d = drive_dof[e]
-        now = interpolate(times, values, start[s], start[s + 1], t)
-        if drive_rate[e]:
-            row_full[r, d] = now
-            row_half[r, d] = interpolate(times, values, start[s], start[s + 1], t + 0.5 * dt)
+            rows.force[r, d] += amplitude * schedules.load_value[e, d]
+    for e in range(schedules.drive_start[r], schedules.drive_start[r + 1]):
+        s = schedules.drive_schedule[e]
+        d = schedules.drive_dof[e]
+        now = _value(schedules, s, t)
+        if schedules.drive_rate[e]:
+            rows.full[r, d] = now
+            rows.half[r, d] = _value(schedules, s, t + 0.5 * dt)
         else:
-            row_half[r, d] = (interpolate(times, values, start[s], start[s + 1], t + dt) - now) / dt
-            row_full[r, d] = row_half[r, d]
+            rows.half[r, d] = (_value(schedules, s, t + dt) - now) / dt
+            rows.full[r, d] = rows.half[r, d]
 
 
 @cuda_kernel
-def open_step(
-    pose, motion, acceleration, row_of, row_fixed, row_force, row_half, row_reaction, work, dt, begin, extra
-):  # fmt: skip
+def open_step(elements, rows, scheme):
     """Open a step after a pause."""
     p = cuda.grid(1)
-    if p >= pose.shape[0]:
+    if p >= elements.pose.shape[0]:
         return
+    motion, acceleration, dt, begin = elements.motion, elements.acceleration, scheme.dt, scheme.begin
     a = acceleration[p, 0], acceleration[p, 1], acceleration[p, 2]
     b = acceleration[p, 3], acceleration[p, 4], acceleration[p, 5]
     v, w = _velocities(motion, p)
-    r = row_of[p]
+    r = rows.of[p]
     if r >= 0:
-        work[r] += switched_energy(row_fixed, row_half, r, motion[p, 3], motion[p, 7], v, w)
+        m, u = motion[p, INVERSE_MASS], motion[p, INVERSE_INERTIA]
+        rows.work[r] += switched_energy(rows.fixed, rows.half, r, m, u, v, w)
     v, w = _kicked(v, begin, a), _kicked(w, begin, b)
     if r >= 0:
-        v, w = prescribed(row_fixed, row_half, r, v, w)
-        work[r] += 0.5 * dt * row_power(row_fixed, row_force, row_reaction, r, v, w)
+        v, w = prescribed(rows.fixed, rows.half, r, v, w)
+        rows.work[r] += 0.5 * dt * row_power(rows.fixed, rows.force, rows.reaction, r, v, w)
     _put_velocities(motion, p, v, w)
-    _drift(pose, p, dt, extra, v, w, a, b)
+    _drift(elements.pose, p, dt, scheme.extra, v, w, a, b)
 
 
 @cuda_kernel
-def move(
-    clock, tick, pose, motion, acceleration, forces, in_start, out_start, out_bond,
-    row_of, row_fixed, row_force, row_half, row_full, row_reaction, work,
-    dt, finish, begin, extra, gamma, loss, go_on,
-):  # fmt: skip
+def move(clock, tick, elements, adjacency, forces, rows, scheme, go_on):
     """Add up an element's bonds, close the step, and open the next or not; the clock goes on by `tick`.
 
     Bonds are added as on the CPU: those with j = p, then those with i = p, both ascending.
@@ -114,18 +112,20 @@ def move(
     p = cuda.grid(1)
     if p == 0:
         clock[0] += tick
-    if p >= pose.shape[0]:
+    if p >= elements.pose.shape[0]:
         return
+    motion, acceleration, loss = elements.motion, elements.acceleration, elements.loss
+    dt, finish, begin, gamma = scheme.dt, scheme.finish, scheme.begin, scheme.gamma
     f0 = f1 = f2 = t0 = t1 = t2 = 0.0
-    for k in range(in_start[p], in_start[p + 1]):
+    for k in range(adjacency.in_start[p], adjacency.in_start[p + 1]):
         f0 += forces[0, k]
         f1 += forces[1, k]
         f2 += forces[2, k]
         t0 += forces[6, k]
         t1 += forces[7, k]
         t2 += forces[8, k]
-    for e in range(out_start[p], out_start[p + 1]):
-        k = out_bond[e]
+    for e in range(adjacency.out_start[p], adjacency.out_start[p + 1]):
+        k = adjacency.out_bond[e]
         f0 -= forces[0, k]
         f1 -= forces[1, k]
         f2 -= forces[2, k]
@@ -134,12 +134,12 @@ def move(
         t2 += forces[5, k]
     f, t = (f0, f1, f2), (t0, t1, t2)
     v, w = _velocities(motion, p)
-    m, u = motion[p, 3], motion[p, 7]
-    r = row_of[p]
+    m, u = motion[p, INVERSE_MASS], motion[p, INVERSE_INERTIA]
+    r = rows.of[p]
     if r >= 0:
-        react(row_reaction, r, f, t)
-        work[r] += 0.5 * dt * row_power(row_fixed, row_force, row_reaction, r, v, w)
-        f, t = loaded(row_fixed, row_force, r, f, t)
+        react(rows.reaction, r, f, t)
+        rows.work[r] += 0.5 * dt * row_power(rows.fixed, rows.force, rows.reaction, r, v, w)
+        f, t = loaded(rows.fixed, rows.force, r, f, t)
     whole_f, whole_t = f, t
     if gamma > 0.0:
         f, t = _damped(f, v, gamma), _damped(t, w, gamma)
@@ -155,17 +155,17 @@ def move(
         loss[p, DAMPED] += 0.5 * dt * (loss[p, POWER] + power)
         loss[p, POWER] = power
     if r >= 0:
-        work[r] += switched_energy(row_fixed, row_full, r, m, u, v, w)
-        v, w = prescribed(row_fixed, row_full, r, v, w)
+        rows.work[r] += switched_energy(rows.fixed, rows.full, r, m, u, v, w)
+        v, w = prescribed(rows.fixed, rows.full, r, v, w)
     if go_on:
         v, w = _kicked(v, begin, a), _kicked(w, begin, b)
         if r >= 0:
-            work[r] += switched_energy(row_fixed, row_half, r, m, u, v, w)
-            v, w = prescribed(row_fixed, row_half, r, v, w)
-            work[r] += 0.5 * dt * row_power(row_fixed, row_force, row_reaction, r, v, w)
+            rows.work[r] += switched_energy(rows.fixed, rows.half, r, m, u, v, w)
+            v, w = prescribed(rows.fixed, rows.half, r, v, w)
+            rows.work[r] += 0.5 * dt * row_power(rows.fixed, rows.force, rows.reaction, r, v, w)
     _put_velocities(motion, p, v, w)
     if go_on:
-        _drift(pose, p, dt, extra, v, w, a, b)
+        _drift(elements.pose, p, dt, scheme.extra, v, w, a, b)
     else:
         for d in range(3):
             acceleration[p, d] = a[d]

@@ -7,7 +7,17 @@ from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.cuda.bonds import branch, stiffness
 from bondem.kernels.sample import rotation_component
-from bondem.kernels.tables import LARGEST, MEAN, OF_DISPLACEMENT, OF_ROTATION, OF_SPIN, OF_VELOCITY
+from bondem.kernels.tables import (
+    DAMPED,
+    LARGEST,
+    MEAN,
+    OF_DISPLACEMENT,
+    OF_ROTATION,
+    OF_SPIN,
+    OF_VELOCITY,
+    RUBBED,
+    SPIN,
+)  # fmt: skip
 from bondem.laws.beam_energy import bond_energy
 
 # Columns: kinetic energy (2), elastic energy (4), work, loss and friction; after them three a gauge.
@@ -15,20 +25,21 @@ TRANSLATION, ROTATION, NORMAL, WORK, LOSS, FRICTION, SUMS = 0, 1, 2, 6, 7, 8, 9
 
 
 @cuda_kernel
-def element_sums(motion, loss, work, parts):
+def element_sums(elements, rows, parts):
     """Kinetic energies, losses and the work of the boundary, into `parts` (SUMS, S)."""
     s = cuda.grid(1)
     stride = parts.shape[1]
     if s >= stride:
         return
+    motion, loss, work = elements.motion, elements.loss, rows.work
     translation = rotation = damped = rubbed = total = 0.0
     for p in range(s, motion.shape[0], stride):
         v2 = motion[p, 0] ** 2 + motion[p, 1] ** 2 + motion[p, 2] ** 2
         w2 = motion[p, 4] ** 2 + motion[p, 5] ** 2 + motion[p, 6] ** 2
         translation += 0.5 * v2 / motion[p, 3]
         rotation += 0.5 * w2 / motion[p, 7]
-        damped += loss[p, 0]
-        rubbed += loss[p, 2]
+        damped += loss[p, DAMPED]
+        rubbed += loss[p, RUBBED]
     for r in range(s, work.shape[0], stride):
         total += work[r]
     parts[TRANSLATION, s] = translation
@@ -48,19 +59,20 @@ def _shear(L, A, B, C):
 
 
 @cuda_kernel
-def bond_sums(pose, i, j, constants, same, integrity, period, count, parts):
+def bond_sums(elements, bonds, parts):
     """The four elastic energies, into `parts` (SUMS, S)."""
     s = cuda.grid(1)
     stride = parts.shape[1]
     if s >= stride:
         return
+    pose, constants = elements.pose, bonds.constants
     normal = slip = bend = twist = 0.0
-    for k in range(s, count, stride):
-        a = i[k]
-        b = j[k]
-        dx, dy, dz = branch(pose, a, b, period)
+    for k in range(s, bonds.m, stride):
+        a = bonds.i[k]
+        b = bonds.j[k]
+        dx, dy, dz = branch(pose, a, b, bonds.period)
         L = constants[3, k]
-        kn, A, B, C, kt = stiffness(constants, same, k, 1.0)
+        kn, A, B, C, kt = stiffness(constants, bonds.same, k, 1.0)
         ks, lever = _shear(L, A, B, C)
         e0, e1, e2, e3 = bond_energy(
             dx, dy, dz,
@@ -68,7 +80,7 @@ def bond_sums(pose, i, j, constants, same, integrity, period, count, parts):
             pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
             constants[0, k], constants[1, k], constants[2, k], L, kn, A, B, C, kt, ks, lever,
         )  # fmt: skip
-        share = integrity[k]
+        share = bonds.integrity[k]
         normal += share * e0
         slip += share * e1
         bend += share * e2
@@ -80,34 +92,33 @@ def bond_sums(pose, i, j, constants, same, integrity, period, count, parts):
 
 
 @cuda_kernel
-def gauge_sums(
-    pose, motion, rest, start, element, quantity, reduction, row_of, row_fixed, row_reaction, row_force, count, parts
-):  # fmt: skip
-    """Sum or largest absolute value of each component of `count` gauges, into `parts` (gauges, S, 3)."""
+def gauge_sums(elements, gauges, rows):
+    """Sum or largest absolute value of each component of the gauges, into their parts."""
     n = cuda.grid(1)
-    stride = parts.shape[1]
+    stride = gauges.parts.shape[1]
     g = n // stride
     s = n % stride
-    if g >= count:
+    if g >= gauges.g:
         return
+    pose, start, quantity = elements.pose, gauges.start, gauges.quantity
     for d in range(3):
         value = 0.0
         for e in range(start[g] + s, start[g + 1], stride):
-            p = element[e]
+            p = gauges.element[e]
             x = 0.0
             if quantity[g] == OF_DISPLACEMENT:
-                x = pose[p, d] - rest[e, d]
+                x = pose[p, d] - gauges.rest[e, d]
             elif quantity[g] == OF_VELOCITY:
-                x = motion[p, d]
+                x = elements.motion[p, d]
             elif quantity[g] == OF_ROTATION:
                 x = rotation_component(pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7], d)
             elif quantity[g] == OF_SPIN:
-                x = motion[p, 4 + d]
-            elif row_of[p] >= 0:
-                r = row_of[p]
-                x = row_reaction[r, d] if row_fixed[r, d] else row_force[r, d]
-            value = max(value, abs(x)) if reduction[g] == LARGEST else value + x
-        parts[g, s, d] = value
+                x = elements.motion[p, SPIN + d]
+            elif rows.of[p] >= 0:
+                r = rows.of[p]
+                x = rows.reaction[r, d] if rows.fixed[r, d] else rows.force[r, d]
+            value = max(value, abs(x)) if gauges.reduction[g] == LARGEST else value + x
+        gauges.parts[g, s, d] = value
 
 
 @cuda_kernel
@@ -126,7 +137,7 @@ def fold(parts, fewer):
 
 
 @cuda_kernel
-def write_record(fewer, gauge_parts, start, reduction, row, records):
+def write_record(fewer, gauges, row, records):
     """The last round, a thread a column: sums, then gauges, into a row of `records`."""
     c = cuda.grid(1)
     if c >= records.shape[1]:
@@ -138,9 +149,9 @@ def write_record(fewer, gauge_parts, start, reduction, row, records):
     else:
         g = (c - SUMS) // 3
         d = (c - SUMS) % 3
-        for s in range(gauge_parts.shape[1]):
-            x = gauge_parts[g, s, d]
-            value = max(value, x) if reduction[g] == LARGEST else value + x
-        if reduction[g] == MEAN:
-            value /= start[g + 1] - start[g]
+        for s in range(gauges.parts.shape[1]):
+            x = gauges.parts[g, s, d]
+            value = max(value, x) if gauges.reduction[g] == LARGEST else value + x
+        if gauges.reduction[g] == MEAN:
+            value /= gauges.start[g + 1] - gauges.start[g]
     records[row, c] = value

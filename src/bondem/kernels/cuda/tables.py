@@ -1,0 +1,58 @@
+"""What the loops of CUDA take beside `bondem.kernels.tables`: arrays on the device, under their names.
+
+An array without entries has one unused there, so that counts stand on their own.
+"""
+
+from typing import NamedTuple
+
+from bondem._compile_cuda import Array
+
+
+class DeviceElements(NamedTuple):
+    """The motion of n elements; kernels write all."""
+
+    pose: Array  #: (n, 8)
+    motion: Array  #: (n, 8)
+    acceleration: Array  #: translational and rotational, at a pause [m/s², rad/s²], (n, 6)
+    loss: Array  #: (n, 3)
+
+
+class DeviceBonds(NamedTuple):
+    """The bonds; kernels write `forces` only."""
+
+    m: int  #: how many
+    i: Array  #: uint32, (m,)
+    j: Array  #: uint32, after i, (m,)
+    constants: Array  #: reference direction, rest length and, unless bonds are alike, kn, A, B, C, kt; (4 or 9, m)
+    same: Array  #: `bondem.kernels.tables.Alike`, or zeros; (4,)
+    integrity: Array  #: 1 intact … 0 broken [-], (m,)
+    period: Array  #: edges of the periodic cell and their inverses, zero where there is none, (6,)
+    forces: Array  #: force on j, torque on i and on j; (9, m)
+
+
+class RowSchedules(NamedTuple):
+    """Schedules of the rows of the boundary; the loads and drives of a row are contiguous."""
+
+    r: int  #: of rows
+    times: Array  #: of all schedules, one after the other [s]
+    values: Array
+    start: Array  #: where each begins
+    load_start: Array  #: where the loads of each row begin, (r + 1,)
+    load_schedule: Array
+    load_value: Array  #: [N, N·m], (…, 6)
+    drive_start: Array  #: where the drives of each row begin, (r + 1,)
+    drive_dof: Array
+    drive_schedule: Array
+    drive_rate: Array  #: 1 for a velocity, 0 for a displacement
+
+
+class DeviceGauges(NamedTuple):
+    """What is read off for the history; kernels write `parts` only."""
+
+    g: int  #: how many
+    rest: Array  #: centres of their elements in the reference [m], (e, 3)
+    start: Array  #: where the elements of each gauge begin, (g + 1,)
+    element: Array  #: (e,)
+    quantity: Array  #: OF_…, (g,)
+    reduction: Array  #: MEAN, SUM or LARGEST, (g,)
+    parts: Array  #: of their sums or largest values, (g, S, 3)
