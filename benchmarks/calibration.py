@@ -20,7 +20,7 @@ from pathlib import Path
 
 import bondem as bd
 from bondem._compile import most_threads
-from bondem.labtests.explicit_tension import explicit_tension
+from validation.measures.explicit_tension import explicit_tension
 
 RESULT = Path(__file__).resolve().parent / "results" / "calibration.json"
 TARGET = ("--E", "72.5e9", "--nu", "0.17", "--rho", "2201", "--law", "euler-bernoulli")

@@ -1,4 +1,4 @@
-"""`bondem calibrate` and `bondem study coverage`: what they print, write and refuse."""
+"""`bondem calibrate` and the study of coverage: what they print, write and refuse."""
 
 import json
 import subprocess
@@ -12,7 +12,8 @@ from bondem.calibration.uncertainty import Sample
 from bondem.cli import bondem as group
 from bondem.errors import InputError
 from bondem.study.calibration import CalibrationPlan, run_calibration
-from bondem.study.coverage import Coverage, run_coverage
+from validation.frame.runner import run
+from validation.studies.coverage import Coverage
 
 
 def command(*arguments, cwd):
@@ -82,7 +83,7 @@ def test_bad_plans_are_refused():
 
 def test_coverage_counts_what_lies_in_the_interval(tmp_path):
     study = Coverage(count=500, calibrating=4, held_out=6, shape="cell")
-    results = run_coverage(study, tmp_path, processes=1)
+    results = run(study, tmp_path, processes=1)
     for name in ("E", "nu"):
         found = results["quantities"][name]
         values = np.array(found["values"])

@@ -10,67 +10,43 @@ import bondem as bd
 from bondem.cli import bondem as root
 from bondem.packing import METHOD, SEED
 from bondem.packing.sizes import SPREAD
-from bondem.study.abacus import Abacus
-from bondem.study.assembly import Assembly
-from bondem.study.calibrated_bar import BarRequest
 from bondem.study.calibration import CalibrationPlan
-from bondem.study.coverage import Coverage
-from bondem.study.dispersion import Dispersion
-from bondem.study.effective_section import SectionStudy
-from bondem.study.influence import Influence
-from bondem.study.packing_rows import TARGETS
-from bondem.study.quasistatic import QuasiStatic
-from bondem.study.refinement import Refinement
 from bondem.study.specimen import SpecimenPlan
 from bondem.study.study import BondPlan, Study, parse_study
-from bondem.study.surface_study import SurfaceStudy
-from bondem.study.vibration import Vibration
-from bondem.study.wave import WaveStudy
+from validation.__main__ import STUDIES as NAMES
+from validation.__main__ import study_of
+from validation.frame.command import command_of
+from validation.studies.abacus import Abacus
+from validation.studies.assembly import Assembly
+from validation.studies.influence import Influence
+from validation.studies.refinement import Refinement
+from validation.studies.wave import WaveStudy
 
-# What of a command is of another name or form in Python.
-PERCENT = {"kappa": "spread", "ramp": "ramp"}
-NAMES = {"unseen": "held_out"}
 NO_DEFAULT = {"out", "processes", "threads", "help", "material", "E", "nu", "rho"}
-COMMANDS = {
-    "calibrate": CalibrationPlan, "abacus": Abacus, "assembly": Assembly, "coverage": Coverage,
-    "dispersion": Dispersion, "influence": Influence, "quasistatic": QuasiStatic, "refinement": Refinement,
-    "section": SectionStudy, "surface": SurfaceStudy, "vibration": Vibration, "wave": WaveStudy,
-}  # fmt: skip
+STUDIES = {name: study_of(name) for name in NAMES}
 
 
-def of_python(plan, name):
-    """The default of an option of a plan; those of its bar are its bar's."""
-    fields = {item.name: item.default for item in dataclasses.fields(plan)}
-    bar = fields.get("bar")
-    return getattr(bar, name) if bar is not None and name not in fields else fields[name]
+def test_the_command_and_its_plan_have_the_same_defaults():
+    command = root.get_command(click.Context(root), "calibrate")
+    given = command.make_context("calibrate", ["--out", "nowhere"]).params
+    plan = {item.name: item.default for item in dataclasses.fields(CalibrationPlan)}
+    plan |= {"kappa": 100.0 * plan["spread"]}
+    compared = {name: value for name, value in given.items() if name not in NO_DEFAULT}
+    assert len(compared) >= 3
+    assert compared == {name: plan[name] for name in compared}
 
 
-def leaf(name):
-    command = root.get_command(click.Context(root), "calibrate" if name == "calibrate" else "study")
-    return command if name == "calibrate" else command.get_command(click.Context(command), name)
-
-
-@pytest.mark.parametrize("name", COMMANDS)
-def test_a_command_and_its_plan_have_the_same_defaults(name):
-    plan, command, compared = COMMANDS[name], leaf(name), 0
-    for option, given in command.make_context(name, ["--out", "nowhere"]).params.items():
-        if option in NO_DEFAULT:
-            continue
-        key = NAMES.get(option, option)
-        if key in PERCENT:
-            given, key = given / 100.0, PERCENT[key]
-        if key == "laws":
-            given = given or Abacus.laws
-        if key == "target" and plan is not Dispersion:
-            given, key = TARGETS if given == "both" else (given,), "targets"
-        assert given == of_python(plan, key), option
-        compared += 1
-    assert compared >= 3
-
-
-def test_all_studies_are_compared():
-    study = root.get_command(click.Context(root), "study")
-    assert {*study.list_commands(click.Context(study)), "calibrate"} == set(COMMANDS)
+@pytest.mark.parametrize("name", STUDIES)
+def test_the_command_of_a_study_is_made_from_its_fields(name):
+    study = STUDIES[name]
+    command = command_of(study)
+    given = command.make_context(name, ["--out", "nowhere"]).params
+    asked = {key: value for key, value in given.items() if key not in ("out", "processes", "help")}
+    assert study(**asked) == study()
+    assert len(asked) >= 3
+    assert command.name == study.name == name
+    assert all(option.help for option in command.params)
+    assert "André" in command.help or len(command.help) > 40
 
 
 def test_packings_have_the_same_defaults_everywhere():
@@ -86,7 +62,7 @@ def test_packings_have_the_same_defaults_everywhere():
     assert bd.Uniform().spread == SPREAD
     for plan in (CalibrationPlan, Abacus, Assembly, Influence, Refinement):
         assert plan.spread == SPREAD
-    assert CalibrationPlan.seed == BarRequest.seed == Study.seed == SEED
+    assert CalibrationPlan.seed == WaveStudy.seed == Study.seed == SEED
     assert Refinement.method == METHOD
 
 

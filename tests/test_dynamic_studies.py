@@ -8,18 +8,18 @@ import pytest
 from click.testing import CliRunner
 
 import bondem as bd
-from bondem.cli.studies import quasistatic, section, vibration, wave
 from bondem.errors import InputError
 from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.cantilever import mass_gyration
-from bondem.labtests.effective_section import SectionRadii, section_profile
-from bondem.labtests.explicit_tension import ExplicitTension, explicit_tension
-from bondem.labtests.inertia import inertia_excess, stiffness_effect
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
 from bondem.model.model import Model
-from bondem.study.calibrated_bar import BarRequest
-from bondem.study.study_files import plain, thinned
+from validation.__main__ import validation
+from validation.frame.files import plain, thinned
+from validation.measures.effective_section import SectionRadii, section_profile
+from validation.measures.explicit_tension import ExplicitTension, explicit_tension
+from validation.measures.inertia import inertia_excess, stiffness_effect
+from validation.studies.wave import WaveStudy
 
 E, NU, RHO, R = 70e9, 0.2, 2200.0, 0.5e-3
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius_ratio=1.0)
@@ -203,18 +203,18 @@ def test_a_chain_carries_everything_on_its_axis():
 @pytest.mark.parametrize(
     ("study", "options", "figures"),
     [
-        (quasistatic, ("--steps", "3000"), 3),
-        (vibration, ("--steps", "3000", "--packings", "2"), 3),
-        (wave, ("--packings", "2"), 4),
-        (section, ("--packings", "2"), 2),
+        ("quasistatic", ("--steps", "3000"), 3),
+        ("vibration", ("--steps", "3000", "--packings", "2"), 3),
+        ("wave", ("--packings", "2"), 4),
+        ("section", ("--packings", "2"), 2),
     ],
 )
 def test_commands_leave_results_tables_figures_and_a_page(study, options, figures, tmp_path):
     out = tmp_path / "out"
-    done = CliRunner().invoke(study.command, ["--out", str(out), "--count", "1000", *options])
+    done = CliRunner().invoke(validation, [study, "--out", str(out), "--count", "1000", *options])
     assert done.exit_code == 0, done.output
     results = json.loads((out / "results.json").read_text())
-    assert results["study"] == study.command.name
+    assert results["study"] == study
     assert results["macro"]["E"] == pytest.approx(72.5e9, rel=2e-3)
     assert results["specimen"]["elements"] == 1000
     assert len(list((out / "figures").glob("*.png"))) == figures
@@ -223,7 +223,7 @@ def test_commands_leave_results_tables_figures_and_a_page(study, options, figure
     tables = (out / "table.md").read_text()
     assert page.count("<table>") == sum(line.startswith("|---") for line in tables.splitlines())
     assert "nan" not in tables
-    _CHECKS[study.command.name](results)
+    _CHECKS[study](results)
 
 
 def _quasistatic(results):
@@ -271,18 +271,18 @@ def _section(results):
 _CHECKS = {"quasistatic": _quasistatic, "vibration": _vibration, "wave": _wave, "section": _section}
 
 
-def test_results_are_plain_and_short():
+def test_results_are_plain():
     value = {"a": np.array([1.23456789, np.nan]), "b": (np.float64(2.0), np.int64(3)), "c": None, "d": "text"}
-    assert plain(value) == {"a": [1.23457, None], "b": [2.0, 3], "c": None, "d": "text"}
+    assert plain(value) == {"a": [1.23456789, None], "b": [2.0, 3], "c": None, "d": "text"}
     assert len(thinned(np.arange(1001))) <= 300
     np.testing.assert_array_equal(thinned(np.arange(10)), np.arange(10))
 
 
 def test_a_study_says_what_is_too_small():
     with pytest.raises(InputError, match="500"):
-        BarRequest(count=100)
+        WaveStudy(count=100)
     with pytest.raises(InputError, match="packings"):
-        BarRequest(packings=0)
+        WaveStudy(packings=0)
 
 
 def test_a_soft_skin_lowers_the_frequencies_as_the_bar_says():

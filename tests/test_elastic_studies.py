@@ -10,16 +10,17 @@ import pytest
 
 import bondem as bd
 from bondem.calibration.abacus import Curve, curve
-from bondem.cli import main
 from bondem.errors import InputError, PackingError
-from bondem.report.packing_page import write_page
-from bondem.study.abacus import SWEEPS, Abacus
-from bondem.study.assembly import LAW, Assembly, _scatter
-from bondem.study.elastic_rows import ElasticRequest, cells_and_bars
-from bondem.study.frame import PackingStudy, run_packing_study
-from bondem.study.influence import Influence
-from bondem.study.packing_rows import PackingRequest, kept_lattice
-from bondem.study.request import kept_row, made_row
+from validation.__main__ import main
+from validation.frame.page import write_page
+from validation.frame.request import kept_row, made_row
+from validation.frame.runner import run
+from validation.frame.study import Study
+from validation.rows.elastic import ElasticRequest, cells_and_bars
+from validation.rows.packings import PackingRequest, kept_lattice
+from validation.studies.abacus import SWEEPS, Abacus
+from validation.studies.assembly import LAW, Assembly, _scatter
+from validation.studies.influence import Influence
 
 LAWS = tuple(sweep.law for sweep in SWEEPS.values())
 
@@ -28,7 +29,7 @@ LAWS = tuple(sweep.law for sweep in SWEEPS.values())
 def abacus(tmp_path_factory):
     out = tmp_path_factory.mktemp("abacus")
     study = Abacus(count=200, packings=2, bars=1, laws=("ParallelBond",))
-    return study, out, run_packing_study(study, out, processes=1)
+    return study, out, run(study, out, processes=1)
 
 
 def files(folder):
@@ -124,7 +125,7 @@ def test_a_second_run_makes_only_what_is_missing(abacus):
     before = files(out)
     lost = next(path for path in sorted((out / "rows").iterdir()) if path.name.startswith("ParallelBond"))
     lost.unlink()
-    again = run_packing_study(study, out, processes=1)
+    again = run(study, out, processes=1)
     after = files(out)
     made = [path for path in after if path.parent.name in ("rows", "packings")]
     written = {path.name for path in made if after[path] != before[path]}
@@ -144,21 +145,21 @@ def test_another_law_packing_or_way_to_measure_is_another_row(tmp_path, monkeypa
     changed = bd.EulerBernoulli(E=LAW.E, nu=LAW.nu, radius_ratio=0.72)
     others = [ElasticRequest(bar, LAW), ElasticRequest(cell, changed), ElasticRequest(cell, LAW, True)]
     assert len({other.name for other in others} | {one.name}) == 4
-    monkeypatch.setattr("bondem.study.elastic_rows._measuring", lambda: "measured otherwise")
+    monkeypatch.setattr("validation.frame.request.code_hash", lambda module: "measured otherwise")
     assert kept_row(one, tmp_path) is None
 
 
-class Doomed(PackingStudy):
+class Doomed(Study):
     """One packing by a method that does not exist, and one that does."""
 
-    name = "assembly"
+    name = "doomed"
 
-    @property
-    def stages(self):
+    def stages(self, out):
         packings = [PackingRequest(150, 0.25, method, "contacts", 1, True) for method in ("shake", "quench")]
-        return ("pack", packings), ("solve", [ElasticRequest(one, LAW) for one in packings])
+        yield "pack", packings
+        yield "solve", [ElasticRequest(one, LAW) for one in packings]
 
-    def results(self, rows):
+    def results(self, out, rows):
         return {"tested": [row["method"] for row in rows]}
 
     def table(self, results):
@@ -169,9 +170,9 @@ class Doomed(PackingStudy):
 
 
 def test_what_needs_a_packing_that_failed_is_left_out_and_told(tmp_path, monkeypatch):
-    monkeypatch.setattr("bondem.study.frame.write_page", lambda *arguments: None)
+    monkeypatch.setattr("validation.frame.runner.write_page", lambda *arguments: None)
     with pytest.raises(PackingError, match=r"1 of 2 packings and tests failed.*shake"):
-        run_packing_study(Doomed(), tmp_path, processes=1)
+        run(Doomed(), tmp_path, processes=1)
     results = json.loads((tmp_path / "results.json").read_text())
     assert (results["failed"], results["tested"]) == (1, ["quench"])
 
@@ -192,7 +193,7 @@ def test_the_exponent_of_the_radius_is_the_share_of_the_energy():
 
 
 def test_influence_judges_the_statements_of_the_paper(tmp_path):
-    results = run_packing_study(Influence(count=300, packings=1, bars=1), tmp_path, processes=1)
+    results = run(Influence(count=300, packings=1, bars=1), tmp_path, processes=1)
     for found in results["verdicts"].values():
         assert max(found["E_mu"].values()) < 1e-9
         beam, shear = found["nu_mu"]["EulerBernoulli"], found["nu_mu"]["Timoshenko"]
@@ -213,7 +214,7 @@ def test_influence_judges_the_statements_of_the_paper(tmp_path):
 
 def test_assembly_leaves_scatter_limits_and_specimens(tmp_path):
     study = Assembly(counts=(300, 360), packings=2, cells=1)
-    results = run_packing_study(study, tmp_path, processes=1)
+    results = run(study, tmp_path, processes=1)
     assert [row["count"] for row in results["rows"]] == [300, 300, 360, 360, 360]
     bars = [row for row in results["rows"] if not row["periodic"]]
     found = results["targets"]["contacts"]
@@ -250,7 +251,7 @@ def test_the_page_says_what_failed(tmp_path):
     law = {"radius_ratio": 0.71, "E_mu": 265e9}
     results = {"failed": 1, "errors": ["no such method"], "rows": [row], "version": "0", "packings": 4,
                "targets": {"a": target}, "law": law}  # fmt: skip
-    write_page(tmp_path, "assembly", results)
+    write_page(tmp_path, Assembly(), results)
     assert "no such method" in (tmp_path / "report.html").read_text()
 
 
@@ -258,20 +259,20 @@ def test_the_page_says_what_failed(tmp_path):
     ("arguments", "told"),
     [
         (["abacus"], "--out"),
-        (["abacus", "--out", "out", "--law", "NonLocal"], "NonLocal"),
-        (["abacus", "--out", "out", "--count", "20"], "--count"),
-        (["influence", "--out", "out", "--packings", "0"], "--packings"),
+        (["abacus", "--out", "out", "--laws", "NonLocal"], "NonLocal"),
+        (["abacus", "--out", "out", "--count", "20"], "at least 100"),
+        (["influence", "--out", "out", "--packings", "0"], "at least 1"),
         (["influence", "--out", "file"], "folder"),
         (["assembly", "--out", "out", "--counts", "100,200"], "at least 300"),
         (["assembly", "--out", "out", "--counts", "1000,1000"], "different"),
-        (["assembly", "--out", "out", "--counts", "many"], "numbers of elements"),
-        (["assembly", "--out", "out", "--packings", "1"], "--packings"),
+        (["assembly", "--out", "out", "--counts", "many"], "commas"),
+        (["assembly", "--out", "out", "--packings", "1"], "at least 2"),
     ],
 )
 def test_what_cannot_be_done_is_told_in_one_line(tmp_path, monkeypatch, capsys, arguments, told):
     monkeypatch.chdir(tmp_path)
     Path("file").touch()
-    monkeypatch.setattr(sys, "argv", ["bondem", "study", *arguments])
+    monkeypatch.setattr(sys, "argv", ["validation", *arguments])
     with pytest.raises(SystemExit) as stopped:
         main()
     said = capsys.readouterr().err

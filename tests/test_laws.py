@@ -17,10 +17,10 @@ from bondem.io.codec import decode, encode
 from bondem.laws.catalogue import CALIBRATED, DEFAULT, LAWS, PARAMETERS, named
 from bondem.report import page
 from bondem.report.style import law_colour, sheet
-from bondem.study.abacus import SWEEPS
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study
-from bondem.study.surface_study import FITTED, HELD_OUT
+from validation.studies.abacus import SWEEPS
+from validation.studies.surface import FITTED, HELD_OUT
 
 every_law = pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 

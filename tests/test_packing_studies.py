@@ -13,24 +13,29 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.cli import main
 from bondem.errors import InputError, PackingError
-from bondem.report.limit import limit
-from bondem.report.packing_curves import LARGEST_POSSIBLE, PRINTED_THRESHOLD
-from bondem.study.dispersion import Dispersion
-from bondem.study.packing_rows import PackingRequest, kept_lattice, random_isotropy_error
-from bondem.study.packing_runs import complain
-from bondem.study.packing_tables import summary
-from bondem.study.refinement import Refinement
-from bondem.study.request import kept_row, made_row
+from validation.__main__ import main
+from validation.figures.packing_curves import LARGEST_POSSIBLE, PRINTED_THRESHOLD
+from validation.frame.failures import complain
+from validation.frame.request import kept_row, made_row
+from validation.frame.tables import summary
+from validation.measures.limit import limit
+from validation.rows.packings import PackingRequest, kept_lattice, random_isotropy_error
+from validation.studies.dispersion import Dispersion
+from validation.studies.refinement import Refinement
 
-SMALL = ("--counts", "200,260,340", "--packings", "2", "--target", "jamming", "--periodic", "0")
+SMALL = ("--counts", "200,260,340", "--packings", "2", "--targets", "jamming", "--periodic", "0")
+
+
+ROOT = Path(__file__).parents[1]
+# validation is no part of what is installed
+HERE = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))}
 
 
 def command(*arguments, cwd):
     return subprocess.run(
-        [sys.executable, "-m", "bondem", "study", *map(str, arguments)],
-        cwd=cwd, capture_output=True, text=True, timeout=300,
+        [sys.executable, "-m", "validation", *map(str, arguments)],
+        cwd=cwd, env=HERE, capture_output=True, text=True, timeout=300,
     )  # fmt: skip
 
 
@@ -106,10 +111,11 @@ def test_a_second_run_packs_only_what_is_missing(refined):
 
 
 def test_a_run_that_is_killed_keeps_what_is_there_and_leaves_no_process(tmp_path):
-    arguments = ["refinement", "--out", "out", "--counts", "60,30000", "--packings", "2", "--target", "jamming",
+    arguments = ["refinement", "--out", "out", "--counts", "60,30000", "--packings", "2", "--targets", "jamming",
                  "--periodic", "0"]  # fmt: skip
     # largest first: two processes are in the large ones, the third packs the small ones
-    run = subprocess.Popen([sys.executable, "-m", "bondem", "study", *arguments, "--processes", "3"], cwd=tmp_path)
+    words = [sys.executable, "-m", "validation", *arguments, "--processes", "3"]
+    run = subprocess.Popen(words, cwd=tmp_path, env=HERE)
     try:
         deadline = time.monotonic() + 120.0
         while not list(tmp_path.glob("out/rows/*.json")):
@@ -139,11 +145,11 @@ def alive(process):
 
 
 def test_an_interrupted_run_ends_at_once(tmp_path):
-    arguments = ["refinement", "--out", "out", "--counts", "60,30000", "--packings", "1", "--target", "jamming",
+    arguments = ["refinement", "--out", "out", "--counts", "60,30000", "--packings", "1", "--targets", "jamming",
                  "--periodic", "0"]  # fmt: skip
     run = subprocess.Popen(
-        [sys.executable, "-m", "bondem", "study", *arguments, "--processes", "2"],
-        cwd=tmp_path, stderr=subprocess.PIPE, text=True,
+        [sys.executable, "-m", "validation", *arguments, "--processes", "2"],
+        cwd=tmp_path, env=HERE, stderr=subprocess.PIPE, text=True,
         # tests started in the background of a shell would hand on that ^C is ignored
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )  # fmt: skip
@@ -160,7 +166,7 @@ def test_an_interrupted_run_ends_at_once(tmp_path):
 def test_dispersion_goes_on_after_a_packing_that_fails(tmp_path):
     # six contacts for each of 12 spheres in a cube cannot be had without overlaps beyond measure
     done = command(
-        "dispersion", "--out", "out", "--count", "12", "--kappa", "25", "--method", "quench", "--processes", "1",
+        "dispersion", "--out", "out", "--count", "12", "--spreads", "0.25", "--method", "quench", "--processes", "1",
         cwd=tmp_path,
     )  # fmt: skip
     assert done.returncode == 2
@@ -173,8 +179,8 @@ def test_dispersion_goes_on_after_a_packing_that_fails(tmp_path):
 
 def test_dispersion_draws_and_judges(tmp_path):
     done = command(
-        "dispersion", "--out", "out", "--count", "500", "--kappa", "0,25", "--method", "quench", "--processes", "2",
-        cwd=tmp_path,
+        "dispersion", "--out", "out", "--count", "500", "--spreads", "0,0.25", "--method", "quench",
+        "--processes", "2", cwd=tmp_path,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     results = json.loads((tmp_path / "out" / "results.json").read_text())
@@ -190,21 +196,22 @@ def test_dispersion_draws_and_judges(tmp_path):
     ("arguments", "told"),
     [
         (["dispersion"], "--out"),
-        (["dispersion", "--out", "out", "--kappa", "a"], "dispersions in percent"),
-        (["dispersion", "--out", "out", "--kappa", "250", "--method", "quench"], "less than 200"),
-        (["dispersion", "--out", "out", "--kappa", "0,0", "--method", "quench"], "twice"),
+        (["dispersion", "--out", "out", "--spreads", "a"], "commas"),
+        (["dispersion", "--out", "out", "--spreads", "2.5", "--method", "quench"], "less than 2"),
+        (["dispersion", "--out", "out", "--spreads", "0,0", "--method", "quench"], "twice"),
         (["dispersion", "--out", "out", "--method", "shake"], "shake"),
         (["dispersion", "--out", "out", "--processes", "0"], "--processes"),
         (["refinement", "--out", "out", "--counts", "5"], "at least 10"),
-        (["refinement", "--out", "out", "--counts", "1e3"], "numbers of spheres"),
+        (["refinement", "--out", "out", "--counts", "1e3"], "commas"),
         (["refinement", "--out", "file", "--counts", "100"], "folder"),
         (["refinement", "--out", "out", "--seeds", "3"], "--seeds"),
+        (["refinement", "--out", "out", "--targets", "dense"], "dense"),
     ],
 )
 def test_what_cannot_be_done_is_told_in_one_line(tmp_path, monkeypatch, capsys, arguments, told):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").touch()
-    monkeypatch.setattr(sys, "argv", ["bondem", "study", *arguments])
+    monkeypatch.setattr(sys, "argv", ["validation", *arguments])
     with pytest.raises(SystemExit) as stopped:
         main()
     said = capsys.readouterr().err
@@ -233,7 +240,7 @@ def test_a_changed_request_or_version_is_not_taken_for_the_old(tmp_path, monkeyp
     )]  # fmt: skip
     assert len({other.name for other in others} | {one.name}) == 7
     assert all(kept_row(other, tmp_path) is None for other in others)
-    monkeypatch.setattr("bondem.io.packing_cache._program", lambda: "another version")
+    monkeypatch.setattr("validation.frame.request.code_hash", lambda module: "another version")
     assert kept_row(one, tmp_path) is None
 
 

@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,10 +21,10 @@ from bondem.errors import InputError
 from bondem.labtests import uniform_stress
 from bondem.labtests.any_shape import UniformStress
 from bondem.laws.bond import BondLaw
-from bondem.study.request import made_row
-from bondem.study.surface_fit import Fit, bulk_means, design, law_name
-from bondem.study.surface_rows import FORMS, ModuliRequest, SpecimenRequest
-from bondem.study.surface_study import FITTED, HELD_OUT, SurfaceStudy
+from validation.frame.request import made_row
+from validation.rows.surface import FORMS, ModuliRequest, SpecimenRequest
+from validation.studies.surface import FITTED, HELD_OUT, SurfaceStudy
+from validation.studies.surface_fit import Fit, bulk_means, design, law_name
 
 LAW = bd.EulerBernoulli(E=50e9, nu=0.3, radius_ratio=0.7)
 SHAPE = bd.Cylinder(radius=5e-3, length=25e-3)
@@ -263,7 +264,7 @@ def test_the_model_survives_its_file_and_laws_have_names():
 
 def test_the_study_asks_for_every_shape_and_refuses_crumbs():
     study = SurfaceStudy(counts=(400,), seeds=1, other_count=400, cell_count=400)
-    (_, specimens), (_, tests) = study.stages
+    (_, specimens), (_, tests) = study.stages(Path())
     assert {one.form for one in specimens} == set(FORMS)
     assert {one.target for one in specimens} == {"contacts", "dense", "jamming", "carved"}
     assert {one.needs for one in tests} == set(specimens)
@@ -298,7 +299,7 @@ def test_results_tables_and_figure_follow_from_rows(tmp_path):
                 row["nu"] = 0.15 + float(factor[0] @ model.nu @ factor[1])
                 rows.append(row)
     study = SurfaceStudy(counts=(2000,), seeds=12)
-    results = study.results(rows)
+    results = study.results(tmp_path, rows)
     again = SurfaceModel.read(results["model"])
     np.testing.assert_allclose(again.E, model.E, atol=1e-4)
     np.testing.assert_allclose(again.nu, model.nu, atol=1e-4)
@@ -309,7 +310,7 @@ def test_results_tables_and_figure_follow_from_rows(tmp_path):
     study.draw(tmp_path, rows, results)
     assert (tmp_path / "figures" / "surface.png").stat().st_size > 10_000
     assert (tmp_path / "surface.json").is_file()
-    assert study.results([])["model"] is None
+    assert study.results(tmp_path, [])["model"] is None
 
 
 def test_moduli_along_an_axis_are_those_of_the_compliance():

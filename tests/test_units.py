@@ -6,14 +6,12 @@ import subprocess
 import sys
 import warnings
 
-import click
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as some
 
 import bondem as bd
-from bondem.cli.studies import quasistatic, refinement, wave
 from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.specimen import materials
 from bondem.specimen.plausibility import _USUAL
@@ -236,22 +234,6 @@ def test_bonds_far_thicker_or_thinner_than_elements_are_doubted():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         bd.Model(lattice, bd.EulerBernoulli(E=70e9, nu=0.3, radius=0.3e-3), 2500.0)
-
-
-def test_options_of_studies_take_units_within_their_bounds():
-    def read(command, *options):
-        return command.make_context("study", ["--out", "nowhere", *options]).params
-
-    for text in ("30", "30 %", "0.3e2%"):
-        assert read(refinement.command, "--kappa", text)["kappa"] == 30.0
-    assert read(wave.command, "--velocity", "20 cm/s")["velocity"] == 0.2
-    for command, option, value in (
-        (refinement.command, "--kappa", "nan"), (refinement.command, "--kappa", "200"),
-        (refinement.command, "--kappa", "5 mm"), (quasistatic.command, "--phi", "0.9"),
-        (quasistatic.command, "--ramp", "0"), (wave.command, "--velocity", "-1"), (wave.command, "--velocity", "1 m"),
-    ):  # fmt: skip
-        with pytest.raises(click.BadParameter, match=option):
-            read(command, option, value)
 
 
 def test_the_command_warns_in_a_line_and_reads_units(tmp_path):

@@ -7,13 +7,14 @@ Exit status 0 when all went well, 2 for a bad study or bad input (one line on st
 import importlib
 import sys
 import warnings
+from typing import NoReturn
 
 import click
 
 from bondem import __version__
 from bondem.errors import BondemError, UnstableRunError
 
-_COMMANDS = ("calibrate", "resume", "run", "study")
+_COMMANDS = ("calibrate", "resume", "run")
 
 OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130
 
@@ -44,21 +45,26 @@ def bondem(context: click.Context) -> None:
 
 def main() -> None:
     """Run the command line and leave with its exit status."""
+    leave_with(bondem)
+
+
+def leave_with(command: click.Command) -> NoReturn:
+    """Run a command and leave with its exit status; warnings and errors are one line each."""
     with warnings.catch_warnings():
         warnings.showwarning = _warn
-        status = _status()
+        status = _status(command)
     sys.exit(status)
 
 
-def _status() -> int:
+def _status(command: click.Command) -> int:
     try:
-        return bondem.main(standalone_mode=False) or OK
+        return command.main(standalone_mode=False) or OK
     except click.exceptions.Exit as stop:
         return stop.exit_code
     except click.Abort:
         return _complain("interrupted", INTERRUPTED)
     except click.ClickException as error:
-        return _complain(f"{error.format_message()} See 'bondem --help'.", BAD_INPUT)
+        return _complain(f"{error.format_message()} See '{command.name} --help'.", BAD_INPUT)
     except UnstableRunError as error:
         return _complain(str(error), UNSTABLE)
     except BondemError as error:

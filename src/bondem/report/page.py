@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from bondem.errors import InputError
 from bondem.io.atomic import write_text
@@ -20,7 +21,6 @@ from bondem.report.numbers import measures, percent, signed, signed_percent, wit
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_free_parameter, draw_profiles, draw_tension
-from bondem.report.study_page import environment
 from bondem.report.summary_figures import draw_errors
 from bondem.specimen.layering import wall_layering
 from bondem.specimen.radial_distribution import radial_distribution
@@ -122,7 +122,10 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
 
 def page(findings: Findings, pictures: dict[str, Picture]) -> str:
     """The HTML of the report."""
-    templates = environment()
+    templates = Environment(
+        loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True,
+    )  # fmt: skip
     templates.filters |= {
         "quantity": with_unit,
         "percent": percent,

@@ -1,0 +1,54 @@
+"""`python -m validation NAME --out DIR`: carry out a study, or go on with one in the same folder."""
+
+import importlib
+import inspect
+import sys
+
+import click
+
+from bondem.cli import leave_with
+from validation.frame.command import command_of
+from validation.frame.study import Study
+
+STUDIES = (
+    "abacus", "assembly", "coverage", "dispersion", "influence", "quasistatic", "refinement", "section", "surface",
+    "vibration", "wave",
+)  # fmt: skip
+
+
+def study_of(name: str) -> type[Study]:
+    """The study of a name."""
+    module = importlib.import_module(f"validation.studies.{name}")
+    (found,) = (
+        kind for kind in vars(module).values()
+        if inspect.isclass(kind) and issubclass(kind, Study) and kind.__module__ == module.__name__
+    )  # fmt: skip
+    return found
+
+
+class _Studies(click.Group):
+    """The studies, each loaded when it is called."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(STUDIES)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        return command_of(study_of(cmd_name)) if cmd_name in STUDIES else None
+
+
+@click.group("python -m validation", cls=_Studies, no_args_is_help=False, invoke_without_command=True,
+             context_settings={"help_option_names": ["-h", "--help"]})  # fmt: skip
+@click.pass_context
+def validation(context: click.Context) -> None:
+    """The papers' tests done again. A study goes on where it was stopped when started again with the same DIR."""
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help())
+
+
+def main() -> None:
+    """Run the command line and leave with its exit status, as `bondem` does."""
+    leave_with(validation)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""What every study shares: rows, the runner, tables, the page, and the command."""

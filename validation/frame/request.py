@@ -1,0 +1,151 @@
+"""A row of a study: what is asked for, and what was measured, kept in a file as soon as it is there.
+
+    DIR/rows/NAME.json, and what figures need beside it in DIR/kept/NAME.pickle
+
+NAME ends in a hash of the request and of all the code that decides its numbers (`validation.frame.sources`): a row of
+another request, or of another version, is never taken for this one. The row comes last and in one move, so that where
+it is, all is.
+"""
+
+import hashlib
+import json
+import os
+import pickle
+import time
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any, final
+
+import numpy as np
+
+from bondem.errors import BondemError, UnstableRunError
+from bondem.io.atomic import write_text
+from bondem.solve.threads import one_blas_thread
+from validation.frame.sources import code_hash
+
+
+class Request(ABC):
+    """One row of a study. Equal requests are one; all are frozen dataclasses."""
+
+    @property
+    @abstractmethod
+    def readable(self) -> str:
+        """What its files are called, before the hash."""
+
+    @property
+    @abstractmethod
+    def weight(self) -> float:
+        """How much work it is, against others of its kind."""
+
+    @property
+    def needs(self) -> "Request | None":
+        """What must have been made before, in an earlier stage."""
+        return None
+
+    @property
+    @abstractmethod
+    def asked(self) -> dict[str, Any]:
+        """The columns of the row that say what was asked for; among them count, spread and seed."""
+
+    def whole(self, folder: Path) -> bool:
+        """Whether all that belongs to the row is there."""
+        return True
+
+    @abstractmethod
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """Do the work.
+
+        Returns:
+            The columns of the row that say what came out, numbers finite or None; "seconds" where not all of the
+            time counts.
+
+        Raises:
+            BondemError: why it cannot be done.
+        """
+
+    @final
+    @property
+    def name(self) -> str:
+        """What its files are called: readable, and unlike that of any other request or version."""
+        text = json.dumps(written(self), sort_keys=True)
+        digest = hashlib.sha256(f"{code_hash(type(self).__module__)}\n{text}".encode())
+        return f"{self.readable}_{digest.hexdigest()[:16]}"
+
+    @final
+    def row_file(self, folder: Path) -> Path:
+        """Where its row is kept."""
+        return folder / "rows" / f"{self.name}.json"
+
+    @final
+    def kept_file(self, folder: Path) -> Path:
+        """Where what figures need is kept, if there is any."""
+        return folder / "kept" / f"{self.name}.pickle"
+
+    @final
+    def keep(self, folder: Path, what: object) -> None:
+        """Keep an object for the figures; the name tells versions apart, so that it can be read as it was written."""
+        path = self.kept_file(folder)
+        path.parent.mkdir(exist_ok=True)
+        aside = path.with_suffix(f".{os.getpid()}.new")
+        aside.write_bytes(pickle.dumps(what))
+        os.replace(aside, path)
+
+    @final
+    def kept(self, folder: Path) -> Any:
+        """What was kept."""
+        return pickle.loads(self.kept_file(folder).read_bytes())
+
+
+def written(value: Any) -> Any:
+    """What decides a request, as JSON can hold it.
+
+    Raises:
+        TypeError: something that has no fields.
+    """
+    match value:
+        case None | bool() | int() | float() | str():
+            return value
+        case np.generic():
+            return value.item()
+        case np.ndarray():
+            return [value.dtype.str, list(value.shape), hashlib.sha256(value.tobytes()).hexdigest()]
+        case list() | tuple():
+            return [written(item) for item in value]
+        case Mapping():
+            return {str(name): written(item) for name, item in value.items()}
+    kind = type(value)
+    if not is_dataclass(kind):
+        raise TypeError(f"a request holds a {kind.__name__}, which cannot be written down")
+    return {"type": f"{kind.__module__}.{kind.__qualname__}"} | {
+        item.name: written(getattr(value, item.name)) for item in fields(value)
+    }
+
+
+def kept_row(request: Request, folder: Path) -> dict[str, Any] | None:
+    """The row of a request that is there already, or None; one that failed has an `error`."""
+    try:
+        row = json.loads(request.row_file(folder).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    complete = isinstance(row, dict) and "error" in row
+    return row if complete and (row["error"] or request.whole(folder)) else None
+
+
+@one_blas_thread
+def made_row(request: Request, folder: Path) -> dict[str, Any]:
+    """Do the work of a request and keep its row.
+
+    Returns:
+        The row. What failed has a row, too, with the reason; to try it again, delete its file.
+    """
+    row: dict[str, Any] = request.asked | {"error": "", "unstable": False}
+    start = time.perf_counter()
+    try:
+        row |= request.measured(folder)
+    except BondemError as error:
+        row |= {"error": str(error), "unstable": isinstance(error, UnstableRunError)}
+    row.setdefault("seconds", round(time.perf_counter() - start, 3))
+    write_text(request.row_file(folder), json.dumps(row, indent=1, allow_nan=False) + "\n")
+    return row

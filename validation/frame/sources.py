@@ -1,0 +1,98 @@
+"""Which code a number hangs on: all modules that the one behind it imports, and theirs, by their text."""
+
+import ast
+import hashlib
+import subprocess
+from collections.abc import Mapping
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+
+import bondem
+
+REPOSITORY = Path(__file__).parents[2]
+#: Where the packages lie whose sources count; of others their version does.
+ROOTS: Mapping[str, Path] = {
+    "bondem": Path(bondem.__file__).parent,
+    "validation": REPOSITORY / "validation",
+}
+_OTHERS = ("numpy", "scipy", "numba")
+
+
+@cache
+def code_hash(module: str) -> str:
+    """A hash of a module, of all that it imports, wherever in the file, and of the data that lie beside them.
+
+    Args:
+        module: its dotted name, in one of `ROOTS`.
+    """
+    return closure_hash(module, ROOTS)
+
+
+def closure_hash(module: str, roots: Mapping[str, Path]) -> str:
+    """`code_hash` with the packages in other places."""
+    digest = hashlib.sha256(" ".join(f"{name} {version(name)}" for name in _OTHERS).encode())
+    files = [_file(name, roots) for name in sorted(closure(module, roots))]
+    folders = sorted({path.parent for path in files})
+    data = [path for folder in folders for path in sorted(folder.rglob("*.json"))]
+    for path in [*files, *dict.fromkeys(data)]:
+        digest.update(path.name.encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def closure(module: str, roots: Mapping[str, Path]) -> set[str]:
+    """Names of a module, of the packages it is in, and of all that these import."""
+    seen: set[str] = set()
+    todo = [module]
+    while todo:
+        name = todo.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        package = name.rpartition(".")[0]
+        todo += [*([package] if package else []), *_imports(name, roots)]
+    return seen
+
+
+def _file(name: str, roots: Mapping[str, Path]) -> Path:
+    root, _, rest = name.partition(".")
+    path = roots[root].joinpath(*rest.split(".")) if rest else roots[root]
+    return path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+
+
+def _known(name: str, roots: Mapping[str, Path]) -> bool:
+    return name.partition(".")[0] in roots and _file(name, roots).is_file()
+
+
+def _imports(name: str, roots: Mapping[str, Path]) -> list[str]:
+    found: list[str] = []
+    for node in ast.walk(ast.parse(_file(name, roots).read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found += [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            # a name of a package may be a module in it
+            found += [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
+    found = [one for one in found if _known(one, roots)]
+    # the package loads what it is asked for when it is asked for it: any of its modules may be meant
+    if "bondem" in found and name != "bondem":
+        found += _all_of("bondem", roots["bondem"])
+    return found
+
+
+def _all_of(name: str, folder: Path) -> list[str]:
+    parts = [path.relative_to(folder).with_suffix("").parts for path in folder.rglob("*.py")]
+    names = [".".join((name, *(one[:-1] if one[-1] == "__init__" else one))) for one in parts]
+    return [one for one in names if not one.endswith("__main__")]
+
+
+def commit() -> str:
+    """The commit of the repository, with "+" where files differ from it; "" where it is none."""
+    try:
+        head, changed = (
+            subprocess.run(["git", *words], cwd=REPOSITORY, capture_output=True, text=True, check=True).stdout.strip()
+            for words in (["rev-parse", "--short=12", "HEAD"], ["status", "--porcelain", "--untracked-files=no"])
+        )
+    except (OSError, subprocess.CalledProcessError):
+        return ""
+    return head + ("+" if changed else "")

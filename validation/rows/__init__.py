@@ -1,0 +1,1 @@
+"""Rows: what one packing or one test of it gives."""

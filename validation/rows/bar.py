@@ -1,0 +1,199 @@
+"""Tests of the calibrated silica cylinder of André et al. (2012), 10 × 40 mm, as rows of a study."""
+
+from abc import abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, ClassVar
+
+from bondem.calibration import calibrate
+from bondem.errors import InputError
+from bondem.labtests.tension import Tension, static_tension
+from bondem.laws.bond import BondLaw
+from bondem.laws.catalogue import DEFAULT
+from bondem.packing import SEED
+from bondem.packing.sizes import SPREAD
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.materials import fused_silica
+from validation.frame.failures import complain
+from validation.frame.files import plain
+from validation.frame.request import Request
+from validation.frame.study import Stages, Study
+from validation.rows.packings import PackingRequest, kept_lattice
+
+
+@dataclass(frozen=True, eq=False)
+class CalibratedBar:
+    """One packing, bonded.
+
+    Attributes:
+        seed: of its packing.
+        lattice: elements and bonds.
+        law: calibrated on the first packing.
+        density: of the elements, from eq (19) on the first packing [kg/m³].
+        tension: its own tension test.
+        rho: its own density [kg/m³].
+    """
+
+    seed: int
+    lattice: Lattice
+    law: BondLaw
+    density: float
+    tension: Tension
+    rho: float
+
+    @classmethod
+    def of(cls, lattice: Lattice, law: BondLaw, density: float, seed: int) -> "CalibratedBar":
+        """Pull a bonded packing once."""
+        mass = density * lattice.particles.volume[lattice.connected].sum()
+        rho = float(mass / lattice.particles.envelope.volume)
+        return cls(seed, lattice, law, density, static_tension(lattice, law), rho)
+
+    @property
+    def own(self) -> dict[str, Any]:
+        """E, ν and ρ of this packing, by the names the tests take them."""
+        return {"E": self.tension.E, "nu": self.tension.nu, "rho": self.rho}
+
+    @property
+    def told(self) -> dict[str, Any]:
+        """What `results.json` says of it."""
+        particles = self.lattice.particles
+        return {
+            "specimen": {
+                "elements": len(particles),
+                "bonds": len(self.lattice.pairs),
+                "coordination_number": 2.0 * len(self.lattice.pairs) / len(particles),
+                "mean_radius": particles.mean_radius,
+                "rattlers": int((~self.lattice.connected).sum()),
+                "seed": self.seed,
+            },
+            "micro": {
+                "law": type(self.law).__name__,
+                "E_mu": self.law.E,
+                "nu_mu": self.law.nu,
+                "r_mu_ratio": getattr(self.law, "radius_ratio", None),
+                "rho_mu": self.density,
+            },
+            "macro": self.own,
+        }
+
+
+@dataclass(frozen=True)
+class BarTest(Request):
+    """A test of one bar.
+
+    Attributes:
+        packing: made before.
+        law: its bonds.
+        density: of its elements [kg/m³].
+    """
+
+    packing: PackingRequest
+    law: BondLaw
+    density: float
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        return f"{type(self).__name__}_n{self.packing.count}_seed{self.packing.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return float(self.packing.count)
+
+    @property
+    def needs(self) -> PackingRequest:
+        """See `Request`."""
+        return self.packing
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        return asdict(self.packing)
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """What `tested` gives, and what there is to say of the bar."""
+        lattice = kept_lattice(self.packing, folder)
+        bar = CalibratedBar.of(lattice, self.law, self.density, self.packing.seed)
+        return plain(self.tested(bar, folder) | {"bar": bar.told})
+
+    @abstractmethod
+    def tested(self, bar: CalibratedBar, folder: Path) -> dict[str, Any]:
+        """Carry the test out; what figures need is kept in the folder."""
+
+
+@dataclass(frozen=True)
+class BarStudy(Study):
+    """A study of calibrated bars.
+
+    Attributes:
+        count: spheres of a packing.
+        seed: of the first packing, on which the bonds are calibrated.
+        packings: how many, seeds in sequence.
+    """
+
+    template: ClassVar[str] = "plain.html"
+    captions: ClassVar[Mapping[str, str]]
+    note: ClassVar[str] = ""
+
+    count: int = 10_000
+    seed: int = SEED
+    packings: int = 1
+
+    def __post_init__(self) -> None:
+        if self.count < 500:
+            raise InputError(f"count = {self.count}; give at least 500 spheres, or the cylinder is no bar")
+        if self.packings < 1:
+            raise InputError(f"packings = {self.packings}; give at least 1")
+
+    @property
+    def bars(self) -> list[PackingRequest]:
+        """What is packed."""
+        return [
+            PackingRequest(self.count, SPREAD, "quench", "contacts", self.seed + k, form="bar")
+            for k in range(self.packings)
+        ]
+
+    def stages(self, out: Path) -> Stages:
+        """See `Study`; the bonds are calibrated between the two."""
+        complain((yield "pack", self.bars), out)
+        complain((yield "test", self.calibrated_tests(out)), out, what="tests")
+
+    def calibrated_tests(self, out: Path) -> Sequence[BarTest]:
+        """What is tested, when the packings are there."""
+        bars = self.bars
+        return self.tests(bars, *calibrated(bars[0], out))
+
+    def first(self, out: Path) -> tuple[PackingRequest, Any]:
+        """The first packing, and what the first test of it has kept."""
+        return self.bars[0], self.calibrated_tests(out)[0].kept(out)
+
+    @abstractmethod
+    def tests(self, packings: Sequence[PackingRequest], law: BondLaw, density: float) -> Sequence[BarTest]:
+        """What is tested."""
+
+    @abstractmethod
+    def about(self) -> str:
+        """Line below the headline of the page."""
+
+    @abstractmethod
+    def verdict(self, results: Mapping[str, Any]) -> str:
+        """What came out, in a few sentences."""
+
+    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
+        """See `Study`."""
+        return {
+            "about": self.about(),
+            "verdict": self.verdict(results),
+            "captions": {name: " ".join(text.split()) for name, text in self.captions.items()},
+            "note": self.note,
+        }
+
+
+@lru_cache(maxsize=1)
+def calibrated(packing: PackingRequest, out: Path) -> tuple[BondLaw, float]:
+    """The paper's bonds and the density of the elements [kg/m³], calibrated on a packing that is there."""
+    fit = calibrate(kept_lattice(packing, out), fused_silica, law=DEFAULT)
+    return fit.law, fit.density

@@ -1,0 +1,145 @@
+"""One packing of a study: what was asked for, and the row of numbers it gave.
+
+Its spheres and bonds are kept beside the rows, in DIR/packings/NAME.h5, so that figures and tests of it need no
+packing again.
+"""
+
+import math
+import time
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from bondem.io.particles_file import load_bonded, save_particles
+from bondem.packing import pack
+from bondem.specimen.bonding import connect
+from bondem.specimen.core import region
+from bondem.specimen.fabric import fabric
+from bondem.specimen.geode import geode
+from bondem.specimen.geometry import Box, Cell, Cylinder, Shape
+from bondem.specimen.lattice import Lattice
+from validation.frame.request import Request
+
+#: What `pack` can be asked for here: the onset of jamming, or 6.2 contacts a sphere, its default.
+TARGETS = ("jamming", "contacts")
+
+# Nothing that is measured of a packing depends on the edge [m].
+_EDGES = (0.01, 0.01, 0.01)
+
+#: What is packed: a cube, or the bar of the paper's §5.1, 10 mm thick and 40 mm long.
+FORMS: dict[str, Shape] = {"cube": Box(_EDGES), "bar": Cylinder(radius=5e-3, length=40e-3)}
+
+# Contacts of spheres this far from the walls [mean radii] are free of them.
+_DEEP = 3.0
+
+
+@dataclass(frozen=True)
+class PackingRequest(Request):
+    """One packing of a study.
+
+    Attributes:
+        count: number of spheres.
+        spread: κ, radii uniform in R̄ (1 ± κ/2) [-].
+        method: of `bd.pack`.
+        target: one of `TARGETS`.
+        seed: which of the random packings.
+        periodic: whether the cube goes on beyond its faces, instead of having walls.
+        form: one of `FORMS`.
+    """
+
+    count: int
+    spread: float
+    method: str
+    target: str
+    seed: int
+    periodic: bool = False
+    form: str = "cube"
+
+    @property
+    def shape(self) -> Shape:
+        """What is filled."""
+        return Cell(_EDGES) if self.periodic else FORMS[self.form]
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        where = "_periodic" if self.periodic else "" if self.form == "cube" else f"_{self.form}"
+        return f"{self.method}_{self.target}{where}_k{100.0 * self.spread:g}_n{self.count}_seed{self.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return float(self.count)
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        return asdict(self)
+
+    def packing_file(self, folder: Path) -> Path:
+        """Where its spheres and bonds are kept."""
+        return folder / "packings" / f"{self.name}.h5"
+
+    def whole(self, folder: Path) -> bool:
+        """See `Request`."""
+        return self.packing_file(folder).is_file()
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """Pack, bond and measure, and keep the packing; the time is that of packing."""
+        start = time.perf_counter()
+        particles = pack(
+            self.shape, count=self.count, spread=self.spread, method=self.method, seed=self.seed,
+            jamming=self.target == "jamming",
+        )  # fmt: skip
+        seconds = round(time.perf_counter() - start, 3)
+        lattice = connect(particles)
+        found = _measures(lattice)
+        save_particles(self.packing_file(folder), lattice, provenance=asdict(self))
+        return {"seconds": seconds} | found
+
+
+def kept_lattice(request: PackingRequest, folder: Path) -> Lattice:
+    """The spheres and bonds behind a row."""
+    particles, pairs = load_bonded(request.packing_file(folder))
+    assert pairs is not None
+    return Lattice(particles, pairs)
+
+
+def _measures(lattice: Lattice) -> dict[str, Any]:
+    quality = fabric(lattice)
+    particles = lattice.particles
+    inside = region(particles).depth(particles.position) >= _DEEP * particles.mean_radius
+    bonds = np.bincount(lattice.pairs.ravel(), minlength=len(particles))
+    numbers = {
+        "volume_fraction": quality.volume_fraction,
+        "core_volume_fraction": quality.core_volume_fraction,
+        "coordination_number": quality.coordination_number,
+        "core_coordination_number": float(bonds[inside].mean()) if inside.any() else math.nan,
+        "backbone_coordination_number": quality.backbone_coordination_number,
+        "loose_share": quality.loose / len(particles),
+        "isotropy_error": quality.isotropy_error,
+        "isotropy_error_random": random_isotropy_error(len(lattice.pairs)),
+        "chi2_per_dof": quality.chi2_per_dof,
+        "rms_excess": quality.rms_excess,
+        "core_rms_excess": quality.core_rms_excess,
+        "stretch": float(np.abs(3.0 * quality.eigenvalues - 1.0).max()),
+        "core_stretch": quality.core_stretch,
+        "largest_overlap": quality.largest_overlap,
+        "fineness": quality.fineness,
+    }
+    finite = {name: value if math.isfinite(value) else None for name, value in numbers.items()}
+    verdict = {"passed": quality.passed, "reasons": list(quality.reasons)}
+    return {"bonds": len(lattice.pairs), "rattlers": quality.rattlers} | finite | verdict
+
+
+def random_isotropy_error(bonds: int) -> float:
+    """Mean of e, eq (11), for that many bonds of random direction in an isotropic fabric [-].
+
+    A bond counts on a face and on the opposite one, so that the frequency f of both is half that of a binomial draw.
+    What is left for infinitely many bonds is due to the faces, which are not equal.
+    """
+    share = geode().solid_angle / (4.0 * np.pi)
+    chance = 2.0 * share * (1.0 - 2.0 * share) / (4.0 * bonds)
+    return float(np.mean(chance + (share - 1.0 / len(share)) ** 2))

@@ -1,0 +1,231 @@
+"""Rows of the surface study: specimens of many shapes, and what each gives with a bond law beside its estimate."""
+
+import math
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from bondem.calibration.affine import affine_estimate, is_bar
+from bondem.io.particles_file import load_bonded, save_particles
+from bondem.labtests.any_shape import uniform_stress
+from bondem.labtests.bulk import bulk_moduli
+from bondem.labtests.gauge_length import AffineField, middle_half
+from bondem.labtests.tension import static_tension
+from bondem.laws.bond import BondLaw
+from bondem.laws.catalogue import PARAMETERS
+from bondem.model.boundary import Drive, Fix
+from bondem.model.model import Model
+from bondem.packing import pack
+from bondem.packing.sizes import SPREAD
+from bondem.solve.static import solve_static
+from bondem.specimen.bonding import connect
+from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
+from bondem.specimen.lattice import Lattice, carve
+from bondem.specimen.particles import Particles
+from bondem.specimen.regions import Face
+from bondem.specimen.surface import Surface
+from validation.frame.request import Request
+
+#: Where a packing ends: 6.2 or 7 contacts a sphere over all spheres, the onset of jamming, or cut from a periodic
+#: packing with 6.2 contacts a sphere.
+TARGETS = ("contacts", "dense", "jamming", "carved")
+
+# Of what a body is cut from, over the box around the body.
+_MARGIN = 1.15
+
+
+def _bracket() -> Surface:
+    """An L, 24 x 24 mm with limbs 8 mm thick, 10 mm deep along y: its surface."""
+    a, t, depth = 24e-3, 8e-3, 10e-3
+    outline = np.array([[0, 0], [a, 0], [a, t], [t, t], [t, a], [0, a]])
+    front = np.column_stack([outline[:, 0], np.zeros(6), outline[:, 1]])
+    k = np.arange(6)
+    after = (k + 1) % 6
+    # seen along +y the outline runs clockwise, so that the front face looks towards -y
+    cap = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]])
+    walls = np.concatenate([np.stack([k, 6 + after, after], axis=1), np.stack([k, 6 + k, 6 + after], axis=1)])
+    triangles = np.concatenate([cap, cap[:, ::-1] + 6, walls])
+    return Surface(vertices=np.concatenate([front, front + np.array([0.0, depth, 0.0])]), triangles=triangles)
+
+
+#: What is packed: lengths only count against the radii [m].
+FORMS: dict[str, Shape] = {
+    "cell": Cell((10e-3, 10e-3, 10e-3)),
+    "cube": Box((10e-3, 10e-3, 10e-3)),
+    "beam": Box((40e-3, 5e-3, 5e-3)),
+    "plate": Box((40e-3, 20e-3, 3e-3)),
+    "cylinder": Cylinder(radius=5e-3, length=40e-3),
+    "ball": Ball(radius=5e-3),
+    "bracket": _bracket(),
+}
+
+
+@dataclass(frozen=True)
+class SpecimenRequest(Request):
+    """One specimen.
+
+    Attributes:
+        form: one of `FORMS`.
+        count: elements; of a body that is cut out, about as many.
+        target: one of `TARGETS`.
+        seed: which of the random packings.
+        spread: κ [-].
+    """
+
+    form: str
+    count: int
+    target: str
+    seed: int
+    spread: float = SPREAD
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        return f"{self.form}_{self.target}_n{self.count}_seed{self.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return float(self.count) * (3.0 if self.target == "jamming" else 1.0)
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        return asdict(self)
+
+    def file(self, folder: Path) -> Path:
+        """Where its elements and bonds are kept."""
+        return folder / "packings" / f"{self.name}.h5"
+
+    def whole(self, folder: Path) -> bool:
+        """See `Request`."""
+        return self.file(folder).is_file()
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """Pack, bond, cut out where asked, and keep."""
+        lattice = self._cut() if self.target == "carved" else connect(self._packed(FORMS[self.form], self.count))
+        save_particles(self.file(folder), lattice, provenance=asdict(self))
+        return {"elements": len(lattice.particles), "bonds": len(lattice.pairs), "rattlers": lattice.rattlers}
+
+    def _packed(self, shape: Shape, count: int) -> Particles:
+        return pack(
+            shape, count=count, spread=self.spread, seed=self.seed, jamming=self.target == "jamming",
+            coordination_number=7.0 if self.target == "dense" else None,
+        )  # fmt: skip
+
+    def _cut(self) -> Lattice:
+        shape = FORMS[self.form]
+        lower, upper = shape.bounds
+        a, b, c = map(float, _MARGIN * (upper - lower))
+        around = Cell((a, b, c))
+        whole = self._packed(around, math.ceil(self.count * around.volume / shape.volume))
+        # into the middle of the packing
+        shift = 0.5 * (np.array([a, b, c]) - lower - upper)
+        return carve(connect(whole), shape.moved(shift.tolist()))
+
+
+@dataclass(frozen=True)
+class ModuliRequest(Request):
+    """A specimen with a law.
+
+    Attributes:
+        specimen: made before.
+        law: its bonds.
+        test: "tension", which is bulk moduli of a periodic cell; "plates", pulled by smooth rigid plates; or
+            "stress", uniform stress on the whole surface.
+    """
+
+    specimen: SpecimenRequest
+    law: BondLaw
+    test: str = "tension"
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        one = self.specimen
+        return f"{self.test}_{type(self.law).__name__}_{one.form}_{one.target}_n{one.count}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return float(self.specimen.count) * (6.0 if self.specimen.form == "cell" or self.test == "stress" else 1.0)
+
+    @property
+    def needs(self) -> SpecimenRequest:
+        """See `Request`."""
+        return self.specimen
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        law = asdict(self.law)
+        named = {name: law.get(name) for name in PARAMETERS}
+        return asdict(self.specimen) | {"law": type(self.law).__name__, "test": self.test} | named
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """Solve and estimate.
+
+        Returns:
+            E over E_μ and ν as measured and of the affine field, what else goes into the model, and of the bonds
+            their mean length over R̄, its standard deviation, and their number in a volume R̄³.
+        """
+        lattice = _lattice(self.specimen, folder)
+        bar = self.test != "stress" and is_bar(lattice)
+        estimate = affine_estimate(lattice, self.law, bar=bar)
+        E, nu = _moduli(lattice, self.law, self.test)
+        particles, shape = lattice.particles, lattice.particles.envelope
+        length = lattice.length / particles.mean_radius
+        found = {
+            "elements": len(particles),
+            "bond_length": length.mean(),
+            "bond_length_std": length.std(),
+            "bond_number": len(length) * particles.mean_radius**3 / shape.volume,
+            "surface_ratio": particles.mean_radius * shape.area / shape.volume,
+            "wall": estimate.wall,
+            "coordination_number": lattice.coordination_number,
+            "coordination": estimate.coordination,
+            "looseness": estimate.looseness,
+            "shear": estimate.shear,
+            "bending": estimate.bending,
+            "E_affine": estimate.E / self.law.E,
+            "nu_affine": estimate.nu,
+            "E": E / self.law.E,
+            "nu": nu,
+        }
+        return {name: value if isinstance(value, int) else float(value) for name, value in found.items()}
+
+
+def _moduli(lattice: Lattice, law: BondLaw, test: str) -> tuple[float, float]:
+    if lattice.particles.period is not None:
+        found = bulk_moduli(lattice, law)
+        return found.E, found.nu
+    if test == "stress":
+        whole = uniform_stress(lattice, law)
+        return whole.E, whole.nu
+    if test == "plates":
+        return _between_plates(lattice, law)
+    pulled = static_tension(lattice, law)
+    return pulled.E, pulled.nu
+
+
+def _between_plates(lattice: Lattice, law: BondLaw) -> tuple[float, float]:
+    """E and ν in the gauge of `static_tension`, the ends moved apart by smooth rigid plates instead of loaded."""
+    shape = lattice.particles.envelope
+    held = Fix(Face("x_min"), translation="x", rotation="")
+    pulled = solve_static(Model(lattice, law, 1.0, boundary=[Drive(Face("x_max"), x=1e-3 * shape.extent), held]))
+    force = -float(pulled.reaction[held.region.select(lattice), 0].sum())
+    chosen = middle_half(lattice)
+    strain = np.diag(AffineField.fit(lattice.particles.position[chosen], pulled.displacement[chosen]).strain)
+    return force / shape.section() / float(strain[0]), -0.5 * float(strain[1] + strain[2]) / float(strain[0])
+
+
+@lru_cache(maxsize=2)
+def _lattice(specimen: SpecimenRequest, folder: Path) -> Lattice:
+    """The specimen of a row; several laws in turn ask for the same."""
+    particles, pairs = load_bonded(specimen.file(folder))
+    assert pairs is not None
+    return Lattice(particles, pairs)
+

@@ -1,0 +1,195 @@
+"""Whether intervals keep their word: calibrate on some packings, test on others."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from bondem.calibration.elastic import Calibration, calibrate
+from bondem.calibration.uncertainty import Sample, half_width
+from bondem.errors import InputError
+from bondem.laws.bond import BondLaw
+from bondem.packing.sizes import SPREAD
+from bondem.specimen.materials import fused_silica
+from validation.figures.coverage import draw_coverage
+from validation.frame.failures import complain
+from validation.frame.files import table
+from validation.frame.study import Row, Stages, Study
+from validation.rows.elastic import ElasticRequest, cells_and_bars
+from validation.rows.packings import PackingRequest, kept_lattice
+
+#: Probability of the intervals [-].
+LEVEL = 0.95
+
+# Random calibrations, drawn from all packings, of each number of packings.
+_DRAWS = 4000
+_SIZES = (2, 3, 4, 6, 8, 12, 16)
+
+_SYMBOLS = {"E": "E", "nu": "ν"}
+_CAPTION = (
+    "Left and middle: calibrating and unseen packings, and the intervals of the calibration. Right: share of unseen"
+    " packings in the interval, over random calibrations from the same packings."
+)
+
+
+@dataclass(frozen=True)
+class Coverage(Study):
+    """Whether the intervals of a calibration hold unseen packings as often as they say.
+
+    Attributes:
+        count: elements of a packing.
+        calibrating: packings that calibrate, seeds 1 … calibrating.
+        held_out: unseen packings, the next seeds.
+        shape: "cylinder", the paper's 10 x 40 mm, or "cell", periodic.
+    """
+
+    name: ClassVar[str] = "coverage"
+    title: ClassVar[str] = "Do the intervals keep their word?"
+    template: ClassVar[str] = "plain.html"
+
+    count: int = 10_000
+    calibrating: int = 8
+    held_out: int = 40
+    shape: str = "cylinder"
+
+    def __post_init__(self) -> None:
+        if self.calibrating < 2 or self.held_out < 1:
+            raise InputError(
+                f"{self.calibrating} calibrating and {self.held_out} unseen packings; give at least 2 and 1"
+            )
+        if self.shape not in ("cylinder", "cell"):
+            raise InputError(f"shape = '{self.shape}'; choose from cylinder, cell")
+
+    @property
+    def bodies(self) -> list[PackingRequest]:
+        """All packings, those that calibrate first."""
+        number = self.calibrating + self.held_out
+        cells, bars = (number, 0) if self.shape == "cell" else (0, number)
+        return cells_and_bars(self.count, SPREAD, cells=cells, bars=bars)
+
+    def stages(self, out: Path) -> Stages:
+        """See `Study`; the bonds are calibrated between the two."""
+        complain((yield "pack", self.bodies), out)
+        law = _calibrated(tuple(self.bodies[: self.calibrating]), out).law
+        complain((yield "test", [ElasticRequest(one, law, slopes=True) for one in self.bodies]), out, what="tests")
+
+    def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
+        """See `Study`."""
+        return _results(self, _calibrated(tuple(self.bodies[: self.calibrating]), out), rows)
+
+    def table(self, results: Mapping[str, Any]) -> str:
+        """See `Study`."""
+        return _table(results)
+
+    def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
+        """Packings in and out of the intervals, and how often over random calibrations."""
+        draw_coverage(out / "figures" / "coverage.png", dict(results))
+
+    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
+        """See `Study`."""
+        quantities = results["quantities"]
+        return {
+            "about": f"{self.calibrating} calibrating and {self.held_out} unseen packings of {self.count} elements,"
+            f" {self.shape}, fused silica, {results['law']} bonds",
+            "verdict": " ".join(_verdict(self, symbol, quantities[name]) for name, symbol in _SYMBOLS.items()),
+            "captions": {"coverage": _CAPTION},
+            "note": "",
+        }
+
+
+@lru_cache(maxsize=1)
+def _calibrated(packings: tuple[PackingRequest, ...], out: Path) -> Calibration:
+    return calibrate([kept_lattice(one, out) for one in packings], fused_silica)
+
+
+def _results(study: Coverage, fit: Calibration, rows: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    quantities: dict[str, Any] = {}
+    for name in ("E", "nu"):
+        values = np.array([row[name] for row in rows])
+        known, unseen = values[: study.calibrating], values[study.calibrating :]
+        low, high = Sample(known).interval(kind="prediction", level=LEVEL)
+        mean_low, mean_high = Sample(known).interval(level=LEVEL)
+        quantities[name] = {
+            "values": values,
+            "prediction": (low, high),
+            "confidence": (mean_low, mean_high),
+            "covered": int(((low <= unseen) & (unseen <= high)).sum()),
+            "mean_covered": bool(mean_low <= unseen.mean() <= mean_high),
+            "scatter": float(np.std(values, ddof=1) / values.mean()),
+            "coverage": _coverage(study, name, rows, fit.law),
+        }
+    return {
+        "count": study.count,
+        "shape": study.shape,
+        "calibrating": study.calibrating,
+        "held_out": study.held_out,
+        "level": LEVEL,
+        "law": type(fit.law).__name__,
+        "E_mu": fit.law.E,
+        "value": fit.value,
+        "quantities": quantities,
+    }
+
+
+def _verdict(study: Coverage, symbol: str, found: dict[str, Any]) -> str:
+    often = found["coverage"].get(str(study.calibrating))
+    over = "" if often is None else f"; over random calibrations on as many packings, {often['mean']:.1%}"
+    inside = f"{found['covered']} of {study.held_out} unseen packings lie in the {LEVEL:.0%} prediction interval"
+    return f"{symbol}: {inside}{over}."
+
+
+def _coverage(study: Coverage, name: str, rows: Sequence[dict[str, Any]], law: BondLaw) -> dict[str, Any]:
+    """Mean share of unseen packings in the interval, over calibrations on random packings of all.
+
+    A calibration on other packings has other bonds. What each packing does with them follows to first order from
+    its slopes; the shift is a hundredth of r̃, so that the second order does not count.
+    """
+    E, nu = (np.array([row[key] for row in rows]) for key in ("E", "nu"))
+    assert law.radius_ratio is not None
+    log_slope, nu_slope = (np.array([row[key] for row in rows]) for key in ("exponent", "nu_slope"))
+    log_slope = log_slope / law.radius_ratio
+    rng = np.random.default_rng(0)
+    found = {}
+    for size in _SIZES:
+        if len(rows) - size < 2:
+            continue
+        order = rng.permuted(np.tile(np.arange(len(rows)), (_DRAWS, 1)), axis=1)
+        known = order[:, :size]
+        shift = (fused_silica.nu - nu[known].mean(axis=1)) / nu_slope[known].mean(axis=1)
+        if name == "nu":
+            values = nu[order] + nu_slope[order] * shift[:, None]
+        else:
+            values = E[order] * np.exp(log_slope[order] * shift[:, None])
+        half = half_width(size, kind="prediction", level=LEVEL) * values[:, :size].std(axis=1, ddof=1)
+        off = np.abs(values[:, size:] - values[:, :size].mean(axis=1, keepdims=True))
+        share = (off <= half[:, None]).mean(axis=1)
+        found[str(size)] = {"mean": float(share.mean()), "worst_tenth": float(np.quantile(share, 0.1))}
+    return found
+
+
+def _table(results: Mapping[str, Any]) -> str:
+    quantities = results["quantities"]
+    first = table(
+        f"Calibrated on {results['calibrating']} packings of {results['count']} elements, tested on"
+        f" {results['held_out']}",
+        ["quantity", "scatter of all", "prediction interval", "unseen packings in it", "mean of the unseen in the"
+         " confidence interval"],
+        [
+            [symbol, f"{one['scatter']:.2%}", " … ".join(f"{end / scale:.5g}" for end in one["prediction"]),
+             f"{one['covered']} of {results['held_out']}", "yes" if one["mean_covered"] else "no"]
+            for symbol, one, scale in (("E [GPa]", quantities["E"], 1e9), ("ν", quantities["nu"], 1.0))
+        ],
+    )  # fmt: skip
+    second = table(
+        f"Share of unseen packings in the {results['level']:.0%} interval, over random calibrations",
+        ["packings", "E, mean", "E, worst tenth", "ν, mean", "ν, worst tenth"],
+        [
+            [size] + [f"{quantities[name]['coverage'][size][key]:.1%}" for name in ("E", "nu")
+                      for key in ("mean", "worst_tenth")]
+            for size in quantities["E"]["coverage"]
+        ],
+    )  # fmt: skip
+    return f"{first}\n{second}"

@@ -1,0 +1,272 @@
+"""Influence of ν_μ, E_μ and r̃ on E and ν (André et al. 2012, §5.2, figs 11, 13, 14)."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import InputError
+from bondem.laws.catalogue import CALIBRATED, DEFAULT
+from bondem.packing.sizes import SPREAD
+from validation.figures.influence import draw_bond_modulus, draw_bond_radius, draw_exponent, draw_nu_mu
+from validation.frame.study import Row, Stages, Study
+from validation.frame.tables import markdown, summary
+from validation.rows.elastic import MEASURED, SHAPES, ElasticRequest, cells_and_bars
+
+#: The paper's fused silica, at which ν_μ varies and to which E_μ = 265 GPa belongs.
+_RADIUS, _MODULUS, _NU_MU = 0.71, 265e9, 0.3
+
+# The laws that the paper's r̃ means something to.
+_BEAMS = {name: law for name, law in CALIBRATED.items() if law.free.is_radius}
+
+# Incompressible bonds, ν_μ = 1/2, are the end of what a bond may be.
+_NU_MUS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.49)
+_MODULI = (50e9, 100e9, _MODULUS, 500e9)
+_RADII = tuple(round(0.1 * step, 1) for step in range(1, 11))
+
+#: Between these r̃ the claim is judged.
+_JUDGED = (0.2, 0.9)
+
+_COLUMNS = {
+    "r̃": ("radius_ratio", "{:.1f}", 1),
+    "E / E_μ": ("stiffness_ratio", "{:.5f}", 1),
+    "ν": ("nu", "{:.4f}", 1),
+    "d ln E / d ln r̃": ("exponent", "{:.3f}", 1),
+    "dν / dr̃": ("nu_slope", "{:.3f}", 1),
+}
+_BAR_COLUMNS = {
+    **_COLUMNS,
+    "2 + 2 × energy not in elongation": ("energy_exponent", "{:.3f}", 1),
+    "E (14) / E": ("E_ratio", "{:.4f}", 1),
+    "ν (15)": ("nu_paper", "{:.4f}", 1),
+}
+_NU_MU_COLUMNS = {
+    "law": ("law", "{}", 1),
+    "ν_μ": ("nu_mu", "{:g}", 1),
+    "E / E_μ": ("stiffness_ratio", "{:.4f}", 1),
+    "ν": ("nu", "{:.4f}", 1),
+}
+
+
+@dataclass(frozen=True)
+class Influence(Study):
+    """E and ν over ν_μ, E_μ and r̃: figures 11, 13 and 14 of André et al. (2012).
+
+    Attributes:
+        count: elements of a packing.
+        packings: periodic cells, seeds 1 … packings.
+        bars: cylinders of 10 x 40 mm, seeds 1 … bars; 0 for none.
+        spread: κ [-].
+    """
+
+    name: ClassVar[str] = "influence"
+    title: ClassVar[str] = "Elastic constants and the parameters of bonds"
+    template: ClassVar[str] = "influence.html"
+
+    count: int = 10_000
+    packings: int = 3
+    bars: int = 3
+    spread: float = SPREAD
+
+    def __post_init__(self) -> None:
+        if self.count < 100:
+            raise InputError(f"count = {self.count}; give at least 100 elements")
+        if self.packings < 1 or self.bars < 0:
+            raise InputError(f"{self.packings} packings and {self.bars} bars; give at least 1 and 0")
+
+    def stages(self, out: Path) -> Stages:
+        """See `Study`."""
+        packings = cells_and_bars(self.count, self.spread, cells=self.packings, bars=self.bars)
+        tests = [
+            *((law(E=_MODULUS, nu=nu_mu, radius_ratio=_RADIUS), False)
+              for law in _BEAMS.values() for nu_mu in _NU_MUS),
+            *((DEFAULT(E=E_mu, nu=_NU_MU, radius_ratio=radius), E_mu == _MODULUS)
+              for E_mu in _MODULI for radius in _RADII),
+        ]  # fmt: skip
+        # that the solution is linear in E_μ shows on the first packing as well as on all
+        wanted = [
+            ElasticRequest(one, law, slopes) for one in packings for law, slopes in tests
+            if one.seed == 1 or law.E == _MODULUS
+        ]  # fmt: skip
+        yield "pack", packings
+        yield "solve", wanted
+
+    def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
+        """See `Study`: the means, and what they say of the paper's statements."""
+        good = [_with_ratios(row) for row in rows if not row["error"]]
+        by = ("periodic", "law", "nu_mu", "E_mu", "radius_ratio")
+        measured = (*MEASURED, "energy_exponent", "E_ratio")
+        groups = summary(good, by, measured)
+        verdicts = {
+            shape: {
+                "nu_mu": {law: _change(groups, periodic, law) for law in _BEAMS},
+                "E_mu": _linearity(good, periodic),
+                "radius_ratio": _power(groups, periodic),
+            }
+            for periodic, shape in SHAPES.items()
+            if any(one["periodic"] is periodic for one in groups)
+        }
+        return {
+            "count": self.count, "packings": self.packings, "bars": self.bars, "spread": self.spread,
+            "radius_ratio": _RADIUS, "E_mu": _MODULUS, "nu_mu": _NU_MU,
+            "verdicts": verdicts, "summary": groups,
+        }  # fmt: skip
+
+    def table(self, results: Mapping[str, Any]) -> str:
+        """See `Study`."""
+        return "\n".join([_verdict_table(results["verdicts"]), *_tables(results["summary"])])
+
+    def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
+        """Figures 11, 13 and 14, and the exponent."""
+        groups = {
+            shape: [one for one in results["summary"] if one["periodic"] is periodic]
+            for periodic, shape in SHAPES.items()
+        }
+        groups = {shape: own for shape, own in groups.items() if own}
+        over_radius = {shape: radius_groups(own) for shape, own in groups.items()}
+        figures = out / "figures"
+        draw_nu_mu(figures / "nu_mu.png", {
+            shape: [one for one in own if one["radius_ratio"] == _RADIUS] for shape, own in groups.items()
+        }, radius_ratio=_RADIUS)  # fmt: skip
+        # Every E_μ is there for the first packing only, and its curves are not to be mixed with means of several.
+        alone = [row for row in rows if row["seed"] == 1 and row["radius_ratio"] in _RADII]
+        by = ("E_mu", "radius_ratio")
+        swept = {
+            shape: summary([row for row in alone if row["periodic"] is periodic], by, ("E", "nu"))
+            for periodic, shape in SHAPES.items()
+            if shape in groups
+        }
+        draw_bond_modulus(figures / "E_mu.png", swept, shown=(0.3, 0.5, 0.7, 0.9))
+        draw_bond_radius(figures / "radius_ratio.png", swept, judged=_JUDGED)
+        draw_exponent(figures / "exponent.png", over_radius, judged=_JUDGED)
+
+
+def _with_ratios(row: Row) -> Row:
+    """A row with numbers that follow from others: the exponent that the energy says, eq (14) over the fit."""
+    bar = not row["periodic"]
+    return row | {
+        "energy_exponent": 4.0 - 2.0 * row["axial_share"] if bar else None,
+        "E_ratio": row["E_paper"] / row["E"] if bar else None,
+    }
+
+
+def radius_groups(groups: Sequence[Row]) -> list[Row]:
+    """Those of Euler–Bernoulli bonds at E_μ = 265 GPa over r̃, ascending."""
+    own = [one for one in groups if one["E_mu"] == _MODULUS and one["radius_ratio"] in _RADII]
+    return sorted(own, key=lambda one: one["radius_ratio"])
+
+
+def _change(groups: Sequence[Row], periodic: bool, law: str) -> dict[str, Any]:
+    """By how much E (relative) and ν (absolute) change over ν_μ, against ν_μ = 0.3."""
+    own = {
+        one["nu_mu"]: one for one in groups
+        if one["periodic"] is periodic and one["law"] == law and one["radius_ratio"] == _RADIUS
+    }  # fmt: skip
+    E, nu = (np.array([own[value][name]["mean"] for value in _NU_MUS]) for name in ("stiffness_ratio", "nu"))
+    middle = _NU_MUS.index(_NU_MU)
+    return {
+        "values": list(_NU_MUS),
+        "stiffness_ratio": E.tolist(),
+        "nu": nu.tolist(),
+        "E_change_low": float((E / E[middle]).min() - 1.0),
+        "E_change_high": float((E / E[middle]).max() - 1.0),
+        "nu_change_low": float((nu - nu[middle]).min()),
+        "nu_change_high": float((nu - nu[middle]).max()),
+    }
+
+
+def _linearity(rows: Sequence[Row], periodic: bool) -> dict[str, float]:
+    """Largest departure of E/E_μ (relative) and ν (absolute) from those of the same packing at 265 GPa."""
+    own = {
+        (row["seed"], row["radius_ratio"], row["E_mu"]): row for row in rows
+        if row["periodic"] is periodic and row["radius_ratio"] in _RADII
+    }  # fmt: skip
+    pairs = [(row, own[seed, radius, _MODULUS]) for (seed, radius, _), row in own.items()]
+    return {
+        "E": max(abs(row["stiffness_ratio"] / one["stiffness_ratio"] - 1.0) for row, one in pairs),
+        "nu": max(abs(row["nu"] - one["nu"]) for row, one in pairs),
+    }
+
+
+def _power(groups: Sequence[Row], periodic: bool) -> dict[str, Any]:
+    """Is E ∝ r̃², or at least a parabola in r̃? And ν?"""
+    whole = radius_groups([one for one in groups if one["periodic"] is periodic])
+    own = [one for one in whole if _JUDGED[0] <= one["radius_ratio"] <= _JUDGED[1]]
+    radius, E, nu, exponent = (
+        np.array([one[name] if name == "radius_ratio" else one[name]["mean"] for one in own])
+        for name in ("radius_ratio", "stiffness_ratio", "nu", "exponent")
+    )
+    power, factor = np.polyfit(np.log(radius), np.log(E), 1)
+    square = float((E * radius**2).sum() / (radius**4).sum())
+    return {
+        **{name: _means(whole, name) for name in ("stiffness_ratio", "nu", "exponent", "energy_exponent")},
+        "values": [one["radius_ratio"] for one in whole],
+        "exponent_low": float(exponent.min()),
+        "exponent_high": float(exponent.max()),
+        "power": float(power),
+        "factor": float(np.exp(factor)),
+        "power_misfit": float(np.abs(np.exp(factor) * radius**power / E - 1.0).max()),
+        "square_misfit": float(np.abs(square * radius**2 / E - 1.0).max()),
+        "E_parabola": [float(c) for c in np.polyfit(radius, E, 2)[::-1]],
+        "E_parabola_misfit": float(_parabola_misfit(radius, E).max() / E.max()),
+        "E_parabola_misfit_relative": float((_parabola_misfit(radius, E) / E).max()),
+        "nu_parabola": [float(c) for c in np.polyfit(radius, nu, 2)[::-1]],
+        "nu_parabola_misfit": float(_parabola_misfit(radius, nu).max()),
+        "nu_line_misfit": float(np.abs(np.polyval(np.polyfit(radius, nu, 1), radius) - nu).max()),
+    }
+
+
+def _means(groups: Sequence[Row], name: str) -> list[float | None]:
+    return [one[name]["mean"] for one in groups]
+
+
+def _parabola_misfit(x: Floats, y: Floats) -> Floats:
+    return np.abs(np.polyval(np.polyfit(x, y, 2), x) - y)
+
+
+def _verdict_table(verdicts: dict[str, Any]) -> str:
+    lines = ["The paper's statements", "", "| packing | statement | found | holds |", "|---|---|---|---|"]
+    for shape, found in verdicts.items():
+        for law, one in found["nu_mu"].items():
+            most = max(-one["E_change_low"], one["E_change_high"])
+            lines.append(
+                f"| {shape} | ν_μ does not matter, {law} bonds | E {one['E_change_low']:+.2%} …"
+                f" {one['E_change_high']:+.2%}, ν {one['nu_change_low']:+.4f} … {one['nu_change_high']:+.4f} against"
+                f" ν_μ = 0.3 | {_verdict(most < 0.01)} |"
+            )
+        linear = found["E_mu"]
+        lines.append(
+            f"| {shape} | E is linear in E_μ, ν does not depend on it | E/E_μ the same to {linear['E']:.0e}, ν to"
+            f" {linear['nu']:.0e} | {_verdict(max(linear['E'], linear['nu']) < 1e-6)} |"
+        )
+        power = found["radius_ratio"]
+        square = _verdict(max(abs(power["exponent_low"] - 2.0), abs(power["exponent_high"] - 2.0)) < 0.1)
+        lines += [
+            f"| {shape} | E is quadratic in r̃: E ∝ r̃² | exponent {power['exponent_low']:.2f} …"
+            f" {power['exponent_high']:.2f}; c r̃² is off by up to {power['square_misfit']:.0%} | {square} |",
+            f"| {shape} | E as another power of r̃ | {power['factor']:.3f} r̃^{power['power']:.3f}, off by up to"
+            f" {power['power_misfit']:.1%} | {_verdict(power['power_misfit'] < 0.05)} |",
+            f"| {shape} | E as any parabola in r̃ | off by up to {power['E_parabola_misfit']:.1%} of the largest E,"
+            f" by {power['E_parabola_misfit_relative']:.0%} of E itself |"
+            f" {_verdict(power['E_parabola_misfit_relative'] < 0.05)} |",
+            f"| {shape} | ν is quadratic in r̃ | a parabola is off by up to {power['nu_parabola_misfit']:.4f}, a"
+            f" straight line by {power['nu_line_misfit']:.4f} | {_verdict(power['nu_parabola_misfit'] < 0.005)} |",
+        ]
+    return "\n".join(lines) + "\n"
+
+
+def _verdict(holds: bool) -> str:
+    return "yes" if holds else "no"
+
+
+def _tables(groups: Sequence[Row]) -> Iterator[str]:
+    for periodic, shape in SHAPES.items():
+        own = [one for one in groups if one["periodic"] is periodic]
+        if own:
+            columns = _COLUMNS if periodic else _BAR_COLUMNS
+            yield f"Influence of r̃, {shape}\n\n{markdown(columns, radius_groups(own))}"
+            at_paper = [one for one in own if one["radius_ratio"] == _RADIUS]
+            yield f"Influence of ν_μ at r̃ = {_RADIUS}, {shape}\n\n{markdown(_NU_MU_COLUMNS, at_paper)}"
