@@ -103,7 +103,7 @@ class Measurement:
 
 
 def study(name: str, figures: Mapping[str, str]) -> Measurement:
-    """A study of the command line: its results without curves and rows, and some of its figures.
+    """A study of `validation`: its results without curves and rows, and some of its figures.
 
     Args:
         name: of the study.
@@ -115,7 +115,7 @@ def study(name: str, figures: Mapping[str, str]) -> Measurement:
         return {key: found for key, found in results.items() if key not in ("curves", "profile", "rows")}
 
     kept = {f"figures/{drawn}.png": f"{target}.png" for drawn, target in figures.items()}
-    return Measurement(name, f"bondem study {name} --out BUILD/{name}", condense=keep, figures=kept)
+    return Measurement(name, f"python -m validation {name} --out BUILD/{name}", condense=keep, figures=kept)
 
 
 def recorded(name: str) -> Measured:

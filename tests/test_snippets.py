@@ -16,6 +16,8 @@ from bondem.cli import bondem
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study
 from book.chapters import MEASUREMENTS
+from validation.__main__ import study_of
+from validation.frame.command import command_of
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -116,6 +118,9 @@ def test_commands_are_ones_there_are(command, clone):
     elif rest[:2] == ["-m", "book"]:
         assert rest[2] == "--measure"
         assert set(rest[3:]) <= {one.name for one in MEASUREMENTS}
+        named = []
+    elif rest[:2] == ["-m", "validation"]:
+        assert command_of(study_of(rest[2])).make_context(rest[2], rest[3:]).params is not None
         named = []
     else:
         assert not rest or not rest[0].startswith("-") or rest[:2] == ["-m", "venv"]

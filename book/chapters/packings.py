@@ -21,14 +21,14 @@ def condense(folder: Path) -> dict[str, Any]:
 
 DISPERSION = Measurement(
     "dispersion",
-    "bondem study dispersion --out BUILD/dispersion --kappa 0,10,15,20,25,30",
+    "python -m validation dispersion --out BUILD/dispersion --spreads 0,0.1,0.15,0.2,0.25,0.3",
     "18 min",
     condense,
     {f"figures/{name}.png": f"study_{name}.png" for name in ("packings", "histograms", "dispersion")},
 )
 REFINEMENT = Measurement(
     "refinement",
-    "bondem study refinement --out BUILD/refinement",
+    "python -m validation refinement --out BUILD/refinement",
     "20 min",
     condense,
     {"figures/refinement.png": "study_refinement.png"},

@@ -13,7 +13,7 @@ from bondem.laws.catalogue import LAWS
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))
-FOLDERS = ("tests", "examples", "benchmarks", "book")
+FOLDERS = ("tests", "examples", "benchmarks", "book", "validation")
 ALL = SOURCES + [path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")]
 
 

@@ -42,9 +42,9 @@ def closure_hash(module: str, roots: Mapping[str, Path]) -> str:
 
 
 def closure(module: str, roots: Mapping[str, Path]) -> set[str]:
-    """Names of a module, of the packages it is in, and of all that these import."""
+    """Names of a module in one of the roots, of the packages it is in, and of all that these import."""
     seen: set[str] = set()
-    todo = [module]
+    todo = [module] if _known(module, roots) else []
     while todo:
         name = todo.pop()
         if name in seen:
@@ -67,15 +67,20 @@ def _known(name: str, roots: Mapping[str, Path]) -> bool:
 
 def _imports(name: str, roots: Mapping[str, Path]) -> list[str]:
     found: list[str] = []
-    for node in ast.walk(ast.parse(_file(name, roots).read_text(encoding="utf-8"))):
+    tree = ast.parse(_file(name, roots).read_text(encoding="utf-8"))
+    whole: set[str] = set()
+    for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             found += [alias.name for alias in node.names]
+            whole |= {alias.asname or alias.name for alias in node.names if alias.name == "bondem"}
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
             # a name of a package may be a module in it
             found += [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
     found = [one for one in found if _known(one, roots)]
     # the package loads what it is asked for when it is asked for it: any of its modules may be meant
-    if "bondem" in found and name != "bondem":
+    asked = {node.attr for node in ast.walk(tree)
+             if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in whole}
+    if not all(attribute.startswith("__") for attribute in asked):
         found += _all_of("bondem", roots["bondem"])
     return found
 

@@ -159,7 +159,7 @@ def _numbers(study: QuasiStatic, rows: Sequence[Row], run: ExplicitTension) -> d
             "paper_dt": 3e-7, "paper_steps": 100_000,
         },
         "static": {"E": static["E"], "nu": static["nu"]},
-        "explicit": sorted(rows, key=lambda row: row["steps"]),
+        "explicit": sorted(map(_bare, rows), key=lambda row: row["steps"]),
         "energy": {
             "elastic_final": elastic,
             "kinetic_ramp": float(run.kinetic[growing].mean()),
@@ -176,6 +176,10 @@ def _numbers(study: QuasiStatic, rows: Sequence[Row], run: ExplicitTension) -> d
             "seconds_all": total * run.seconds, "seconds_calibrating": few * run.seconds,
         },
     }  # fmt: skip
+
+
+def _bare(row: Row) -> Row:
+    return {name: value for name, value in row.items() if name not in ("bar", "shares_static", "length")}
 
 
 def _compared(run: ExplicitTension, bar: CalibratedBar) -> dict[str, Any]:

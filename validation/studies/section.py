@@ -150,7 +150,7 @@ def _measured(bar: CalibratedBar) -> dict[str, Any]:
         }
         errors[name] = {test: value - 1.0 for test, value in ratio.items()}
     radii = SectionRadii.of(bar.lattice, force=bar.tension.gyration, mass=mass_gyration(bar.lattice))
-    return {"radius": vars(radii), "error": errors}
+    return {"radius": vars(radii), "errors": errors}
 
 
 def _summary(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -158,7 +158,7 @@ def _summary(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         "packings": len(rows),
         "radius": {name: mean_and_scatter([row["radius"][name] for row in rows]) for name in rows[0]["radius"]},
         "error": {
-            section: {test: mean_and_scatter([row["error"][section][test] for row in rows]) for test in TESTS}
+            section: {test: mean_and_scatter([row["errors"][section][test] for row in rows]) for test in TESTS}
             for section in SECTIONS
         },
     }

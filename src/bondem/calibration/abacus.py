@@ -1,7 +1,7 @@
 """The calibration curves of every law, computed once: ν and E/E_μ of packings over the parameter that sets ν.
 
-The files in `curves`, named after laws, are what `bondem study abacus` found in periodic cells: André et al. (2012),
-figs 15 and 16. Where a curve is, the search for the value of a parameter starts next to its end.
+The files in `curves`, named after laws, are what `python -m validation abacus` found in periodic cells: André et al.
+(2012), figs 15 and 16. Where a curve is, the search for the value of a parameter starts next to its end.
 """
 
 import json
@@ -44,7 +44,7 @@ class Curve:
 
     @classmethod
     def read(cls, law: str, data: Mapping[str, Any]) -> "Curve":
-        """The curve of a law, as `bondem study abacus` writes it."""
+        """The curve of a law, as `python -m validation abacus` writes it."""
         arrays = ("values", "nu", "nu_std", "stiffness_ratio", "stiffness_ratio_std")
         return cls(law, data["parameter"], dict(data["fixed"]),
                    **{name: np.array(data[name], dtype=float) for name in arrays})  # fmt: skip

@@ -78,7 +78,7 @@ def reach(
 def recommend(nu: float) -> Recommendation:
     """The law to take for a Poisson's ratio: the first of the catalogue whose curve passes it with room.
 
-    The curves are those of `bondem study abacus`, for packings of 6.2 contacts a sphere.
+    The curves are those of `python -m validation abacus`, for packings of 6.2 contacts a sphere.
 
     Raises:
         UnreachableTargetError: no law reaches ν.

@@ -9,8 +9,8 @@ estimate, a sum over its bonds, times a factor for how much the elements give wa
     f = 1, ln p, ln² p, ln(12 q / p),    p = Σ ks L² / Σ kn L²,  q = Σ kb / Σ kn L²      (the law),
     g = 1, ln v, w, w ln v, ln z,     v = ⟨1/z_i + 1/z_j⟩,  z = ⟨z_i + z_j⟩ / 2,  w = R̄ S / V   (the lattice),
 
-with coefficients measured by `bondem study surface`. A sum over bonds costs nothing beside an equilibrium, and is as
-good as the scatter of single packings; to know a specimen better than that, test it.
+with coefficients measured by `python -m validation surface`. A sum over bonds costs nothing beside an equilibrium,
+and is as good as the scatter of single packings; to know a specimen better than that, test it.
 """
 
 import json
@@ -165,7 +165,7 @@ class SurfaceCorrection:
 
     @classmethod
     def default(cls, law: BondLaw) -> "SurfaceCorrection":
-        """The correction measured by `bondem study surface`.
+        """The correction measured by `python -m validation surface`.
 
         Args:
             law: any bond law; its modulus does not matter.
