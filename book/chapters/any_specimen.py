@@ -55,8 +55,8 @@ def _shapes() -> Section:
             f"One packing a shape, of {ANY.at('count')} elements and seed {ANY.at('seed')}; from the least to the"
             " largest error. The limit is 3 % where the thinnest part is 25 R̄ thick or more (cube and beam), 6 %"
             " where it is 12 R̄ (bracket). No verdict is given on these packings, because those of other seeds fail"
-            " (below). The bonds of the layers have two empirical factors, found on 8000 elements of seed 1. Clamped specimens"
-            " are compared with a continuum held and loaded one R̄ inside."
+            " (below). The bonds of the layers have two empirical factors, found on 8000 elements of seed 1. Clamped"
+            " specimens are compared with a continuum held and loaded one R̄ inside."
         ),
         rows=tuple(rows),
         figures=(
