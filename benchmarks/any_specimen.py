@@ -1,10 +1,10 @@
-"""Calibrate once, use on any shape: materials × shapes against three-dimensional elasticity.
+"""Calibrate once, use in other shapes: materials × shapes against three-dimensional elasticity.
 
 Each material is calibrated once, in periodic cells without any wall. Its bonds then fill a cube, a slender beam and
 an L-bracket from examples/bracket.stl, and E, ν, the first free frequencies and what loads on a clamped body do are
 compared with benchmarks/continuum.py in three ways: with the bonds as they are ("raw"), with E_μ and r̃ changed for
 the whole body by the surface correction of bondem ("scaled"), and with bonds of their own at the walls and inside
-("layered", `bd.calibrate_layers`).
+("layered", the experimental `bondem.calibration.layers`).
 
 Free frequencies are the clean comparison: nothing is held. A mode of the specimen is matched with a mode of the
 continuum by its shape (the modal assurance criterion); several modes of one frequency are compared as a group.
@@ -12,13 +12,17 @@ Clamped specimens are held and loaded at the spheres that touch the end, whose c
 therefore solved twice: with its faces held and loaded, and between planes R̄ inside of them, the rest being rigid. The
 second is what the specimen should do; the difference is what holding spheres costs.
 
-Run: python benchmarks/any_specimen.py [--count 20000] [--out out/any_specimen] [--material NAME] [--shape NAME]
+The packings shown are of one seed, 101. They do not stand for others: see OTHERS.
+
+Run: python benchmarks/any_specimen.py [--count 20000] [--seed 101] [--out DIR] [--material NAME] [--shape NAME]
 Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped. A whole run also writes
-benchmarks/results/any_specimen.json, any_specimen.md and docs/figures/any_specimen*.png.
+benchmarks/results/any_specimen.json, any_specimen.md and docs/figures/any_specimen*.png; with another seed it writes
+what the layers give to benchmarks/results/any_specimen_seed_SEED.json.
 """
 
 import argparse
 import json
+import textwrap
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -31,6 +35,7 @@ import numpy as np
 import bondem as bd
 from any_specimen_figures import draw
 from bondem.calibration.density import element_density
+from bondem.calibration.layers import calibrate_layers
 from bondem.solve.static import Statics
 from continuum import BRACKET, Continuum, Corners, Vibration
 
@@ -38,8 +43,13 @@ ROOT = Path(__file__).resolve().parents[1]
 MATERIALS = ("fused_silica", "soda_lime_glass", "alumina", "granite", "steel")
 FINENESS = (2500, 5000, 10_000, 20_000, 40_000)
 SPREAD = 0.25
-#: Of the packings. The bonds of layers were found on those of seed 1; these had no part in it.
+#: Of the packings that are shown. The factors of the layers were found on 8000 spheres of seed 1.
 SEED = 101
+#: What is known of other packings.
+OTHERS = (
+    "With the constants of the layers unchanged, packings of other seeds fail the 3 % (steel beams 0 of 4 pass,"
+    " alumina and granite 1 of 4; seed 1, tried before 101, failed too: 3.6 % for the steel beam)."
+)
 #: Ways to use a calibration.
 WAYS = ("raw", "scaled", "layered")
 #: Which spheres are at a face: those closer than this to it, in mean radii. Against a triangulated wall some of the
@@ -156,10 +166,11 @@ class Specimen:
 
     name: str
     count: int
+    seed: int = SEED
 
     @cached_property
     def lattice(self) -> bd.Lattice:
-        return bd.connect(bd.pack(bodies()[self.name].shape, count=self.count, spread=SPREAD, seed=SEED))
+        return bd.connect(bd.pack(bodies()[self.name].shape, count=self.count, spread=SPREAD, seed=self.seed))
 
     @cached_property
     def expected(self) -> Callable[[np.ndarray], np.ndarray]:
@@ -180,8 +191,8 @@ class Specimen:
 
 
 @cache
-def specimen(name: str, count: int) -> Specimen:
-    return Specimen(name, count)
+def specimen(name: str, count: int, seed: int = SEED) -> Specimen:
+    return Specimen(name, count, seed)
 
 
 @cache
@@ -262,7 +273,7 @@ def ways(fit: Any, lattice: bd.Lattice) -> Iterator[tuple[str, Any, Any]]:
     """Name, bonds and density of the elements of each way to use a calibration."""
     yield "raw", fit.law, fit.density_for(lattice)
     yield "scaled", fit.law_for(lattice), fit.density_for(lattice)
-    layers = bd.calibrate_layers(lattice, fit.material, touching=DEPTH)
+    layers = calibrate_layers(lattice, fit.material, touching=DEPTH)
     yield "layered", layers.bond, layers.density
 
 
@@ -273,8 +284,8 @@ def _row(measured: float, reference: float) -> dict[str, Any]:
 class Book:
     """Cases in a folder: done once, read after."""
 
-    def __init__(self, folder: Path, *, cell: int, number: int) -> None:
-        self.folder, self.cell, self.number = folder, cell, number
+    def __init__(self, folder: Path, *, cell: int, number: int, seed: int = SEED) -> None:
+        self.folder, self.cell, self.number, self.seed = folder, cell, number, seed
         self._fits: dict[str, Any] = {}
         folder.mkdir(parents=True, exist_ok=True)
 
@@ -285,10 +296,10 @@ class Book:
         return self._fits[material]
 
     def case(self, material: str, shape: str, count: int, *, statics: bool = True) -> dict[str, Any]:
-        file = self.folder / f"{material}-{shape}-{count}.json"
+        file = self.folder / f"{material}-{shape}-{count}-seed-{self.seed}.json"
         if not file.exists():
             began = time.perf_counter()
-            found = case(self.fit(material), specimen(shape, count), statics=statics)
+            found = case(self.fit(material), specimen(shape, count, self.seed), statics=statics)
             worst = {way: max(abs(found[way][key]["error"]) for key in judged(found[way])) for way in WAYS}
             errors = ", ".join(f"{100 * error:.1f} % {way}" for way, error in worst.items())
             print(f"{material}, {shape}, {count}: worst {errors}; {time.perf_counter() - began:.0f} s", flush=True)
@@ -317,7 +328,7 @@ def table(cases: list[dict[str, Any]]) -> str:
         names = list(dict.fromkeys(key for one in cases for key in one[way] if isinstance(one[way][key], dict)))
         names.sort(key=lambda key: key in LOADS)
         lines += ["", f"**{way.capitalize()}**, errors [%]", "", "| material | shape | t/R̄ | limit | "
-                  + " | ".join(names) + " | verdict |", "|---" * (5 + len(names)) + "|"]  # fmt: skip
+                  + " | ".join(names) + " | within limit |", "|---" * (5 + len(names)) + "|"]  # fmt: skip
         for one in cases:
             cell = [f"{100 * one[way][key]['error']:+.1f}" if key in one[way] else "" for key in names]
             allowed = "" if one["limit"] is None else f"{100 * one['limit']:.0f}"
@@ -327,9 +338,19 @@ def table(cases: list[dict[str, Any]]) -> str:
     return "\n".join(lines[1:]) + "\n"
 
 
+def page(summary: dict[str, Any]) -> str:
+    """`any_specimen.md`: the errors, and for which packings they hold."""
+    holds = f"Packings of seed {summary['seed']} only, {summary['count']} spheres. {OTHERS}"
+    return (
+        f"{textwrap.fill(holds, 118)}\n\n{table(summary['cases'])}"
+        f"\nConvergence, seed {summary['seed']}\n\n{table(summary['convergence'])}"
+    )
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=20_000, help="spheres of each specimen")
+    parser.add_argument("--seed", type=int, default=SEED, help="of their packings")
     parser.add_argument("--cell", type=int, default=10_000, help="spheres of each calibrating cell")
     parser.add_argument("--cells", type=int, default=2, help="number of calibrating cells")
     parser.add_argument("--material", choices=MATERIALS, action="append", help="only these; nothing is written then")
@@ -337,22 +358,33 @@ def main() -> None:
     parser.add_argument("--fineness", type=int, nargs="+", default=FINENESS, help="counts for the convergence")
     parser.add_argument("--out", type=Path, default=Path("out/any_specimen"), help="folder of the cases")
     options = parser.parse_args()
-    book = Book(options.out, cell=options.cell, number=options.cells)
+    book = Book(options.out, cell=options.cell, number=options.cells, seed=options.seed)
     shapes = options.shape or tuple(bodies())
     cases = [condensed(book.case(m, s, options.count)) for s in shapes for m in options.material or MATERIALS]
+    print(table(cases))
+    results = ROOT / "benchmarks" / "results"
+    if options.seed != SEED:
+        if not (options.material or options.shape):
+            others = results / f"any_specimen_seed_{options.seed}.json"
+            others.write_text(json.dumps(of_layers(cases, count=options.count, seed=options.seed)) + "\n")
+        return
     first = (options.material or MATERIALS)[0]
     series = [condensed(book.case(first, s, n)) for s in shapes for n in options.fineness]
-    print(table(cases))
     print(table(series))
     if options.material or options.shape:
         return
-    results = ROOT / "benchmarks" / "results"
     summary = {"count": options.count, "cell": options.cell, "cells": options.cells, "spread": SPREAD, "seed": SEED,
                "cases": cases, "convergence": series}  # fmt: skip
     (results / "any_specimen.json").write_text(json.dumps(summary) + "\n")
-    (results / "any_specimen.md").write_text(table(cases) + "\nConvergence\n\n" + table(series))
+    (results / "any_specimen.md").write_text(page(summary))
     bracket = specimen("bracket", options.count)
     draw(summary, bracket.lattice, first_mode(book.fit(first), bracket), ROOT / "docs" / "figures")
+
+
+def of_layers(cases: list[dict[str, Any]], *, count: int, seed: int) -> dict[str, Any]:
+    """What is kept of the packings of another seed."""
+    kept = [{key: value for key, value in one.items() if key not in ("raw", "scaled")} for one in cases]
+    return {"count": count, "spread": SPREAD, "seed": seed, "cases": kept}
 
 
 def first_mode(fit: Any, part: Specimen) -> np.ndarray:

@@ -1,6 +1,8 @@
 """Moments of shapes against closed forms and trimesh; densities with which elements have the body's inertia."""
 
+import importlib
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +11,8 @@ import trimesh
 import bondem as bd
 from bondem.calibration.density import balanced_density, element_density
 from bondem.errors import InputError
+from bondem.labtests.beams import CrossSection
+from bondem.labtests.cantilever import mass_gyration
 from bondem.specimen.moments import moments
 
 RHO = 2201.0
@@ -136,6 +140,51 @@ def test_it_is_the_nearest_to_one_density(lattice):
     step -= rows.T @ np.linalg.lstsq(rows @ rows.T, rows @ step, rcond=None)[0]
     off = density[on] / uniform - 1.0
     assert abs(off @ step) < 1e-8 * np.linalg.norm(off) * np.linalg.norm(step)
+
+
+def test_refined_theory_has_the_mass_of_the_densities_it_is_given(lattice):
+    """Balanced elements fill the section of the body, those of one density less, and theory goes with the mass."""
+    balanced, uniform = balanced_density(lattice, RHO), element_density([lattice], RHO)
+    section = CrossSection.of(lattice.particles.shape)
+    exact = [section.rotary_moment / section.area, (section.polar_moment - section.rotary_moment) / section.area]
+    np.testing.assert_allclose(mass_gyration(lattice, balanced), exact, rtol=1e-10)
+    np.testing.assert_allclose(mass_gyration(lattice, uniform), mass_gyration(lattice), rtol=1e-12)
+    assert (mass_gyration(lattice) < 0.99 * np.array(exact)).all()
+
+    law = bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.7)
+    modes = bd.labtests.natural_frequencies(lattice, law, density=uniform)  # any: theory is looked at, not the error
+    own = {"E": 1e9, "nu": 0.2, "rho": RHO, "modes": modes, "gyration": 0.95 * np.array(exact)}
+    torsion, bending = (
+        [test(lattice, law, density=density, **own).theory_refined for density in (uniform, balanced)]
+        for test in (bd.labtests.dynamic_torsion, bd.labtests.dynamic_bending)
+    )
+    share = mass_gyration(lattice, uniform).sum() / sum(exact)
+    assert torsion[1] / torsion[0] == pytest.approx(math.sqrt(share), rel=1e-10)
+    assert bending[1] < bending[0]  # by rotary inertia
+    for wrong in (balanced[:-1], -balanced, np.full(len(balanced), math.nan)):
+        with pytest.raises(InputError, match="density"):
+            bd.labtests.dynamic_torsion(lattice, law, density=wrong, **own)
+        with pytest.raises(InputError, match="density"):
+            bd.labtests.natural_frequencies(lattice, law, density=wrong)
+
+
+def test_the_benchmark_compares_each_specimen_with_its_own_mass(monkeypatch):
+    """Theories of both specimens, found back from frequencies and errors, differ by the moments of their masses."""
+    monkeypatch.syspath_prepend(str(Path(__file__).parents[1] / "benchmarks"))
+    row = importlib.import_module("mass_moments").examine(1500, 2)
+
+    def theory(way, error):
+        return np.array(row[way]["frequency"]) / (1.0 + np.array(row[way][error]))
+
+    np.testing.assert_allclose(theory("one", "error"), theory("balanced", "error"), rtol=1e-12)
+    axial, _, torsion = theory("balanced", "error_refined") / theory("one", "error_refined")
+    about_axis, _ = row["one"]["inertia_error"]
+    assert about_axis < -0.03
+    assert axial == pytest.approx(1.0, rel=1e-12)
+    assert torsion == pytest.approx(math.sqrt(1.0 + about_axis), rel=1e-9)
+    # stiffness and mass are both accounted for, so that what remains is the same with either mass
+    found = [row[way]["error_refined"][2] for way in ("one", "balanced")]
+    assert found[1] == pytest.approx(found[0], abs=0.003)
 
 
 def test_what_elements_cannot_do_is_an_error():

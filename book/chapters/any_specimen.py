@@ -1,4 +1,4 @@
-"""The same bonds in any shape: cube, slender beam and bracket of five materials against finite elements."""
+"""The same bonds in other shapes: cube, slender beam and bracket of five materials against finite elements."""
 
 from typing import Any
 
@@ -6,63 +6,97 @@ from book.chapter import Chapter, Figure, Section
 from book.forms import COUNT, SIGNED, Form
 from book.results import Measurement
 from book.row import Measured, Row
-from book.tolerances import AtLeast, AtMost
+from book.tolerances import AtLeast
 
 ANY = Measurement("any_specimen", "python benchmarks/any_specimen.py")
-MEASUREMENTS = (ANY,)
+SEED_1 = Measurement("any_specimen_seed_1", "python benchmarks/any_specimen.py --seed 1")
+MEASUREMENTS = (ANY, SEED_1)
 
 LOADS = ("tension", "bending", "torsion")
-WAYS = {"raw": "bonds as calibrated", "scaled": "one law, `law_for`", "layered": "bonds by layer, `calibrate_layers`"}
+WAYS = {"raw": "bonds as calibrated", "scaled": "one law, `law_for`", "layered": "bonds by layer, experimental"}
+OTHERS = (
+    "with the constants unchanged, packings of other seeds fail the 3 % (steel beams 0 of 4 pass, alumina and granite"
+    " 1 of 4; seed 1, tried before 101, failed too)"
+)
+SHOWN = f"holds for the packings of seed 101 only: {OTHERS}"
 
 
 def chapter() -> Chapter:
     """The chapter."""
     return Chapter(
         name="any_specimen",
-        title="Calibrated once, used on any shape",
+        title="Calibrated once, used in other shapes",
         summary=(
             "Bonds are calibrated once, in cells without walls, and used in a cube, a slender beam and a bracket of"
-            " five materials, against three-dimensional finite elements."
+            " five materials, against three-dimensional finite elements. Bonds by layer are experimental, and what"
+            f" they give here holds for the seeds shown only: {OTHERS}."
         ),
-        sections=(_shapes(), _convergence()),
+        sections=(_shapes(), _seed_1(), _convergence()),
     )
 
 
 def _shapes() -> Section:
     rows = [
         Row(case=f"all cases, {words}: how many of {len(ANY.at('cases'))} are within the limit", form=COUNT,
-            ours=ANY.of(sum(case[way]["worst"] <= case["limit"] for case in ANY.at("cases"))),
-            tolerance=AtLeast(len(ANY.at("cases"))) if way == "layered" else None)
+            ours=ANY.of(_within(ANY, way)), note=SHOWN if way == "layered" else "")
         for way, words in WAYS.items()
     ]  # fmt: skip
     for case in ANY.at("cases"):
-        name, limit = f"{case['material']}, {case['shape']}", case["limit"]
+        name = f"{case['material']}, {case['shape']}"
         for way, words in _ways(case):
-            tolerance = AtMost(limit) if limit is not None and way == "layered" else None
             rows.append(Row(case=f"{name}, {words}: errors of E, ν, first frequencies", form=SIGNED,
-                            ours=_errors(case[way], judged=True), tolerance=tolerance))  # fmt: skip
+                            ours=_errors(ANY, case[way], judged=True),
+                            note=SHOWN if way == "layered" else ""))  # fmt: skip
         rows.append(Row(case=f"{name}, {WAYS['layered']}: errors of clamped tension, bending, torsion", form=SIGNED,
-                        ours=_errors(case["layered"], judged=False)))  # fmt: skip
+                        ours=_errors(ANY, case["layered"], judged=False), note=SHOWN))  # fmt: skip
     return Section(
         title="Five materials, three shapes",
         before=(
-            f"Specimens of {ANY.at('count')} elements; from the least to the largest error. 3 % is asked where the"
-            " thinnest part is 25 R̄ thick or more (cube and beam), 6 % where it is 12 R̄ (bracket). The bonds of the"
-            " layers have two empirical factors, found on packings of another seed and mostly of 8000 elements; these"
-            " packings had no part in it. Clamped specimens are compared with a continuum held and loaded one R̄"
-            " inside."
+            f"One packing a shape, of {ANY.at('count')} elements and seed {ANY.at('seed')}; from the least to the"
+            " largest error. The limit is 3 % where the thinnest part is 25 R̄ thick or more (cube and beam), 6 %"
+            " where it is 12 R̄ (bracket). No verdict is given on these packings, because those of other seeds fail"
+            " (below). The bonds of the layers have two empirical factors, found on 8000 elements of seed 1. Clamped"
+            " specimens are compared with a continuum held and loaded one R̄ inside."
         ),
         rows=tuple(rows),
         figures=(
-            Figure("any_specimen.png", "Errors in cube, beam and bracket"),
+            Figure("any_specimen.png", "Errors in cube, beam and bracket, packings of seed 101 only"),
             Figure("any_specimen_bracket.png", "The bracket, and its first mode"),
         ),
     )
 
 
-def _errors(found: dict[str, Any], *, judged: bool) -> Measured:
+def _seed_1() -> Section:
+    cases = SEED_1.at("cases")
+    rows = [
+        Row(case=f"seed 1, {WAYS['layered']}: how many of {len(cases)} are within the limit", form=COUNT,
+            ours=SEED_1.of(_within(SEED_1, "layered")), tolerance=AtLeast(len(cases)),
+            note="in packings of other seeds, steel beams pass in 0 of 4, alumina and granite in 1 of 4")
+    ]  # fmt: skip
+    rows += [
+        Row(case=f"seed 1, {case['material']}, {case['shape']}: errors of E, ν, first frequencies", form=SIGNED,
+            ours=_errors(SEED_1, case["layered"], judged=True))
+        for case in cases
+    ]  # fmt: skip
+    return Section(
+        title="Bonds by layer in packings of other seeds",
+        before=(
+            f"Seed 1 was tried before 101, with the same constants and {SEED_1.at('count')} elements (revision"
+            f" {SEED_1.at('revision')}): the steel beam is beyond 3 %. A later review tried other seeds with the"
+            " constants unchanged: steel beams pass in 0 of 4, alumina and granite in 1 of 4; their errors are not"
+            " recorded. The function is not among the public names."
+        ),
+        rows=tuple(rows),
+    )
+
+
+def _within(packings: Measurement, way: str) -> int:
+    return sum(case[way]["worst"] <= case["limit"] for case in packings.at("cases"))
+
+
+def _errors(packings: Measurement, found: dict[str, Any], *, judged: bool) -> Measured:
     chosen = [name for name, one in found.items() if isinstance(one, dict) and (name in LOADS) is not judged]
-    return ANY.of(*(found[name]["error"] for name in chosen))
+    return packings.of(*(found[name]["error"] for name in chosen))
 
 
 def _convergence() -> Section:
@@ -74,7 +108,10 @@ def _convergence() -> Section:
     ]  # fmt: skip
     return Section(
         title="Convergence with fineness",
-        before="Largest error of E, ν and first frequencies.",
+        before=(
+            f"Largest error of E, ν and first frequencies; one packing a fineness, seed {ANY.at('seed')}. What is"
+            " said of other seeds above holds here too."
+        ),
         rows=tuple(rows),
         figures=(Figure("any_specimen_convergence.png", "Errors over the thickness of the thinnest part"),),
     )

@@ -59,7 +59,6 @@ _PUBLIC = {
     "bondem.calibration.elastic": ("Calibration", "Trial", "calibrate"),
     "bondem.calibration.response": ("Response", "Slope"),
     "bondem.calibration.uncertainty": ("Sample",),
-    "bondem.calibration.layers": ("Layers", "calibrate_layers"),
 }
 _MODULES = {"errors": "bondem.errors", "labtests": "bondem.labtests", "materials": "bondem.specimen.materials"}
 _HOME = {name: module for module, names in _PUBLIC.items() for name in names}

@@ -3,8 +3,6 @@ from bondem import labtests as labtests
 from bondem.calibration.elastic import Calibration as Calibration
 from bondem.calibration.elastic import Trial as Trial
 from bondem.calibration.elastic import calibrate as calibrate
-from bondem.calibration.layers import Layers as Layers
-from bondem.calibration.layers import calibrate_layers as calibrate_layers
 from bondem.calibration.response import Response as Response
 from bondem.calibration.response import Slope as Slope
 from bondem.calibration.uncertainty import Sample as Sample

@@ -2,7 +2,9 @@
 
 from typing import Any
 
-from bondem._checks import instance, number
+import numpy as np
+
+from bondem._checks import instance, number, possible
 from bondem.errors import InputError
 from bondem.specimen.lattice import Lattice
 
@@ -33,6 +35,19 @@ def check(test: str, lattice: object, **given: object) -> None:
     if not len(specimen.pairs):
         raise InputError(f"labtests.{test}: the lattice has no bonds; bond it with bd.connect")
     for name, value in given.items():
+        if name == "density" and isinstance(value, np.ndarray) and value.ndim:
+            _each(test, value, len(specimen.particles))
+            continue
         found = number(f"labtests.{test}", name, value, **_RULES[name])
         if name == "stress" and found == 0.0:
             raise InputError(f"labtests.{test}: stress = 0; give {_RULES[name]['advice']}")
+
+
+def _each(test: str, density: np.ndarray, count: int) -> None:
+    """Densities one by one, such as `balanced_density` gives."""
+    numbers = density.dtype.kind in "fiu" and density.shape == (count,)
+    if not (numbers and possible(density) and (density > 0.0).all()):
+        raise InputError(
+            f"labtests.{test}: density holds {density.dtype} of shape {density.shape}; give a positive density"
+            f" [kg/m³], or one for each of the {count} elements"
+        )

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats, Ints
+from bondem._types import Floats, Ints, PerElement
 from bondem.labtests.arguments import check
 from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, rigid_motion, twist_rate
@@ -54,11 +54,13 @@ class Cantilever:
         nu: float,
         rho: float = 1.0,
         gyration: Floats | None = None,
+        density: float | PerElement = 1.0,
         depth: float = 0.02,
     ) -> "Cantilever":
         """The bar of a specimen whose macroscopic moduli are E [Pa] and ν.
 
-        With `gyration`, that of its `Tension`, the refined bars have the section the axial force fills.
+        With `gyration`, that of its `Tension`, the refined bars have the section the axial force fills, and the mass
+        is where elements of this `density` [kg/m³], a number or (n,), have it.
 
         Raises:
             EmptyRegionError: no connected element at a face.
@@ -66,7 +68,7 @@ class Cantilever:
         """
         envelope = lattice.particles.envelope
         section = CrossSection.of(envelope)
-        filled = section if gyration is None else section.filled(gyration, mass_gyration(lattice))
+        filled = section if gyration is None else section.filled(gyration, mass_gyration(lattice, density))
         x = lattice.particles.position[:, 0]
         held, loaded = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))
         face = float(envelope.face_centre("x_max")[0])
@@ -103,11 +105,19 @@ class Cantilever:
         return {"x": x, "profile": motion[:, component]}
 
 
-def mass_gyration(lattice: Lattice) -> Floats:
-    """Where in the section the mass is: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,), spheres as solid balls."""
+def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats:
+    """Where in the section the mass is: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,), spheres as solid balls.
+
+    With one density this is less than the shape has; with `balanced_density` it is exactly the shape's.
+
+    Args:
+        lattice: the specimen.
+        density: of the elements [kg/m³], a number or (n,); how large it is cancels.
+    """
     moving = lattice.connected
     particles = lattice.particles
-    weight = particles.volume[moving] / particles.volume[moving].sum()
+    mass = (density * particles.volume)[moving]
+    weight = mass / mass.sum()
     place = particles.position[moving, 1:]
     own = 0.2 * weight @ particles.radius[moving] ** 2
     return weight @ place**2 - (weight @ place) ** 2 + own

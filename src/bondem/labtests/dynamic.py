@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._types import Floats, PerElement
 from bondem.labtests.arguments import check
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import spectrum
@@ -17,7 +17,7 @@ def dynamic_tension(
     lattice: Lattice,
     law: BondAssignment,
     *,
-    density: float,
+    density: float | PerElement,
     E: float,
     nu: float,
     rho: float,
@@ -34,7 +34,7 @@ def dynamic_tension(
     Args:
         lattice: the specimen.
         law: its bonds.
-        density: of the elements, ρ_μ [kg/m³].
+        density: of the elements, ρ_μ [kg/m³], a number or (n,); the refined theory has their mass where it is.
         E: its own Young's modulus [Pa].
         nu: its own Poisson's ratio [-].
         rho: its own density, mass over volume of the shape [kg/m³].
@@ -44,7 +44,7 @@ def dynamic_tension(
         depth: of the two faces, in mean radii [-].
     """
     check("dynamic_tension", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
-    bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, depth=depth)
+    bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
         name="dynamic_tension",
@@ -60,7 +60,7 @@ def dynamic_bending(
     lattice: Lattice,
     law: BondAssignment,
     *,
-    density: float,
+    density: float | PerElement,
     E: float,
     nu: float,
     rho: float,
@@ -74,7 +74,7 @@ def dynamic_bending(
     Arguments as for `dynamic_tension`.
     """
     check("dynamic_bending", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
-    bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, depth=depth)
+    bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
         name="dynamic_bending",
@@ -91,7 +91,7 @@ def dynamic_torsion(
     lattice: Lattice,
     law: BondAssignment,
     *,
-    density: float,
+    density: float | PerElement,
     E: float,
     nu: float,
     rho: float,
@@ -105,7 +105,7 @@ def dynamic_torsion(
     Arguments as for `dynamic_tension`.
     """
     check("dynamic_torsion", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
-    bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, depth=depth)
+    bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
         name="dynamic_torsion",

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._types import Floats, PerElement
 from bondem.errors import InputError
 from bondem.labtests.arguments import check
 from bondem.model.assignment import BondAssignment
@@ -34,7 +34,7 @@ class NaturalFrequencies:
 
 
 def natural_frequencies(
-    lattice: Lattice, law: BondAssignment, *, density: float, count: int = 8, depth: float = 0.02
+    lattice: Lattice, law: BondAssignment, *, density: float | PerElement, count: int = 8, depth: float = 0.02
 ) -> NaturalFrequencies:
     """First axial, bending and torsional frequency by `solve_modes`.
 
@@ -45,7 +45,7 @@ def natural_frequencies(
     Args:
         lattice: the specimen.
         law: its bonds.
-        density: of the elements, ρ_μ [kg/m³].
+        density: of the elements, ρ_μ [kg/m³], a number or (n,).
         count: how many modes to look through.
         depth: of the held face, in mean radii [-].
 
