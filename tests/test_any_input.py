@@ -9,6 +9,7 @@ import dataclasses
 import functools
 import inspect
 import math
+import time
 import warnings
 from collections.abc import Callable
 from fractions import Fraction
@@ -103,13 +104,12 @@ USUAL: dict[str, dict[str, Any]] = {
     "bulk_moduli": {"lattice": CELL, "law": LAW, "guess": None},
     "calibrate": {"lattice": BAR, "material": GLASS, "law": bd.EulerBernoulli, "nu_mu": 0.3, "search": (0.3, 0.9),
                   "tolerance": 1e-3},
-    "calibrate_layers": {"lattice": BAR, "material": GLASS, "nu_mu": 0.3, "touching": 0.25, "cell": 200},
     "carve": {"lattice": LATTICE, "shape": BALL},
     "connect": {"particles": SPHERES, "tolerance": None, "reach": 1.1},
     "fabric": {"lattice": LATTICE},
     "pack": {"shape": BOX, "count": 40, "spread": 0.2, "sizes": None, "method": "quench", "seed": 1,
              "coordination_number": None, "volume_fraction": 0.5, "jamming": False},
-    "radial_distribution": {"particles": SPHERES, "reach": 2.0, "bins": 10},
+    "radial_distribution": {"particles": Later(lambda: BAR.made().particles), "reach": 2.0, "bins": 10},
     "solve_explicit": {"model": MODEL, "duration": 1e-4, "dt": 1e-5, "scheme": None, "damping": None, "gauges": None,
                        "every": 5, "save_every": 0, "until": (), "safety": 0.9, "state": None, "device": "cpu"},
     "solve_modes": {"model": MODEL, "count": 2},
@@ -133,12 +133,12 @@ ELSEWHERE = {
     "load_particles", "read_lattice", "read_particles", "read_provenance", "read_run", "resume", "save_particles",
     "write_vtkhdf", "Everything", "VelocityVerlet", "BondLaw", "Event", "Region", "Schedule", "Scheme", "Shape",
     "SizeLaw", "BondGeometry", "BondStiffness", "BondStrain", "BulkModuli", "Calibration", "Callback", "Checkpoint",
-    "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "Layers", "ModesResult",
+    "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
     "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial",
 }  # fmt: skip
 # Runs on purpose: what is possible there takes as long as was asked for.
 LONG = {("solve_explicit", "duration"), ("solve_explicit", "dt"), ("solve_explicit", "safety"),
-        ("labtests.free_vibration", "periods")}  # fmt: skip
+        *((f"labtests.{test}", key) for test in ("free_vibration", "impact") for key in ("periods", "E", "rho"))}
 
 EXTREME = st.one_of(
     st.floats(1e290, 1e308), st.floats(-1e308, -1e290), st.floats(1e-308, 1e-290), st.floats(-1e3, -1e-3),
@@ -171,8 +171,8 @@ def made(value: Any) -> Any:
     return value.made() if isinstance(value, Later) else value
 
 
-def call(name: str, **changed: Any) -> Any:
-    return function(name)(**{key: made(value) for key, value in (USUAL[name] | changed).items()})
+def call(which: str, /, **changed: Any) -> Any:
+    return function(which)(**{key: made(value) for key, value in (USUAL[which] | changed).items()})
 
 
 def test_every_public_function_is_drawn_from():
@@ -181,6 +181,9 @@ def test_every_public_function_is_drawn_from():
     assert found - ELSEWHERE == set(USUAL)
     for name in USUAL:
         call(name)
+
+
+CALLED: set[str] = set()
 
 
 def holds_nan(value: object) -> bool:
@@ -199,7 +202,9 @@ def not_finite(found: object, depth: int = 3) -> list[str]:
     elif isinstance(found, bd.History):
         found = {"records": found.records}
     elif dataclasses.is_dataclass(found):
-        found = {field.name: getattr(found, field.name) for field in dataclasses.fields(found)}
+        # what the ledger misses is not known without records
+        names = {field.name for field in dataclasses.fields(found)} - {"residual"}
+        found = {name: getattr(found, name) for name in names}
     if isinstance(found, dict) and depth:
         return [f"{key}.{name}" for key, value in found.items() for name in not_finite(value, depth - 1)]
     if isinstance(found, np.ndarray) and found.dtype.kind in "fc" and not np.isfinite(found).all():
@@ -213,13 +218,15 @@ RESULTS = ("solve_static", "solve_explicit", "solve_relaxed", "bulk_moduli", "la
 
 @pytest.mark.parametrize(("name", "key"), CASES)
 @hypothesis.settings(
-    max_examples=EXAMPLES, deadline=SECONDS * 1000, derandomize=True, database=None,
+    max_examples=EXAMPLES, deadline=None, derandomize=True, database=None,
     suppress_health_check=list(hypothesis.HealthCheck),
 )  # fmt: skip
 @hypothesis.given(value=ANYTHING)
 def test_anything_is_done_or_refused_in_one_line(name, key, value):
     if (name, key) in LONG:
-        hypothesis.assume(not isinstance(value, float | np.floating | Fraction) or not 0.0 < value < math.inf)
+        real = np.isscalar(value) and not isinstance(value, str | bytes | complex)
+        hypothesis.assume(not real or not 0 < value < math.inf)
+    begun, first = time.perf_counter(), name not in CALLED
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         try:
@@ -228,6 +235,8 @@ def test_anything_is_done_or_refused_in_one_line(name, key, value):
             refused = str(error)
         else:
             refused = None
+    CALLED.add(name)
+    assert first or time.perf_counter() - begun < SECONDS  # the first call may compile
     if refused is not None:
         assert len(refused) > 10
         assert "\n" not in refused

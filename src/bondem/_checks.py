@@ -178,7 +178,8 @@ def several(
         return ()
     if isinstance(value, kinds) or not isinstance(value, Iterable) or isinstance(value, str | Mapping):
         return (instance(owner, name, value, kinds, wanted),)
-    return tuple(instance(owner, name, item, kinds, wanted) for item in value)
+    items = value.ravel() if isinstance(value, np.ndarray) else value
+    return tuple(instance(owner, name, item, kinds, wanted) for item in items)
 
 
 def choice(owner: str, name: str, value: object, options: Sequence[str]) -> str:
@@ -188,7 +189,7 @@ def choice(owner: str, name: str, value: object, options: Sequence[str]) -> str:
         InputError: something else.
     """
     if not isinstance(value, str) or value not in options:
-        raise InputError(f"{owner}: {name} = {shown(value)}; choose from {', '.join(options)}")
+        raise InputError(f"{owner}: {name} = {shown(value)}; choose from {', '.join(filter(None, options))}")
     return value
 
 

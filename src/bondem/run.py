@@ -147,9 +147,9 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
     Raises:
         InputError: an unknown device, one that is not here, or one that cannot run this.
     """
-    if device == "cpu":
+    if isinstance(device, str) and device == "cpu":
         return None
-    if device != "gpu":
+    if not isinstance(device, str) or device != "gpu":
         raise InputError(f"device = {shown(device)} is unknown; choose 'cpu' or 'gpu'")
     try:
         gpu = importlib.import_module("bondem.solve.loop_cuda")

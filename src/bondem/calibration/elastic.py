@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from bondem._checks import array, instance, number, several, shown
 from bondem._types import PerElement
 from bondem.calibration.abacus import curve
 from bondem.calibration.density import balanced_density, element_density
@@ -21,6 +22,8 @@ from bondem.laws.bond import BondLaw
 from bondem.laws.catalogue import DEFAULT
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
+
+_RANGE = "two positive values of the free parameter, the smaller first"
 
 
 @dataclass(frozen=True)
@@ -199,13 +202,18 @@ def calibrate(
         UnreachableTargetError: the law cannot give this ν on this lattice; the message names its reach.
         InputError: no lattice, or a parameter the law does not have or that calibration sets.
     """
-    lattices = [lattice] if isinstance(lattice, Lattice) else list(lattice)
+    lattices = several("calibrate", "lattice", lattice, Lattice, "a lattice, from bd.connect, or several")
     if not lattices:
         raise InputError("calibrate needs at least one lattice; pass bd.connect(particles)")
+    instance("calibrate", "material", material, Material, "a bd.Material, or one of bd.materials")
+    number("calibrate", "tolerance", tolerance, above=0.0, advice="a tolerance on ν above zero")
     if law is not None and not (isinstance(law, type) and issubclass(law, BondLaw)):
-        raise InputError(f"law = {law!r}; pass a bond law class, such as bd.{DEFAULT.__name__}, not an instance")
-    if search is not None and not 0.0 < search[0] < search[1]:
-        raise InputError(f"search = {search}; give two positive values, the smaller first")
+        raise InputError(f"law = {shown(law)}; pass a bond law class, such as bd.{DEFAULT.__name__}, not an instance")
+    if search is not None:
+        ends = array("calibrate", "search", search, wanted=_RANGE)
+        if ends.shape != (2,) or not 0.0 < ends[0] < ends[1]:
+            raise InputError(f"calibrate: search = {shown(search)}; give {_RANGE}")
+        search = float(ends[0]), float(ends[1])
     reason = ""
     if law is None:
         choice = recommend(material.nu)

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from bondem._checks import instance
 from bondem._types import Floats
 from bondem.labtests.bulk import BulkModuli, bulk_moduli
 from bondem.labtests.gauge_length import AffineField, middle_half
@@ -54,7 +55,10 @@ class Response:
     """
 
     def __init__(self, lattice: Lattice, law: BondLaw, *, guess: "Response | None" = None) -> None:
-        self.lattice, self.law = lattice, law
+        self.lattice = instance("Response", "lattice", lattice, Lattice, "a lattice, from bd.connect")
+        self.law = instance("Response", "law", law, BondLaw, "a bond law such as bd.EulerBernoulli(...)")
+        if guess is not None:
+            instance("Response", "guess", guess, Response, "the Response of the same lattice to similar bonds")
         self.tension: Tension | None = None
         self.moduli: BulkModuli | None = None
         self._adjoint: tuple[BondStrain, ...] | None = None

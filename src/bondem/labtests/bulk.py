@@ -93,6 +93,8 @@ def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | No
     instance("bulk_moduli", "lattice", lattice, Lattice, "a periodic lattice, from bd.connect")
     if not len(lattice.pairs):
         raise InputError("bulk_moduli: the lattice has no bonds; bond it with bd.connect")
+    if guess is not None:
+        instance("bulk_moduli", "guess", guess, BulkModuli, "the moduli of the same lattice with similar bonds")
     period = lattice.particles.period
     if period is None:
         raise InputError(

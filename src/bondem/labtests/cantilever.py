@@ -8,7 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import array, shown
 from bondem._types import Floats, Ints, PerElement
+from bondem.errors import InputError
 from bondem.labtests.arguments import check
 from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, rigid_motion, twist_rate
@@ -68,6 +70,11 @@ class Cantilever:
         """
         envelope = lattice.particles.envelope
         section = CrossSection.of(envelope)
+        if gyration is not None:
+            wanted = "Tension.gyration, two positive numbers in m²"
+            gyration = array("", "gyration", gyration, wanted=wanted)
+            if gyration.shape != (2,) or not (gyration > 0.0).all():
+                raise InputError(f"gyration = {shown(gyration)}; give {wanted}")
         filled = section if gyration is None else section.filled(gyration, mass_gyration(lattice, density))
         x = lattice.particles.position[:, 0]
         held, loaded = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))

@@ -30,7 +30,8 @@ class Gauge:
         as_region("Gauge", self.region)
         choice("Gauge", "quantity", self.quantity, QUANTITIES)
         usual = "sum" if self.quantity == "force" else "mean"
-        object.__setattr__(self, "reduction", choice("Gauge", "reduction", self.reduction or usual, REDUCTIONS))
+        asked = choice("Gauge", "reduction", self.reduction, ("", *REDUCTIONS))
+        object.__setattr__(self, "reduction", asked or usual)
 
 
 @dataclass(frozen=True)

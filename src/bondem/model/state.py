@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from bondem._checks import array
+from bondem._checks import array, shown
 from bondem._types import Floats, Pairs, PerBond, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.tables import lines
@@ -44,6 +44,8 @@ class State:
     """
 
     def __init__(self, model: Origin) -> None:
+        if not hasattr(model, "layout") or not hasattr(model, "constraints"):
+            raise InputError(f"State: model = {shown(model)}; give a bd.Model, or take its model.state()")
         self.model = model
         order = model.layout.order
         n, m, rows = len(order), len(model.layout.i), len(model.constraints.element)
