@@ -15,9 +15,15 @@ class Verdict(Enum):
     """What a row comes to."""
 
     MET = "met"
+    BY_MEAN = "met by the mean"
     MISSED = "missed"
-    DIFFERS = "differs"
+    EXPLAINED = "missed, explained"
     NO_PAPER = "no paper value"
+
+    @property
+    def is_miss(self) -> bool:
+        """Whether the number is outside: a reason explains a miss and does not undo it."""
+        return self in (Verdict.MISSED, Verdict.EXPLAINED)
 
 
 @dataclass(frozen=True)
@@ -79,7 +85,7 @@ class Row:
         printed: the paper's number as it prints it, where `form` would add digits.
         tolerance: when the two agree, or when what is asked for is met; None where nothing is printed or asked.
         form: how the numbers are printed.
-        reason: why it differs from the paper. A requirement of our own has none: it is met or missed.
+        reason: why it misses the paper's number, where it does. A requirement of our own has none.
         note: what else to say.
     """
 
@@ -105,14 +111,16 @@ class Row:
         if self.tolerance is None:
             return Verdict.NO_PAPER
         paper = self.paper if isinstance(self.paper, float | int) else None
-        if self.tolerance.holds(self.ours.values, paper):
-            return Verdict.MET
-        return Verdict.DIFFERS if self.reason else Verdict.MISSED
+        if not self.tolerance.holds(self.ours.values, paper):
+            return Verdict.EXPLAINED if self.reason else Verdict.MISSED
+        spread = self.ours.scatter or 0.0
+        ends = [value + way * spread for value in self.ours.values for way in (-1.0, 1.0)]
+        return Verdict.MET if not spread or self.tolerance.holds(ends, paper) else Verdict.BY_MEAN
 
     @property
     def remarks(self) -> list[str]:
-        """The reason, where the row differs, and the note."""
-        return [self.reason] * (self.verdict is Verdict.DIFFERS) + [self.note] * bool(self.note)
+        """The reason, where the row is missed, and the note."""
+        return [self.reason] * (self.verdict is Verdict.EXPLAINED) + [self.note] * bool(self.note)
 
     @property
     def paper_text(self) -> str:

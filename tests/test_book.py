@@ -62,8 +62,20 @@ def test_verdicts_follow_from_the_numbers(
     assert row.verdict is verdict
     if paper is not None:
         excused = Row(case="it", ours=ours(*values), paper=paper, tolerance=tolerance, reason="known")
-        assert excused.verdict is (Verdict.DIFFERS if verdict is Verdict.MISSED else verdict)
+        assert excused.verdict is (Verdict.EXPLAINED if verdict is Verdict.MISSED else verdict)
         assert excused.remarks == ["known"] * (verdict is Verdict.MISSED)  # no excuse where none is needed
+
+
+def test_a_row_is_met_with_its_scatter_or_says_that_it_is_not():
+    def row(value: float, scatter: float | None) -> Row:
+        return Row(case="it", ours=Measured((value,), ORIGIN, scatter), tolerance=AtMost(0.03))
+
+    assert row(0.02, 0.005).verdict is Verdict.MET
+    assert row(0.02, 0.015).verdict is Verdict.BY_MEAN
+    assert row(0.02, None).verdict is Verdict.MET
+    assert row(0.04, 0.02).verdict is Verdict.MISSED  # that some packings are within does not undo it
+    assert not Verdict.BY_MEAN.is_miss
+    assert Verdict.EXPLAINED.is_miss
 
 
 def test_what_makes_no_verdict_is_an_error():
@@ -118,7 +130,7 @@ def test_a_table_leaves_out_what_is_empty_and_says_remarks_once():
     ]
     lines = table(rows, [ORIGIN]).splitlines()
     assert lines[0] == "| case | source | paper | bondem | tolerance | verdict | command |"
-    assert lines[2] == "| E | Table 1 | 1 | 2 | ± 10 % | differs <sup>a</sup> | 1 |"
+    assert lines[2] == "| E | Table 1 | 1 | 2 | ± 10 % | **missed, explained** <sup>a</sup> | 1 |"
     assert lines[4] == "| G |  |  | 50.00 % | ≤ 10.00 % | **missed** | 1 |"
     assert lines[-1] == "<sup>a</sup> Walls are soft."
     assert table(rows[2:], [ORIGIN]).startswith("| case | bondem |")
