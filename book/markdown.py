@@ -16,11 +16,12 @@ ours is read from [`benchmarks/results`](../benchmarks/results) or, where a test
 and a tolerance that stands beside it. `python -m book --measure NAME` measures a part again, `python -m book` writes
 these pages, and CI fails where they are not what the results render to. Verification (closed forms, conservation
 laws) is in `tests/verification/` and runs with the tests. Times are of a machine with 2 shared cores."""
-_LEGEND = """- **met**: within the tolerance with one standard deviation to either side, the worst number of several deciding.
+_LEGEND = """- **met**: within the tolerance, and so one standard deviation to either side; the worst of several numbers decides.
 - **met by the mean**: the mean is within the tolerance, single packings or runs are not all: it less or more one
   standard deviation lies outside.
 - **missed**: outside.
-- **missed, explained**: outside a tolerance about the paper's number; the reason is given, and it is a miss all the same.
+- **missed, explained**: outside a tolerance about the paper's number; the reason is given, and it is a miss all the
+  same.
 - **no paper value**: nothing is printed and nothing asked.
 
 ± is one standard deviation over packings or runs. The last column is the number of the command in the list of its
@@ -102,8 +103,8 @@ def counts(rows: Iterable[Row]) -> str:
 
 
 def _contents(chapters: Sequence[Chapter]) -> str:
-    lines = ["## Contents", "", "| chapter | rows | met | met by the mean | missed | of these explained | no paper value |",
-        "|---|--:|--:|--:|--:|--:|--:|"]
+    head = "| chapter | rows | met | met by the mean | missed | of these explained | no paper value |"
+    lines = ["## Contents", "", head, "|---|--:|--:|--:|--:|--:|--:|"]
     for chapter in chapters:
         lines.append(_line(f"[{chapter.title}]({address(chapter).removeprefix('validation.md')})",
             list(chapter.rows)))

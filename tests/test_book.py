@@ -140,7 +140,7 @@ def test_the_front_page_hides_no_missed_row():
     missed = Row(case="the one", ours=ours(2.0), tolerance=AtMost(1.0))
     one = Chapter(name="it", title="It", summary="", sections=(Section(title="Rows", rows=(missed,)),))
     text = front([one])
-    assert "| [It](validation/it.md) | 1 |  | **1** |  |  |" in text
+    assert "| [It](validation/it.md) | 1 |  |  | **1** |  |  |" in text
     assert "| [It](validation/it.md) | the one | **2** | ≤ 1 |" in text
 
 
