@@ -1,6 +1,6 @@
 """The time of a calibration: from nothing, warm, and against the way of André et al. (2012).
 
-    python benchmarks/calibration.py [--repeats 3] [--count 10000]          about 4 minutes on 2 cores
+    python -m benchmarks.calibration [--repeats 3] [--count 10000]          about 4 minutes on 2 cores
 
 From nothing: `bondem calibrate` in processes of their own, with an empty cache of compiled code and no kept packings.
 The paper's way: curves by explicit quasi-static runs, 100 000 steps each as in its figure 10. One such run is timed,

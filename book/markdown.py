@@ -16,7 +16,8 @@ ours is read from [`benchmarks/results`](../benchmarks/results) or, where a test
 and a tolerance that stands beside it. `python -m book --measure NAME` measures a part again, `python -m book` writes
 these pages, and CI fails where they are not what the results render to. Verification (closed forms, conservation
 laws) is in `tests/verification/` and runs with the tests. Times are of a machine with 2 shared cores."""
-_LEGEND = """- **met**: within the tolerance, and so one standard deviation to either side; the worst of several decides.
+_LEGEND = """\
+- **met**: within the tolerance, and so one standard deviation to either side; the worst of several decides.
 - **met by the mean**: the mean is within the tolerance, single packings or runs are not all: it less or more one
   standard deviation lies outside.
 - **missed**: outside.

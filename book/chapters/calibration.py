@@ -7,7 +7,7 @@ from book.row import Row
 from book.tolerances import AtLeast, AtMost
 
 COVERAGE = study("coverage", {"coverage": "coverage"})
-TIMES = Measurement("calibration", "python benchmarks/calibration.py", "4 min")
+TIMES = Measurement("calibration", "python -m benchmarks.calibration", "4 min")
 MEASUREMENTS = (COVERAGE, TIMES)
 
 LONG = Form("s", style=",.0f")
