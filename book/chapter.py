@@ -43,14 +43,12 @@ class Chapter:
         title: in the contents.
         summary: what it shows, in a sentence or two.
         sections: of it.
-        in_front: on the first page, instead of a page of its own.
     """
 
     name: str
     title: str
     summary: str
     sections: tuple[Section, ...]
-    in_front: bool = False
 
     @property
     def rows(self) -> Iterator[Row]:

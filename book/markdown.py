@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from book.chapter import Chapter, Figure, Section
+from book.claims import CLAIMS, Claim
 from book.row import Origin, Row, Verdict, tally
 
 _GENERATED = "<!-- Written by `python -m book`; edit book/, not this file. -->\n"
@@ -31,8 +32,8 @@ _LINK = re.compile(r"(\]\()([^)#:\s]+)(\)|#)")
 
 
 def front(chapters: Sequence[Chapter]) -> str:
-    """`docs/validation.md`: contents with counts, what is missed, what of it is explained, and the papers' tables."""
-    lines = [_GENERATED + _INTRODUCTION, _contents(chapters), _LEGEND]
+    """`docs/validation.md`: contents with counts, what is missed, what of it is explained."""
+    lines = [_GENERATED + _INTRODUCTION, _claims(CLAIMS, chapters), _contents(chapters), _LEGEND]
     missed, differing = (
         [(chapter, row) for chapter in chapters for row in chapter.rows if row.verdict is verdict]
         for verdict in (Verdict.MISSED, Verdict.EXPLAINED)
@@ -41,7 +42,6 @@ def front(chapters: Sequence[Chapter]) -> str:
         lines += ["## What is missed", _missed(missed)]
     if differing:
         lines += ["## What misses the papers' numbers, and why", _differing(differing)]
-    lines += [_body(chapter, "##") for chapter in chapters if chapter.in_front]
     return "\n\n".join(lines) + "\n"
 
 
@@ -86,10 +86,7 @@ def _asked(row: Row) -> str:
 
 def address(chapter: Chapter) -> str:
     """Where a chapter stands, from `docs`."""
-    if not chapter.in_front:
-        return f"validation/{chapter.name}.md"
-    kept = re.sub(r"[^\w\- ]", "", chapter.title.lower())
-    return f"validation.md#{kept.replace(' ', '-')}"
+    return f"validation/{chapter.name}.md"
 
 
 def counts(rows: Iterable[Row]) -> str:
@@ -103,11 +100,38 @@ def counts(rows: Iterable[Row]) -> str:
     return ", ".join([*parts, *[f"{found[Verdict.NO_PAPER]} no paper value"] * bool(found[Verdict.NO_PAPER])])
 
 
+def _claims(claims: Sequence[Claim], chapters: Sequence[Chapter]) -> str:
+    """The claims as a table; a claim of a chapter that is not in the book is left out."""
+    known = {chapter.name: chapter for chapter in chapters}
+    pairs = [(claim, claim.row(chapters)) for claim in claims if claim.chapter in known]
+    if not pairs:
+        return ""
+    rows = [row for _, row in pairs]
+    held = [row for row in rows if not row.verdict.is_miss]
+    commands = list(dict.fromkeys(row.ours.origin for row in rows))
+    remarks = list(dict.fromkeys(remark for row in rows for remark in row.remarks))
+    grid = _grid({
+        "claim": [f"[{claim.says}]({address(known[claim.chapter])})" for claim, _ in pairs],
+        "the paper's way": [claim.theirs for claim, _ in pairs],
+        "ours": [claim.ours for claim, _ in pairs],
+        "unseen packings": [claim.unseen for claim, _ in pairs],
+        "paper": [row.paper_text for row in rows],
+        "bondem": [row.ours.text(row.form) for row in rows],
+        "tolerance": [_asked(row) for row in rows],
+        "verdict": [_verdict(row, remarks) for row in rows],
+        "command": [str(1 + commands.index(row.ours.origin)) for row in rows],
+    })  # fmt: skip
+    said = f"{len(rows)} claims: {len(held)} held, {len(rows) - len(held)} did not. The rest is behind each of them."
+    lines = [f"<sup>{_letter(k)}</sup> {_sentence(remark)}<br>" for k, remark in enumerate(remarks)]
+    below = "\n".join(lines).removesuffix("<br>")
+    return "\n\n".join(["## What is claimed", said, _commands(commands), grid, below])
+
+
 def _contents(chapters: Sequence[Chapter]) -> str:
     head = "| chapter | rows | met | met by the mean | missed | of these explained | no paper value |"
     lines = ["## Contents", "", head, "|---|--:|--:|--:|--:|--:|--:|"]
     for chapter in chapters:
-        lines.append(_line(f"[{chapter.title}]({address(chapter).removeprefix('validation.md')})",
+        lines.append(_line(f"[{chapter.title}]({address(chapter)})",
             list(chapter.rows)))
     lines.append(_line("**all**", [row for chapter in chapters for row in chapter.rows]))
     return "\n".join(lines)
@@ -149,7 +173,7 @@ def _differing(found: Sequence[tuple[Chapter, Row]]) -> str:
 
 
 def _reference(chapter: Chapter) -> str:
-    return f"[{chapter.title}]({address(chapter).removeprefix('validation.md')})"
+    return f"[{chapter.title}]({address(chapter)})"
 
 
 def _sentence(remark: str) -> str:

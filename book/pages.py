@@ -22,7 +22,7 @@ def chapters() -> list[Chapter]:
 def rendered(book: list[Chapter]) -> dict[Path, str]:
     """Every page that the book writes, and its text."""
     pages = {DOCS / "validation.md": front(book), DOCS / "studies.md": filled(DOCS / "studies.md")}
-    return pages | {DOCS / "validation" / f"{one.name}.md": page(one) for one in book if not one.in_front}
+    return pages | {DOCS / "validation" / f"{one.name}.md": page(one) for one in book}
 
 
 def write() -> list[Path]:

@@ -99,7 +99,6 @@ def chapter() -> Chapter:
     return Chapter(
         name="andre_tables",
         title="André et al. (2012): fused silica, Tables 1 to 4",
-        in_front=True,
         summary=(
             "Cylinder 10 mm × 40 mm, 10 000 spheres, κ = 25 %, Euler–Bernoulli bonds at contacts (z = 6.2), ν_μ ="
             " 0.3; fused silica has E = 72.5 GPa, ν = 0.17, ρ = 2201 kg/m³. One packing calibrates and four are"

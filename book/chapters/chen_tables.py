@@ -44,7 +44,6 @@ def chapter() -> Chapter:
     return Chapter(
         name="chen_tables",
         title="Chen et al. (2022): cantilevers of bonds, Tables 3 to 5",
-        in_front=True,
         summary=(
             "Timoshenko bonds (TBBM), Euler–Bernoulli bonds (EBBM) and parallel bonds (PBM) through one kernel, E_b ="
             " 200 GPa, ν_b = 0.3, F = 100 kN. All five cases, all laws, the figures and the elastica:"
