@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from bondem.report.compaction_figure import draw_compaction
 
 import bondem as bd
 from bondem.errors import InputError
 from bondem.packing.shear import Compaction, compact
+from bondem.report.compaction_figure import draw_compaction
 from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import Fabric
 
