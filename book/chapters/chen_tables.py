@@ -46,8 +46,8 @@ def chapter() -> Chapter:
         title="Chen et al. (2022): cantilevers of bonds, Tables 3 to 5",
         summary=(
             "Timoshenko bonds (TBBM), Euler–Bernoulli bonds (EBBM) and parallel bonds (PBM) through one kernel, E_b ="
-            " 200 GPa, ν_b = 0.3, F = 100 kN. The cases are those of Table 3 (a test reads them), but that Table 5 has"
-            " one bond of λ_b = 10 in case 3, where Table 3 has 1–5. All five cases, all laws, the figures, the elastica:"
+            " 200 GPa, ν_b = 0.3, F = 100 kN. The cases are those of Table 3 (a test reads them), but that Table 5"
+            " has one bond of λ_b = 10 in case 3, where Table 3 has 1–5. All five cases, laws, figures, the elastica:"
             " [validation/chen.md](validation/chen.md)."
         ),
         sections=(table_4(TABLES, CASES), table_5(TABLES), _figures(), _exact()),
