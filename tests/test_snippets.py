@@ -123,7 +123,7 @@ def test_commands_are_ones_there_are(command, clone):
         assert command_of(study_of(rest[2])).make_context(rest[2], rest[3:]).params is not None
         named = []
     else:
-        assert not rest or not rest[0].startswith("-") or rest[:2] == ["-m", "venv"]
+        assert rest[:2] in ([], ["-n", "auto"], ["-m", "venv"]) or not rest[0].startswith("-")
         named = [word for word in rest if word.endswith(".py")]
     assert all((ROOT / name).is_file() for name in named)
 

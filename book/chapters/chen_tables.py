@@ -46,15 +46,16 @@ def chapter() -> Chapter:
         title="Chen et al. (2022): cantilevers of bonds, Tables 3 to 5",
         summary=(
             "Timoshenko bonds (TBBM), Euler–Bernoulli bonds (EBBM) and parallel bonds (PBM) through one kernel, E_b ="
-            " 200 GPa, ν_b = 0.3, F = 100 kN. All five cases, all laws, the figures and the elastica:"
+            " 200 GPa, ν_b = 0.3, F = 100 kN. The cases are those of Table 3 (a test reads them), but that Table 5"
+            " has one bond of λ_b = 10 in case 3, where Table 3 has 1–5. All five cases, laws, figures, the elastica:"
             " [validation/chen.md](validation/chen.md)."
         ),
-        sections=(table_3(TABLES), table_4(TABLES, CASES), table_5(TABLES), _figures(), _exact()),
+        sections=(table_4(TABLES, CASES), table_5(TABLES), _figures(), _exact()),
     )
 
 
 def table_3(tables: Measurement) -> Section:
-    """The cases as they are and as they are printed."""
+    """The cases as they are and as they are printed: for the fast part, which is a test."""
     printed = "Table 5 has one bond in case 3, 4 m long with a radius of 0.2 m: λ_b = 10"
     rows = []
     for case, (length, slenderness, radius, bond, gap) in TABLE_3.items():
@@ -84,7 +85,7 @@ def table_4(tables: Measurement, runs: Measurement | None) -> Section:
     above = "the paper's number lies above the exact value that beam elements reproduce"
     theory = tables.at("table4", {"law": "TBBM"})["timoshenko"]
     euler = tables.at("table4", {"law": "EBBM"})["exact"]
-    rows = [
+    theories = [
         Row(case="Timoshenko theory, eq (29)", source="Table 4", paper=8.534e-3, printed="8.534 mm",
             ours=tables.of(theory), form=millimetres, tolerance=Near(absolute=0.0005e-3)),
         Row(case="Euler–Bernoulli theory", source="Table 4", paper=8.488e-3, printed="8.488 mm",
@@ -92,6 +93,8 @@ def table_4(tables: Measurement, runs: Measurement | None) -> Section:
         Row(case="Euler–Bernoulli theory, distance from Timoshenko", source="Table 4", paper=0.0054,
             ours=tables.of(1.0 - euler / theory), form=PERCENT, tolerance=Near(absolute=5e-5)),
     ]  # fmt: skip
+    # a closed form against itself is a test, not a row of the book
+    rows = theories if runs is None else []
     for law, (tip, error) in TABLE_4.items():
         found = tables.at("table4", {"law": law})
         rows += [
@@ -177,12 +180,6 @@ def _figures() -> Section:
                 source="fig. 19, eq (35)", printed="38 %", ours=CASES.of(deep["missing"]), form=PERCENT,
                 tolerance=Near(absolute=0.01), reason=reason)
         )  # fmt: skip
-    for law in ("TBBM", "EBBM", "PBM"):
-        found = [one for one in CASES.at("shear", "stiffness_ratio") if one["law"] == law]
-        off = max(abs(one["ratio"] / one["theory"] - 1.0) for one in found)
-        rows.append(Row(case=f"{law}: axial over shear stiffness, off eqs (32) to (34)", source="fig. 17",
-            paper="equal",
-                        ours=CASES.of(off), form=ROUNDING, tolerance=AtMost(1e-12)))  # fmt: skip
     names = {
         "chen_stiffness_ratio.png": "Axial over shear stiffness (figure 17)",
         "chen_slenderness.png": "What Euler–Bernoulli bonds miss (figure 19)",
