@@ -13,15 +13,12 @@ import os
 import pickle
 import time
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any, final
 
-import numpy as np
-
 from bondem.errors import BondemError, UnstableRunError
 from bondem.io.atomic import write_text
+from bondem.io.packing_cache import written
 from bondem.solve.threads import one_blas_thread
 from validation.frame.sources import code_hash
 
@@ -69,7 +66,7 @@ class Request(ABC):
     @property
     def name(self) -> str:
         """What its files are called: readable, and unlike that of any other request or version."""
-        text = json.dumps(written(self), sort_keys=True)
+        text = json.dumps(written(self, packages=("bondem", "validation")), sort_keys=True)
         digest = hashlib.sha256(f"{code_hash(type(self).__module__)}\n{text}".encode())
         return f"{self.readable}_{digest.hexdigest()[:16]}"
 
@@ -96,31 +93,6 @@ class Request(ABC):
     def kept(self, folder: Path) -> Any:
         """What was kept."""
         return pickle.loads(self.kept_file(folder).read_bytes())
-
-
-def written(value: Any) -> Any:
-    """What decides a request, as JSON can hold it.
-
-    Raises:
-        TypeError: something that has no fields.
-    """
-    match value:
-        case None | bool() | int() | float() | str():
-            return value
-        case np.generic():
-            return value.item()
-        case np.ndarray():
-            return [value.dtype.str, list(value.shape), hashlib.sha256(value.tobytes()).hexdigest()]
-        case list() | tuple():
-            return [written(item) for item in value]
-        case Mapping():
-            return {str(name): written(item) for name, item in value.items()}
-    kind = type(value)
-    if not is_dataclass(kind):
-        raise TypeError(f"a request holds a {kind.__name__}, which cannot be written down")
-    return {"type": f"{kind.__module__}.{kind.__qualname__}"} | {
-        item.name: written(getattr(value, item.name)) for item in fields(value)
-    }
 
 
 def kept_row(request: Request, folder: Path) -> dict[str, Any] | None:

@@ -52,12 +52,20 @@ def key(request: Mapping[str, Any]) -> str:
         RunFileError: an argument that cannot be written down, such as a shape of the user's own, whose code
             may change from day to day.
     """
-    text = json.dumps(_written(request), sort_keys=True)
+    text = json.dumps(written(request), sort_keys=True)
     return hashlib.sha256(f"{_program()}\n{text}".encode()).hexdigest()[:40]
 
 
-def _written(value: Any) -> Any:
-    """What decides the bits of a value, as JSON can hold it."""
+def written(value: Any, *, packages: tuple[str, ...] = ("bondem",)) -> Any:
+    """What decides the bits of a value, as JSON can hold it.
+
+    Args:
+        value: plain values, arrays, sequences and mappings of them, and dataclasses.
+        packages: whose dataclasses may be in it.
+
+    Raises:
+        RunFileError: something else, such as a shape of the user's own, whose code may change from day to day.
+    """
     match value:
         case None | bool() | int() | float() | str():
             return value
@@ -66,14 +74,14 @@ def _written(value: Any) -> Any:
         case np.ndarray():
             return [value.dtype.str, list(value.shape), hashlib.sha256(value.tobytes()).hexdigest()]
         case list() | tuple():
-            return [_written(item) for item in value]
+            return [written(item, packages=packages) for item in value]
         case Mapping():
-            return {str(name): _written(item) for name, item in value.items()}
+            return {str(name): written(item, packages=packages) for name, item in value.items()}
     kind = type(value)
-    if not (is_dataclass(kind) and kind.__module__.startswith("bondem.")):
-        raise RunFileError(f"a packing made with a {kind.__name__} cannot be kept; use bondem's own types")
+    if not (is_dataclass(kind) and kind.__module__.partition(".")[0] in packages):
+        raise RunFileError(f"what is made with a {kind.__name__} cannot be kept; use bondem's own types")
     return {"type": f"{kind.__module__}.{kind.__qualname__}"} | {
-        item.name: _written(getattr(value, item.name)) for item in fields(value)
+        item.name: written(getattr(value, item.name), packages=packages) for item in fields(value)
     }
 
 
@@ -135,7 +143,7 @@ class PackingCache:
             make: packs it.
         """
         try:
-            name, provenance = key(request), _written(request)
+            name, provenance = key(request), written(request)
         except (RunFileError, OSError):
             return make()
         kept = self.get(name)
