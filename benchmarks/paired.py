@@ -55,12 +55,16 @@ class Worker:
         source: the folder `src` it imports.
         cores: threads it may use at most.
         cache: where it keeps compiled code; None for where it always does.
+        fused: whether the compiler may round a product and a sum together; otherwise bits are those of the
+            operations in the order in which they are written, whatever is compiled beside them.
     """
 
-    def __init__(self, source: Path, *, cores: int, cache: Path | None = None) -> None:
+    def __init__(self, source: Path, *, cores: int, cache: Path | None = None, fused: bool = True) -> None:
         environment = {**os.environ, "PYTHONPATH": str(source), "NUMBA_NUM_THREADS": str(cores)}
         if cache is not None:
             environment["BONDEM_CACHE_DIR"] = str(cache)
+        if not fused:
+            environment |= {"NUMBA_CPU_NAME": "generic", "PAIRED_UNFUSED": "1"}
         self._process = subprocess.Popen(
             [sys.executable, str(Path(__file__).parent / "paired_worker.py")],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment,

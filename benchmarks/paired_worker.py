@@ -11,10 +11,26 @@ import time
 import traceback
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numba.core import cgutils
 
 import bondem as bd
+
+
+def unfuse() -> None:
+    """Have products and sums that are fused on purpose rounded twice, too, where the CPU compiled for fuses none."""
+    make: Any = cgutils.get_or_insert_function
+
+    def get_or_insert_function(module: Any, kind: Any, name: str) -> Any:
+        return make(module, kind, name.replace("llvm.fma.", "llvm.fmuladd."))
+
+    cgutils.get_or_insert_function = get_or_insert_function
+
+
+if "PAIRED_UNFUSED" in os.environ:
+    unfuse()
 
 
 def source() -> dict:
