@@ -16,8 +16,9 @@ import hashlib
 import os
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar, cast
@@ -25,9 +26,15 @@ from typing import Any, TypeVar, cast
 import llvmlite.binding as llvm
 import numba
 import numba.core.config
-from numba import njit, prange
+from numba import prange
 from numba.core import event
+from numba.core.compiler_lock import global_compiler_lock
 from numba.core.registry import CPUDispatcher
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
 
 __all__ = [
     "LANES", "cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange",
@@ -38,6 +45,8 @@ __all__ = [
 config: Any = numba.core.config
 F = TypeVar("F", bound=Callable[..., Any])
 _PACKAGE = Path(__file__).parent
+# How long a process waits for what another one compiles [s]; nothing takes a tenth of it.
+_PATIENCE = 300.0
 
 
 def _lanes() -> int:
@@ -139,6 +148,55 @@ def say_nothing() -> None:
 _FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
 
 
+def _place_of_lock(what: str) -> Path:
+    return cache_directory / "locks" / hashlib.sha256(what.encode()).hexdigest()[:24]
+
+
+@contextmanager
+def _alone(what: str) -> Iterator[None]:
+    """The only process at work on something, wherever the cache is shared; with others after `_PATIENCE` seconds.
+
+    Where files cannot be locked all work at once, as numba does.
+    """
+    with ExitStack() as held:
+        with suppress(OSError):
+            place = _place_of_lock(what)
+            place.parent.mkdir(parents=True, exist_ok=True)
+            lock = held.enter_context(place.open("w"))
+            last = time.monotonic() + _PATIENCE
+            while fcntl is not None and time.monotonic() < last:
+                try:
+                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                except BlockingIOError:
+                    time.sleep(0.02)
+                else:
+                    break
+        yield
+
+
+class _Shared(CPUDispatcher):
+    """A function that one process compiles while all others wait for it, which would have to do the same.
+
+    Numba itself lets all of them compile; and where two of them save at once what they compiled of one function for
+    different arguments, it may later take the one for the other.
+    """
+
+    def enable_caching(self) -> None:
+        super().enable_caching()
+        save = self._cache.save_overload
+
+        def save_alone(sig: Any, data: Any) -> None:
+            with _alone(f"{self.py_func.__module__}.{self.py_func.__qualname__}"):
+                save(sig, data)
+
+        self._cache.save_overload = save_alone
+
+    def compile(self, sig: Any) -> Any:
+        # numba's own lock first, as in functions that are compiled for this one: no two threads wait for each other
+        with global_compiler_lock, _alone(f"{self.py_func.__module__}.{self.py_func.__qualname__}{sig}"):
+            return super().compile(sig)
+
+
 class _Inlined(CPUDispatcher):
     """A function for other compiled ones only: called by Python it runs as plain Python.
 
@@ -168,8 +226,13 @@ def kernel(*, parallel: bool) -> Callable[[F], F]:
         twin = FunctionType(function.__code__, function.__globals__, function.__name__)
         twin.__doc__ = function.__doc__
         twin.__qualname__ = function.__qualname__ + ("_threaded" if parallel else "")
+        if config.DISABLE_JIT:
+            return cast(F, twin)
+        options = {"nopython": True, "nogil": True, "parallel": parallel, **_FLAGS}
         with _own_cache():
-            return cast(F, njit(**_FLAGS, parallel=parallel, cache=True, nogil=True)(twin))
+            shared = _Shared(twin, targetoptions=options)
+            shared.enable_caching()
+        return cast(F, shared)
 
     return decorate
 
