@@ -4,7 +4,7 @@ Each material is calibrated once, in periodic cells without any wall. Its bonds 
 an L-bracket from examples/bracket.stl, and E, ν, the first free frequencies and what loads on a clamped body do are
 compared with benchmarks/continuum.py in three ways: with the bonds as they are ("raw"), with E_μ and r̃ changed for
 the whole body by the surface correction of bondem ("scaled"), and with bonds of their own at the walls and inside
-("layered", the experimental `bondem.calibration.layers`).
+("layered", the experimental `benchmarks/layers.py`).
 
 Free frequencies are the clean comparison: nothing is held. A mode of the specimen is matched with a mode of the
 continuum by its shape (the modal assurance criterion); several modes of one frequency are compared as a group.
@@ -35,9 +35,9 @@ import numpy as np
 import bondem as bd
 from any_specimen_figures import draw
 from bondem.calibration.density import element_density
-from bondem.calibration.layers import calibrate_layers
 from bondem.solve.static import Statics
 from continuum import BRACKET, Continuum, Corners, Vibration
+from layers import calibrate_layers
 
 ROOT = Path(__file__).resolve().parents[1]
 MATERIALS = ("fused_silica", "soda_lime_glass", "alumina", "granite", "steel")

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.calibration.layers import calibrate_layers
 
 ROOT = Path(__file__).parents[1]
 COUNT = 1500
@@ -73,7 +72,7 @@ def test_a_cube_does_what_its_continuum_does(study, fit):
 
 def test_layers_are_calibrated_for_their_contacts(study, fit):
     lattice = study.specimen("cube", COUNT).lattice
-    layers = calibrate_layers(lattice, bd.materials.fused_silica)
+    layers = study.calibrate_layers(lattice, bd.materials.fused_silica)
     (inside, inner), (skin, outer), _ = layers.bond.items()
     assert (inner, outer) == (layers.inner, layers.outer)
     assert len(inside.select(lattice)) + len(skin.select(lattice)) == lattice.connected.sum()
@@ -90,9 +89,9 @@ def test_layers_are_calibrated_for_their_contacts(study, fit):
     shape = lattice.particles.envelope
     assert mass[lattice.connected].sum() == pytest.approx(bd.materials.fused_silica.rho * shape.volume, rel=1e-9)
     with pytest.raises(bd.errors.InputError, match=r"use bd\.calibrate"):
-        calibrate_layers(study.cells(2000, 1)[0], bd.materials.fused_silica)
+        study.calibrate_layers(study.cells(2000, 1)[0], bd.materials.fused_silica)
     with pytest.raises(bd.errors.InputError, match="elements are at walls"):
-        calibrate_layers(lattice, bd.materials.fused_silica, touching=-1.0)
+        study.calibrate_layers(lattice, bd.materials.fused_silica, touching=-1.0)
 
 
 def test_the_book_keeps_what_is_done(study, tmp_path, monkeypatch):

@@ -10,7 +10,6 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.packing.shear import Compaction, compact
-from bondem.report.compaction_figure import draw_compaction
 from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import Fabric
 
@@ -149,9 +148,10 @@ def test_dispersed_spheres_pass_where_equal_ones_are_refused(seed):
     assert dispersed.passed, dispersed.reasons
 
 
-def test_the_example_shows_the_walls_at_work(tmp_path):
+def test_the_example_shows_the_walls_at_work(tmp_path, monkeypatch):
     path = Path(__file__).parents[1] / "examples" / "shear_compaction.py"
     spec = importlib.util.spec_from_file_location("shear_compaction", path)
+    monkeypatch.syspath_prepend(path.parent)  # where it finds its figure, as when it is run
     example = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(example)
     course = example.main(count=200, cycles=2, folder=tmp_path)
@@ -165,5 +165,5 @@ def test_the_example_shows_the_walls_at_work(tmp_path):
     assert len(list(tmp_path.glob("grains_*.vtkhdf"))) == 3
     kept = bd.read_particles(tmp_path / "grains_02.vtkhdf")
     np.testing.assert_allclose(kept.position, course.frames[-1])
-    draw_compaction(tmp_path / "course.png", course)
+    example.draw_compaction(tmp_path / "course.png", course)
     assert (tmp_path / "course.png").stat().st_size > 50_000

@@ -50,7 +50,6 @@ def test_importing_the_package_is_cheap_and_every_public_name_resolves():
 
 #: Modules that are for bonds of one law, and why.
 OF_ONE_LAW = {
-    "calibration/layers.py": ("EulerBernoulli", "its factors were found for the skin of these bonds only"),
     "laws/contact_bond.py": ("ParallelBond", "it is made from them: the same bonds without moments"),
 }
 #: Laws that share their name with the beam theory that tests are held against: words may name it, code may not.

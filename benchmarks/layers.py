@@ -1,4 +1,4 @@
-"""Experimental: bonds of their own for the spheres at walls and for those inside. Not among the public names.
+"""Experimental: bonds of their own for the spheres at walls and for those inside. No part of the package.
 
 A packing of 6.2 contacts a sphere has about five at its walls and the more inside, seven in a thin body. One law for
 the whole body (`Calibration.law_for`) is right for its mean stiffness; bending and torsion, which the skin decides,
