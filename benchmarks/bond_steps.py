@@ -1,6 +1,6 @@
 """Bond-steps per second of the explicit solver: bonds, gather and integration, with peak memory an element.
 
-python benchmarks/bond_steps.py [--elements 100000] [--threads 1 2] [--repeat 7] [--out FILE]
+python benchmarks/bond_steps.py [--elements 100000] [--threads 1 2] [--repeat 7] [--largest 100000] [--out FILE]
 
 The packing is made here, not read from the cache of packings, so that the memory of the process is that of both.
 """
@@ -37,10 +37,11 @@ def main() -> None:
     parser.add_argument("--elements", type=int, default=100_000)
     parser.add_argument("--threads", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--repeat", type=int, default=7)
+    parser.add_argument("--largest", type=int, default=100_000, help="spheres that are packed and repeated [100000]")
     parser.add_argument("--out", type=Path, default=RESULTS / "bond_steps.json")
     options = parser.parse_args()
     here = origin()
-    lattice = specimen(options.elements, largest=100_000)
+    lattice = specimen(options.elements, largest=options.largest)
     bonds = len(lattice.pairs)
     model = bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), 2500.0)
     dt = 0.9 * critical_step(model, bd.VelocityVerlet())

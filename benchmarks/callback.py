@@ -1,7 +1,8 @@
 """What a Python callback at each output costs: the same run with and without, in turns.
 
 At 10 000 elements the difference drowns in the noise of the machine; with few elements the cost of an output shows.
-That of few elements over the time of the steps between two outputs of many is the share that is kept.
+That of few elements over the time of the steps between two outputs of many is the share that is kept. Processor
+seconds, which on one thread are those of a quiet machine.
 
 python benchmarks/callback.py [--elements 10000] [--few 300] [--every 100] [--steps 2000] [--repeat 9] [--threads 1]
 """
@@ -35,9 +36,9 @@ def compared(elements: int, every: int, steps: int, repeat: int) -> dict:
 
     def clock(callback) -> float:
         state = start.copy()
-        begun = time.perf_counter()
+        begun = time.process_time()
         bd.solve_explicit(model, duration=steps * dt, dt=dt, every=every, state=state, callback=callback)
-        return time.perf_counter() - begun
+        return time.process_time() - begun
 
     clock(look), clock(None)  # compiled, and warm
     times = [(clock(None), clock(look)) for _ in range(repeat)]

@@ -21,6 +21,7 @@ Record = Callable[..., None]
 _FIXTURE = "record"
 _VERSIONS = ("bondem", "numpy", "scipy", "numba")
 _NUMBERS = pytest.StashKey[dict[str, dict[str, Any]]]()
+_COMMIT = pytest.StashKey[str]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -30,7 +31,10 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     config.stash[_NUMBERS] = {}
-    if config.getoption("--record") and (config.getoption("numprocesses", None) or hasattr(config, "workerinput")):
+    if not config.getoption("--record"):
+        return
+    config.stash[_COMMIT] = _commit(config.rootpath)
+    if config.getoption("numprocesses", None) or hasattr(config, "workerinput"):
         raise pytest.UsageError("--record needs all tests in one process: leave out -n")
 
 
@@ -81,12 +85,16 @@ def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
 def _origin(config: pytest.Config) -> dict[str, Any]:
     """Command, commit, date and versions."""
     python = ".".join(map(str, sys.version_info[:3]))
-    git = subprocess.run(
-        ["git", "describe", "--always", "--dirty"], cwd=config.rootpath, capture_output=True, text=True, check=False
-    )  # fmt: skip
     return {
         "command": " ".join(["python -m pytest", *map(str, config.invocation_params.args)]),
-        "commit": git.stdout.strip() or "unknown",
+        "commit": config.stash[_COMMIT],
         "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
         "versions": {"python": python, **{name: version(name) for name in _VERSIONS}},
     }
+
+
+def _commit(folder: Path) -> str:
+    """What is checked out when the tests begin, "-dirty" where files differ from it."""
+    words = ["git", "describe", "--always", "--dirty"]
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
+    return done.stdout.strip() or "unknown"
