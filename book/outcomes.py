@@ -1,9 +1,9 @@
-"""Numbers that tests record: `python -m pytest --record FILE`, see tests/recording.py."""
+"""Numbers that tests record: `python -m pytest --record=FILE`, see tests/recording.py."""
 
 from book.results import Measurement
 from book.row import Measured
 
-TESTS = Measurement("tests", "python -m pytest --record benchmarks/results/tests.json", "4 min")
+TESTS = Measurement("tests", "python -m pytest --record=benchmarks/results/tests.json", "4 min")
 
 
 def largest(name: str) -> Measured:

@@ -1,4 +1,4 @@
-"""`pytest --record FILE`: the least and the largest of what tests record, and nothing where one failed."""
+"""`pytest --record=FILE`: the least and the largest of what tests record, and nothing where one failed."""
 
 import json
 import subprocess
@@ -6,6 +6,8 @@ import sys
 from pathlib import Path
 
 import pytest
+
+from book.outcomes import TESTS
 
 ROOT = Path(__file__).parents[1]
 TESTS = """
@@ -30,7 +32,7 @@ def run(folder: Path, text: str, *options: str) -> subprocess.CompletedProcess[s
 
 
 def test_the_least_and_the_largest_are_kept_with_command_and_versions(tmp_path):
-    done = run(tmp_path, TESTS, "--record", str(tmp_path / "kept.json"))
+    done = run(tmp_path, TESTS, f"--record={tmp_path / 'kept.json'}")
     assert done.returncode == 0, done.stdout
     kept = json.loads((tmp_path / "kept.json").read_text())
     assert set(kept) == {"command", "commit", "date", "versions", "numbers"}
@@ -43,14 +45,14 @@ def test_the_least_and_the_largest_are_kept_with_command_and_versions(tmp_path):
 @pytest.mark.parametrize("broken", ["record('order', float('nan'))", "record('order')", "assert record is None"])
 def test_nothing_is_kept_where_a_test_fails(tmp_path, broken):
     text = f"{TESTS}\ndef test_broken(record):\n    {broken}\n"
-    done = run(tmp_path, text, "--record", str(tmp_path / "kept.json"))
+    done = run(tmp_path, text, f"--record={tmp_path / 'kept.json'}")
     assert done.returncode == 1
     assert "nothing is kept" in done.stdout
     assert not (tmp_path / "kept.json").exists()
 
 
 def test_processes_side_by_side_are_refused(tmp_path):
-    done = run(tmp_path, TESTS, "--record", str(tmp_path / "kept.json"), "-n", "2")
+    done = run(tmp_path, TESTS, f"--record={tmp_path / 'kept.json'}", "-n", "2")
     assert done.returncode == 4
     assert "leave out -n" in done.stderr
 
@@ -60,3 +62,11 @@ def test_without_the_option_all_tests_run_and_nothing_is_kept(tmp_path):
     assert done.returncode == 1
     assert "is not run" in done.stdout
     assert "4 passed" in done.stdout
+
+
+def test_the_command_of_the_book_finds_the_option_where_the_file_exists():
+    words = TESTS.command.split()[1:]
+    assert TESTS.path.exists()
+    done = subprocess.run([sys.executable, *words, "--help"], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "--record=FILE" in done.stdout
