@@ -77,7 +77,7 @@ def tasks(lattice: bd.Lattice, report: dict) -> dict[str, Callable[[], object]]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("elements", type=int, nargs="*", default=[11_000, 110_000], help="about so many")
-    parser.add_argument("--repeat", type=int, default=3, help="of each, median and least are kept [3]")
+    parser.add_argument("--repeat", type=int, default=3, help="of each; 0: no times, the error alone [3]")
     parser.add_argument("--out", type=Path, default=RESULTS / "static_solve.json")
     options = parser.parse_args()
     report: dict = {**origin(), "repeat": options.repeat, "sizes": []}
@@ -86,6 +86,8 @@ def main() -> None:
         size: dict = {"asked": count, "elements": len(lattice.particles), "bonds": len(lattice.pairs), "seconds": {}}
         print(f"{size['elements']} elements, {size['bonds']} bonds")
         for name, task in tasks(lattice, size).items():
+            if not options.repeat:
+                continue
             took = size["seconds"][name] = clocked(task, options.repeat)
             wall, cpu = took["wall"], took["cpu"]
             print(f"  {name:24s} {wall['median']:8.2f} s wall {cpu['median']:8.2f} s cpu (medians)", flush=True)

@@ -2,8 +2,8 @@
 
 A test asks for the fixture `record` and calls `record("name", value, ...)`; of all values that a name is given, in
 any test, the least and the largest are kept. Only tests that record are run then, in one process, and the file is
-written when all of them passed. Without the option nothing is kept. Before this file is loaded pytest does not know the
-option, and would take a FILE that stands apart for what it should run: hence the sign of equality.
+written when all of them passed. Without the option nothing is kept. Before this file is loaded pytest does not know
+the option, and would take a FILE that stands apart for what it should run: hence the sign of equality.
 """
 
 import datetime

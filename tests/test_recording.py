@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from book.outcomes import TESTS
+from book.outcomes import TESTS as BOOK
 
 ROOT = Path(__file__).parents[1]
 TESTS = """
@@ -65,8 +65,8 @@ def test_without_the_option_all_tests_run_and_nothing_is_kept(tmp_path):
 
 
 def test_the_command_of_the_book_finds_the_option_where_the_file_exists():
-    words = TESTS.command.split()[1:]
-    assert TESTS.path.exists()
+    words = BOOK.command.split()[1:]
+    assert BOOK.path.exists()
     done = subprocess.run([sys.executable, *words, "--help"], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "--record=FILE" in done.stdout

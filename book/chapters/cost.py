@@ -4,17 +4,16 @@ from typing import Any
 
 from book.chapter import Chapter, Section
 from book.chapters.calibration import TIMES
-from book.chapters.dynamics import STATIC
 from book.forms import PERCENT, SECONDS, Form
 from book.results import Measurement
-from book.row import Measured, Row
+from book.row import Row
 from book.tolerances import AtLeast, AtMost
 
 PEERS = Measurement("peers", "python benchmarks/peers/compare.py --elements 10000 100000", "20 min")
 AGAINST = Measurement("against", "python benchmarks/against.py speed", "20 min")
 STEPS = Measurement("bond_steps", "python benchmarks/bond_steps.py --threads 1 --repeat 3 --largest 20000", "1 min")
 CALLBACK = Measurement("callback", "python benchmarks/callback.py", "1 min")
-MEASUREMENTS = (PEERS, AGAINST, STEPS, CALLBACK, STATIC, TIMES)
+MEASUREMENTS = (PEERS, AGAINST, STEPS, CALLBACK, TIMES)
 
 RATE = Form("M/s", 1e6, ".0f")
 FINE_RATE = Form("M/s", 1e6, ".1f")
@@ -33,7 +32,7 @@ def chapter() -> Chapter:
             "On 2 shared cores, which others use as well: medians, and processor time where said. What was tried for"
             " the step: [decision 0001](decisions/0001-state.md)."
         ),
-        sections=(_starting(), _statics(), _step(), _peers(), _memory()),
+        sections=(_starting(), _step(), _peers(), _memory()),
     )
 
 
@@ -51,25 +50,9 @@ def _starting() -> Section:
                 tolerance=AtMost(1.0)),
         ),
         after=(
-            "Times of packing are in the chapter on [packings](validation/packings.md); those of a whole study, cold"
-            " and warm, and its memory are measured by `python benchmarks/study.py`."
-        ),
-    )  # fmt: skip
-
-
-def _statics() -> Section:
-    def seconds(asked: int, name: str) -> Measured:
-        return STATIC.number("sizes", {"asked": asked}, "seconds", name, "cpu", "median")
-
-    return Section(
-        title="Statics and modes",
-        before="Processor time, median of three: no less than the time on a machine that does nothing else.",
-        rows=(
-            Row(case="static solve, 10 000 elements", ours=seconds(11_000, "static, clamped"), form=SECONDS,
-                tolerance=AtMost(0.4)),
-            Row(case="static solve, 106 000 elements", ours=seconds(110_000, "static, clamped"), form=SECONDS,
-                tolerance=AtMost(11.0)),
-            Row(case="eight natural modes, 10 000 elements", ours=seconds(11_000, "eight modes"), form=SECONDS),
+            "Times of packing are in the chapter on [packings](validation/packings.md). `python benchmarks/study.py`"
+            " measures time and memory of a whole study, `python benchmarks/static_solve.py` the times of statics and"
+            " modes, `python benchmarks/highest_frequency.py` that of the critical step."
         ),
     )  # fmt: skip
 
@@ -88,22 +71,25 @@ def _rate(elements: int, threads: int) -> dict[str, Any]:
     return next(one for one in _machine()["rates"] if size.items() <= one.items())
 
 
+def _busy(found: dict[str, Any]) -> str:
+    return f"others took up to {100.0 * found['others']:.0f} % of a core"
+
+
 def _step() -> Section:
     here = _machine()["machine"]
     rows = []
     for elements, asked in SIZES.items():
         for threads, words in ((1, "one core"), (2, "two cores")):
             found = _rate(elements, threads)
-            spread = f"{found['now']['min']:.0f}–{found['now']['max']:.0f} M/s"
-            busy = f"{spread}; others took up to {found['others']:.0%} of a core".replace("%", " %")
+            spread = f"{found['now']['min']:.0f}–{found['now']['max']:.0f} M/s; {_busy(found)}"
             rows.append(
                 Row(case=f"{words}, {_many(elements)} elements", ours=AGAINST.of(1e6 * found["now"]["median"]),
-                    form=RATE, tolerance=AtLeast(asked) if asked and threads == 1 else None, note=busy)
+                    form=RATE, tolerance=AtLeast(asked) if asked and threads == 1 else None, note=spread)
             )  # fmt: skip
     for elements in SIZES:
         gain = _rate(elements, 2)["now"]["median"] / _rate(elements, 1)["now"]["median"]
         rows.append(Row(case=f"two cores over one, {_many(elements)} elements", ours=AGAINST.of(gain),
-                        form=Form(style=".2f"), tolerance=AtLeast(1.9)))  # fmt: skip
+                        form=Form(style=".2f"), tolerance=AtLeast(1.9), note=_busy(_rate(elements, 2))))  # fmt: skip
     rows.append(
         Row(case="a Python callback each 100 steps, 10 000 elements", form=PERCENT, tolerance=AtMost(0.01),
             ours=CALLBACK.number("share of an output in the steps between two"),
@@ -145,7 +131,5 @@ def _memory() -> Section:
         rows=(
             Row(case="state and solver arrays, 100 000 elements (tracemalloc peak), an element",
                 ours=STEPS.number("peak bytes/element, state and solver"), form=Form("KB", 1e3, ".1f")),
-            Row(case="the whole process with packing, an element",
-                ours=STEPS.number("peak bytes/element, process"), form=Form("KB", 1e3, ".1f")),
         ),
     )  # fmt: skip
