@@ -1,8 +1,10 @@
 """Packings: time, density, contacts, overlap and peak memory by number of spheres, and time against spheropack.
 
     pip install spheropack && python benchmarks/packing.py
-    python benchmarks/packing.py --million          # 1 000 000 spheres as well, some ten minutes
-    python benchmarks/packing.py --methods          # jamming by growth and by compression as well, minutes
+    python benchmarks/packing.py --million          # 1 000 000 spheres alone, some ten minutes
+    python benchmarks/packing.py --methods          # jamming by growth and by compression and 20 000 spheres, minutes
+
+Results are left in benchmarks/results/packing.json; with an option in packing_million.json, packing_methods.json.
 
 Every packing is made in a process of its own, which compiles first, so that peak memory is that of one packing.
 spheropack (PyPI; event-driven Lubachevsky-Stillinger in C++) takes turns with ours on the same request.
@@ -12,20 +14,18 @@ import argparse
 import importlib.util
 import json
 import os
-import platform
 import resource
 import statistics
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 # Before bondem: what is timed here must not come from the cache of packings.
 os.environ["BONDEM_PACKING_CACHE"] = "off"
 
 import bondem as bd
+from kept import RESULTS, keep, origin
 
-RESULTS = Path(__file__).parent / "results" / "packing.json"
 SHAPES = {"cylinder": bd.Cylinder(radius=5e-3, length=40e-3), "cell": bd.Cell(size=(1.0, 1.0, 1.0))}
 
 
@@ -123,8 +123,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--elements", type=int, nargs="+", default=[10_000, 100_000])
     parser.add_argument("--repeat", type=int, default=3, help="packings a row, seeds 1, 2, ... [3]")
-    parser.add_argument("--million", action="store_true", help="1 000 000 spheres too, once")
-    parser.add_argument("--methods", action="store_true", help="jamming by growth and compression too, once")
+    parser.add_argument("--million", action="store_true", help="1 000 000 spheres alone, once")
+    said = "jamming by growth and compression and a cylinder of 20 000, once, and nothing else"
+    parser.add_argument("--methods", action="store_true", help=said)
     parser.add_argument("--against", type=int, default=2000, help="spheres in the comparison with spheropack [2000]")
     parser.add_argument("--one", help=argparse.SUPPRESS)
     options = parser.parse_args()
@@ -132,25 +133,32 @@ def main() -> None:
         print(json.dumps(one(json.loads(options.one))))
         return
 
-    plan = [(asked("cylinder", count, 0.25, {}), options.repeat) for count in options.elements]
-    plan += [(asked("cell", 10_000, 0.0, {"jamming": True}), options.repeat)]
-    plan += [(asked("cylinder", 10_000, 0.25, {"jamming": True}), options.repeat)]
-    if options.methods:
-        plan += [(asked("cell", 10_000, 0.0, {"jamming": True}, method), 1) for method in ("growth", "compression")]
-    if options.million:
-        plan += [(asked("cylinder", 1_000_000, 0.25, {}), 1)]
-    print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, bondem {bd.__version__}; times: smallest, median")
+    name, plan, compared = _plan(options)
+    here = origin()
+    print(f"{here['machine']}; times: smallest, median")
     report = {
-        "machine": f"{os.cpu_count()} cores, {platform.machine()}, load {os.getloadavg()[0]:.1f} at the start",
-        "version": bd.__version__,
+        **here,
         "packings": [row(request, measured(repeat, request)[0]) for request, repeat in plan],
         "against_spheropack": [],
     }
-    if importlib.util.find_spec("spheropack"):
+    if compared and importlib.util.find_spec("spheropack"):
         report["against_spheropack"] = against(options.against, options.repeat)
-    else:
+    elif compared:
         print("no comparison: pip install spheropack")
-    RESULTS.write_text(json.dumps(report, indent=1) + "\n")
+    keep(RESULTS / f"{name}.json", report)
+
+
+def _plan(options: argparse.Namespace) -> tuple[str, list[tuple[dict, int]], bool]:
+    """Name of the results, requests with their repeats, and whether spheropack is compared."""
+    if options.million:
+        return "packing_million", [(asked("cylinder", 1_000_000, 0.25, {}), 1)], False
+    jammed = asked("cell", 10_000, 0.0, {"jamming": True})
+    if options.methods:
+        plan = [({**jammed, "method": method}, 1) for method in ("growth", "compression")]
+        return "packing_methods", [*plan, (asked("cylinder", 20_000, 0.25, {}), 1)], False
+    plan = [(asked("cylinder", count, 0.25, {}), options.repeat) for count in options.elements]
+    jammed_cylinder = asked("cylinder", 10_000, 0.25, {"jamming": True})
+    return "packing", [*plan, (jammed, options.repeat), (jammed_cylinder, options.repeat)], True
 
 
 if __name__ == "__main__":

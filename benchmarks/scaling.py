@@ -8,10 +8,6 @@ bytes and flops are counted is printed, and said in roofline.py. Do it on a mach
 """
 
 import argparse
-import datetime
-import json
-import os
-import platform
 import statistics
 import time
 from pathlib import Path
@@ -24,10 +20,10 @@ from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
+from kept import RESULTS, keep, origin
 from roofline import bandwidth, bytes_per_bond, flops_per_bond, peak, state_bytes_per_element
 from tiled import specimen
 
-RESULTS = Path(__file__).parent / "results" / "scaling.json"
 # Bond-steps of one timed run and thread.
 WORK = 20_000_000
 
@@ -74,16 +70,16 @@ def size(elements: int, counts: list[int], peaks: dict[int, float], repeat: int,
             "threads": count,
             "Mbond_steps_per_s_best": rate["best"],
             "Mbond_steps_per_s_median": rate["median"],
-            "speed_up": found[counts[0]]["best"] / found[count]["best"],
+            "speed_up": found[counts[0]]["median"] / found[count]["median"],
             "triad_GB_per_s": speed / 1e9,
             "peak_Gflop_per_s": peaks[count] / 1e9,
             "bound_by": "memory" if by_memory > by_arithmetic else "arithmetic",
             "bound_Mbond_steps_per_s": bound,
-            "share_of_bound": rate["best"] / bound,
+            "share_of_bound": rate["median"] / bound,
         })  # fmt: skip
         row = rows[-1]
         print(
-            f"{n:>9} {m:>9} {count:>4} {rate['best']:8.1f} {rate['median']:8.1f} {1e3 / rate['best']:7.1f}"
+            f"{n:>9} {m:>9} {count:>4} {rate['best']:8.1f} {rate['median']:8.1f} {1e3 / rate['median']:7.1f}"
             f" {row['speed_up']:7.2f}   {row['triad_GB_per_s']:8.1f} {row['peak_Gflop_per_s']:8.1f}"
             f" {bound:9.1f} {row['bound_by']:>10} {row['share_of_bound']:6.0%}",
             flush=True,
@@ -103,7 +99,7 @@ def draw(report: dict, path: Path) -> None:
     for k in range(len(report["sizes"][0]["threads"])):
         rows = [one["threads"][k] for one in report["sizes"]]
         elements = [one["elements"] for one in report["sizes"]]
-        axes.plot(elements, [row["Mbond_steps_per_s_best"] for row in rows], "o-", color=f"C{k}",
+        axes.plot(elements, [row["Mbond_steps_per_s_median"] for row in rows], "o-", color=f"C{k}",
                   label=f"{rows[0]['threads']} thread(s)")  # fmt: skip
         axes.plot(elements, [row["bound_Mbond_steps_per_s"] for row in rows], "--", color=f"C{k}")
     axes.set_ylim(bottom=0)
@@ -118,14 +114,9 @@ def main() -> None:
     parser.add_argument("--repeat", type=int, default=5, help="timed runs of each, in turns [5]")
     parser.add_argument("--work", type=int, default=WORK, help="bond-steps of a timed run and thread [2e7]")
     parser.add_argument("--figure", type=Path, help="draw it into this file")
-    parser.add_argument("--output", type=Path, default=RESULTS)
+    parser.add_argument("--output", type=Path, default=RESULTS / "scaling.json")
     options = parser.parse_args()
-    report: dict = {
-        "machine": f"{os.cpu_count()} cores, {platform.machine()}, load {os.getloadavg()[0]:.1f} at the start",
-        "started": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
-        "version": bd.__version__,
-        "sizes": [],
-    }
+    report: dict = {**origin(), "sizes": []}
     print(f"{report['machine']}, bondem {bd.__version__}; best and median of {options.repeat} runs")
     peaks = {}
     for count in options.threads:
@@ -137,7 +128,7 @@ def main() -> None:
     )
     for elements in options.elements:
         report["sizes"].append(size(elements, options.threads, peaks, options.repeat, options.work))
-        options.output.write_text(json.dumps(report, indent=1) + "\n")
+        keep(options.output, report)
     last = report["sizes"][-1]
     for unit in ("bytes", "flops"):
         parts = last[f"{unit}_per_bond"]

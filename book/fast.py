@@ -8,9 +8,9 @@ from book.chapter import Chapter, Section
 from book.chapters.chen_tables import table_3, table_4, table_5
 from book.forms import PERCENT, ROUNDING, SIGNED, Form
 from book.markdown import counts, page
-from book.results import ROOT, Measurement, recorded
+from book.results import ROOT, Measurement
 from book.row import Row, Verdict
-from book.small import measure
+from book.small import PACKINGS, measure
 from book.tolerances import AtMost, Near, Tolerance
 
 ORDER = "python benchmarks/energy_drift.py --elements 500 --steps 2000 --order-steps 500"
@@ -54,8 +54,8 @@ def chapter(folder: Path) -> Chapter:
 
 def expected(name: str) -> Tolerance:
     """Four standard deviations about the mean of sixteen packings."""
-    known = recorded(f"small_{name}")
-    return Near(target=known.values[0], absolute=DEVIATIONS * (known.scatter or 0.0))
+    known = PACKINGS.at("numbers", name)
+    return Near(target=known["mean"], absolute=DEVIATIONS * known["std"])
 
 
 def _silica(small: Measurement) -> Section:

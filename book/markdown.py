@@ -12,11 +12,12 @@ _GENERATED = "<!-- Written by `python -m book`; edit book/, not this file. -->\n
 _INTRODUCTION = """# Validation
 
 What the papers print, what bondem gives, and the command that measures it. This book is generated: every number of
-ours is read from [`benchmarks/results`](../benchmarks/results) or, where a test or a long run leaves no file, from
-[`book/recorded.toml`](../book/recorded.toml), with its command and date; every verdict is computed from the numbers
-and a tolerance that stands beside it. `python -m book --measure NAME` measures a part again, `python -m book` writes
-these pages, and CI fails where they are not what the results render to. Verification (closed forms, conservation
-laws) is in `tests/verification/` and runs with the tests. Times are of a machine with 2 shared cores."""
+ours is read from [`benchmarks/results`](../benchmarks/results), where the command beside it left it, a benchmark or
+the tests, or, where a command leaves no file yet, from [`book/recorded.toml`](../book/recorded.toml), with its
+command and date; every verdict is computed from the numbers and a tolerance that stands beside it. `python -m book
+--measure NAME` measures a part again, `python -m book` writes these pages, and CI fails where they are not what the
+results render to. Verification (closed forms, conservation laws) is in `tests/verification/` and runs with the
+tests. Times and speeds are medians, of machines with 2 shared cores."""
 _LEGEND = """\
 - **met**: within the tolerance, and so one standard deviation to either side; the worst of several decides.
 - **met by the mean**: the mean is within the tolerance, single packings or runs are not all: it less or more one

@@ -1,8 +1,10 @@
 """The small case of the fast part: one packing of 2000 spheres in the cylinder of fused silica, and one in a cell.
 
-`python -m book.small [PACKINGS]` prints means and standard deviations over as many packings, for recorded.toml.
+`python -m book.small [PACKINGS]` leaves means and standard deviations over as many packings in
+`benchmarks/results/small.json`: what one packing of the fast part is held against.
 """
 
+import datetime
 import json
 import sys
 from pathlib import Path
@@ -11,7 +13,9 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
+from book.results import Measurement
 
+PACKINGS = Measurement("small", "python -m book.small 16", "4 min")
 COUNT = 2000
 SHAPE = bd.Cylinder(radius=5e-3, length=40e-3)
 #: Bonds of the cell, and those of Table 2 of André et al. (2012).
@@ -81,11 +85,23 @@ def measure(out: Path) -> None:
 
 
 def main(packings: int) -> None:
-    """Print what the tolerances of the fast part rest on."""
-    rows = [cylinder(seed) | moduli(cell(seed)) for seed in range(1, packings + 1)]
-    for name in rows[0]:
-        values = [row[name] for row in rows]
-        print(f"[small_{name}]\nvalue = {np.mean(values):.5g}\nscatter = {np.std(values, ddof=1):.3g}\n")
+    """Keep what the tolerances of the fast part rest on."""
+    rows = []
+    for seed in range(1, packings + 1):
+        rows.append(cylinder(seed) | moduli(cell(seed)))
+        print(f"seed {seed}: E_μ {rows[-1]['E_mu'] / 1e9:.1f} GPa", flush=True)
+    samples = {name: [row[name] for row in rows] for name in rows[0]}
+    kept = {
+        "packings": packings,
+        "count": COUNT,
+        "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
+        "version": bd.__version__,
+        "numbers": {
+            name: {"mean": float(np.mean(values)), "std": float(np.std(values, ddof=1)), "values": values}
+            for name, values in samples.items()
+        },
+    }
+    PACKINGS.path.write_text(json.dumps(kept, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

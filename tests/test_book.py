@@ -17,6 +17,7 @@ from book.errors import BookError
 from book.fast import chapter as fast_chapter
 from book.forms import PERCENT, SIGNED, Form, Said
 from book.markdown import front, moved, table
+from book.outcomes import TESTS
 from book.results import RECORDED, ROOT, Measurement, recorded
 from book.row import Measured, Origin, Row, Verdict
 from book.tolerances import AtLeast, AtMost, Near, So, Spans, Tolerance
@@ -185,6 +186,17 @@ def test_every_recorded_number_stands_in_the_book(monkeypatch, fast):
     assert pages.chapters()
     assert fast_chapter(fast)
     assert not set(entries) - asked
+
+
+def test_what_tests_record_stands_in_the_book_and_is_kept():
+    kept = set(TESTS.at("numbers"))
+    sources = {folder: "".join(path.read_text(encoding="utf-8") for path in (ROOT / folder).rglob("*.py"))
+               for folder in ("book", "tests")}  # fmt: skip
+    asked = re.findall(r'\b(?:largest|range_of|holds)\("([^"]+)"\)', sources["book"])
+    assert set(asked) == kept
+    assert not {name for name in kept if f'record("{name}"' not in sources["tests"]} - {
+        "energy that comes back, plane wave", "energy that comes back, thin bar",  # of one test with two cases
+    }  # fmt: skip
 
 
 def test_every_row_of_the_papers_tables_is_there():

@@ -40,7 +40,7 @@ def test_jammed_monodisperse_spheres_are_isostatic_at_random_close_density(metho
 
 
 @pytest.mark.parametrize("seed", range(1, 6))
-def test_jamming_by_default_is_that_of_the_literature(seed):
+def test_jamming_by_default_is_that_of_the_literature(seed, record):
     quality = bd.fabric(bd.connect(bd.pack(CELL, count=2000, spread=0.0, seed=seed, jamming=True)))
     # Random close packing, 0.636 (André et al. 2012, § 4), isostatic with six contacts a sphere.
     assert quality.volume_fraction == pytest.approx(0.636, abs=0.005)
@@ -48,6 +48,8 @@ def test_jamming_by_default_is_that_of_the_literature(seed):
     assert quality.largest_overlap <= 1e-3
     assert quality.loose < 0.04 * 2000
     assert quality.passed, quality.reasons
+    record("jammed density", quality.volume_fraction)
+    record("jammed contacts", quality.backbone_coordination_number)
 
 
 @pytest.mark.parametrize("sizes", [bd.Uniform(0.25), bd.Lognormal(0.3)], ids=repr)

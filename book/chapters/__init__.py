@@ -17,10 +17,12 @@ from book.chapters import (
     surface,
 )
 from book.results import Measurement
+from book.small import PACKINGS
 
 _FILES = (
     andre_tables, chen_tables, calibration, any_specimen, packings, parameters, dynamic_tests, surface, formulations,
     dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
-MEASUREMENTS: tuple[Measurement, ...] = tuple({one.name: one for file in FILES for one in file.MEASUREMENTS}.values())
+_NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}
+MEASUREMENTS: tuple[Measurement, ...] = (*_NAMED.values(), PACKINGS)

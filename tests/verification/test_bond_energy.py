@@ -16,6 +16,7 @@ from bondem.laws.bond import BondLaw
 from bondem.laws.rotations import rotate, turn
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.state import State
+from tests.recording import Record
 
 E, NU = 3.0e6, 0.27
 
@@ -130,12 +131,13 @@ def test_quaternions_turn_and_rotate_as_they_should(angle: float) -> None:
 
 
 @every_law
-def test_force_is_the_gradient_of_the_energy(law: BondLaw) -> None:
+def test_force_is_the_gradient_of_the_energy(law: BondLaw, record: Record) -> None:
     model = bd.Model(cluster(), bond=law, density=1000.0)
     pose = moved(model, shift=0.12, degrees=20.0).pose
     expected = [-derivative(lambda x: energies(model, x).sum(), pose, dof) for dof in range(6 * len(pose))]
     actual = forces(model, pose)
     np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-8 * np.abs(actual).max())
+    record("gradient", np.abs(actual - expected).max() / np.abs(actual).max())
 
 
 @every_law
@@ -191,13 +193,14 @@ def test_a_twist_is_twisting_and_a_bend_is_bending(axis: tuple[float, float, flo
 
 
 @every_law
-def test_hessian_at_rest_is_the_stiffness_matrix(law: BondLaw) -> None:
+def test_hessian_at_rest_is_the_stiffness_matrix(law: BondLaw, record: Record) -> None:
     model = bd.Model(cluster(), bond=law, density=1000.0)
     pose = State(model).pose
     K = stiffness_matrix(model).toarray()
     measured = np.array([-derivative(lambda x: forces(model, x), pose, dof) for dof in range(len(K))])
     np.testing.assert_allclose(measured, K, rtol=0.0, atol=1e-8 * np.abs(K).max())
     np.testing.assert_array_equal(K, K.T)
+    record("hessian", np.abs(measured - K).max() / np.abs(K).max())
 
 
 def textbook_beam(L: float, EA: float, EI: float, GJ: float, Phi: float) -> np.ndarray:
@@ -222,7 +225,9 @@ def textbook_beam(L: float, EA: float, EI: float, GJ: float, Phi: float) -> np.n
 
 @pytest.mark.parametrize("shear", [False, True])
 @pytest.mark.parametrize("direction", [(1.0, 0.0, 0.0), (0.2, -0.7, 0.4)])
-def test_hessian_at_rest_is_the_textbook_beam(shear: bool, direction: tuple[float, float, float]) -> None:
+def test_hessian_at_rest_is_the_textbook_beam(
+    shear: bool, direction: tuple[float, float, float], record: Record
+) -> None:
     L, r, Ri, Rj = 1.7, 0.35, 0.5, 1.1
     X = np.array(direction) / np.linalg.norm(direction)
     law = (bd.Timoshenko if shear else bd.EulerBernoulli)(E=E, nu=NU, radius=r)
@@ -239,6 +244,7 @@ def test_hessian_at_rest_is_the_textbook_beam(shear: bool, direction: tuple[floa
     pose = State(model).pose
     measured = np.array([-derivative(lambda x: forces(model, x), pose, dof) for dof in range(12)])
     np.testing.assert_allclose(measured, T.T @ local @ T, rtol=0.0, atol=1e-8 * np.abs(local).max())
+    record("hessian", np.abs(measured - T.T @ local @ T).max() / np.abs(local).max())
 
 
 def test_parallel_bond_is_that_of_chen_tables_1_and_2() -> None:
@@ -267,7 +273,7 @@ def test_parallel_bond_is_that_of_chen_tables_1_and_2() -> None:
 
 
 @every_law
-def test_rigid_motion_gives_no_force(law: BondLaw) -> None:
+def test_rigid_motion_gives_no_force(law: BondLaw, record: Record) -> None:
     lattice = cluster()
     model = bd.Model(lattice, bond=law, density=1000.0)
     k, L = model.bonds.kn, model.bonds.length
@@ -283,6 +289,7 @@ def test_rigid_motion_gives_no_force(law: BondLaw) -> None:
         output = np.abs(bond_forces(model, state.pose))
         assert (output[:3] <= 1e-12 * k * L).all()
         assert (output[3:] <= 1e-12 * k * L**2).all()
+        record("rigid motion", (output[:3] / (k * L)).max(), (output[3:] / (k * L**2)).max())
 
 
 @every_law

@@ -11,6 +11,7 @@ from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step, highest_frequency
+from tests.recording import Record
 
 E, RHO = 2.0e6, 1200.0
 LAW = bd.Timoshenko(E=E, nu=0.25, radius_ratio=0.5)
@@ -112,7 +113,7 @@ def test_a_rigid_motion_is_not_damped_by_bonds() -> None:
 @pytest.mark.parametrize(
     "damping", [bd.BondDamping(0.2), bd.MassDamping(20.0), (bd.LocalDamping(0.1), bd.BondDamping(0.05))], ids=str
 )
-def test_the_ledger_closes_to_second_order(rod, damping) -> None:
+def test_the_ledger_closes_to_second_order(rod, damping, record: Record) -> None:
     model = rod(6)
     x = model.lattice.particles.position[:, 0] / 5.0
     errors = []
@@ -123,11 +124,13 @@ def test_the_ledger_closes_to_second_order(rod, damping) -> None:
         history = integrate(model, Plan(duration=0.5, dt=dt, damping=damping, every=k), state=state).history
         errors.append(np.abs(history.energy["balance"]).max() / history.energy["translation"][0])
     assert history.energy["loss"][-1] > 0.05 * history.energy["translation"][0]
-    np.testing.assert_allclose(np.log2(np.array(errors[:-1]) / errors[1:]), 2.0, atol=0.4)
+    rates = np.log2(np.array(errors[:-1]) / errors[1:])
+    np.testing.assert_allclose(rates, 2.0, atol=0.4)
+    record("order of the ledger", *rates)
 
 
 @pytest.mark.parametrize(("zeta", "steps"), [(0.1, 150), (1.0, 600)])
-def test_the_critical_step_of_damped_bonds_is_the_limit(rod, zeta: float, steps: int) -> None:
+def test_the_critical_step_of_damped_bonds_is_the_limit(rod, zeta: float, steps: int, record: Record) -> None:
     # with C = β K every mode is an oscillator of its own, and the bound is sharp
     model = rod(6)
     omega = highest_frequency(model)
@@ -141,6 +144,8 @@ def test_the_critical_step_of_damped_bonds_is_the_limit(rod, zeta: float, steps:
         kept.append((energy["translation"] + energy["rotation"])[-1] / energy["translation"][0])
     assert kept[0] < 1.0
     assert kept[1] > 100.0
+    record("stable at 0.99 of the limit", bool(kept[0] < 1.0))
+    record("unstable at 1.01 of the limit", bool(kept[1] > 100.0))
 
 
 def test_the_critical_step_of_a_pair_share_is_safe() -> None:

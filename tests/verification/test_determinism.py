@@ -17,6 +17,7 @@ from bondem.solve.explicit import integrate
 from bondem.solve.history import History
 from bondem.solve.plan import ExplicitResult, Plan
 from bondem.solve.timestep import critical_step
+from tests.recording import Record
 
 GAUGES = {
     "end": bd.Gauge(bd.Face("x_max", depth=0.5), "displacement"),
@@ -57,7 +58,7 @@ def assert_same_bits(first: ExplicitResult, second: ExplicitResult) -> None:
         np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
 
 
-def test_one_and_two_threads_agree_to_the_bit() -> None:
+def test_one_and_two_threads_agree_to_the_bit(record: Record) -> None:
     if numba.config.NUMBA_NUM_THREADS < 2:
         pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
     model = bar((12, 10, 10))
@@ -72,11 +73,12 @@ def test_one_and_two_threads_agree_to_the_bit() -> None:
     np.testing.assert_array_equal(results[0].history.records, results[1].history.records)
     assert np.abs(results[0].history["end"][-1]).max() > 1e-3
     assert results[0].history.energy["loss"][-1] > 0.0
+    record("same bits", True)
 
 
 @pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz(1.2)], ids=["Verlet", "TW"])
 @pytest.mark.parametrize("formulation", ["total", "incremental"])
-def test_pausing_changes_no_bit(formulation: str, scheme) -> None:
+def test_pausing_changes_no_bit(formulation: str, scheme, record: Record) -> None:
     model = bar((5, 2, 3), formulation)
     dt = 0.8 * critical_step(model, scheme)
 
@@ -98,6 +100,7 @@ def test_pausing_changes_no_bit(formulation: str, scheme) -> None:
         rest = run(450, 30, part.state.copy(), part.history)
         assert_same_bits(whole, rest)
         np.testing.assert_array_equal(whole.history.records, rest.history.records)
+    record("same bits", True)
 
 
 def test_a_second_stage_may_be_split_too() -> None:
@@ -141,7 +144,7 @@ for count in (1, 2, 3, 4):
 """
 
 
-def test_ten_thousand_steps_on_more_threads_than_cores() -> None:
+def test_ten_thousand_steps_on_more_threads_than_cores(record: Record) -> None:
     """Damped, held, driven and loaded, on 1 to 4 threads; in a process of its own, which may have that many."""
     found = subprocess.run(
         [sys.executable, "-c", MANY_THREADS, str(Path(__file__).parent)],
@@ -151,3 +154,4 @@ def test_ten_thousand_steps_on_more_threads_than_cores() -> None:
     bits = found.stdout.split()
     assert len(bits) == 4
     assert len(set(bits)) == 1
+    record("same bits", True)

@@ -13,6 +13,7 @@ from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan, Status, settled
 from bondem.solve.schemes import Scheme
 from bondem.solve.timestep import critical_step, highest_frequency
+from tests.recording import Record
 
 E, RHO = 2.0e6, 1200.0
 LAW = bd.Timoshenko(E=E, nu=0.25, radius_ratio=0.5)
@@ -59,7 +60,7 @@ def tumbling_rod(rod) -> tuple[bd.Model, State]:
     return model, state
 
 
-def test_a_free_lattice_keeps_momentum_and_angular_momentum_to_rounding() -> None:
+def test_a_free_lattice_keeps_momentum_and_angular_momentum_to_rounding(record: Record) -> None:
     model = block()
     state = State(model)
     rng = np.random.default_rng(0)
@@ -78,9 +79,11 @@ def test_a_free_lattice_keeps_momentum_and_angular_momentum_to_rounding() -> Non
     arm = np.linalg.norm(result.state.position, axis=1)
     np.testing.assert_allclose(p1, p0, rtol=0.0, atol=1e-12 * (model.mass * speed).sum())
     np.testing.assert_allclose(h1, h0, rtol=0.0, atol=1e-12 * (model.mass * speed * arm).sum())
+    record("momentum", np.abs(p1 - p0).max() / (model.mass * speed).sum())
+    record("angular momentum", np.abs(h1 - h0).max() / (model.mass * speed * arm).sum())
 
 
-def test_energy_error_of_a_tumbling_rod_is_second_order_and_does_not_drift(tumbling_rod) -> None:
+def test_energy_error_of_a_tumbling_rod_is_second_order_and_does_not_drift(tumbling_rod, record: Record) -> None:
     model, start = tumbling_rod
     coarse = 0.8 * critical_step(model, bd.VelocityVerlet())
     duration = 2000 * coarse
@@ -93,6 +96,7 @@ def test_energy_error_of_a_tumbling_rod_is_second_order_and_does_not_drift(tumbl
     rates = np.log2(np.array(errors[:-1]) / errors[1:])
     assert errors[-1] > 1e-9  # not rounding
     np.testing.assert_allclose(rates, 2.0, atol=0.2)
+    record("order of a tumbling rod", *rates)
 
     # what the error does slowly is the flow of energy between modes; a drift would be many times as large
     dt = 0.25 * coarse
@@ -104,7 +108,7 @@ def test_energy_error_of_a_tumbling_rod_is_second_order_and_does_not_drift(tumbl
     assert np.ptp(parts[-1]) < 8.0 * np.ptp(parts[0])
 
 
-def test_a_run_goes_back_the_way_it_came(tumbling_rod) -> None:
+def test_a_run_goes_back_the_way_it_came(tumbling_rod, record: Record) -> None:
     model, start = tumbling_rod
     dt = 0.5 * critical_step(model, bd.VelocityVerlet())
     plan = Plan(duration=3000 * dt, dt=dt, every=0)
@@ -117,6 +121,9 @@ def test_a_run_goes_back_the_way_it_came(tumbling_rod) -> None:
     np.testing.assert_allclose(back.position, start.position, rtol=0.0, atol=1e-9)
     np.testing.assert_allclose(back.velocity, -start.velocity, rtol=0.0, atol=1e-8 * np.abs(start.velocity).max())
     np.testing.assert_allclose(back.orientation, start.orientation, rtol=0.0, atol=1e-9)
+    record("reversal", np.abs(back.position - start.position).max())  # elements are 1 m apart
+    record("reversal", np.abs(back.velocity + start.velocity).max() / np.abs(start.velocity).max())
+    record("reversal", np.abs(back.orientation - start.orientation).max())
 
 
 def test_the_bond_turns_with_a_spinning_pair() -> None:
@@ -205,11 +212,12 @@ def test_oscillator_is_stable_up_to_the_critical_step_of_the_scheme(scheme: Sche
 # ---- the critical time step of a lattice
 
 
-def test_highest_frequency_is_that_of_the_eigenvalue_problem(rod) -> None:
+def test_highest_frequency_is_that_of_the_eigenvalue_problem(rod, record: Record) -> None:
     for model in (rod(3), rod(30), block()):
         K, m = stiffness_matrix(model).toarray(), mass_diagonal(model)
         exact = math.sqrt(np.linalg.eigvalsh(K / np.sqrt(m[:, None] * m)).max())
         assert exact <= highest_frequency(model) <= 1.003 * exact
+        record("highest frequency", highest_frequency(model) / exact)
 
 
 @pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz(1.3)], ids=["Verlet", "TW"])
@@ -345,7 +353,9 @@ DRIVES = {
 
 @pytest.mark.parametrize("damping", [None, bd.LocalDamping(0.3)], ids=["undamped", "damped"])
 @pytest.mark.parametrize("drive", DRIVES.values(), ids=DRIVES.keys())
-def test_the_energy_ledger_closes_to_second_order(rod, drive: tuple, damping: bd.LocalDamping | None) -> None:
+def test_the_energy_ledger_closes_to_second_order(
+    rod, drive: tuple, damping: bd.LocalDamping | None, record: Record
+) -> None:
     model = rod(6, boundary=[bd.Fix(bd.Index([0])), *drive])
     whole = 1.0 / 16.0  # kinks of the schedules fall on whole steps
     assert whole / 8 < critical_step(model, bd.VelocityVerlet())
@@ -359,3 +369,4 @@ def test_the_energy_ledger_closes_to_second_order(rod, drive: tuple, damping: bd
     assert energy["work"][-1] > 0.0
     rates = np.log2(np.array(errors[:-1]) / errors[1:])
     np.testing.assert_allclose(rates, 2.0, atol=0.3)
+    record("order of the ledger", *rates)

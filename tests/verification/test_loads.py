@@ -17,6 +17,7 @@ from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 from bondem.specimen.patches import face_patches
+from tests.recording import Record
 
 LAW = bd.EulerBernoulli(E=2.0e9, nu=0.25, radius_ratio=0.6)
 RHO = 1500.0
@@ -155,7 +156,7 @@ def test_a_free_body_grows_without_stress(cylinder: bd.Lattice) -> None:
     assert static.energy.total < 1e-12 * reference
 
 
-def test_a_held_chain_bears_the_closed_form_in_every_solver(rod) -> None:
+def test_a_held_chain_bears_the_closed_form_in_every_solver(rod, record: Record) -> None:
     ends = bd.Fix(bd.Index([0, 7]))
     strain = bd.Eigenstrain(1e-3, schedule=bd.Ramp(0.0, 1.0, 0.05))
     model = rod(8, boundary=[ends, strain])
@@ -165,7 +166,10 @@ def test_a_held_chain_bears_the_closed_form_in_every_solver(rod) -> None:
     assert linear.reaction[0, 0] == pytest.approx(thrust, rel=1e-9)
     assert linear.reaction[7, 0] == pytest.approx(-thrust, rel=1e-9)
     assert bent.reaction[0, 0] == pytest.approx(thrust, rel=1e-6)
-    assert linear.energy.total == pytest.approx(0.5 * thrust**2 * (1.0 / kn).sum(), rel=1e-9)
+    stored = 0.5 * thrust**2 * (1.0 / kn).sum()
+    assert linear.energy.total == pytest.approx(stored, rel=1e-9)
+    record("heated chain", *np.abs(linear.reaction[[0, 7], 0] / [thrust, -thrust] - 1.0))
+    record("heated chain", abs(linear.energy.total / stored - 1.0))
     assert bent.energy.total == pytest.approx(linear.energy.total, rel=1e-6)
     relaxed = bd.solve_relaxed(model, tolerance=1e-9)
     assert relaxed.reaction[0, 0] == pytest.approx(thrust, rel=1e-6)
@@ -193,7 +197,7 @@ SCHEDULES = {"ramp": bd.Ramp(0.0, 1.0, 0.25), "table": bd.Table((0, 0.125, 0.25,
 
 
 @pytest.mark.parametrize("schedule", SCHEDULES.values(), ids=SCHEDULES.keys())
-def test_the_ledger_of_all_loads_closes_to_second_order(rod, schedule: bd.Ramp | bd.Table) -> None:
+def test_the_ledger_of_all_loads_closes_to_second_order(rod, schedule: bd.Ramp | bd.Table, record: Record) -> None:
     boundary = [
         bd.Fix(bd.Index([0])),
         bd.Eigenstrain(0.02, region=bd.Index([2, 3, 4]), schedule=schedule),
@@ -212,14 +216,18 @@ def test_the_ledger_of_all_loads_closes_to_second_order(rod, schedule: bd.Ramp |
         size = np.abs(history.energy["work"]).max()
         errors.append(np.abs(history.energy["balance"]).max() / size)
     assert history.energy["loss"][-1] > 1e-3 * size
-    np.testing.assert_allclose(np.log2(np.array(errors[:-1]) / errors[1:]), 2.0, atol=0.4)
+    rates = np.log2(np.array(errors[:-1]) / errors[1:])
+    np.testing.assert_allclose(rates, 2.0, atol=0.4)
+    record("order of the ledger", *rates)
 
 
-def test_the_example_of_a_heated_bar() -> None:
+def test_the_example_of_a_heated_bar(record: Record) -> None:
     path = Path(__file__).parents[2] / "examples" / "thermal_bar.py"
     answer = runpy.run_path(str(path))["main"](1500)
     assert answer.growth == pytest.approx(1e-3, rel=1e-6)
     assert answer.stress == pytest.approx(1.0, abs=0.08)
+    record("heated bar, free", answer.growth / 1e-3)
+    record("heated bar, clamped", answer.stress)
 
 
 # ---- absorbing boundary
@@ -233,7 +241,7 @@ def remaining_share(model: bd.Model, duration: float, dt: float) -> tuple[float,
 
 
 @pytest.mark.parametrize(("confined", "pulse"), [(False, 0.45), (True, 0.25)], ids=["thin bar", "plane wave"])
-def test_a_pulse_leaves_through_an_absorbing_end(confined: bool, pulse: float) -> None:
+def test_a_pulse_leaves_through_an_absorbing_end(confined: bool, pulse: float, record: Record) -> None:
     # in a thin bar only pulses far longer than it is thick travel at √(E/ρ); shorter ones disperse
     box = bd.Box((0.6, 0.1, 0.1))
     lattice = bd.connect(bd.pack(box, count=10_500, spread=0.2, seed=2))
@@ -258,6 +266,7 @@ def test_a_pulse_leaves_through_an_absorbing_end(confined: bool, pulse: float) -
     assert most > 0.9
     assert kept > 0.95
     assert left < 0.02
+    record(f"energy that comes back, {'plane wave' if confined else 'thin bar'}", left)
 
 
 # ---- the same bits
@@ -283,7 +292,7 @@ def assert_same(first, second) -> None:
     np.testing.assert_array_equal(first.history.records, second.history.records)
 
 
-def test_threads_change_no_bit() -> None:
+def test_threads_change_no_bit(record: Record) -> None:
     if numba.config.NUMBA_NUM_THREADS < 2:
         pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
     model = everything((12, 9, 9))
@@ -295,9 +304,10 @@ def test_threads_change_no_bit() -> None:
             runs.append(integrate(model, Plan(duration=150 * dt, dt=dt, damping=DAMPING, every=25)))
     assert_same(*runs)
     assert runs[0].history.energy["loss"][-1] > 0.0
+    record("same bits", True)
 
 
-def test_pauses_and_a_restart_change_no_bit(tmp_path) -> None:
+def test_pauses_and_a_restart_change_no_bit(tmp_path, record: Record) -> None:
     model = everything((5, 2, 3))
     dt = 0.5 * critical_step(model, VERLET, DAMPING)
     plan = Plan(duration=300 * dt, dt=dt, damping=DAMPING, every=25)
@@ -314,6 +324,7 @@ def test_pauses_and_a_restart_change_no_bit(tmp_path) -> None:
     assert kept.model.boundary == model.boundary
     assert kept.plan.damping == DAMPING
     assert_same(whole, integrate(kept.model, plan, state=kept.state, history=kept.history))
+    record("same bits", True)
 
 
 def test_loads_that_make_no_sense_are_refused(rod) -> None:

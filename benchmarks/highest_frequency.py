@@ -1,0 +1,55 @@
+"""ω_max of a lattice, which sets the time step: against the exact value by `eigsh`, and the time of both.
+
+python benchmarks/highest_frequency.py [--elements 100000] [--repeat 3]          a minute
+"""
+
+import argparse
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+from scipy.sparse import diags_array
+from scipy.sparse.linalg import eigsh
+
+import bondem as bd
+from bondem.model.matrices import mass_diagonal, stiffness_matrix
+from bondem.solve.timestep import highest_frequency
+from kept import RESULTS, clocked, keep, origin
+from tiled import specimen
+
+
+def exact(model: bd.Model) -> float:
+    """Highest angular frequency [rad/s] of the stored matrix, to 1e-6."""
+    scale = diags_array(1.0 / np.sqrt(mass_diagonal(model)))
+    start = np.random.default_rng(0).standard_normal(scale.shape[0])
+    matrix = scale @ stiffness_matrix(model) @ scale
+    return math.sqrt(eigsh(matrix, k=1, tol=1e-6, v0=start, return_eigenvectors=False)[0])
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--elements", type=int, default=100_000)
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--out", type=Path, default=RESULTS / "highest_frequency.json")
+    options = parser.parse_args()
+    here = origin()
+    lattice = specimen(options.elements)
+    laws = {
+        "EulerBernoulli": bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71),
+        "ParallelBond": bd.ParallelBond(E=265e9, nu=0.3, radius_ratio=0.71),
+    }
+    models = {name: bd.Model(lattice, law, 2500.0) for name, law in laws.items()}
+    ratios = {name: highest_frequency(model) / exact(model) for name, model in models.items()}
+    model = models["EulerBernoulli"]
+    result = {
+        **here, "elements": len(lattice.particles), "bonds": len(lattice.pairs), "over exact": ratios,
+        "seconds": clocked(lambda: highest_frequency(model), options.repeat),
+        "seconds of eigsh": clocked(lambda: exact(model), options.repeat),
+    }  # fmt: skip
+    keep(options.out, result)
+    print(json.dumps(result, indent=2))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,41 @@
+"""What every result file begins with, and how it is written."""
+
+import datetime
+import json
+import statistics
+from collections.abc import Callable, Sequence
+from importlib.metadata import version
+from pathlib import Path
+from time import perf_counter, process_time
+
+from paired import ROOT, machine
+
+RESULTS = ROOT / "benchmarks" / "results"
+
+
+def origin() -> dict:
+    """Machine with its load, date and version, as they are when a benchmark starts."""
+    started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+    return {"machine": machine(), "started": started, "version": version("bondem")}
+
+
+def keep(path: Path, report: dict) -> None:
+    """Write a report."""
+    path.write_text(json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def spread(values: Sequence[float], digits: int = 4) -> dict[str, float]:
+    """Least, median and largest, to so many digits."""
+    found = {"min": min(values), "median": statistics.median(values), "max": max(values)}
+    return {name: float(f"{value:.{digits}g}") for name, value in found.items()}
+
+
+def clocked(task: Callable[[], object], repeat: int) -> dict[str, dict[str, float]]:
+    """Seconds of a task by the wall and of all processors: the two differ on a busy machine."""
+    wall, cpu = [], []
+    for _ in range(repeat):
+        began, worked = perf_counter(), process_time()
+        task()
+        wall.append(perf_counter() - began)
+        cpu.append(process_time() - worked)
+    return {"wall": spread(wall), "cpu": spread(cpu)}
