@@ -14,13 +14,14 @@ from book.chapters import (
     formulations,
     packings,
     parameters,
+    protocol,
     surface,
 )
 from book.results import Measurement
 
 _FILES = (
-    andre_tables, chen_tables, calibration, any_specimen, packings, parameters, dynamic_tests, surface, formulations,
-    dynamics, cost,
+    andre_tables, protocol, chen_tables, calibration, any_specimen, packings, parameters, dynamic_tests, surface,
+    formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 MEASUREMENTS: tuple[Measurement, ...] = tuple({one.name: one for file in FILES for one in file.MEASUREMENTS}.values())
