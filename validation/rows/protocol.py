@@ -1,0 +1,143 @@
+"""A bar measured as André et al. (2012) measure theirs: dimensions and moduli by eqs (12)–(15), explicit runs."""
+
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.optimize import root_scalar
+
+from bondem.calibration.response import Response
+from bondem.errors import InputError
+from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.tension import paper_length
+from bondem.labtests.vibration import ramped_vibration
+from bondem.labtests.wave import first_passage, strike
+from bondem.laws.euler_bernoulli import EulerBernoulli
+from bondem.specimen.geometry import Cylinder
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.materials import fused_silica
+from bondem.specimen.regions import Face
+from validation.frame.files import plain
+from validation.frame.request import Request
+from validation.measures.ramped_loads import KINDS, ramped_load
+from validation.rows.packings import PackingRequest, kept_lattice
+
+#: Table 2 of the paper.
+PRINTED = EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+#: How E and ν are read off a tension test: eqs (12)–(15), or the affine fit of `static_tension`.
+MEASURES = ("paper", "affine")
+#: Levels of the first peak of the far face at which a wave may be said to have arrived [-].
+LEVELS = (0.01, 0.1, 0.5)
+
+_DEPTH = 0.02  # of the face sets, in mean radii
+_RAMP, _PHI = 0.5, 1.3  # §5.1.3 prints φ
+_VELOCITY = 0.1  # of the strike [m/s]
+_PASSAGES = 2.7  # recorded after it
+_RATIOS = (0.71, 0.69)  # radius ratios to begin with [-]
+
+
+@dataclass(frozen=True)
+class ProtocolTest(Request):
+    """A bar that calibrates its own bonds by the paper's measure, and is tested as in Tables 3 and 4.
+
+    Attributes:
+        packing: made before.
+        steps: of each explicit run.
+    """
+
+    packing: PackingRequest
+    steps: int
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        return f"protocol_{self.packing.method}_n{self.packing.count}_seed{self.packing.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return float(self.packing.count) * self.steps
+
+    @property
+    def needs(self) -> PackingRequest:
+        """See `Request`."""
+        return self.packing
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        return asdict(self.packing) | {"steps": self.steps}
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """Moduli with the printed bonds, calibrated bonds by both measures, and errors of the seven tests."""
+        lattice = kept_lattice(self.packing, folder)
+        found: dict[str, Any] = {
+            "coordination_number": 2.0 * len(lattice.pairs) / len(lattice.particles),
+            "volume_fraction": lattice.particles.volume.sum() / lattice.particles.envelope.volume,
+            "length": paper_length(lattice, _DEPTH), "radius": paper_radius(lattice),
+        }  # fmt: skip
+        printed = Response(lattice, PRINTED)
+        for measure in MEASURES:
+            E, nu = moduli(printed, measure)
+            ratio, E_mu = own_bonds(lattice, measure)
+            found |= {f"printed_E_{measure}": E, f"printed_nu_{measure}": nu,
+                      f"r_mu_ratio_{measure}": ratio, f"E_mu_{measure}": E_mu}  # fmt: skip
+        return plain(found | _tested(lattice, found["r_mu_ratio_paper"], found["E_mu_paper"], self.steps))
+
+
+def paper_radius(lattice: Lattice) -> float:
+    """R_M of eq (13) [m]: R̄ + mean distance of the elements of the set "radius" from the axis."""
+    side = Face("side", _DEPTH).select(lattice)
+    return float(lattice.particles.mean_radius + np.hypot(*lattice.particles.position[side, 1:].T).mean())
+
+
+def moduli(found: Response, measure: str) -> tuple[float, float]:
+    """E [Pa] and ν by one of the two measures."""
+    tension = found.tension
+    assert tension is not None
+    assert tension.nu_paper is not None
+    return (tension.E_paper, tension.nu_paper) if measure == "paper" else (tension.E, tension.nu)
+
+
+def own_bonds(lattice: Lattice, measure: str) -> tuple[float, float]:
+    """r̃ and E_μ [Pa] with which one packing has the E and ν of fused silica (§5.3).
+
+    Raises:
+        InputError: no radius ratio has that ν.
+    """
+    last = Response(lattice, PRINTED)
+
+    def miss(ratio: float) -> float:
+        nonlocal last
+        last = Response(lattice, replace(PRINTED, radius_ratio=ratio), guess=last)
+        return moduli(last, measure)[1] - fused_silica.nu
+
+    solved = root_scalar(miss, x0=_RATIOS[0], x1=_RATIOS[1], method="secant", xtol=1e-5)
+    if not solved.converged:
+        raise InputError(f"no radius ratio near {_RATIOS[0]} gives ν = {fused_silica.nu} by the {measure} measure")
+    miss(solved.root)
+    return float(solved.root), PRINTED.E * fused_silica.E / moduli(last, measure)[0]
+
+
+def _tested(lattice: Lattice, ratio: float, E_mu: float, steps: int) -> dict[str, Any]:
+    """Errors [-] against strength of materials of a cylinder with the dimensions of eqs (12), (13)."""
+    law = replace(PRINTED, E=E_mu, radius_ratio=ratio)
+    shape = Cylinder(radius=paper_radius(lattice), length=paper_length(lattice, _DEPTH))
+    bar = Bar(shape.length, CrossSection.of(shape), fused_silica.E, fused_silica.nu, fused_silica.rho)
+    density = fused_silica.rho * shape.volume / lattice.particles.volume[lattice.connected].sum()
+    errors: dict[str, float] = {}
+    swings: dict[str, float] = {}
+    for kind in KINDS:
+        run = ramped_load(lattice, law, bar, kind, density=density, steps=steps, ramp=_RAMP, phi=_PHI)
+        errors[f"static_{kind}"], swings[kind] = run.error, run.swing
+    free = ramped_vibration(lattice, law, density=density, steps=steps)
+    theory = (bar.axial_frequency, bar.bending_frequency, bar.torsional_frequency)
+    errors |= {f"dynamic_{kind}": free.frequency(kind) / f - 1.0 for kind, f in zip(KINDS, theory, strict=True)}
+    errors["dynamic_bending_timoshenko"] = free.frequency("bending") / bar.bending_frequency_timoshenko - 1.0
+    passage = bar.length / bar.wave_speed
+    wave = strike(lattice, law, density=density, duration=_PASSAGES * passage, velocity=_VELOCITY, held=False)
+    peak = float(wave.far[wave.time <= 2.0 * passage].max())
+    for level in LEVELS:
+        errors[f"impact_{level:g}"] = passage / first_passage(wave.time, wave.far, level * peak) - 1.0
+    return {"rho_mu": density, "errors": errors, "swings": swings}
