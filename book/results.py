@@ -112,7 +112,9 @@ def study(name: str, figures: Mapping[str, str]) -> Measurement:
 
     def keep(folder: Path) -> dict[str, Any]:
         results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
-        return {key: found for key, found in results.items() if key not in ("curves", "profile", "rows")}
+        # the command is told by the measurement, without the folder of the day
+        left = ("command", "curves", "profile", "rows")
+        return {key: found for key, found in results.items() if key not in left}
 
     kept = {f"figures/{drawn}.png": f"{target}.png" for drawn, target in figures.items()}
     return Measurement(name, f"python -m validation {name} --out BUILD/{name}", condense=keep, figures=kept)

@@ -16,9 +16,10 @@ from bondem.labtests.wave import first_passage, strike
 from bondem.model.model import Model
 from validation.__main__ import validation
 from validation.frame.files import plain, thinned
-from validation.measures.effective_section import SectionRadii, section_profile
+from validation.measures.effective_section import SectionRadii, implied_radius, section_profile
 from validation.measures.explicit_tension import ExplicitTension, explicit_tension
 from validation.measures.inertia import inertia_excess, stiffness_effect
+from validation.studies.section import PAPER, carried_over
 from validation.studies.wave import WaveStudy
 
 E, NU, RHO, R = 70e9, 0.2, 2200.0, 0.5e-3
@@ -197,6 +198,19 @@ def test_a_chain_carries_everything_on_its_axis():
     assert profile.stress[0] == pytest.approx(100.0)
 
 
+def test_the_effective_section_of_the_paper_is_what_its_two_errors_ask_for():
+    # f ∝ R: the radius that was found takes the one printed error to the other
+    for sign, side in ((-1.0, "below"), (1.0, "above")):
+        ratio = implied_radius(0.0663, 0.018)[side]
+        assert 0.9 < ratio < 1.0
+        assert (1.0 - 0.0663) / ratio == pytest.approx(1.0 + sign * 0.018)
+    radius = {"walls": 5e-3, "paper": 5e-3, "force": 4.9e-3, "mass": 4.9e-3}
+    asked = implied_radius(PAPER["walls"], PAPER["effective"])
+    found = carried_over(SectionRadii(**radius, centres=5e-3 * asked["below"]))
+    assert found["effective"] == pytest.approx(-PAPER["effective"])
+    assert found["force"] == pytest.approx(0.9337 / 0.98 - 1.0)
+
+
 # --- commands ---------------------------------------------------------------------------------------------
 
 
@@ -266,6 +280,22 @@ def _section(results):
     before, after = (one["error"][name]["bending_frequency"]["mean"] for name in ("walls", "force"))
     assert (1.0 + after) / (1.0 + before) == pytest.approx(radius["walls"] / radius["force"], rel=2e-2)
     assert radius["walls"] / radius["force"] > 1.03
+    # the hull of the centres in place of the walls, E and ρ kept: f ∝ R, deflections and twists 1/R⁴, torsional
+    # frequencies not at all
+    smaller = radius["centres"] / radius["walls"]
+    assert smaller < 0.9
+    for row in results["rows"]:
+        hull = row["radius"]["centres"] / row["radius"]["walls"]
+        walls, effective, gyration = (row["errors"][name] for name in ("walls", "effective", "centres"))
+        for test, power in (("bending_frequency", -1), ("static_bending", 4), ("static_torsion", 4),
+                            ("torsional_frequency", 0)):  # fmt: skip
+            assert (1.0 + effective[test]) / (1.0 + walls[test]) == pytest.approx(hull**power), test
+        # as measured, E S stays: one square less in statics, and the same bending frequency
+        assert (1.0 + gyration["static_bending"]) / (1.0 + walls["static_bending"]) == pytest.approx(hull**2)
+        assert gyration["bending_frequency"] == pytest.approx(effective["bending_frequency"])
+    carried = (1.0 - 0.0663) * radius["paper"] / radius["centres"] - 1.0
+    assert one["carried_over"]["effective"]["mean"] == pytest.approx(carried, rel=1e-3)
+    assert results["paper"]["bending_frequency"] == {"walls": 0.0663, "effective": 0.018, "force": 0.018}
 
 
 _CHECKS = {"quasistatic": _quasistatic, "vibration": _vibration, "wave": _wave, "section": _section}

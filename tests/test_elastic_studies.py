@@ -20,7 +20,7 @@ from validation.rows.elastic import ElasticRequest, cells_and_bars
 from validation.rows.packings import PackingRequest, kept_lattice
 from validation.studies.abacus import SWEEPS, Abacus
 from validation.studies.assembly import LAW, Assembly, _scatter
-from validation.studies.influence import Influence
+from validation.studies.influence import Influence, _linearity
 
 LAWS = tuple(sweep.law for sweep in SWEEPS.values())
 
@@ -206,10 +206,44 @@ def test_influence_judges_the_statements_of_the_paper(tmp_path):
     assert "E ∝ r̃² | exponent" in text
     names = {path.stem for path in (tmp_path / "figures").glob("*.png")}
     assert names == {"nu_mu", "E_mu", "radius_ratio", "exponent"}
+    _judges_families(results)
     cells = [row for row in results["rows"] if row["periodic"] and row["exponent"] is not None]
     E = {row["radius_ratio"]: np.log(row["E"]) for row in cells}
     middle = next(row["exponent"] for row in cells if row["radius_ratio"] == 0.5)
     assert (E[0.6] - E[0.4]) / np.log(0.6 / 0.4) == pytest.approx(middle, abs=0.02)
+
+
+def _judges_families(results):
+    """Figures 13 and 14: every E_μ is there at every r̃ and in every shape, and a solution of its own decides."""
+    moduli, radii = results["moduli"], results["radius_ratios"]
+    assert (len(moduli), len(radii)) == (5, 10)
+    for periodic in (True, False):
+        family = [row for row in results["rows"] if row["periodic"] is periodic and row["law"] == "EulerBernoulli"
+                  and row["nu_mu"] == 0.3 and row["radius_ratio"] in radii]  # fmt: skip
+        assert sorted((row["E_mu"], row["radius_ratio"]) for row in family) == [(E, r) for E in moduli for r in radii]
+        assert len({row["E"] for row in family}) == len(family)
+        assert max(_linearity(family, periodic).values()) < 1e-9
+        # one row that is off is seen, in E and in ν, wherever in the family it is
+        for k in (0, 23, len(family) - 1):
+            stiff, wide = list(family), list(family)
+            stiff[k] = family[k] | {"stiffness_ratio": 1.001 * family[k]["stiffness_ratio"]}
+            wide[k] = family[k] | {"nu": family[k]["nu"] + 1e-3}
+            assert _linearity(stiff, periodic)["E"] == pytest.approx(1e-3, rel=2e-3)
+            assert _linearity(wide, periodic)["nu"] == pytest.approx(1e-3, rel=1e-6)
+    E = {(row["periodic"], row["radius_ratio"]): (row["E"], row["nu"]) for row in results["rows"] if row["exponent"]}
+    walls = results["cylinder_over_cell"]
+    for radius, ratio, change in zip(*walls.values(), strict=True):
+        (cell, cell_nu), (bar, bar_nu) = E[True, radius], E[False, radius]
+        assert ratio == pytest.approx(bar / cell - 1.0)
+        assert change == pytest.approx(bar_nu - cell_nu)
+    assert walls["radius_ratio"] == radii
+
+
+def test_influence_without_bars_compares_no_shapes(tmp_path):
+    study = Influence(count=150, packings=1, bars=0)
+    results = run(study, tmp_path, processes=1)
+    assert results["cylinder_over_cell"] is None
+    assert set(results["verdicts"]) == {"periodic cell"}
 
 
 def test_assembly_leaves_scatter_limits_and_specimens(tmp_path):

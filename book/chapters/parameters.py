@@ -66,10 +66,23 @@ def _bond_modulus() -> Section:
             Row(case=f"{where}: ν over E_μ, largest change", source="fig. 13b", paper="constant", form=ROUNDING,
                 ours=INFLUENCE.of(found["nu"]), tolerance=AtMost(1e-9)),
         ]  # fmt: skip
+        for radius in INFLUENCE.at("radius_ratios")[1::2]:
+            one = INFLUENCE.at("summary", {
+                "periodic": where == "cell", "law": "EulerBernoulli", "nu_mu": 0.3, "radius_ratio": radius,
+                "E_mu": INFLUENCE.at("E_mu"),
+            })["stiffness_ratio"]  # fmt: skip
+            rows.append(Row(case=f"{where}: slope of E over E_μ at r̃ = {radius:.1f}", form=Form(style=".5f"),
+                            ours=INFLUENCE.of(one["mean"], scatter=one["std"])))  # fmt: skip
+    moduli, radii = (INFLUENCE.at(name) for name in ("moduli", "radius_ratios"))
     return Section(
         title="Figure 13: E_μ",
+        before=(
+            f"Changes over {len(moduli)} E_μ of {1e-9 * moduli[0]:g} … {1e-9 * moduli[-1]:g} GPa at each of"
+            f" {len(radii)} r̃ of {radii[0]:g} … {radii[-1]:g}, each a solution of its own of the first packing;"
+            f" slopes are means over {INFLUENCE.at('packings')} packings with their scatter."
+        ),
         rows=tuple(rows),
-        figures=(Figure("influence_E_mu.png", "E and ν over E_μ (figure 13)"),),
+        figures=(Figure("influence_E_mu.png", "E and ν over E_μ, a curve for each r̃ (figure 13)"),),
     )
 
 
@@ -95,12 +108,26 @@ def _bond_radius() -> Section:
                 tolerance=AtMost(0.005), ours=INFLUENCE.of(found["nu_parabola_misfit"])),
             Row(case=f"{where}: ν off a straight line", form=POISSON, ours=INFLUENCE.of(found["nu_line_misfit"])),
         ]  # fmt: skip
+    walls = INFLUENCE.at("cylinder_over_cell")
+    rows += [
+        Row(case=f"cylinder over cell: E, at r̃ = {radius:.1f}", form=SIGNED, ours=INFLUENCE.of(walls["E"][k]))
+        for k, radius in ((0, walls["radius_ratio"][0]), (-1, walls["radius_ratio"][-1]))
+    ]  # fmt: skip
+    rows.append(Row(case="cylinder less cell: ν, over all r̃", form=Form(style="+.4f"),
+                    ours=INFLUENCE.of(min(walls["nu"]), max(walls["nu"]))))  # fmt: skip
     return Section(
         title="Figure 14: r̃",
-        before="The paper calls E an increasing and ν a decreasing quadratic function of r̃.",
+        before=(
+            "The paper calls E an increasing and ν a decreasing quadratic function of r̃. E/E_μ and ν are those of"
+            " every E_μ (figure 13), so what is found of one curve of a family is found of all. The last rows compare"
+            " the shapes: how much stiffer the cylinder is depends on r̃."
+        ),
         rows=tuple(rows),
         figures=(
-            Figure("influence_radius_ratio.png", "E and ν over r̃ (figure 14)"),
+            Figure(
+                "influence_radius_ratio.png",
+                "E and ν over r̃, a curve for each E_μ (figure 14); those of ν are one, so rings stand in one another",
+            ),
             Figure("influence_exponent.png", "Local exponent of E in r̃"),
         ),
     )

@@ -46,56 +46,61 @@ def draw_nu_mu(path: Path, groups: Groups, *, radius_ratio: float) -> None:
 
 
 def draw_bond_modulus(path: Path, groups: Groups, *, shown: Sequence[float]) -> None:
-    """Figure 13: E and ν over E_μ at several r̃.
+    """Figure 13: E and ν over E_μ, a curve for each of several r̃.
 
     Args:
         path: PNG to write.
         groups: by shape, over E_μ and r̃, of the same packings throughout.
         shown: r̃ to draw.
     """
-    with sheet(path, 8.6, 4.0, 1, 2) as (_, (left, right)):
+    with sheet(path, 8.6, 4.2, 1, 2) as (_, (left, right)):
         for k, own in enumerate(groups.values()):
             for radius, colour in zip(shown, _shades(len(shown)), strict=True):
                 chosen = sorted((one for one in own if one["radius_ratio"] == radius), key=lambda one: one["E_mu"])
                 for ax, name, factor in ((left, "E", 1e-9), (right, "nu", 1.0)):
-                    label = f"r̃ = {radius:g}" if k == 0 else None
-                    _line(ax, chosen, "E_mu", name, colour, k, label, x_factor=1e-9, factor=factor)
-        left.set(xlabel=r"$E_\mu$ [GPa]", ylabel="E [GPa]", title="(a) Young's modulus", xlim=(0.0, 520.0))
-        right.set(xlabel=r"$E_\mu$ [GPa]", ylabel=_NU, title="(b) Poisson's ratio", xlim=(0.0, 520.0))
-        left.set_ylim(bottom=0.0)
-        right.set_ylim(0.0, 0.45)
-        left.legend(fontsize=8.0)
-        handles = [right.plot([], [], color=INK, marker=_MARKS[k], markersize=4.0, label=shape, **_STYLES[k == 0])[0]
-                   for k, shape in enumerate(groups)]  # fmt: skip
-        right.legend(handles=handles, fontsize=8.0, loc="upper right")
+                    _line(ax, chosen, "E_mu", name, colour, k, None, x_factor=1e-9, factor=factor)
+                    if k == 0:
+                        _at_its_end(ax, chosen, "E_mu", name, f"r̃ = {radius:.1f}", x_factor=1e-9, factor=factor)
+        end = 1e-9 * max(one["E_mu"] for own in groups.values() for one in own)
+        for ax in (left, right):
+            ax.set(xlabel=r"$E_\mu$ [GPa]", xlim=(0.0, 1.22 * end), ylim=(0.0, None))
+        left.set(ylabel="E [GPa]", title="(a) Young's modulus")
+        right.set(ylabel=_NU, title="(b) Poisson's ratio")
+        left.legend(handles=_shapes(left, groups), fontsize=8.0, loc="upper left")
 
 
 def draw_bond_radius(path: Path, groups: Groups, *, judged: tuple[float, float]) -> None:
-    """Figure 14: E and ν over r̃ at several E_μ, with the parabolas that the paper's words ask for.
+    """Figure 14: E and ν over r̃, a curve for each of several E_μ, with the parabolas that the paper's words ask for.
 
     Args:
         path: PNG to write.
         groups: by shape, over E_μ and r̃, of the same packings throughout.
         judged: between which r̃ the parabolas are fitted.
     """
-    with sheet(path, 8.6, 4.0, 1, 2) as (_, (left, right)):
+    with sheet(path, 8.6, 4.4, 1, 2) as (_, (left, right)):
         moduli = sorted({one["E_mu"] for own in groups.values() for one in own})
-        for k, (shape, own) in enumerate(groups.items()):
-            for E_mu, colour in zip(moduli, _shades(len(moduli)), strict=True):
+        for k, own in enumerate(groups.values()):
+            for i, (E_mu, colour) in enumerate(zip(moduli, _shades(len(moduli)), strict=True)):
                 chosen = sorted((one for one in own if one["E_mu"] == E_mu), key=lambda one: one["radius_ratio"])
-                label = rf"$E_\mu$ = {E_mu / 1e9:.0f} GPa" if k == 0 else None
-                _line(left, chosen, "radius_ratio", "E", colour, k, label, factor=1e-9)
-                if E_mu == moduli[0]:
-                    _line(right, chosen, "radius_ratio", "nu", (BLUE, ORANGE)[k], k, f"{shape}, every $E_\\mu$")
-        first = sorted((one for one in next(iter(groups.values())) if one["E_mu"] == moduli[-1]),
-                       key=lambda one: one["radius_ratio"])  # fmt: skip
-        _parabola(left, first, "E", judged, 1e-9, square=True)
-        _parabola(right, first, "nu", judged, 1.0, square=False)
-        left.set(xlabel="r̃ [-]", ylabel="E [GPa]", title="(a) Young's modulus")
-        right.set(xlabel="r̃ [-]", ylabel=_NU, title="(b) Poisson's ratio")
-        left.set_ylim(bottom=0.0)
-        right.set_ylim(0.0, 0.5)
-        left.legend(fontsize=8.0)
+                _line(left, chosen, "radius_ratio", "E", colour, k, None, factor=1e-9)
+                radius, nu = _column(chosen, "radius_ratio"), _column(chosen, "nu")
+                modulus = f"{E_mu / 1e9:.0f} GPa"
+                if k > 0:
+                    right.plot(radius, nu, color=colour, linewidth=1.2, linestyle=_DASHED)
+                    continue
+                # the curves are one: rings of growing size show that all are there
+                right.plot(radius, nu, "o", color=colour, markersize=3.5 + 2.5 * i, fillstyle="none", linewidth=1.0,
+                           label=rf"$E_\mu$ = {modulus}")  # fmt: skip
+                largest = E_mu == moduli[-1]
+                _at_its_end(left, chosen, "radius_ratio", "E", rf"$E_\mu$ = {modulus}" if largest else modulus,
+                            factor=1e-9)  # fmt: skip
+                _parabola(left, chosen, "E", judged, 1e-9, square=largest)
+                if largest:
+                    _parabola(right, chosen, "nu", judged, 1.0, square=False)
+        left.set(xlabel="r̃ [-]", ylabel="E [GPa]", title="(a) Young's modulus", xlim=(0.0, 1.35), ylim=(0.0, None))
+        right.set(xlabel="r̃ [-]", ylabel=_NU, title="(b) Poisson's ratio", xlim=(0.0, 1.1), ylim=(0.0, 0.5))
+        fits = dict(zip(*reversed(left.get_legend_handles_labels()), strict=True))
+        left.legend(handles=[*_shapes(left, groups), *fits.values()], fontsize=8.0, loc="upper left")
         right.legend(fontsize=8.0)
 
 
@@ -147,6 +152,21 @@ def _line(
     ax.errorbar(x_factor * _column(groups, over), factor * _column(groups, name), yerr=factor * std, color=colour,
                 marker=_MARKS[which], markersize=4.0, capsize=2.0, elinewidth=0.9, linewidth=1.2, label=label,
                 **_STYLES[which == 0])  # fmt: skip
+
+
+def _at_its_end(
+    ax: Axes, groups: Sequence[Mapping[str, Any]], over: str, name: str, text: str, *, x_factor: float = 1.0,
+    factor: float = 1.0,
+) -> None:  # fmt: skip
+    """What a curve is, right of its last mark."""
+    end = x_factor * _column(groups, over)[-1], factor * _column(groups, name)[-1]
+    ax.annotate(text, end, xytext=(6.0, 0.0), textcoords="offset points", fontsize=8.0, va="center")
+
+
+def _shapes(ax: Axes, groups: Groups) -> list[Any]:
+    """Handles of a legend of the shapes."""
+    return [ax.plot([], [], color=INK, marker=_MARKS[k], markersize=4.0, label=shape, **_STYLES[k == 0])[0]
+            for k, shape in enumerate(groups)]  # fmt: skip
 
 
 def _parabola(

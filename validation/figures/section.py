@@ -1,14 +1,16 @@
 """The face of a specimen with its sections, the profile of stress over the radius, and bending with each section."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.patches import Circle
 
+from bondem._types import Floats
 from bondem.report.spheres import View, render
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 from bondem.specimen.lattice import Lattice
@@ -19,9 +21,12 @@ _ALONG_X = View(azimuth=0.5 * math.pi, elevation=0.0)
 _DEEP = 6.0
 _SHOWN = {
     "walls": ("max section: walls", INK, "-"),
-    "force": ("effective section: forces", ORANGE, _DASHED),
-    "centres": ("outermost centres", PURPLE, (0, (1, 1.2))),
+    "centres": ("effective section: hull of the centres", PURPLE, (0, (1, 1.2))),
+    "force": ("effective section: ⟨r²⟩ of the axial force", ORANGE, _DASHED),
 }
+# Of the sections in the order of the study, and of the test of which the paper speaks.
+_COLOURS = (GREY, PURPLE, "#c9b3d3", BLUE, GREEN)
+_JUDGED = "bending_frequency"
 
 
 def draw_section(
@@ -85,7 +90,7 @@ def draw_section_errors(
     tests: Mapping[str, str],
     printed: Mapping[str, float],
 ) -> None:
-    """Error of each test with each section.
+    """Error with each section: of the bending frequency of which the paper speaks, and of the other tests.
 
     Args:
         path: PNG to write.
@@ -94,24 +99,35 @@ def draw_section_errors(
         tests: names of the tests, that of the bending frequency among them.
         printed: what the paper prints for the bending frequency, unsigned, by section [-].
     """
-    colours = (GREY, BLUE, PURPLE, GREEN)
-    with sheet(path, 8.2, 3.9) as (_, ax):
-        width = 0.8 / len(sections)
-        for k, ((section, label), colour) in enumerate(zip(sections.items(), colours, strict=False)):
-            place = np.arange(len(tests)) + (k - 0.5 * (len(sections) - 1)) * width
-            mean = [100.0 * (error[section][test]["mean"] or 0.0) for test in tests]
-            scatter = [100.0 * (error[section][test]["std"] or 0.0) for test in tests]
-            ax.bar(place, mean, 0.92 * width, color=colour, label=label)
-            ax.errorbar(place, mean, scatter, fmt="none", ecolor=INK, elinewidth=1.0, capsize=2.0)
-            if section in printed:
-                at = place[list(tests).index("bending_frequency")]
-                for sign in (-1.0, 1.0):
-                    ax.plot([at - 0.5 * width, at + 0.5 * width], [sign * 100.0 * printed[section]] * 2, color=ORANGE,
-                            linewidth=2.2, label="paper, unsigned" if k == 0 and sign > 0.0 else None)  # fmt: skip
-        ax.axhline(0.0, color=INK, linewidth=0.8)
-        ax.set_xticks(range(len(tests)), [name.replace(", ", ",\n").replace(" ", "\n", 1) for name in tests.values()],
-                      fontsize=8.5)  # fmt: skip
-        ax.set(ylabel="measured / theory − 1 [%]")
-        ax.grid(axis="x", visible=False)
-        ax.margins(y=0.08)
-        ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, fontsize=8.5)
+    others = {test: name for test, name in tests.items() if test != _JUDGED}
+    with sheet(path, 9.6, 4.4, 1, 2, width_ratios=(1, 2.6)) as (figure, (left, right)):
+        for k, (section, label) in enumerate(sections.items()):
+            _bars(left, np.array([float(k)]), 0.8, error[section], [_JUDGED], k, None)
+            width = 0.84 / len(sections)
+            place = np.arange(float(len(others))) + (k - 0.5 * (len(sections) - 1)) * width
+            _bars(right, place, 0.92 * width, error[section], list(others), k, label)
+        for k, section in enumerate(sections):
+            for sign in (-1.0, 1.0) if section in printed else ():
+                left.plot([k - 0.46, k + 0.46], [sign * 100.0 * printed[section]] * 2, color=ORANGE, linewidth=2.2)
+        right.plot([], [], color=ORANGE, linewidth=2.2, label="paper, unsigned")
+        left.set_xticks([])
+        left.set(title="(a) bending frequency", ylabel="measured / theory − 1 [%]",
+                 xlabel=tests[_JUDGED].partition(", ")[2])  # fmt: skip
+        names = [name.replace(", ", ",\n").replace(" ", "\n", 1) for name in others.values()]
+        right.set_xticks(range(len(others)), names, fontsize=8.5)
+        right.set(title="(b) the other tests")
+        for ax in (left, right):
+            ax.axhline(0.0, color=INK, linewidth=0.8)
+            ax.grid(axis="x", visible=False)
+            ax.margins(y=0.08)
+        figure.legend(*right.get_legend_handles_labels(), loc="outside upper left", ncols=2, fontsize=8.5)
+
+
+def _bars(
+    ax: Axes, place: Floats, width: float, error: Mapping[str, Mapping[str, float | None]], tests: Sequence[str],
+    which: int, label: str | None,
+) -> None:  # fmt: skip
+    """Mean and scatter of some tests with one section."""
+    mean, scatter = ([100.0 * (error[test][part] or 0.0) for test in tests] for part in ("mean", "std"))
+    ax.bar(place, mean, width, color=_COLOURS[which], label=label)
+    ax.errorbar(place, mean, scatter, fmt="none", ecolor=INK, elinewidth=1.0, capsize=2.0)

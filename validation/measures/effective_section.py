@@ -91,9 +91,10 @@ class SectionRadii:
     Attributes:
         walls: of the shape, the "max section".
         paper: R_M of eq (13): R̄ and the mean distance of the elements at the side from the axis.
-        force: of the uniform disc with the ⟨y²⟩ + ⟨z²⟩ of the axial force in tension, the "effective section".
+        force: of the uniform disc with the ⟨y²⟩ + ⟨z²⟩ of the axial force in tension.
         mass: the same of the mass.
-        centres: mean distance of the elements at the side from the axis: no bond reaches further.
+        centres: R_M of eq (13) without R̄, the mean distance of the elements at the side from the axis: bonds run
+            between centres, so hardly any internal force exists further out.
     """
 
     walls: float
@@ -117,3 +118,16 @@ class SectionRadii:
             mass=math.sqrt(2.0 * float(mass.sum())),
             centres=centres,
         )
+
+
+def implied_radius(largest: float, effective: float) -> dict[str, float]:
+    """Effective over max radius [-] that two unsigned errors of a bending frequency against Euler–Bernoulli ask for.
+
+    f ∝ √(E/ρ) R: with E and ρ kept, 1 + error goes with 1/R. A smaller radius raises it, so an error that becomes
+    smaller was below zero; whether it stays there is left open.
+
+    Args:
+        largest: error with the max section, unsigned [-].
+        effective: error with the effective section, unsigned [-].
+    """
+    return {"below": (1.0 - largest) / (1.0 - effective), "above": (1.0 - largest) / (1.0 + effective)}
