@@ -1,6 +1,7 @@
 """Where numbers come from: JSON of a measurement, and `recorded.toml`. A number that is not there is an error."""
 
 import json
+import re
 import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -112,9 +113,9 @@ def study(name: str, figures: Mapping[str, str]) -> Measurement:
 
     def keep(folder: Path) -> dict[str, Any]:
         results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
-        # the command is told by the measurement, without the folder of the day
-        left = ("command", "curves", "profile", "rows")
-        return {key: found for key, found in results.items() if key not in left}
+        # as it was called, but for the folder of the day
+        results["command"] = re.sub(r"--out \S+", f"--out BUILD/{name}", results["command"])
+        return {key: found for key, found in results.items() if key not in ("curves", "profile", "rows")}
 
     kept = {f"figures/{drawn}.png": f"{target}.png" for drawn, target in figures.items()}
     return Measurement(name, f"python -m validation {name} --out BUILD/{name}", condense=keep, figures=kept)
