@@ -7,7 +7,6 @@
     python -m book --fast [DIR]           measures a small part from nothing and holds it to its tolerances; a minute
 
 A chapter is a file in `book/chapters` with a function `chapter()`. Its rows read numbers from JSON in
-`benchmarks/results`, those of tests too (`book/outcomes.py`), or, where a command leaves none yet, from
-`book/recorded.toml`. In Python stand only what papers print, and tolerances. A verdict is computed; a number that is
-not there is an error.
+`benchmarks/results`, those of tests too (`book/outcomes.py`). In Python stand only what papers print, and tolerances.
+A verdict is computed; a number that is not there is an error.
 """

@@ -12,9 +12,8 @@ _GENERATED = "<!-- Written by `python -m book`; edit book/, not this file. -->\n
 _INTRODUCTION = """# Validation
 
 What the papers print, what bondem gives, and the command that measures it. This book is generated: every number of
-ours is read from [`benchmarks/results`](../benchmarks/results), where the command beside it left it, a benchmark or
-the tests, or, where a command leaves no file yet, from [`book/recorded.toml`](../book/recorded.toml), with its
-command and date; every verdict is computed from the numbers and a tolerance that stands beside it. `python -m book
+ours is read from [`benchmarks/results`](../benchmarks/results), where the command beside it left it, a study, a
+benchmark or the tests; every verdict is computed from the numbers and a tolerance beside it. `python -m book
 --measure NAME` measures a part again, `python -m book` writes these pages, and CI fails where they are not what the
 results render to. Verification (closed forms, conservation laws) is in `tests/verification/` and runs with the
 tests. Times and speeds are medians, of machines with 2 shared cores."""
@@ -213,7 +212,6 @@ def _commands(commands: Sequence[Origin]) -> str:
     lines = []
     for k, origin in enumerate(commands):
         kept = f"[`{origin.kept}`](../{origin.kept})" if "/" in origin.kept else f"`{origin.kept}`"
-        kept += f", measured {origin.when}" if origin.when else ""
         takes = f" ({origin.takes})" if origin.takes else ""
         lines.append(f"{k + 1}. `{origin.command}`{takes} → {kept}")
     return "\n".join(lines)

@@ -1,8 +1,7 @@
-"""Where numbers come from: JSON of a measurement, and `recorded.toml`. A number that is not there is an error."""
+"""Where numbers come from: JSON that commands leave. A number that is not there is an error."""
 
 import json
 import re
-import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -16,7 +15,6 @@ from book.row import Measured, Origin
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benchmarks" / "results"
-RECORDED = Path(__file__).with_name("recorded.toml")
 
 #: A key, a position, or what the wanted member of a list has: {"case": "1", "law": "TBBM"}.
 Step = str | int | Mapping[str, Any]
@@ -121,25 +119,6 @@ def study(name: str, figures: Mapping[str, str]) -> Measurement:
     return Measurement(name, f"python -m validation {name} --out BUILD/{name}", condense=keep, figures=kept)
 
 
-def recorded(name: str) -> Measured:
-    """A number of `recorded.toml`: `value`, with `scatter` or not, or `values`."""
-    entry = _recorded().get(name)
-    if entry is None:
-        raise BookError(f"book/recorded.toml has no [{name}]; measure it and write it there, with command and date")
-    lacking = {"what", "command", "date"} - set(entry)
-    if lacking or ("value" in entry) is ("values" in entry):
-        raise BookError(f"book/recorded.toml [{name}] needs what, command, date, and value or values")
-    values = entry.get("values", [entry.get("value")])
-    machine = f", {entry['machine']}" if "machine" in entry else ""
-    origin = Origin(entry["command"], "book/recorded.toml", f"{entry['date']}{machine}")
-    return Measured(tuple(float(value) for value in values), origin, entry.get("scatter"))
-
-
 @cache
 def _read(path: Path) -> Any:
     return json.loads(path.read_text(encoding="utf-8"))
-
-
-@cache
-def _recorded() -> dict[str, Any]:
-    return tomllib.loads(RECORDED.read_text(encoding="utf-8"))

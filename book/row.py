@@ -33,13 +33,11 @@ class Origin:
     Attributes:
         command: that measures it.
         kept: the file that holds it, from the root of the project.
-        when: it was measured and on what, for a number that was written down; "" for JSON.
         takes: how long, in words.
     """
 
     command: str
     kept: str
-    when: str = ""
     takes: str = ""
 
 

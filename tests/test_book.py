@@ -4,12 +4,11 @@ import json
 import re
 import subprocess
 import sys
-import tomllib
 from pathlib import Path
 
 import pytest
 
-from book import pages, results
+from book import pages
 from book.__main__ import main
 from book.chapter import Chapter, Section
 from book.chapters import MEASUREMENTS
@@ -18,7 +17,7 @@ from book.fast import chapter as fast_chapter
 from book.forms import PERCENT, SIGNED, Form, Said
 from book.markdown import front, moved, table
 from book.outcomes import TESTS
-from book.results import RECORDED, ROOT, Measurement, recorded
+from book.results import ROOT, Measurement
 from book.row import Measured, Origin, Row, Verdict
 from book.tolerances import AtLeast, AtMost, Near, So, Spans, Tolerance
 
@@ -106,8 +105,6 @@ def test_a_number_that_is_not_there_is_an_error(tmp_path):
             ours(value)
     with pytest.raises(BookError, match="--measure gone"):
         assert Measurement("gone", "bondem measure", file=tmp_path / "gone.json").data
-    with pytest.raises(BookError, match="no \\[of_this_name\\]"):
-        recorded("of_this_name")
 
 
 def test_numbers_are_printed_as_people_read_them():
@@ -171,21 +168,6 @@ def test_every_link_of_the_pages_leads_somewhere():
             if (path and not (page.parent / path).exists()) or (not path and anchor not in slugs):
                 lost.append(f"{page.name}: {target}")
     assert not lost
-
-
-def test_every_recorded_number_stands_in_the_book(monkeypatch, fast):
-    asked = set()
-
-    class Watched(dict):
-        def get(self, name, default=None):
-            asked.add(name)
-            return super().get(name, default)
-
-    entries = Watched(tomllib.loads(RECORDED.read_text(encoding="utf-8")))
-    monkeypatch.setattr(results, "_recorded", lambda: entries)
-    assert pages.chapters()
-    assert fast_chapter(fast)
-    assert not set(entries) - asked
 
 
 def test_what_tests_record_stands_in_the_book_and_is_kept():

@@ -84,7 +84,7 @@ def _seed_1() -> Section:
             f"Seed 1 was tried before 101, with the same constants and {SEED_1.at('count')} elements (revision"
             f" {SEED_1.at('revision')}): the steel beam is beyond 3 %. A later review tried other seeds with the"
             " constants unchanged: steel beams pass in 0 of 4, alumina and granite in 1 of 4; their errors are not"
-            " recorded. The function is not among the public names."
+            " recorded. The function is no part of the package."
         ),
         rows=tuple(rows),
     )

@@ -18,9 +18,9 @@ from bondem.study.study import Study
 _EXPLANATION = (
     "error = measured / theory − 1, mean over the packings; theory has each specimen's own E and ν and the length"
     " from wall to wall.",
-    "refined: theory with the length between the elements held and loaded, and the section that carries: a bar with"
-    " E and ν exact",
-    "differs from the first by these, and from the second by its clamped end and its grains.",
+    "refined: a consistency check, no validation: theory with the specimen's own length, between elements held and"
+    " loaded,",
+    "and its own section, that its tension test fills.",
 )
 
 

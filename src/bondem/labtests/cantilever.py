@@ -147,7 +147,7 @@ def clamped_tension(
         law: its bonds.
         E: its own Young's modulus, as `static_tension` measures it [Pa].
         nu: its own Poisson's ratio, likewise [-].
-        gyration: `Tension.gyration`, for the refined theory.
+        gyration: `Tension.gyration`, for `theory_refined`, a consistency check.
         stress: F / S [Pa].
         depth: of the two faces, in mean radii [-].
     """
@@ -179,7 +179,7 @@ def static_bending(
 ) -> Outcome:
     """Mean deflection along y of the face x_max under a transverse force.
 
-    Theory is F L³ / (3 E I), and with shear F L / (k G S) more. The refined theory is Timoshenko's, with the
+    Theory is F L³ / (3 E I), and with shear F L / (k G S) more. `theory_refined` is Timoshenko's, with the
     force at the face x_max, where it acts, and the deflection where it is measured.
 
     Args:
@@ -187,7 +187,7 @@ def static_bending(
         law: its bonds.
         E: its own Young's modulus [Pa].
         nu: its own Poisson's ratio [-].
-        gyration: `Tension.gyration`, for the refined theory.
+        gyration: `Tension.gyration`, for `theory_refined`, a consistency check.
         stress: mean shear stress F / S [Pa].
         depth: of the two faces, in mean radii [-].
     """
@@ -230,7 +230,7 @@ def static_torsion(
         law: its bonds.
         E: its own Young's modulus [Pa].
         nu: its own Poisson's ratio [-].
-        gyration: `Tension.gyration`, for the refined theory.
+        gyration: `Tension.gyration`, for `theory_refined`, a consistency check.
         stress: T √S / J [Pa], about the largest shear stress.
         depth: of the two faces, in mean radii [-].
     """

@@ -34,11 +34,11 @@ def dynamic_tension(
     Args:
         lattice: the specimen.
         law: its bonds.
-        density: of the elements, ρ_μ [kg/m³], a number or (n,); the refined theory has their mass where it is.
+        density: of the elements, ρ_μ [kg/m³], a number or (n,); `theory_refined` has their mass where it is.
         E: its own Young's modulus [Pa].
         nu: its own Poisson's ratio [-].
         rho: its own density, mass over volume of the shape [kg/m³].
-        gyration: `Tension.gyration`, for the refined theory.
+        gyration: `Tension.gyration`, for `theory_refined`, a consistency check.
         modes: its natural frequencies, where they are known already.
         vibration: its free vibration, likewise.
         depth: of the two faces, in mean radii [-].

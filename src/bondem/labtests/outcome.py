@@ -16,8 +16,9 @@ class Outcome:
         theory: strength of materials with the paper's lengths (eq 12), Euler–Bernoulli for bending [unit].
         unit: SI unit of the three numbers.
         theory_timoshenko: the same with shear deformation, where that differs [unit].
-        theory_refined: theory with the lengths the sets of elements really have, clamped, loaded and measured
-            where they are (docs/decisions/0004-measures.md) [unit].
+        theory_refined: theory with the specimen's own lengths, between the sets clamped, loaded and measured, and
+            the section its own tension test fills: a consistency check, no validation, as it takes the softness of
+            the specimen from the specimen (docs/decisions/0004-measures.md) [unit].
         curves: arrays for figures, and further scalars beside the main one.
     """
 
