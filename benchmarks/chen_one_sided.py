@@ -1,9 +1,9 @@
 """A row of bonded spheres by explicit dynamics, with what `bd.solve_explicit` does not have.
 
-A linear contact beside each intact bond (in bondem elements that a bond joins have none), and readings of the paper's
-eqs (11) and (12) other than that of `bd.LocalDamping`. Forces of bonds, of contacts and of dashpots and the update of
-rotations are bondem's own; what is written here is the loop over a row, and it has to come to what `bd.solve_explicit`
-comes to where both can.
+A linear contact beside each intact bond (in bondem elements that a bond joins have none), readings of the paper's
+eqs (11) and (12) other than that of `bd.LocalDamping`, and an η for each component of the dashpots. Forces of bonds, of
+contacts and of dashpots and the update of rotations are bondem's own; what is written here is the loop over a row, and
+it has to come to what `bd.solve_explicit` comes to where both can.
 """
 
 import math
@@ -19,10 +19,11 @@ from bondem.laws.contact import contact_force
 from bondem.laws.damping import dashpot_force, direction, local_damping
 from bondem.laws.rotations import turn
 from bondem.solve.timestep import critical_step
-from chen_specimens import RHO, cantilever
+from chen_specimens import cantilever
 
 #: Readings of eq (11): |F_i| sign(U_i), |F| U/|U|, F_i U_i/U_i as printed, F_i sign(U_i).
 READINGS = ("component", "vector", "printed", "signed")
+_FAST = 1e3
 
 
 @dataclass(frozen=True)
@@ -30,11 +31,12 @@ class Rest:
     """Where a row came to rest, or how far it came.
 
     Attributes:
-        status: "STOPPED" at rest, "COMPLETED" at the end of the time given.
+        status: "STOPPED" at rest, "COMPLETED" at the end of the time given, "DIVERGED" beyond 1 km/s.
         displacement: of the spheres [m], (n, 3).
         gap: between the surfaces, from that of the reference configuration [m], (n - 1,).
         steps, time: [-], [s].
         pressed, pressed_at_rest: largest normal force of a contact, of the run and at its end [N].
+        speed: largest of the last quarter of a period [m/s].
     """
 
     status: str
@@ -44,6 +46,7 @@ class Rest:
     time: float
     pressed: float
     pressed_at_rest: float
+    speed: float
 
 
 def run_to_rest(
@@ -80,7 +83,8 @@ def run_to_rest(
     s, i, j = model.stiffness, lattice.pairs[:, 0], lattice.pairs[:, 1]
     R, L, a = lattice.particles.radius, lattice.length, s.lever
     more = s.kb - s.kt
-    bonds = np.stack([L, s.kn, s.ks * a * a + more, s.ks * a * (L - a) - more, s.ks * (L - a) ** 2 + more, s.kt, a], 1)
+    far = L - a
+    bonds = np.stack([L, s.kn, s.ks * a * a + more, s.ks * a * far - more, s.ks * far * far + more, s.kt, a], 1)
     pair = np.zeros((len(L), 4))
     if contact is not None:
         pair[:, 0] = contact.E * math.pi * np.minimum(R[i], R[j]) ** 2 / (R[i] + R[j])
@@ -106,8 +110,9 @@ def run_to_rest(
     )  # fmt: skip
     moved = place - lattice.particles.position
     gap = np.linalg.norm(place[j] - place[i], axis=1) - L
-    steps, pressed, at_rest, still = found
-    return Rest("STOPPED" if still else "COMPLETED", moved, gap, int(steps), steps * dt, pressed, at_rest)
+    steps, pressed, at_rest, speed = found
+    status = "DIVERGED" if speed > _FAST else "STOPPED" if speed < slow else "COMPLETED"
+    return Rest(status, moved, gap, int(steps), steps * dt, pressed, at_rest, speed)
 
 
 @kernel(parallel=False)
@@ -124,7 +129,7 @@ def _loop(place, pairs, bonds, pair, dash, inert, loads, gamma, reading, dt, cou
             axis[b, c] = (place[pairs[b, 1], c] - place[pairs[b, 0], c]) / bonds[b, 0]
     load, push, ramp = loads[0], loads[1], loads[2]
     begin = ramp if push > 0.0 else 0.0
-    largest, now, speed, held = 0.0, 0.0, 0.0, 0
+    largest, now, last, held = 0.0, 0.0, 0.0, 0
     for step in range(count):
         time = step * dt
         f[:], t[:] = 0.0, 0.0
@@ -188,10 +193,13 @@ def _loop(place, pairs, bonds, pair, dash, inert, loads, gamma, reading, dt, cou
             )
             speed = max(speed, before)
         speed = math.sqrt(speed)
+        if speed > _FAST:
+            return step + 1, largest, now, speed
         held = held + 1 if time >= begin + ramp and speed < slow else 0
+        last = max(last, speed) if step >= count - hold else 0.0
         if held == hold:
-            return step + 1, largest, now, True
-    return count, largest, now, False
+            return step + 1, largest, now, speed
+    return count, largest, now, last
 
 
 @kernel(parallel=False)

@@ -1,16 +1,16 @@
 """Chen et al. (2022): the cantilevers of parallel bonds with PFC's unbonded component beside the bond.
 
-    python benchmarks/chen_unbonded.py [--out FILE]          about one minute
+    python benchmarks/chen_unbonded.py [--out FILE]          two to four minutes
 
-The parallel bond of PFC has a linear contact in parallel with the bond, "when the two bonded particles are in physical
-contact" (section 2.1): one-sided (no tension), with Coulomb friction, and a force at the contact point, so that it has
-no moment of its own. The paper sets its stiffness and friction to zero in all cases (section 3) and prints neither
-with it; here E* = E_b and κ* = κ, as Potyondy and Cundall (2004) take them, and contacts where spheres touch.
+The parallel bond of PFC has a linear contact in parallel with the bond "when the two bonded particles are in
+physical contact" (section 2.1): one-sided (no tension), with Coulomb friction, and a force at the contact point, so
+that it has no moment of its own. The paper sets its stiffness and friction to zero in all cases (section 3) and prints
+nothing with it. Here E* = E_b and κ* = κ, as Potyondy and Cundall (2004) take them, where spheres touch.
 
-- Pressed together and sticking, the component adds k = E* π min(Ri, Rj)² / (Ri + Rj) to kn and k/κ* to ks, at the same
-  lever (`Pressed`). It is the most that the component can do, and a bond law like any other.
-- Under the load of the cases it is not pressed: a load across the beam pulls at every bond of the bent beam, by F sin θ.
-  Explicit runs of the one-sided contact (`chen_one_sided`) show that it ends open.
+- Pressed together and sticking, the component adds k = E* π min(Ri, Rj)² / (Ri + Rj) to kn and k/κ* to ks, at the
+  same lever (`Pressed`). It is the most that the component can do, and a bond law like any other.
+- Under the load of the cases it is not pressed: a load across the beam pulls at every bond of the bent beam, by
+  F sin θ. Explicit runs of the one-sided contact (`chen_one_sided`) show that it ends open.
 - A push along the beam before the load closes it, and the tip is that of `Pressed`.
 
 Leaves benchmarks/results/chen_unbonded.json, SI.
@@ -171,8 +171,9 @@ def main(arguments: list[str] | None = None) -> None:
     for row in results["explicit"]:
         over = {name: row["tip"] / tip - 1.0 for name, tip in row["static"].items()}
         print(
-            f"case {row['case']} {row['parameter']:>5} gamma {row['gamma']} {row['component']:9} push {row['push']:4g} {row['status']}"
-            f" {row['steps']:8} steps {row['time']:8.3f} s, tip {over['bonded']:+.2e} from the bond alone"
+            f"case {row['case']} {row['parameter']:>5} gamma {row['gamma']} {row['component']:9} push"
+            f" {row['push']:4g} {row['status']} {row['steps']:8} steps {row['time']:8.3f} s,"
+            f" tip {over['bonded']:+.2e} from the bond alone"
             f" {over['pressed']:+.2e} from pressed, {row['closed_at_rest']} closed, gaps {row['least_gap']:+.2e} …"
             f" {row['largest_gap']:+.2e} m, contact of the run"
             f" {row['contact_force_of_the_run']:.2e} N, at rest {row['contact_force_at_rest']:.2e} N"
