@@ -1,12 +1,13 @@
 """A row of bonded spheres by explicit dynamics, with what `bd.solve_explicit` does not have.
 
 A linear contact beside each intact bond (in bondem elements that a bond joins have none), readings of the paper's
-eqs (11) and (12) other than that of `bd.LocalDamping`, and an η for each component of the dashpots. Forces of bonds, of
-contacts and of dashpots and the update of rotations are bondem's own; what is written here is the loop over a row, and
+eqs (11) and (12) other than that of `bd.LocalDamping`, and an η for each component of the dashpots. Forces of bonds,
+contacts and dashpots and the update of rotations are bondem's own; what is written here is the loop over a row, and
 it has to come to what `bd.solve_explicit` comes to where both can.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,7 +59,7 @@ def run_to_rest(
     contact: bd.LinearContact | None = None,
     gamma: float = 0.0,
     reading: str = "component",
-    eta: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0),
+    eta: Sequence[float] = (0.0, 0.0, 0.0, 0.0),
     ramp: float = 0.1,
     slow: float = 1e-9,
     duration: float = 900.0,

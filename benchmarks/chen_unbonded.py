@@ -4,8 +4,8 @@
 
 The parallel bond of PFC has a linear contact in parallel with the bond "when the two bonded particles are in
 physical contact" (section 2.1): one-sided (no tension), with Coulomb friction, and a force at the contact point, so
-that it has no moment of its own. The paper sets its stiffness and friction to zero in all cases (section 3) and prints
-nothing with it. Here E* = E_b and κ* = κ, as Potyondy and Cundall (2004) take them, where spheres touch.
+that it has no moment of its own. The paper sets its stiffness and friction to zero in all cases (section 3), so that
+it has no numbers with it. Here E* = E_b and κ* = κ, as Potyondy and Cundall (2004) take them, where spheres touch.
 
 - Pressed together and sticking, the component adds k = E* π min(Ri, Rj)² / (Ri + Rj) to kn and k/κ* to ks, at the
   same lever (`Pressed`). It is the most that the component can do, and a bond law like any other.
