@@ -7,6 +7,7 @@ from book.chapters import (
     andre_tables,
     any_specimen,
     calibration,
+    chen_components,
     chen_tables,
     cost,
     dynamic_tests,
@@ -19,7 +20,7 @@ from book.chapters import (
 from book.results import Measurement
 
 _FILES = (
-    andre_tables, chen_tables, calibration, any_specimen, packings, parameters, dynamic_tests, surface, formulations,
+    andre_tables, chen_tables, chen_components, calibration, any_specimen, packings, parameters, dynamic_tests, surface, formulations,
     dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
