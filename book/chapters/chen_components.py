@@ -63,16 +63,17 @@ def _table_4() -> Section:
     ten = UNBONDED.at("static", {"case": "3", "parameter": 10})["shear"]
     shear = Form("GN/m", 1e9, ".2f")
     rows += [
-        Row(case="10 bonds: shear stiffness, bond alone", source="Table 5", paper=24.17e9, ours=UNBONDED.of(ten["bonded"]),
-            form=shear, tolerance=Near(absolute=0.01e9)),
-        Row(case="10 bonds: shear stiffness, component pressed", ours=UNBONDED.of(ten["pressed"]), form=shear, note=away),
+        Row(case="10 bonds: shear stiffness, bond alone", source="Table 5", paper=24.17e9, form=shear,
+            ours=UNBONDED.of(ten["bonded"]), tolerance=Near(absolute=0.01e9)),
+        Row(case="10 bonds: shear stiffness, component pressed", ours=UNBONDED.of(ten["pressed"]), form=shear,
+            note=away),
     ]  # fmt: skip
     return Section(
         title="Tables 4 and 5 with the component and without",
         before=(
             "PFC's linear contact acts beside the bond where spheres touch: one-sided, with friction, a force at the"
-            " contact point and no moment of its own. Pressed together and sticking it adds k = E\\* π min(R_i, R_j)² /"
-            " (R_i + R_j) to kn and k/κ\\* to ks; E\\* = E_b and κ\\* = κ are ours. The rest of Table 5 has gaps, and no"
+            " contact point and no moment of its own. Pressed together and sticking it adds k = E′ π min(R_i, R_j)² /"
+            " (R_i + R_j) to kn and k/κ′ to ks; E′ = E_b and κ′ = κ are ours. The rest of Table 5 has gaps, and no"
             " component. Explicit runs end when no sphere is faster than 1e-9 m/s for a quarter of a period."
         ),
         rows=tuple(rows),
@@ -86,14 +87,14 @@ def _cases() -> Section:
     pushed = _explicit("one-sided", push=5e3)
     before = {(one["case"], one["parameter"]): one["tip"] for one in _explicit("bonded", push=5e3)}
     ratio = [
-        one["tip"] / before[one["case"], one["parameter"]] / (one["static"]["pressed"] / one["static"]["bonded"]) - 1.0
+        one["tip"] / before[one["case"], one["parameter"]] * one["static"]["bonded"] / one["static"]["pressed"] - 1.0
         for one in pushed
     ]
     static = [one for one in UNBONDED.at("static") if one["touching"]]
     exact = max(abs(one["tip"][name] / one["exact"][name] - 1.0) for one in static for name in ("bonded", "pressed"))
     rows = [
-        Row(case="static, every case of Table 3, against the chain of springs", ours=UNBONDED.of(exact), form=ROUNDING,
-            tolerance=AtMost(1e-6)),
+        Row(case="static, every case that touches, against the chain of springs", ours=UNBONDED.of(exact),
+            form=ROUNDING, tolerance=AtMost(1e-6)),
         Row(case="explicit, the load alone: bonds under pressure at rest, all cases", form=COUNT,
             ours=UNBONDED.of(float(sum(one["closed_at_rest"] for one in across))), tolerance=AtMost(0.0)),
         Row(case="… largest change of the tip by the component", ours=UNBONDED.of(max(changed)), form=ROUNDING,
@@ -137,23 +138,27 @@ def _gamma() -> Section:
         weak = [one for one in particles if one["law"] == law and one["gamma"] <= 0.03]
         loss = [np.log((1.0 + one["gamma"]) / (1.0 - one["gamma"])) for one in weak]
         slope = float(np.polyfit(np.log(loss), np.log([one["time"] - 1.0 for one in weak]), 1)[0])
-        rows.append(Row(case=f"{law}: power of ln((1 + γ)/(1 − γ)) in the time after the ramp, γ ≤ 0.03",
-                        ours=DAMPING.of(slope), form=Form(style="+.2f"), tolerance=Near(target=-1.0, absolute=0.15)))  # fmt: skip
+        rows.append(
+            Row(case=f"{law}: power of ln((1 + γ)/(1 − γ)) in the time after the ramp, γ ≤ 0.03",
+                ours=DAMPING.of(slope), form=Form(style="+.2f"), tolerance=Near(target=-1.0, absolute=0.15))
+        )  # fmt: skip
     names = (
-        ("component", "|F_i| with the sign of U_i: `LocalDamping`", True), ("vector", "|F| U/|U|", None),
+        ("component", "the size of F_i with the sign of U_i: `LocalDamping`", True),
+        ("vector", "the size of F along U", None),
         ("printed", "F_i U_i/U_i as printed, which is F_i", False),
         ("signed", "F_i with the sign of U_i", False),
     )  # fmt: skip
     for name, words, rests in names:
         found = DAMPING.at("readings", {"reading": name})
-        rows.append(Row(case=f"eq (11) with γ_b = 0.1, PBM, within 6 s: {words}", source="eq (11)" if name == "printed" else "",
-                        ours=DAMPING.of(float(found["status"] == "STOPPED")), form=RESTS,
-                        tolerance=None if rests is None else So(rests)))  # fmt: skip
+        rows.append(
+            Row(case=f"eq (11) with γ_b = 0.1, PBM, within 6 s: {words}", form=RESTS,
+                ours=DAMPING.of(float(found["status"] == "STOPPED")), tolerance=None if rests is None else So(rests))
+        )  # fmt: skip
     return Section(
         title="γ of the particles: case 1 at 1 kN",
         before=(
-            "`LocalDamping` acts on each of the six components with the sign of its own velocity, as eqs (11) and (12)"
-            " mean it. The paper's ramp of 1 s and its stop rule at one instant; it prints neither times nor steps."
+            "`LocalDamping` acts on each of the six components with the sign of its own velocity, as eqs (11) and"
+            " (12) mean it. The paper's ramp of 1 s and its stop rule at one instant; it prints neither times nor steps."
         ),
         rows=tuple(rows),
     )
@@ -177,9 +182,10 @@ def _eta() -> Section:
         title="η of the bonds, a coefficient a component: decay of the first bending mode of case 1, PBM",
         before=(
             "“In general, the damping coefficients in axial, shear, twisting and bending are not necessarily equal”"
-            " (§2.1); the paper has one for all “for simplicity”, gives it no value, and runs no case with it. η of normal,"
-            " shear, bending and twisting, each with the k of its component; eqs (9) and (10) as printed are η_b times 1,"
-            " √(kn/ks), √(2 kt/kb) and √2. Theory: ω² Σ η_c √(m_c/k_c) s_c, with s_c the share of the elastic energy."
+            " (§2.1); the paper has one for all “for simplicity”, gives it no value, and runs no case with it. η of"
+            " normal, shear, bending and twisting, each with the k of its component; eqs (9) and (10) as printed are"
+            " η_b times 1, √(kn/ks), √(2 kt/kb) and √2. Theory: ω² Σ η_c √(m_c/k_c) s_c, with s_c the share of the"
+            " elastic energy."
         ),
         rows=tuple(rows),
     )
