@@ -20,8 +20,8 @@ from book.chapters import (
 from book.results import Measurement
 
 _FILES = (
-    andre_tables, chen_tables, chen_components, calibration, any_specimen, packings, parameters, dynamic_tests, surface,
-    formulations, dynamics, cost,
+    andre_tables, chen_tables, chen_components, calibration, any_specimen, packings, parameters, dynamic_tests,
+    surface, formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 MEASUREMENTS: tuple[Measurement, ...] = tuple({one.name: one for file in FILES for one in file.MEASUREMENTS}.values())

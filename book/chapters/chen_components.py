@@ -128,6 +128,12 @@ def _gamma() -> Section:
             tolerance=AtMost(DIGIT / TABLE_4), reason="the stop rule looks at one instant, here at a turning point")
         for law in ("TBBM", "PBM")
     ]  # fmt: skip
+    (held,) = _explicit("bonded", case="1", push=0.0, gamma=0.001)
+    rows.append(
+        Row(case="PBM, γ_b = 0.001, slow for a quarter of a period: change of the tip", source="§3",
+            paper="negligible", ours=UNBONDED.of(held["tip"] / held["static"]["bonded"] - 1.0), form=ROUNDING,
+            tolerance=AtMost(DIGIT / TABLE_4))
+    )  # fmt: skip
     for gamma in (0.001, 0.1, 0.5):
         found = DAMPING.at("particles", {"law": "PBM", "gamma": gamma})
         rows += [
@@ -158,7 +164,8 @@ def _gamma() -> Section:
         title="γ of the particles: case 1 at 1 kN",
         before=(
             "`LocalDamping` acts on each of the six components with the sign of its own velocity, as eqs (11) and"
-            " (12) mean it. The paper's ramp of 1 s and its stop rule at one instant; it prints neither times nor steps."
+            " (12) mean it. The paper's ramp of 1 s and its stop rule at one instant; it prints neither times nor"
+            " steps."
         ),
         rows=tuple(rows),
     )
@@ -169,17 +176,17 @@ def _eta() -> Section:
     for one in DAMPING.at("bonds"):
         eta = " · ".join(f"{value:.3g}" for value in one["eta"].values())
         name = {"all": "η_b in all", "printed": "as printed"}.get(one["component"], f"η of {one['component']} alone")
-        idle = one["theory"] < 1e-6
+        idle = one["theory"] == 0.0
         rows.append(Row(case=f"{name}: {eta}", ours=DAMPING.of(one["rate"]), form=RATE,
-                        tolerance=AtMost(0.01) if idle else Near(target=one["theory"], relative=0.05)))  # fmt: skip
+                        tolerance=AtMost(0.05) if idle else Near(target=one["theory"], relative=0.05)))  # fmt: skip
     printed = DAMPING.at("bonds", {"component": "printed"})
     rows += [
-        Row(case="as printed: tip at rest against static", ours=DAMPING.of(printed["error"]), form=ROUNDING,
-            tolerance=AtMost(1e-4)),
-        Row(case="as printed: time to rest", ours=DAMPING.of(printed["time"]), form=SECONDS),
+        Row(case="case 1, as printed with η_b = 0.5: tip at rest against static",
+            ours=DAMPING.of(printed["error"]), form=ROUNDING, tolerance=AtMost(1e-4)),
+        Row(case="case 1, as printed with η_b = 0.5: time to rest", ours=DAMPING.of(printed["time"]), form=SECONDS),
     ]  # fmt: skip
     return Section(
-        title="η of the bonds, a coefficient a component: decay of the first bending mode of case 1, PBM",
+        title="η of the bonds, a coefficient a component: decay of the first bending mode of case 2, 3 bonds, PBM",
         before=(
             "“In general, the damping coefficients in axial, shear, twisting and bending are not necessarily equal”"
             " (§2.1); the paper has one for all “for simplicity”, gives it no value, and runs no case with it. η of"
