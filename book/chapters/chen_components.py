@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from book.chapter import Chapter, Section
-from book.forms import COUNT, PERCENT, ROUNDING, SECONDS, SIGNED, Form, Said
+from book.forms import COUNT, ROUNDING, SECONDS, SIGNED, Form, Said
 from book.results import Measurement
 from book.row import Row
 from book.tolerances import AtLeast, AtMost, Near, So
@@ -15,6 +15,7 @@ DAMPING = Measurement("chen_damping", "python benchmarks/chen_damping.py", "3–
 MEASUREMENTS = (UNBONDED, DAMPING)
 
 MILLIMETRES = Form("mm", 1e-3, ".4f")
+FINE = Form("%", 1e-2, ".4f")
 RATE = Form("1/s", style=".4g")
 RESTS = Said("comes to rest", "does not")
 #: PBM in Table 4, and one unit of its last digit [m].
@@ -29,7 +30,8 @@ def chapter() -> Chapter:
         summary=(
             "The paper sets the unbonded component of PFC's parallel bond to zero in all of its cases (§3) and damps"
             " case 1 with γ_b = 0.001 alone; η_b has no value in it. Here both are switched on, for the cases of"
-            " Table 3."
+            " Table 3, by a loop over a row of spheres in `benchmarks/chen_one_sided.py` with bondem's own forces:"
+            " `bd.LinearContact` leaves bonded pairs alone, and `bd.BondDamping` has one η for all components."
         ),
         sections=(_table_4(), _cases(), _gamma(), _eta()),
     )
@@ -52,8 +54,9 @@ def _table_4() -> Section:
             ours=UNBONDED.of(abs(static["pressed"] - TABLE_4) / DIGIT), form=Form(style=".1f"),
             tolerance=AtLeast(1.0)),
     ]  # fmt: skip
+    one_sided = f"one-sided component, μ = {UNBONDED.at('friction'):g}"
     for gamma in (0.5, 0.001):
-        for name, words in (("bonded", "bond alone"), ("one-sided", "one-sided component, μ = 0.5")):
+        for name, words in (("bonded", "bond alone"), ("one-sided", one_sided)):
             (run,) = _explicit(name, case="1", push=0.0, gamma=gamma)
             rows.append(
                 Row(case=f"{words}, explicit at 1 kN × 100, γ = {gamma:g}", source="Table 4", paper=TABLE_4,
@@ -124,7 +127,7 @@ def _gamma() -> Section:
     particles = DAMPING.at("particles")
     rows = [
         Row(case=f"{law}, γ_b from 0.001 to 0.5: largest change of the tip", source="§3", paper="negligible",
-            ours=DAMPING.of(max(abs(one["error"]) for one in particles if one["law"] == law)), form=PERCENT,
+            ours=DAMPING.of(max(abs(one["error"]) for one in particles if one["law"] == law)), form=FINE,
             tolerance=AtMost(DIGIT / TABLE_4), reason="the stop rule looks at one instant, here at a turning point")
         for law in ("TBBM", "PBM")
     ]  # fmt: skip
