@@ -35,8 +35,8 @@ from validation.frame.sources import commit
 COMMAND = "python benchmarks/chen_unbonded.py"
 RESULTS = Path(__file__).parent / "results" / "chen_unbonded.json"
 KAPPA = 2.0 * (1.0 + NU)
-#: μ is of no consequence where the contact is open. Under the push it has to stick through the vibration that the load
-#: leaves: with μ = 0.5 one of the fifteen cases, 4 with five bonds, slips on the way and ends 2e-4 off.
+#: μ is of no consequence where the contact is open. Under the push it has to stick while the load makes the beam
+#: vibrate: with μ = 0.5 one of the fifteen cases, 4 with five bonds, slips on the way and ends 2e-4 off.
 CONTACT = bd.LinearContact(E=E, kappa=KAPPA, friction=1.0)
 #: Surfaces closer than this share of the radius touch.
 TOUCHING = 1e-9
