@@ -51,8 +51,13 @@ def beam(x: np.ndarray, L: float, r: float, F: float = FORCE, *, shear: bool) ->
     return F * x**2 * (3.0 * L - x) / (6.0 * E * I) + (10.0 * F * x / (9.0 * G * A) if shear else 0.0)
 
 
-def exact(law: str, lattice: bd.Lattice, r: float, kappa: float | None, F: float = FORCE) -> np.ndarray:
-    """What a law should give at its elements [m]: the beam, or the chain of shear and bending springs."""
+def exact(
+    law: str, lattice: bd.Lattice, r: float, kappa: float | None, F: float = FORCE, *, more: np.ndarray | float = 0.0
+) -> np.ndarray:
+    """What a law should give at its elements [m]: the beam, or the chain of shear and bending springs.
+
+    `more` is a shear stiffness beside that of each bond of a chain [N/m].
+    """
     x, R = lattice.particles.position[:, 0], lattice.particles.radius
     if law in ("EBBM", "TBBM"):
         return beam(x, x[-1], r, F, shear=law == "TBBM")
@@ -62,5 +67,5 @@ def exact(law: str, lattice: bd.Lattice, r: float, kappa: float | None, F: float
         ks, c = E * A / l / (kappa or 2.0 * (1.0 + NU)), x[:-1] + 0.5 * (l + R[:-1] - R[1:])
     else:
         ks, c = 0.9 * G * A / l, x[:-1] + 0.5 * l
-    lift = F / ks + F * (x[-1] - c) * l / (E * I) * np.maximum(x[:, None] - c, 0.0)
+    lift = F / (ks + more) + F * (x[-1] - c) * l / (E * I) * np.maximum(x[:, None] - c, 0.0)
     return np.where(x[:, None] > c, lift, 0.0).sum(axis=1)

@@ -19,7 +19,6 @@ import argparse
 import json
 import os
 import platform
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -30,6 +29,7 @@ import numpy as np
 import bondem as bd
 from bondem.labtests.gauge_length import rigid_motion
 from fem_cylinder import NU, RHO, SHAPE, Continuum, E
+from kept import commit
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benchmarks" / "results" / "fem_clamped.json"
@@ -123,15 +123,6 @@ def _sphere_loads(lattice: bd.Lattice, count: int) -> np.ndarray:
         _, nodal = bd.Load(bd.Face("x_max"), force=force, moment=(moment, 0, 0)).nodal(lattice)
         loads[:, :, k] = nodal[:, :3]
     return loads
-
-
-def commit() -> str:
-    """The commit of the repository, with "+" where files differ from it."""
-    head, changed = (
-        subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
-        for words in (["rev-parse", "--short=12", "HEAD"], ["status", "--porcelain", "--untracked-files=no"])
-    )
-    return head + ("+" if changed else "")
 
 
 def main() -> None:

@@ -3,6 +3,7 @@
 import datetime
 import json
 import statistics
+import subprocess
 from collections.abc import Callable, Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -14,9 +15,18 @@ RESULTS = ROOT / "benchmarks" / "results"
 
 
 def origin() -> dict:
-    """Machine with its load, date and version, as they are when a benchmark starts."""
+    """Machine with its load, date, version and commit, as they are when a benchmark starts."""
     started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    return {"machine": machine(), "started": started, "version": version("bondem")}
+    return {"machine": machine(), "started": started, "version": version("bondem"), "commit": commit()}
+
+
+def commit() -> str:
+    """The commit of the repository, with "+" where files differ from it."""
+    head, changed = (
+        subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
+        for words in (["rev-parse", "--short=12", "HEAD"], ["status", "--porcelain", "--untracked-files=no"])
+    )
+    return head + ("+" if changed else "")
 
 
 def keep(path: Path, report: dict) -> None:
