@@ -136,11 +136,10 @@ def main() -> None:
     name, plan, compared = _plan(options)
     here = origin()
     print(f"{here['machine']}; times: smallest, median")
-    report = {
-        **here,
-        "packings": [row(request, measured(repeat, request)[0]) for request, repeat in plan],
-        "against_spheropack": [],
-    }
+    report = {**here, "packings": [], "against_spheropack": []}
+    for request, repeat in plan:
+        report["packings"].append(row(request, measured(repeat, request)[0]))
+        keep(RESULTS / f"{name}.json", report)
     if compared and importlib.util.find_spec("spheropack"):
         report["against_spheropack"] = against(options.against, options.repeat)
     elif compared:

@@ -35,7 +35,7 @@ REFINEMENT = Measurement(
     {"figures/refinement.png": "study_refinement.png"},
 )
 PACKING = Measurement("packing", "python benchmarks/packing.py", "5 min")
-METHODS = Measurement("packing_methods", "python benchmarks/packing.py --methods", "4 min")
+METHODS = Measurement("packing_methods", "python benchmarks/packing.py --methods", "10 min")
 MEASUREMENTS = (DISPERSION, REFINEMENT, PACKING, METHODS, TESTS)
 
 DENSITY = Form(style=".4f")
