@@ -225,6 +225,7 @@ def _power(groups: Sequence[Row], periodic: bool) -> dict[str, Any]:
     square = float((E * radius**2).sum() / (radius**4).sum())
     return {
         **{name: _means(whole, name) for name in ("stiffness_ratio", "nu", "exponent", "energy_exponent")},
+        "stiffness_ratio_std": [one["stiffness_ratio"]["std"] for one in whole],
         "values": [one["radius_ratio"] for one in whole],
         "exponent_low": float(exponent.min()),
         "exponent_high": float(exponent.max()),
