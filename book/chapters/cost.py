@@ -118,10 +118,7 @@ def _peers() -> Section:
     return Section(
         title="Peers",
         rows=tuple(rows),
-        after=(
-            "Medians. The factors asked for were set beforehand, on another machine. The motion of all codes is"
-            " compared before any ratio."
-        ),
+        after="Medians. The motion of all codes is compared before any ratio.",
     )
 
 
