@@ -181,6 +181,8 @@ class _Shared(CPUDispatcher):
     different arguments, it may later take the one for the other.
     """
 
+    _cache: Any
+
     def enable_caching(self) -> None:
         super().enable_caching()
         save = self._cache.save_overload

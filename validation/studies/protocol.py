@@ -63,7 +63,7 @@ class Protocol(Study):
         count("", "packings", self.packings, least=1, advice="at least 1")
         count("", "steps", self.steps, least=1000, advice="at least 1000")
         for method in self.methods:
-            choice(self.name, "method", method, METHODS)
+            choice(self.name, "method", method, tuple(METHODS))
 
     @property
     def bars(self) -> list[PackingRequest]:
