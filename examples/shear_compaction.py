@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from compaction_figure import Course, draw_compaction
+from bondem.report.compaction_figure import Course, draw_compaction
 
 RADIUS, SPREAD, DENSITY = 0.5e-3, 0.25, 2500.0  # mean [m], κ [-], kg/m³
 PRESSURE, MODULUS = 1e5, 1e8  # Pa: grains overlap by a thousandth

@@ -25,8 +25,3 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for item in items:
             if item.get_closest_marker(marker):
                 item.add_marker(skip)
-
-
-def pytest_xdist_auto_num_workers() -> int:
-    """One more than there are cores: while one waits for what another compiles, all cores have work."""
-    return (os.cpu_count() or 1) + 1

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from bondem._lock import alone
+
 pytest.importorskip("fcntl", reason="files are locked on POSIX systems only")
 
 SCRIPT = """
@@ -69,16 +71,18 @@ def test_each_function_is_compiled_once_by_all_processes_together(tmp_path):
 
 def test_a_process_that_is_killed_leaves_no_lock(tmp_path):
     hold = (
-        "import sys, time\nfrom bondem import _compile\n"
-        "with _compile._alone('something'):\n    print('held', flush=True)\n    time.sleep(600)\n"
+        "import sys, time\nfrom pathlib import Path\nfrom bondem._lock import alone\n"
+        "with alone(Path(sys.argv[1]), patience=60.0):\n    print('held', flush=True)\n    time.sleep(600)\n"
     )
-    environment = os.environ | {"BONDEM_CACHE_DIR": str(tmp_path)}
-    with subprocess.Popen([sys.executable, "-c", hold], env=environment, stdout=subprocess.PIPE, text=True) as holder:
+    place = tmp_path / "lock"
+    command = [sys.executable, "-c", hold, str(place)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as holder:
         assert holder.stdout is not None
         assert holder.stdout.readline() == "held\n"
+        start = time.monotonic()
+        with alone(place, patience=0.3):  # in vain
+            assert time.monotonic() - start >= 0.3
         holder.kill()
-    take = "from bondem import _compile\nwith _compile._alone('something'):\n    print('mine')\n"
     start = time.monotonic()
-    done = subprocess.run([sys.executable, "-c", take], env=environment, capture_output=True, text=True, timeout=60)
-    assert done.stdout == "mine\n"
-    assert time.monotonic() - start < 60.0
+    with alone(place, patience=60.0):
+        assert time.monotonic() - start < 30.0

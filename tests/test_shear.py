@@ -148,10 +148,9 @@ def test_dispersed_spheres_pass_where_equal_ones_are_refused(seed):
     assert dispersed.passed, dispersed.reasons
 
 
-def test_the_example_shows_the_walls_at_work(tmp_path, monkeypatch):
+def test_the_example_shows_the_walls_at_work(tmp_path):
     path = Path(__file__).parents[1] / "examples" / "shear_compaction.py"
     spec = importlib.util.spec_from_file_location("shear_compaction", path)
-    monkeypatch.syspath_prepend(path.parent)  # where it finds its figure, as when it is run
     example = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(example)
     course = example.main(count=200, cycles=2, folder=tmp_path)

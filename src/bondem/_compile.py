@@ -16,9 +16,8 @@ import hashlib
 import os
 import sys
 import tempfile
-import time
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar, cast
@@ -31,10 +30,7 @@ from numba.core import event
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.registry import CPUDispatcher
 
-try:
-    import fcntl
-except ImportError:  # Windows
-    fcntl = None
+from bondem._lock import alone
 
 __all__ = [
     "LANES", "cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange",
@@ -148,30 +144,10 @@ def say_nothing() -> None:
 _FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
 
 
-def _place_of_lock(what: str) -> Path:
-    return cache_directory / "locks" / hashlib.sha256(what.encode()).hexdigest()[:24]
-
-
-@contextmanager
-def _alone(what: str) -> Iterator[None]:
-    """The only process at work on something, wherever the cache is shared; with others after `_PATIENCE` seconds.
-
-    Where files cannot be locked all work at once, as numba does.
-    """
-    with ExitStack() as held:
-        with suppress(OSError):
-            place = _place_of_lock(what)
-            place.parent.mkdir(parents=True, exist_ok=True)
-            lock = held.enter_context(place.open("w"))
-            last = time.monotonic() + _PATIENCE
-            while fcntl is not None and time.monotonic() < last:
-                try:
-                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                except BlockingIOError:
-                    time.sleep(0.02)
-                else:
-                    break
-        yield
+def _alone(what: str) -> AbstractContextManager[None]:
+    """The only process at work on something, wherever the cache is shared."""
+    name = hashlib.sha256(what.encode()).hexdigest()[:24]
+    return alone(cache_directory / "locks" / name, patience=_PATIENCE)
 
 
 class _Shared(CPUDispatcher):
