@@ -15,14 +15,15 @@ from book.chapters import (
     formulations,
     packings,
     parameters,
+    protocol,
     surface,
 )
 from book.results import Measurement
 from book.small import PACKINGS
 
 _FILES = (
-    andre_tables, chen_tables, chen_components, calibration, any_specimen, packings, parameters, dynamic_tests,
-    surface, formulations, dynamics, cost,
+    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, packings, parameters,
+    dynamic_tests, surface, formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}
