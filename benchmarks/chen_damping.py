@@ -17,8 +17,6 @@
 Leaves benchmarks/results/chen_damping.json, SI.
 """
 
-import argparse
-import json
 import math
 from pathlib import Path
 
@@ -28,7 +26,7 @@ import bondem as bd
 from bondem._compile import threads
 from chen_one_sided import READINGS, run_to_rest
 from chen_specimens import CASES, bond, cantilever
-from kept import commit
+from kept import commit, keep, place
 
 COMMAND = "python benchmarks/chen_damping.py"
 RESULTS = Path(__file__).parent / "results" / "chen_damping.json"
@@ -119,15 +117,13 @@ def bonds() -> list[dict]:
 
 
 def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=RESULTS)
-    out = parser.parse_args(arguments).out
+    out = place(__doc__, RESULTS, arguments)
     with threads(1):
         results = {
             "command": COMMAND, "commit": commit(), "version": bd.__version__, "load": LOAD,
             "particles": particles(), "readings": readings(), "bonds": bonds(),
         }  # fmt: skip
-    out.write_text(json.dumps(results, indent=1, allow_nan=False) + "\n")
+    keep(out, results)
     for row in results["particles"]:
         print(
             f"{row['law']:5} gamma {row['gamma']:5}: {row['status']} after {row['steps']:8} steps,"

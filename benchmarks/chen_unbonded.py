@@ -16,8 +16,6 @@ it has no numbers with it. Here E* = E_b and κ* = κ, as Potyondy and Cundall (
 Leaves benchmarks/results/chen_unbonded.json, SI.
 """
 
-import argparse
-import json
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
@@ -30,7 +28,7 @@ from bondem._compile import threads
 from bondem.laws.bond import BondGeometry, BondStiffness
 from chen_one_sided import run_to_rest
 from chen_specimens import CASES, FORCE, NU, RHO, E, beam, bond, cantilever, exact
-from kept import commit
+from kept import commit, keep, place
 
 COMMAND = "python benchmarks/chen_unbonded.py"
 RESULTS = Path(__file__).parent / "results" / "chen_unbonded.json"
@@ -153,15 +151,13 @@ def _runs(
 
 
 def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=RESULTS)
-    out = parser.parse_args(arguments).out
+    out = place(__doc__, RESULTS, arguments)
     with threads(1):
         results = {
             "command": COMMAND, "commit": commit(), "version": bd.__version__, "load": LOAD, "push": PUSH,
             "friction": CONTACT.friction, "gamma": GAMMA, "static": static_cases(), "explicit": dynamic_cases(),
         }  # fmt: skip
-    out.write_text(json.dumps(results, indent=1, allow_nan=False) + "\n")
+    keep(out, results)
     for row in results["static"]:
         print(
             f"case {row['case']} {row['parameter']:>5}: {row['touching']:2} of {row['bonds']:2} touch, tip [mm]"

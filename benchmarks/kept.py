@@ -1,5 +1,6 @@
 """What every result file begins with, and how it is written."""
 
+import argparse
 import datetime
 import json
 import statistics
@@ -27,6 +28,13 @@ def commit() -> str:
         for words in (["rev-parse", "--short=12", "HEAD"], ["status", "--porcelain", "--untracked-files=no"])
     )
     return head + ("+" if changed else "")
+
+
+def place(description: str | None, usual: Path, arguments: Sequence[str] | None) -> Path:
+    """Where a benchmark that has no other option writes: --out, or the usual file."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=usual)
+    return parser.parse_args(arguments).out
 
 
 def keep(path: Path, report: dict) -> None:

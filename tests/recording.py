@@ -9,7 +9,6 @@ the option, and would take a FILE that stands apart for what it should run: henc
 import datetime
 import json
 import math
-import subprocess
 import sys
 from collections.abc import Callable
 from importlib.metadata import version
@@ -17,6 +16,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
+from validation.frame.sources import commit
 
 Record = Callable[..., None]
 _FIXTURE = "record"
@@ -34,7 +35,7 @@ def pytest_configure(config: pytest.Config) -> None:
     config.stash[_NUMBERS] = {}
     if not config.getoption("--record"):
         return
-    config.stash[_COMMIT] = _commit(config.rootpath)
+    config.stash[_COMMIT] = commit()
     if config.getoption("numprocesses", None) or hasattr(config, "workerinput"):
         raise pytest.UsageError("--record needs all tests in one process: leave out -n")
 
@@ -92,10 +93,3 @@ def _origin(config: pytest.Config) -> dict[str, Any]:
         "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
         "versions": {"python": python, **{name: version(name) for name in _VERSIONS}},
     }
-
-
-def _commit(folder: Path) -> str:
-    """What is checked out when the tests begin, "-dirty" where files differ from it."""
-    words = ["git", "describe", "--always", "--dirty"]
-    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
-    return done.stdout.strip() or "unknown"

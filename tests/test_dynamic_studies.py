@@ -14,6 +14,7 @@ from bondem.labtests.cantilever import mass_gyration
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
 from bondem.model.model import Model
+from tests.chains import R, chain
 from validation.__main__ import validation
 from validation.frame.files import plain, thinned
 from validation.measures.effective_section import SectionRadii, implied_radius, section_profile
@@ -22,19 +23,10 @@ from validation.measures.inertia import inertia_excess, stiffness_effect
 from validation.studies.section import PAPER, carried_over
 from validation.studies.wave import WaveStudy
 
-E, NU, RHO, R = 70e9, 0.2, 2200.0, 0.5e-3
+E, NU, RHO = 70e9, 0.2, 2200.0
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius_ratio=1.0)
 # what a chain of touching spheres needs to weigh as much as the cylinder around it
 DENSITY = 1.5 * RHO
-
-
-def chain(count: int) -> bd.Lattice:
-    """Touching equal spheres along x that fill a cylinder of their own radius from face to face."""
-    x = R * (1.0 + 2.0 * np.arange(count))
-    position = np.stack([x, np.zeros(count), np.zeros(count)], axis=1)
-    shape = bd.Cylinder(radius=R, length=2.0 * R * count)
-    pairs = np.stack([np.arange(count - 1), np.arange(1, count)], axis=1)
-    return bd.Lattice(bd.Particles(position, R, shape=shape), pairs)
 
 
 @pytest.fixture(scope="module")

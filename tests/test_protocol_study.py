@@ -3,26 +3,19 @@
 import json
 import math
 
-import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import bondem as bd
 from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.tension import paper_radius
+from tests.chains import R, chain
 from validation.__main__ import validation
 from validation.measures.ramped_loads import KINDS, ramped_load
-from validation.rows.protocol import moduli, own_bonds, paper_radius
+from validation.rows.protocol import moduli, own_bonds
 
-E, NU, RHO, R = 70e9, 0.2, 2200.0, 0.5e-3
+E, NU, RHO = 70e9, 0.2, 2200.0
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius_ratio=1.0)
-
-
-def chain(count: int) -> bd.Lattice:
-    """Touching equal spheres along x that fill a cylinder of their own radius."""
-    x = R * (1.0 + 2.0 * np.arange(count))
-    position = np.stack([x, np.zeros(count), np.zeros(count)], axis=1)
-    pairs = np.stack([np.arange(count - 1), np.arange(1, count)], axis=1)
-    return bd.Lattice(bd.Particles(position, R, shape=bd.Cylinder(radius=R, length=2.0 * R * count)), pairs)
 
 
 @pytest.mark.parametrize("kind", KINDS[:2])

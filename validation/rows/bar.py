@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, ClassVar
@@ -18,9 +18,8 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.materials import fused_silica
 from validation.frame.failures import complain
 from validation.frame.files import plain
-from validation.frame.request import Request
 from validation.frame.study import Stages, Study
-from validation.rows.packings import PackingRequest, kept_lattice
+from validation.rows.packings import PackingRequest, PackingTest, kept_lattice
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +79,7 @@ class CalibratedBar:
 
 
 @dataclass(frozen=True)
-class BarTest(Request):
+class BarTest(PackingTest):
     """A test of one bar.
 
     Attributes:
@@ -89,7 +88,6 @@ class BarTest(Request):
         density: of its elements [kg/m³].
     """
 
-    packing: PackingRequest
     law: BondLaw
     density: float
 
@@ -97,21 +95,6 @@ class BarTest(Request):
     def readable(self) -> str:
         """See `Request`."""
         return f"{type(self).__name__}_n{self.packing.count}_seed{self.packing.seed}"
-
-    @property
-    def weight(self) -> float:
-        """See `Request`."""
-        return float(self.packing.count)
-
-    @property
-    def needs(self) -> PackingRequest:
-        """See `Request`."""
-        return self.packing
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        return asdict(self.packing)
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """What `tested` gives, and what there is to say of the bar."""

@@ -12,8 +12,7 @@ from bondem.calibration.response import Response
 from bondem.laws.bond import BondLaw
 from bondem.laws.catalogue import PARAMETERS
 from bondem.specimen.lattice import Lattice
-from validation.frame.request import Request
-from validation.rows.packings import PackingRequest, kept_lattice
+from validation.rows.packings import PackingRequest, PackingTest, kept_lattice
 
 #: What is measured; some of it in bars only, and slopes where they are asked for.
 MEASURED = ("E", "nu", "stiffness_ratio", "E_paper", "nu_paper", "axial_share", "exponent", "nu_slope", "seconds")
@@ -23,7 +22,7 @@ SHAPES = {True: "periodic cell", False: "cylinder 10 x 40 mm"}
 
 
 @dataclass(frozen=True)
-class ElasticRequest(Request):
+class ElasticRequest(PackingTest):
     """Elastic constants of a packing with a law.
 
     Attributes:
@@ -32,7 +31,6 @@ class ElasticRequest(Request):
         slopes: whether to find how E and ν change with r̃, too.
     """
 
-    packing: PackingRequest
     law: BondLaw
     slopes: bool = False
 
@@ -43,21 +41,11 @@ class ElasticRequest(Request):
         return f"{type(self.law).__name__}_{where}_n{self.packing.count}_seed{self.packing.seed}"
 
     @property
-    def weight(self) -> float:
-        """See `Request`."""
-        return float(self.packing.count)
-
-    @property
-    def needs(self) -> PackingRequest:
-        """See `Request`."""
-        return self.packing
-
-    @property
     def asked(self) -> dict[str, Any]:
         """See `Request`; E_mu [Pa], nu_mu and the other parameters of the law [-]."""
         law = asdict(self.law)
         named = {"law": type(self.law).__name__, "E_mu": law.pop("E"), "nu_mu": law.pop("nu")}
-        return asdict(self.packing) | named | {name: law.get(name) for name in PARAMETERS}
+        return super().asked | named | {name: law.get(name) for name in PARAMETERS}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """Solve.

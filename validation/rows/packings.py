@@ -100,6 +100,32 @@ class PackingRequest(Request):
         return {"seconds": seconds} | found
 
 
+@dataclass(frozen=True)
+class PackingTest(Request):
+    """What is measured of one packing.
+
+    Attributes:
+        packing: made before.
+    """
+
+    packing: PackingRequest
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return float(self.packing.count)
+
+    @property
+    def needs(self) -> PackingRequest:
+        """See `Request`."""
+        return self.packing
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        return asdict(self.packing)
+
+
 def kept_lattice(request: PackingRequest, folder: Path) -> Lattice:
     """The spheres and bonds behind a row."""
     particles, pairs = load_bonded(request.packing_file(folder))

@@ -1,27 +1,24 @@
 """A bar measured as André et al. (2012) measure theirs: dimensions and moduli by eqs (12)–(15), explicit runs."""
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from scipy.optimize import root_scalar
 
 from bondem.calibration.response import Response
 from bondem.errors import InputError
 from bondem.labtests.beams import Bar, CrossSection
-from bondem.labtests.tension import paper_length
+from bondem.labtests.tension import paper_length, paper_radius
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
 from bondem.laws.euler_bernoulli import EulerBernoulli
 from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.materials import fused_silica
-from bondem.specimen.regions import Face
 from validation.frame.files import plain
-from validation.frame.request import Request
 from validation.measures.ramped_loads import KINDS, ramped_load
-from validation.rows.packings import PackingRequest, kept_lattice
+from validation.rows.packings import PackingTest, kept_lattice
 
 #: Table 2 of the paper.
 PRINTED = EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
@@ -38,7 +35,7 @@ _RATIOS = (0.71, 0.69)  # radius ratios to begin with [-]
 
 
 @dataclass(frozen=True)
-class ProtocolTest(Request):
+class ProtocolTest(PackingTest):
     """A bar that calibrates its own bonds by the paper's measure, and is tested as in Tables 3 and 4.
 
     Attributes:
@@ -46,7 +43,6 @@ class ProtocolTest(Request):
         steps: of each explicit run.
     """
 
-    packing: PackingRequest
     steps: int
 
     @property
@@ -57,17 +53,12 @@ class ProtocolTest(Request):
     @property
     def weight(self) -> float:
         """See `Request`."""
-        return float(self.packing.count) * self.steps
-
-    @property
-    def needs(self) -> PackingRequest:
-        """See `Request`."""
-        return self.packing
+        return super().weight * self.steps
 
     @property
     def asked(self) -> dict[str, Any]:
         """See `Request`."""
-        return asdict(self.packing) | {"steps": self.steps}
+        return super().asked | {"steps": self.steps}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """Moduli with the printed bonds, calibrated bonds by both measures, and errors of the seven tests."""
@@ -75,7 +66,7 @@ class ProtocolTest(Request):
         found: dict[str, Any] = {
             "coordination_number": 2.0 * len(lattice.pairs) / len(lattice.particles),
             "volume_fraction": lattice.particles.volume.sum() / lattice.particles.envelope.volume,
-            "length": paper_length(lattice, _DEPTH), "radius": paper_radius(lattice),
+            "length": paper_length(lattice, _DEPTH), "radius": paper_radius(lattice, _DEPTH),
         }  # fmt: skip
         printed = Response(lattice, PRINTED)
         for measure in MEASURES:
@@ -84,12 +75,6 @@ class ProtocolTest(Request):
             found |= {f"printed_E_{measure}": E, f"printed_nu_{measure}": nu,
                       f"r_mu_ratio_{measure}": ratio, f"E_mu_{measure}": E_mu}  # fmt: skip
         return plain(found | _tested(lattice, found["r_mu_ratio_paper"], found["E_mu_paper"], self.steps))
-
-
-def paper_radius(lattice: Lattice) -> float:
-    """R_M of eq (13) [m]: R̄ + mean distance of the elements of the set "radius" from the axis."""
-    side = Face("side", _DEPTH).select(lattice)
-    return float(lattice.particles.mean_radius + np.hypot(*lattice.particles.position[side, 1:].T).mean())
 
 
 def moduli(found: Response, measure: str) -> tuple[float, float]:
@@ -123,7 +108,7 @@ def own_bonds(lattice: Lattice, measure: str) -> tuple[float, float]:
 def _tested(lattice: Lattice, ratio: float, E_mu: float, steps: int) -> dict[str, Any]:
     """Errors [-] against strength of materials of a cylinder with the dimensions of eqs (12), (13)."""
     law = replace(PRINTED, E=E_mu, radius_ratio=ratio)
-    shape = Cylinder(radius=paper_radius(lattice), length=paper_length(lattice, _DEPTH))
+    shape = Cylinder(radius=paper_radius(lattice, _DEPTH), length=paper_length(lattice, _DEPTH))
     bar = Bar(shape.length, CrossSection.of(shape), fused_silica.E, fused_silica.nu, fused_silica.rho)
     density = fused_silica.rho * shape.volume / lattice.particles.volume[lattice.connected].sum()
     errors: dict[str, float] = {}

@@ -132,6 +132,12 @@ def paper_length(lattice: Lattice, depth: float = 0.02) -> float:
     return float(2.0 * lattice.particles.mean_radius + ends[1] - ends[0])
 
 
+def paper_radius(lattice: Lattice, depth: float = 0.02) -> float:
+    """R_M of eq (13): R̄ + mean distance of the elements at the face "side" from the axis [m]."""
+    side = Face("side", depth).select(lattice)
+    return float(lattice.particles.mean_radius + np.hypot(*lattice.particles.position[side, 1:].T).mean())
+
+
 def _paper_moduli(
     lattice: Lattice, displacement: Floats, force: float, depth: float
 ) -> tuple[float, float | None]:
@@ -145,7 +151,7 @@ def _paper_moduli(
     side = Face("side", depth).select(lattice)
     y, z = position[side, 1:].T
     distance = np.hypot(y, z)
-    radius = float(lattice.particles.mean_radius + distance.mean())
+    radius = paper_radius(lattice, depth)
     outward = np.stack([y, z], axis=1) / np.where(distance > 0.0, distance, 1.0)[:, None]
     swell = float((outward * displacement[side, 1:]).sum(axis=1).mean())
     return force / (math.pi * radius**2) / strain, -swell / radius / strain
