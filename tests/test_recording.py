@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[1]
 TESTS = """
 import pytest
 
-@pytest.mark.parametrize("order", [2.0, 1.5, 2.5])
+@pytest.mark.parametrize("order", [2.0, 2.5, 1.5])
 def test_of_an_order(order, record):
     record("order", order, order + 0.1)
 

@@ -105,6 +105,16 @@ def test_the_load_of_the_cases_opens_the_contact_and_a_push_closes_it(chen) -> N
     assert run(5.0 * F, slippery).displacement[-1, 1] == pytest.approx(alone, rel=1e-4)
 
 
+def test_between_unequal_spheres_the_contact_has_the_lever_of_each(chen) -> None:
+    loop, unbonded = chen["loop"], chen["unbonded"]
+    position = np.outer([0.0, 0.5, 1.0], [1.0, 0.0, 0.0])
+    lattice = bd.Lattice(bd.Particles(position, [0.2, 0.3, 0.2]), [(0, 1), (1, 2)])
+    pressed = bd.solve_static(unbonded.cantilever(lattice, unbonded.pressed(0.2, None), F)).displacement[-1, 1]
+    run = loop.run_to_rest(lattice, BOND, load=F, push=10.0 * F, contact=unbonded.CONTACT, gamma=0.5)
+    assert run.status == "STOPPED"
+    assert run.displacement[-1, 1] == pytest.approx(pressed, rel=1e-4)
+
+
 def test_the_loop_is_that_of_solve_explicit(chen) -> None:
     lattice = beam_of(3)
     ours = chen["loop"].run_to_rest(lattice, BOND, load=F, gamma=0.2)
