@@ -10,6 +10,7 @@ from scipy.sparse.csgraph import connected_components
 from bondem._checks import instance, shown
 from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3
 from bondem.errors import DisconnectedError, InputError
+from bondem.specimen.cells.tables import Cells, Facets
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled, freeze
 
@@ -24,6 +25,8 @@ class Lattice:
     Attributes:
         particles: the elements.
         pairs: elements i, j of each bond, shape (m, 2).
+        facets: the facets that the bonds are, of a body cut into cells; else None.
+        cells: the cells of such a body, else None.
 
     Raises:
         InputError: an index out of range, a bond of an element to itself, a bond given twice, or bonded
@@ -33,8 +36,12 @@ class Lattice:
 
     particles: Particles
     pairs: Pairs
+    facets: Facets | None
+    cells: Cells | None
 
-    def __init__(self, particles: Particles, pairs: ArrayLike) -> None:
+    def __init__(
+        self, particles: Particles, pairs: ArrayLike, *, facets: Facets | None = None, cells: Cells | None = None
+    ) -> None:
         instance("Lattice", "particles", particles, Particles, "bd.Particles")
         bonds = _whole(pairs)
         if bonds.ndim != 2 or bonds.shape[1] != 2:
@@ -42,6 +49,8 @@ class Lattice:
         _check_pairs(bonds, len(particles))
         object.__setattr__(self, "particles", particles)
         object.__setattr__(self, "pairs", freeze(bonds))
+        object.__setattr__(self, "facets", facets)
+        object.__setattr__(self, "cells", cells)
         if (self.length <= 0.0).any():
             k = int(np.argmin(self.length))
             raise InputError(f"bond {k} joins coincident centres {tuple(bonds[k])}; remove one of the elements")

@@ -1,0 +1,1 @@
+"""The shape cut into one cell an element: facets, volumes, what of the surface belongs to which cell."""

@@ -1,0 +1,77 @@
+"""What a tessellation is: facets between cells, free facets on the walls, and the cells themselves."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
+from bondem.specimen.particles import freeze
+
+
+@dataclass(frozen=True, eq=False)
+class Facets:
+    """Facets between cells, one a pair, in the order of `Lattice.pairs`.
+
+    Attributes:
+        area: A [m²], shape (m,).
+        normal: unit vectors from cell i to cell j [-], shape (m, 3).
+        centroid: c, in the image next to centre i [m], shape (m, 3).
+        moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (m, 3, 3).
+        depth_i, depth_j: distances of centres i and j from the plane, positive on their own sides [m], shape (m,).
+    """
+
+    area: PerBond
+    normal: PerBond3
+    centroid: PerBond3
+    moment: Floats
+    depth_i: PerBond
+    depth_j: PerBond
+
+    @property
+    def span(self) -> PerBond:
+        """L = d_i + d_j, the distance of the two centres along the normal [m], shape (m,)."""
+        return self.depth_i + self.depth_j
+
+
+@dataclass(frozen=True, eq=False)
+class FreeFacets:
+    """Facets on the walls of the shape, k of them, sorted by cell.
+
+    Attributes:
+        cell: whose they are, shape (k,).
+        area: [m²], shape (k,).
+        normal: outward unit vectors [-], shape (k, 3).
+        centroid: [m], shape (k, 3).
+        depth: distance of the cell's centre from their plane, positive inside [m], shape (k,).
+        face: number of their face in `Shape.faces`, shape (k,).
+    """
+
+    cell: Ints
+    area: Floats
+    normal: Floats
+    centroid: Floats
+    depth: Floats
+    face: Ints
+
+
+@dataclass(frozen=True, eq=False)
+class Cells:
+    """Cells, one an element, in the order of the elements.
+
+    Attributes:
+        volume: V [m³], shape (n,).
+        centroid: centre of mass [m], shape (n, 3); in a periodic cell in the image next to the centre.
+        inertia: tensor of inertia about the centroid at density 1 [m⁵], shape (n, 3, 3).
+        free: facets on the walls.
+    """
+
+    volume: PerElement
+    centroid: PerElement3
+    inertia: Floats
+    free: FreeFacets
+
+    @cached_property
+    def free_area(self) -> PerElement:
+        """Area of each cell on the walls [m²], shape (n,)."""
+        return freeze(np.bincount(self.free.cell, weights=self.free.area, minlength=len(self.volume)))
