@@ -120,7 +120,7 @@ class Load:
     def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
         """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
         chosen = self.region.select(lattice)
-        arms = lattice.particles.position[chosen] - self.region.anchor(lattice)
+        arms = lattice.centre[chosen] - self.region.anchor(lattice)
         values = np.zeros((len(chosen), 6))
         values[:, :3] = balanced_forces(arms, np.array(self.force), np.array(self.moment))
         rest = np.array(self.moment) - np.cross(arms, values[:, :3]).sum(axis=0)

@@ -56,7 +56,7 @@ class ContactModel:
         n = len(lattice.particles)
         if not law.stress_free:
             return cls(law, walls, RestGaps.none(n), RestGaps.none(n))
-        position = np.ascontiguousarray(lattice.particles.position[layout.order])
+        position = np.ascontiguousarray(lattice.centre[layout.order])
         radius = np.ascontiguousarray(lattice.particles.radius[layout.order])
         start, partner = near(position, radius, lattice.particles.period, 0.0)
         later = np.repeat(np.arange(n), np.diff(start))

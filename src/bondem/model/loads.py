@@ -71,7 +71,7 @@ class Pressure:
         values = np.zeros((len(chosen), 6))
         for d in range(3):
             values[:, d] = np.bincount(owner, weights=force[:, d], minlength=len(chosen))
-        position = lattice.particles.position[chosen]
+        position = lattice.centre[chosen]
         missing = np.cross(centre - position[owner], force).sum(axis=0)
         arms = position - position.mean(axis=0)
         turning = balanced_forces(arms, np.zeros(3), missing)

@@ -5,19 +5,31 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.kernels.assembly import block_matrix_arrays
+from bondem.kernels.cell_assembly import cell_matrix_arrays
 from bondem.model.model import Model
+from bondem.model.stiffness import Stiffness
 
 
-def stiffness_matrix(model: Model) -> bsr_array:
+def stiffness_matrix(model: Model) -> Stiffness:
     """Stiffness K of the unconstrained lattice: 6×6 blocks, (u, θ) an element, internal order.
 
-    It is the second derivative of the bond energy at rest; the same for both formulations.
+    It is the second derivative of the energy at rest; of bonds, the same for both formulations.
     """
     layout = model.layout
-    bonds = model.bonds.rows(layout, model.period, np.ones(len(layout.i)))
-    indptr, indices, data = block_matrix_arrays(bonds, layout.adjacency)
     size = 6 * len(layout.order)
-    return bsr_array((data, indices, indptr), shape=(size, size))
+    if model.cells is None:
+        bonds = model.bonds.rows(layout, model.period, np.ones(len(layout.i)))
+        indptr, indices, data = block_matrix_arrays(bonds, layout.adjacency)
+        return Stiffness(bsr_array((data, indices, indptr), shape=(size, size)))
+    c = model.cells
+    indptr, indices, data, forms = cell_matrix_arrays(
+        c.k, c.lever_i, c.lever_j, c.H, c.share_i, c.share_j, layout.i, layout.j, layout.adjacency
+    )
+    return Stiffness(
+        bsr_array((data, indices, indptr), shape=(size, size)),
+        bsr_array((forms, indices, indptr), shape=(size // 6, size)),
+        c.weight,
+    )
 
 
 def mass_diagonal(model: Model) -> Floats:

@@ -1,6 +1,6 @@
 """The model: everything that does not change while it is solved."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import get_args
@@ -11,10 +11,12 @@ from bondem._checks import array, instance, possible, several, shown
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
+from bondem.laws.cell_bond import CellBond
 from bondem.laws.contact import LinearContact
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.model.bond_table import BondTable
 from bondem.model.boundary import BoundaryCondition
+from bondem.model.cell_constants import CellAssignment, CellConstants, body_of
 from bondem.model.constraints import Constraints
 from bondem.model.contacts import ContactModel
 from bondem.model.layout import Layout
@@ -35,8 +37,9 @@ class Model:
     Attributes:
         lattice: elements and bonds.
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
-        density: of the elements themselves, ρ_μ [kg/m³]; a number or shape (n,). Only linear statics without body
-            forces do not depend on it.
+            `CellBond`, or {region: CellBond}, for a body cut into cells.
+        density: of the elements themselves, ρ_μ [kg/m³], or of the material in a body of cells; a number or shape
+            (n,). Only linear statics without body forces do not depend on it.
         boundary: what is fixed, driven, loaded, absorbed or strained; one condition or several.
         contact: law of the contacts between elements that no intact bond joins, and with walls; None for none.
         walls: rigid planes and cylinders; they need a `contact` law.
@@ -48,7 +51,7 @@ class Model:
     """
 
     lattice: Lattice
-    bond: BondAssignment | None
+    bond: BondAssignment | CellAssignment | None
     density: float | ArrayLike
     boundary: Sequence[BoundaryCondition] = field(default=())
     contact: LinearContact | None = None
@@ -93,7 +96,21 @@ class Model:
         return Layout.of(self.lattice)
 
     @cached_property
+    def cells(self) -> CellConstants | None:
+        """Constants of the cell law, in the kernels' order; None of a lattice of beams."""
+        return None if self._cells is None else self._cells.ordered(self.layout)
+
+    @cached_property
+    def _cells(self) -> CellConstants | None:
+        laws = self.bond.values() if isinstance(self.bond, Mapping) else (self.bond,)
+        if not any(isinstance(law, CellBond) for law in laws):
+            return None
+        return CellConstants.of(self.lattice, self.bond)
+
+    @cached_property
     def _assigned(self) -> tuple[BondStiffness, str]:
+        if self._cells is not None:
+            return self._cells.as_bonds(self.lattice), "total"
         return bond_stiffness(self.lattice, self.bond)
 
     @property
@@ -126,13 +143,17 @@ class Model:
 
     @cached_property
     def mass(self) -> PerElement:
-        """m = ρ_μ 4/3 π R³ [kg], user's order, shape (n,)."""
-        return freeze(np.asarray(self.density, dtype=float) * self.lattice.particles.volume)
+        """m = ρ_μ 4/3 π R³, or ρ V of a cell [kg], user's order, shape (n,)."""
+        volume = self.lattice.particles.volume if self._cells is None else self._cells.volume
+        return freeze(np.asarray(self.density, dtype=float) * volume)
 
     @cached_property
     def inertia(self) -> PerElement:
-        """I = 2/5 m R² [kg·m²], user's order, shape (n,)."""
-        return freeze(0.4 * self.mass * self.lattice.particles.radius**2)
+        """I = 2/5 m R², or a third of the trace of a cell's tensor [kg·m²], user's order, shape (n,)."""
+        if self._cells is None:
+            return freeze(0.4 * self.mass * self.lattice.particles.radius**2)
+        _, cells = body_of(self.lattice)
+        return freeze(np.asarray(self.density, dtype=float) * np.einsum("nii->n", cells.inertia) / 3.0)
 
     @property
     def period(self) -> Floats:
@@ -146,7 +167,7 @@ class Model:
         for name in ("lattice", "bond", "density", "contact", "walls"):
             object.__setattr__(other, name, getattr(self, name))
         object.__setattr__(other, "boundary", _conditions(boundary))
-        for name in ("layout", "_assigned", "bonds", "mass", "inertia"):
+        for name in ("layout", "_cells", "cells", "_assigned", "bonds", "mass", "inertia"):
             other.__dict__[name] = getattr(self, name)
         other.constraints  # noqa: B018  regions are checked now
         other._check_strain()

@@ -59,6 +59,8 @@ def difference(one: Origin, other: Origin) -> str:
             return "lattice, of other bonds"
     if one.formulation != other.formulation:
         return f"formulation ('{one.formulation}', not '{other.formulation}')"
+    if not np.array_equal(one.lattice.centre, other.lattice.centre):
+        return "law: elements of cells are not where spheres are"
     if not np.array_equal(one.mass, other.mass):
         return "density of the elements"
     names = ("kn", "ks", "kb", "kt", "lever")

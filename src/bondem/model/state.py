@@ -51,7 +51,7 @@ class State:
         n, m, rows = len(order), len(model.layout.i), len(model.constraints.element)
         self.layout = model.layout
         self.rest = np.zeros((n, 3))
-        self.rest[:] = model.lattice.particles.position[order]
+        self.rest[:] = model.lattice.centre[order]
         self.pose = lines(n)
         self.pose[:, :3] = self.rest
         self.pose[:, 4] = 1.0

@@ -13,6 +13,7 @@ from scipy.sparse import bsr_array, csc_array, dia_array
 from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints, PerElement3
+from bondem.model.stiffness import Stiffness
 from bondem.solve.lanczos import lowest_modes
 
 # Elements a clump at 10 000 elements; it grows with the root of n, so that elimination stays a small part.
@@ -62,12 +63,12 @@ class Clumps:
         clump: shape (n,).
     """
 
-    def __init__(self, matrix: bsr_array, basis: Floats, clump: Ints) -> None:
+    def __init__(self, matrix: Stiffness, basis: Floats, clump: Ints) -> None:
         n, count = len(clump), int(clump.max()) + 1
         self._size = 6 * count
         self.prolongation = bsr_array((basis, clump, np.arange(n + 1)), shape=(6 * n, self._size))
         self.restriction = self.prolongation.T.tobsr((6, 6))
-        self.matrix = csc_array((self.restriction @ (matrix @ self.prolongation)).tocsc())
+        self.matrix = matrix.projected(self.prolongation)
         diagonal = self.matrix.diagonal()
         # motions that do not exist (all held) get a number of their own
         extra = np.where(diagonal > 1e-12 * diagonal.max(), _REGULAR * diagonal, diagonal.max())

@@ -11,13 +11,14 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from scipy.sparse import bsr_array, csc_array
+from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Mask
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
+from bondem.model.stiffness import Stiffness
 from bondem.solve.clumps import Clumps, clump_motions, clump_of
 
 # Up to this many elements, or in a lattice that is little more than a chain, elimination wins.
@@ -44,7 +45,7 @@ class System:
         loose: rigid motions (u, θ) that the supports permit, orthonormal with u·u + R̄² θ·θ, shape (6 n, k).
     """
 
-    matrix: bsr_array
+    matrix: Stiffness
     position: Floats
     length: float
     free: Mask
@@ -66,7 +67,7 @@ class System:
             raise InputError("elements without bonds have no stiffness; bond them, or use solve_explicit")
         lattice, order = model.lattice, model.layout.order
         connected = lattice.connected[order]
-        position = lattice.particles.position[order]
+        position = lattice.centre[order]
         position[~connected] = position[connected].mean(axis=0)
         held = model.constraints.held(len(order)) & connected[:, None]
         metric = np.tile(np.repeat([1.0, lattice.particles.mean_radius], 3), len(order))
@@ -145,7 +146,7 @@ def solver(system: System) -> Solver:
 def prefers_elimination(system: System) -> bool:
     """Whether a lattice is so small, or so nearly a chain, that elimination wins."""
     n = len(system.free)
-    bonds = (len(system.matrix.indices) - n) // 2
+    bonds = system.matrix.neighbours // 2
     return n <= _DIRECT or bonds <= _CHAIN * n
 
 
@@ -161,7 +162,7 @@ class Elimination:
             free[grip] = False
             loose = loose @ np.linalg.svd(loose[grip][None])[2][1:].T
         self._live = np.flatnonzero(free)
-        matrix = csc_array(system.matrix.tocsc())[:, self._live][self._live]
+        matrix = system.matrix.tocsc()[:, self._live][self._live]
         self._scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))
         self._matrix = csc_array(matrix.multiply(self._scale[:, None]).multiply(self._scale))
         try:
@@ -201,9 +202,7 @@ class Iteration:
         K = system.matrix
         self.root, self._back = element_roots(K, system.free)
         self._turned = np.ascontiguousarray(np.swapaxes(self.root, 1, 2))
-        row = np.repeat(np.arange(len(self.root)), np.diff(K.indptr))
-        data = self._turned[row] @ K.data @ self.root[K.indices]
-        self.scaled = bsr_array((data, K.indices, K.indptr), shape=K.shape)
+        self.scaled = K.scaled(self.root)
         clump = clump_of(system.position)
         self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
         self._rigid = self.unscaled(system.loose)
@@ -247,13 +246,12 @@ def _by_element(blocks: Floats, values: Floats) -> Floats:
     return np.matmul(blocks, values.reshape(len(blocks), 6, -1)).reshape(values.shape)
 
 
-def element_roots(matrix: bsr_array, free: Mask) -> tuple[Floats, Floats]:
+def element_roots(matrix: Stiffness, free: Mask) -> tuple[Floats, Floats]:
     """S with Sᵀ K_ee S = 1 on the free part of every diagonal block, zero elsewhere, and its pseudo-inverse.
 
     Each (n, 6, 6). Motions of an element that its block does not resist are left out.
     """
-    row = np.repeat(np.arange(len(free)), np.diff(matrix.indptr))
-    blocks = matrix.data[matrix.indices == row] * (free[:, :, None] & free[:, None, :])
+    blocks = matrix.diagonal_blocks() * (free[:, :, None] & free[:, None, :])
     size = np.sqrt(np.einsum("nii->ni", blocks))
     size[size == 0.0] = 1.0
     value, vector = np.linalg.eigh(blocks / size[:, :, None] / size[:, None, :])
@@ -267,7 +265,7 @@ def element_roots(matrix: bsr_array, free: Mask) -> tuple[Floats, Floats]:
 
 
 def conjugate_gradients(
-    matrix: bsr_array, precondition: Callable[[Floats], Floats], residual: Floats, stop: float
+    matrix: Stiffness, precondition: Callable[[Floats], Floats], residual: Floats, stop: float
 ) -> tuple[Floats, int]:
     """x with |residual - K x| <= stop, and the iterations it took."""
     x = np.zeros_like(residual)

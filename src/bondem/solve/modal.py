@@ -80,7 +80,7 @@ def _residual(system: System, mass: Floats, square: Floats, shape: Floats) -> fl
 
 def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     live = np.flatnonzero(system.free)
-    matrix = csc_array(system.matrix.tocsc())[:, live][live].toarray()
+    matrix = system.matrix.tocsc()[:, live][live].toarray()
     scale = 1.0 / np.sqrt(mass[live])
     none = system.loose.shape[1]
     square, vector = eigh(matrix * scale[:, None] * scale, subset_by_index=[none, none + count - 1])
@@ -107,7 +107,7 @@ def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, 
     alive = system.free.ravel().astype(float)
     scale = diags_array(1.0 / root)
     start = free(alive * np.random.default_rng(0).standard_normal(len(mass)))
-    matrix = csc_array(scale @ system.matrix @ scale)
+    matrix = csc_array(scale @ system.matrix.tocsc() @ scale)
     square, vector = lowest_modes(matrix, inverse, start, count=count, tolerance=1e-12)
     return square, vector / root[:, None], rounds
 

@@ -18,6 +18,7 @@ from bondem.kernels.tables import lines
 from bondem.model.bond_table import with_twins
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.model.stiffness import Stiffness
 from bondem.solve.linear import System, solver
 
 # Largest rotation of an element in one step of the load [rad].
@@ -113,7 +114,7 @@ def _advance(model: Model, system: System, start: State, load: Floats, motion: F
             wide, _, sick = rotation_guard(state.pose, bonds)
             left = float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
             return _Trial(k) if wide or sick else _Trial(k, state, left)
-        tangent = replace(system, matrix=tangent_matrix(model, system.matrix, state.pose))
+        tangent = replace(system, matrix=tangent_matrix(model, system.matrix.bonds, state.pose))
         right = (load - force).ravel()
         if k == 0 and motion.any():
             right = right - tangent.matrix @ motion.ravel()
@@ -156,7 +157,7 @@ def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
     return columns[:, :m], columns[:, m:]
 
 
-def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> bsr_array:
+def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
     """Second derivative of the bond energy at a pose, (6 n, 6 n); `pattern` is that at rest.
 
     Symmetric: its antisymmetric part, the torque on an element, is not a property of the energy but of
@@ -194,7 +195,7 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> bsr_array:
     data[start[layout.j] + place - layout.in_start[layout.j]] = H[:, 6:, :6]
     leaving = layout.i[layout.out_bond]
     data[diagonal[leaving] + 1 + place - layout.out_start[leaving]] = H[layout.out_bond, :6, 6:]
-    return bsr_array((data, pattern.indices, start), shape=pattern.shape)
+    return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape))
 
 
 def _turned(quaternion: Floats, rotation: Floats) -> Floats:

@@ -56,7 +56,7 @@ def stiffest(
     table, same = model.bonds, model.bonds.alike
     bonds, sums = table.rows(layout, model.period, intact, alike=same is not None), lines(n)
     pose = lines(n)
-    rest = model.lattice.particles.position[layout.order]
+    rest = model.lattice.centre[layout.order]
     shortest = float(table.length.min())
     root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
 

@@ -8,7 +8,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from bondem._checks import instance, shown
-from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3
+from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3, PerElement3
 from bondem.errors import DisconnectedError, InputError
 from bondem.specimen.cells.tables import Cells, Facets
 from bondem.specimen.geometry import Shape
@@ -61,10 +61,16 @@ class Lattice:
         """The bonds: `lattice.bonds.pairs` is `lattice.pairs`."""
         return self
 
+    @property
+    def centre(self) -> PerElement3:
+        """Where elements are: centres of the spheres, or of mass of the cells of a body [m], shape (n, 3)."""
+        return self.particles.position if self.cells is None else self.cells.centroid
+
     @cached_property
     def branch(self) -> PerBond3:
         """Vectors from centre i to centre j in the reference configuration [m], shape (m, 3)."""
-        return freeze(self.particles.separation(self.pairs[:, 0], self.pairs[:, 1]))
+        i, j = self.pairs.T
+        return freeze(self.particles.nearest(self.centre[j] - self.centre[i]))
 
     @cached_property
     def length(self) -> PerBond:

@@ -120,10 +120,13 @@ class Particles:
 
     def separation(self, i: np.ndarray, j: np.ndarray) -> np.ndarray:
         """Vectors from centres i to centres j, over the nearest periodic image [m], shape (k, 3)."""
-        d = self.position[j] - self.position[i]
-        if self.period is not None:
-            d -= self.period * np.rint(d / self.period)
-        return d
+        return self.nearest(self.position[j] - self.position[i])
+
+    def nearest(self, branch: np.ndarray) -> np.ndarray:
+        """Vectors (k, 3) over the nearest periodic image [m]."""
+        if self.period is None:
+            return branch
+        return branch - self.period * np.rint(branch / self.period)
 
     def __len__(self) -> int:
         return len(self.radius)

@@ -1,0 +1,58 @@
+"""The cell law: facets between the cells of a body, with the material's own E and ν."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from bondem._checks import choice, number
+
+#: What of the relative rotation of two cells strains the facet between them.
+FACET_ROTATIONS = ("bending", "full", "none")
+
+
+@dataclass(frozen=True, kw_only=True)
+class CellBond:
+    """Cells of an elastic material, joined at their facets; needs a body from `bd.connect(..., method="laguerre")`.
+
+    A facet of area A between cells i and j, whose centres are L apart along its normal, opens by δ between its two
+    faces; a cell of volume V has the dilatation θ. With G = E / 2(1+ν) and λ = E ν / (1+ν)(1-2ν)
+
+        U = Σ facets ½ (2 G A / L) |δ|² + Σ facets ½ ρ·H ρ + Σ cells ½ V λ θ²,   V_p θ_p = Σ A w_p m_p·δ
+
+    where ρ is the relative rotation, H the resistance of the facet to it, w_p the share of the opening on the side of
+    cell p and m_p its normal, corrected so that a uniform strain has its own dilatation in every cell. Facets on the
+    surface open until they bear no traction. Nothing is calibrated: E and ν are those of the material, for
+    -1 < ν < ½. Tension positive.
+
+    Attributes:
+        E: Young's modulus of the material [Pa].
+        nu: Poisson's ratio of the material [-].
+        facet_rotation: what of a relative rotation strains a facet: "bending" (its two axes in the plane), "full"
+            (also twist) or "none".
+
+    Reference: at ν = 0 each facet is that of the rigid-body-spring lattice of Bolander and Saito (1998).
+
+    Raises:
+        InputError: a value outside its physical range.
+    """
+
+    title: ClassVar[str] = "cell law"
+    formulation: ClassVar[str] = "total"
+
+    E: float
+    nu: float
+    facet_rotation: str = "bending"
+
+    def __post_init__(self) -> None:
+        number("CellBond", "E", self.E, unit="Pa", above=0.0, advice="a positive Young's modulus in Pa")
+        number("CellBond", "nu", self.nu, above=-1.0, below=0.5, advice="a Poisson's ratio in (-1, 0.5)")
+        choice("CellBond", "facet_rotation", self.facet_rotation, FACET_ROTATIONS)
+
+    @property
+    def G(self) -> float:
+        """Shear modulus [Pa]."""
+        return self.E / (2.0 * (1.0 + self.nu))
+
+    @property
+    def lame(self) -> float:
+        """Lamé's λ [Pa]."""
+        return self.E * self.nu / ((1.0 + self.nu) * (1.0 - 2.0 * self.nu))

@@ -1,0 +1,172 @@
+"""Constants of the cell law on a body: of its facets and of its cells."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, PerBond, PerBond3, PerElement
+from bondem.errors import InputError
+from bondem.laws.bond import BondStiffness
+from bondem.laws.cell_bond import CellBond
+from bondem.model.layout import Layout
+from bondem.specimen.cells.tables import Cells, Facets
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Region, as_region
+
+CellAssignment = CellBond | Mapping[Region, CellBond]
+
+
+@dataclass(frozen=True, eq=False)
+class CellConstants:
+    """What the energy of `CellBond` is made of.
+
+    The levers begin at the centre of mass of a cell, which is where an element is; every other length is that of the
+    tessellation's own centres. A body needs no other difference: the gap of a facet is that of its two faces.
+
+    Attributes:
+        k: 2 G A / L, of halves in series where materials meet [N/m], shape (m,).
+        lever_i, lever_j: from the centres of mass to the centroid of the facet [m], shape (m, 3).
+        H: resistance to relative rotation [N·m], shape (m, 3, 3).
+        share_i, share_j: A w_p M_p⁻¹ n: V θ of each side is Σ share·δ [m²], shape (m, 3).
+        volume: V [m³], shape (n,).
+        weight: λ_p / V_p, of which V_p θ_p makes the stress λ_p θ_p [Pa/m³], shape (n,).
+        free_share: A d / 2 G of each free facet: a traction along its normal adds that much to V θ, before the
+            division by 1 + c λ / 2 G that `slack` holds [m³/Pa], shape (k,).
+        slack: 1 + c_p λ / 2 G of each cell [-], shape (n,).
+    """
+
+    k: PerBond
+    lever_i: PerBond3
+    lever_j: PerBond3
+    H: Floats
+    share_i: PerBond3
+    share_j: PerBond3
+    volume: PerElement
+    weight: PerElement
+    free_share: Floats
+    slack: PerElement
+
+    @classmethod
+    def of(cls, body: Lattice, bond: CellAssignment) -> "CellConstants":
+        """The constants of a body.
+
+        Raises:
+            InputError: a lattice without cells, or cells that no law covers.
+        """
+        facets, cells = body_of(body)
+        G, lame, rotation = _materials(body, bond)
+        i, j = body.pairs.T
+        normal, area = facets.normal, facets.area
+        # compliance of each half over the area, and its share of the opening
+        half_i, half_j = facets.depth_i / (2.0 * G[i]), facets.depth_j / (2.0 * G[j])
+        k = area / (half_i + half_j)
+        w_i, w_j = half_i / (half_i + half_j), half_j / (half_i + half_j)
+        inverse = _corrections(body, facets, cells)
+        n_i = np.einsum("mab,mb->ma", inverse[i], normal)
+        n_j = np.einsum("mab,mb->ma", inverse[j], normal)
+        free = cells.free
+        n_free = np.einsum("kab,kb->ka", inverse[free.cell], free.normal)
+        soft = free.area * free.depth * (n_free**2).sum(axis=1)
+        slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
+        arm = facets.centroid - cells.centroid[i]
+        return cls(
+            k=k,
+            lever_i=arm,
+            lever_j=arm - body.branch,
+            H=_resistance(facets, k / area, rotation),
+            share_i=(area * w_i)[:, None] * n_i,
+            share_j=(area * w_j)[:, None] * n_j,
+            volume=cells.volume,
+            weight=lame / slack / cells.volume,
+            free_share=free.area * free.depth / (2.0 * G[free.cell]),
+            slack=slack,
+        )
+
+    def ordered(self, layout: Layout) -> "CellConstants":
+        """The same in the kernels' order."""
+        bond, element, back = layout.bond_order, layout.order, layout.flipped[:, None]
+        lever_i, lever_j = self.lever_i[bond], self.lever_j[bond]
+        share_i, share_j = self.share_i[bond], self.share_j[bond]
+        return CellConstants(
+            k=self.k[bond],
+            lever_i=np.where(back, lever_j, lever_i),
+            lever_j=np.where(back, lever_i, lever_j),
+            H=self.H[bond],
+            share_i=np.where(back, -share_j, share_i),
+            share_j=np.where(back, -share_i, share_j),
+            volume=self.volume[element],
+            weight=self.weight[element],
+            free_share=self.free_share,
+            slack=self.slack[element],
+        )
+
+    def as_bonds(self, body: Lattice) -> BondStiffness:
+        """Stiffnesses of beams that are about as stiff, for what only needs a measure: dashpots, magnitudes."""
+        facets, _ = body_of(body)
+        bend = np.einsum("mii->m", self.H) * 0.5
+        return BondStiffness(
+            kn=self.k, ks=self.k, kb=bend, kt=0.5 * bend, lever=facets.depth_i / facets.span * body.length,
+            radius=np.sqrt(facets.area / np.pi),
+        )  # fmt: skip
+
+
+def body_of(lattice: Lattice) -> tuple[Facets, Cells]:
+    """Facets and cells of a body.
+
+    Raises:
+        InputError: it has none.
+    """
+    if lattice.facets is None or lattice.cells is None:
+        raise InputError(
+            "CellBond needs a body cut into cells: connect particles with bd.connect(particles, method='laguerre')"
+        )
+    return lattice.facets, lattice.cells
+
+
+def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str]:
+    """G and λ of each cell [Pa], (n,), and what of a relative rotation counts."""
+    n = len(body.particles)
+    if isinstance(bond, CellBond):
+        return np.full(n, bond.G), np.full(n, bond.lame), bond.facet_rotation
+    G, lame = np.full(n, np.nan), np.full(n, np.nan)
+    for where, law in bond.items():
+        if not isinstance(where, Region):
+            raise InputError("CellBond belongs to cells: give {region: law}, not laws between two regions")
+        chosen = as_region("bond=", where).select(body)
+        G[chosen], lame[chosen] = law.G, law.lame
+    bare = int(np.isnan(G).sum())
+    if bare:
+        raise InputError(f"{bare} cells follow no law; add an entry for bd.Everything() before the others")
+    rotations = {law.facet_rotation for law in bond.values()}
+    if len(rotations) > 1:
+        raise InputError("all laws of one body must have the same facet_rotation=")
+    return G, lame, rotations.pop()
+
+
+def _corrections(body: Lattice, facets: Facets, cells: Cells) -> Floats:
+    """M⁻¹ of each cell [-], (n, 3, 3): M = (1/V) Σ A d n⊗n over all its facets, 1 on average."""
+    n = len(cells.volume)
+    M = np.zeros((n, 3, 3))
+    free = cells.free
+    for cell, weight, normal in (
+        (body.pairs[:, 0], facets.area * facets.depth_i, facets.normal),
+        (body.pairs[:, 1], facets.area * facets.depth_j, facets.normal),
+        (free.cell, free.area * free.depth, free.normal),
+    ):
+        for a in range(3):
+            for b in range(a, 3):
+                M[:, a, b] += np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
+    M = np.triu(M) + np.swapaxes(np.triu(M, 1), 1, 2)
+    return np.linalg.inv(M / cells.volume[:, None, None])
+
+
+def _resistance(facets: Facets, stiffness: PerBond, rotation: str) -> Floats:
+    """H [N·m], (m, 3, 3), of facets with `stiffness` 2 G / L [Pa/m]."""
+    S = facets.moment
+    if rotation == "none":
+        return np.zeros_like(S)
+    unit = np.eye(3)
+    if rotation == "bending":
+        unit = unit - facets.normal[:, :, None] * facets.normal[:, None, :]
+    return stiffness[:, None, None] * (np.einsum("mii->m", S)[:, None, None] * unit - S)

@@ -1,0 +1,96 @@
+"""The stiffness of a model at rest: what its bonds resist, and what its cells do to their dilatation."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from scipy.sparse import bsr_array, csc_array, csr_array, dia_array
+
+from bondem._types import Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Stiffness:
+    """K = B + Fᵀ W F, degrees of freedom (u, θ) an element.
+
+    Bonds couple two elements, B. The dilatation of a cell couples all its neighbours with each other: a matrix of
+    its own would have four times the blocks, so it stays a product.
+
+    Attributes:
+        bonds: B, 6×6 blocks, with a diagonal block in every row, (6 n, 6 n).
+        forms: F, V θ of each cell under unit motions [m², m³], 1×6 blocks, (n, 6 n), or None.
+        weight: W, λ / V of each cell [Pa/m³], (n,), or (0,).
+    """
+
+    bonds: bsr_array
+    forms: bsr_array | None = None
+    weight: Floats = field(default_factory=lambda: np.zeros(0))
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """(6 n, 6 n)."""
+        return self.bonds.shape
+
+    @property
+    def neighbours(self) -> int:
+        """Blocks beside the diagonal, each pair of elements counted twice."""
+        return len(self.bonds.indices) - self.shape[0] // 6
+
+    @cached_property
+    def _rows(self) -> tuple[csr_array, csr_array]:
+        assert self.forms is not None
+        rows = csr_array(self.forms.tocsr())
+        return rows, csr_array(rows.T.tocsr())
+
+    @property
+    def _weights(self) -> dia_array:
+        return dia_array((self.weight[None], [0]), shape=(len(self.weight),) * 2)
+
+    def __matmul__(self, motion: Floats) -> Floats:
+        """K u of motions (6 n,) or (6 n, k)."""
+        force = self.bonds @ motion
+        if self.forms is None:
+            return force
+        rows, columns = self._rows
+        weight = self.weight if motion.ndim == 1 else self.weight[:, None]
+        return force + columns @ (weight * (rows @ motion))
+
+    def diagonal_blocks(self) -> Floats:
+        """Diagonal blocks, (n, 6, 6)."""
+        n = self.shape[0] // 6
+        row = np.repeat(np.arange(n), np.diff(self.bonds.indptr))
+        blocks = self.bonds.data[self.bonds.indices == row]
+        if self.forms is None:
+            return blocks
+        form = self.forms.data[:, 0]
+        weighted = np.repeat(self.weight, np.diff(self.forms.indptr))[:, None] * form
+        order = np.argsort(self.forms.indices, kind="stable")
+        start = np.searchsorted(self.forms.indices[order], np.arange(n))
+        return blocks + np.add.reduceat(weighted[order][:, :, None] * form[order][:, None, :], start)
+
+    def scaled(self, root: Floats) -> "Stiffness":
+        """Sᵀ K S with blocks `root` S of each element, (n, 6, 6)."""
+        B, F = self.bonds, self.forms
+        row = np.repeat(np.arange(len(root)), np.diff(B.indptr))
+        turned = np.swapaxes(root, 1, 2)
+        bonds = bsr_array((turned[row] @ B.data @ root[B.indices], B.indices, B.indptr), shape=B.shape)
+        if F is None:
+            return Stiffness(bonds)
+        forms = bsr_array((F.data @ root[F.indices], F.indices, F.indptr), shape=F.shape)
+        return Stiffness(bonds, forms, self.weight)
+
+    def projected(self, basis: bsr_array) -> csc_array:
+        """Pᵀ K P of a basis P, (6 n, k)."""
+        coarse = csc_array((basis.T @ (self.bonds @ basis)).tocsc())
+        if self.forms is None:
+            return coarse
+        forms = csr_array((self.forms.tocsr() @ basis.tocsr()).tocsr())
+        return csc_array(coarse + forms.T @ (self._weights @ forms))
+
+    def tocsc(self) -> csc_array:
+        """K as one matrix."""
+        whole = csc_array(self.bonds.tocsc())
+        if self.forms is None:
+            return whole
+        rows, columns = self._rows
+        return csc_array(whole + columns @ (self._weights @ rows))
