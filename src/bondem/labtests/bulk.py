@@ -11,6 +11,7 @@ from bondem.labtests.isotropic import Isotropic
 from bondem.model.assignment import BondAssignment
 from bondem.model.model import Model
 from bondem.observe.bond_strain import BondStrain
+from bondem.observe.cell_strain import CellStrain
 from bondem.solve.static import Statics
 from bondem.specimen.lattice import Lattice
 
@@ -26,7 +27,7 @@ class BulkModuli:
 
     Attributes:
         stiffness: C, σ = C ε in the order xx, yy, zz, yz, xz, xy with engineering shear strains [Pa], (6, 6).
-        strains: deformation of the bonds under each of the six unit strains.
+        strains: deformation of the bonds under each of the six unit strains; none of cells.
         motions: of the elements beside that strain (u, θ) [m, rad], six of (n, 6).
         volume: of the cell [m³].
     """
@@ -101,6 +102,8 @@ def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | No
             "bulk_moduli needs a periodic cell: pack a bd.Cell, or give Particles their period= [m]"
         )
     statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
+    if statics.model.cells is not None:
+        return _of_cells(statics)
     k = statics.model.stiffness
     moving = lattice.connected[lattice.pairs[:, 0], None]
     still = np.zeros((len(lattice.particles), 3))
@@ -118,6 +121,24 @@ def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | No
         motions.append(motion)
     moduli = BulkModuli(np.empty((6, 6)), tuple(strains), tuple(motions), float(period.prod()))
     return replace(moduli, stiffness=moduli.stiffness_of(np.stack([k.kn, k.ks, k.kb, k.kt])))
+
+
+def _of_cells(statics: Statics) -> BulkModuli:
+    """The same of a body of cells."""
+    model = statics.model
+    body, constants = model.lattice, model.cell_constants
+    still = np.zeros((len(body.particles), 3))
+    strains: list[CellStrain] = []
+    motions: list[Floats] = []
+    for slip in _slips(body.branch):
+        load = CellStrain.of(body, constants, still, still, slip=slip).nodal(body, constants)
+        motion = statics.response(load, rtol=_RTOL)
+        strains.append(CellStrain.of(body, constants, motion[:, :3], motion[:, 3:], slip=slip))
+        motions.append(motion)
+    assert body.particles.period is not None
+    volume = float(body.particles.period.prod())
+    C = np.array([[one.work(other, constants) for other in strains] for one in strains]) / volume
+    return BulkModuli(C, (), tuple(motions), volume)
 
 
 def _slips(branch: Floats) -> Floats:

@@ -100,6 +100,12 @@ class Model:
         """Constants of the cell law, in the kernels' order; None of a lattice of beams."""
         return None if self._cells is None else self._cells.ordered(self.layout)
 
+    @property
+    def cell_constants(self) -> CellConstants:
+        """The same in the user's order, of a model that has them."""
+        assert self._cells is not None
+        return self._cells
+
     @cached_property
     def _cells(self) -> CellConstants | None:
         laws = self.bond.values() if isinstance(self.bond, Mapping) else (self.bond,)

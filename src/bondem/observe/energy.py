@@ -2,11 +2,15 @@
 
 from dataclasses import dataclass
 
-from bondem._types import PerBond, PerElement3
+import numpy as np
+
+from bondem._types import Floats, PerBond, PerElement3
 from bondem.kernels.bond_pass import bond_energies
+from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.bond_strain import BondStrain
+from bondem.observe.cell_strain import CellStrain
 
 
 @dataclass(frozen=True)
@@ -14,7 +18,7 @@ class EnergyParts:
     """Elastic energy stored in all bonds.
 
     Attributes:
-        normal: of elongation [J].
+        normal: of elongation; of cells, of the normal gaps of facets and of dilatation [J].
         shear: of slip at the contact point [J]; with `bending` it is what the papers call bending.
         bending: of relative rotation across the bond [J].
         twisting: of relative rotation about the bond [J].
@@ -39,6 +43,8 @@ def linear_energy(
     The parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)² of `BondStrain`.
     `strain` is ε* of each bond [-], in the kernels' order.
     """
+    if model.cells is not None:
+        return _cell_energy(model, displacement, rotation, strain)
     lattice, k = model.lattice, model.stiffness
     bonds = BondStrain.of(lattice, k.lever, displacement, rotation)
     elongation = bonds.normal.copy()
@@ -50,6 +56,33 @@ def linear_energy(
         bending=0.5 * float((k.kb * (bonds.bend**2).sum(axis=1)).sum()),
         twisting=0.5 * float((k.kt * bonds.twist**2).sum()),
     )
+
+
+def _cell_energy(
+    model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond | None
+) -> EnergyParts:
+    body, constants = model.lattice, model.cell_constants
+    found = CellStrain.of(body, constants, displacement, rotation, slip=stress_free_gap(model, strain))
+    facets, _ = body_of(body)
+    normal = (found.gap * facets.normal).sum(axis=1)
+    turned = (found.turn * facets.normal).sum(axis=1)
+    along = np.einsum("ma,mab,mb->m", facets.normal, constants.H, facets.normal) * turned**2
+    whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
+    return EnergyParts(
+        normal=0.5 * float((constants.k * normal**2).sum() + (constants.weight * found.swelling**2).sum()),
+        shear=0.5 * float((constants.k * ((found.gap**2).sum(axis=1) - normal**2)).sum()),
+        bending=0.5 * float((whole - along).sum()),
+        twisting=0.5 * float(along.sum()),
+    )
+
+
+def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
+    """What the faces of facets close by, under stress-free strains ε* [-], (m,) in the kernels' order: [m], (m, 3)."""
+    if strain is None or model.cells is None:
+        return None
+    own = np.empty(len(strain))
+    own[model.layout.bond_order] = strain
+    return -own[:, None] * model.lattice.branch
 
 
 def elastic_energy(model: Model, state: State) -> EnergyParts:

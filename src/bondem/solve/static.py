@@ -8,7 +8,8 @@ from bondem._checks import instance
 from bondem._types import Floats, PerBond, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.model.model import Model
-from bondem.observe.energy import EnergyParts, elastic_energy, linear_energy
+from bondem.observe.cell_strain import CellStrain
+from bondem.observe.energy import EnergyParts, elastic_energy, linear_energy, stress_free_gap
 from bondem.solve.linear import System, solver
 from bondem.solve.nonlinear import follow, strained
 from bondem.solve.solution import Solution
@@ -147,6 +148,11 @@ def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
 def strain_load(model: Model, strain: PerBond) -> Floats:
     """Forces by which bonds with a stress-free strain push their ends apart [N], internal order, (6 n,)."""
     layout, bonds = model.layout, model.bonds
+    slip = stress_free_gap(model, strain)
+    if slip is not None:
+        body, still = model.lattice, np.zeros((len(layout.order), 3))
+        constants = model.cell_constants
+        return CellStrain.of(body, constants, still, still, slip=slip).nodal(body, constants)[layout.order].ravel()
     push = bonds.kn * bonds.length * strain * bonds.direction
     load = np.zeros((len(layout.order), 6))
     for d in range(3):
