@@ -8,7 +8,7 @@ from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.contact_pass import contact_loads, outdated
 from bondem.kernels.element_pass import open_step, open_step_serial
 from bondem.kernels.sample import kinetic_energies, sample
-from bondem.kernels.sweep import sweep, sweep_domains
+from bondem.kernels.sweep import all_forces
 from bondem.kernels.walls import WORK as WALL_WORK
 from bondem.kernels.walls import move_walls
 
@@ -48,7 +48,7 @@ def guard(motion, work, contacts, budget):
 
 
 @kernel(parallel=False)
-def advance(span, scheme, run, same, history, contacts, added, strain, records):
+def advance(span, scheme, run, same, history, cells, contacts, added, strain, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
 
     The acceleration is that of the present state on entry and on return. Between samples the end of one step and the
@@ -64,7 +64,7 @@ def advance(span, scheme, run, same, history, contacts, added, strain, records):
     """
     elements, bonds, cut, rows, schedules = run.elements, run.bonds, run.cut, run.rows, run.schedules
     start, dt = scheme.origin + span.step * scheme.dt, scheme.dt
-    threaded, domains = bonds.m >= SERIAL_BONDS, len(cut.domain) - 1
+    threaded = bonds.m >= SERIAL_BONDS
     done = written = wide = lost = 0
     sick, paused, moved = FINE, True, span.moved
     if not moved:
@@ -91,10 +91,7 @@ def advance(span, scheme, run, same, history, contacts, added, strain, records):
         looked = now % GUARD_INTERVAL == 0 or done == span.steps
         paused = sampled or looked
         set_boundary(t, dt, False, schedules, rows, elements.pose, bonds, added, strain)
-        if domains == 1:
-            sweep(elements, bonds, same, history, cut, rows, scheme, added, not paused, 0, len(cut.move) - 1)
-        else:
-            sweep_domains(elements, bonds, same, history, cut, rows, scheme, added, not paused)
+        all_forces(elements, bonds, same, history, cells, cut, rows, scheme, added, not paused)
         if looked:
             turned, lost, broken = rotation_guard(elements.pose, bonds)
             wide = max(wide, turned)
@@ -102,6 +99,6 @@ def advance(span, scheme, run, same, history, contacts, added, strain, records):
             if lost > 0 or sick != FINE:
                 break
         if sampled:
-            sample(t, elements, bonds, rows, run.gauges, history, contacts, records[written])
+            sample(t, elements, bonds, rows, run.gauges, history, cells, contacts, records[written])
             written += 1
     return done, written, wide, lost, sick, False

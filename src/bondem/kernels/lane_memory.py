@@ -13,8 +13,8 @@ from numba.core import cgutils, types
 from bondem.kernels.lanes import WIDTH, instruction, lanes, shuffled, vector
 
 __all__ = [
-    "add_loads", "clear_row", "entry", "places", "places_below", "places_in", "prefetch", "put_entry", "put_row",
-    "put_side", "row", "side",
+    "add_loads", "add_numbers", "clear_row", "entry", "places", "places_below", "places_in", "prefetch", "put_entry",
+    "put_row", "put_side", "row", "side",
 ]  # fmt: skip
 
 _COLUMNS = 8
@@ -293,6 +293,30 @@ def add_loads(typingctx, sums, p, q, force, torque_p, torque_q, first):
 
     triple = types.UniTuple(lanes, 3)
     return types.void(sums, place, place, triple, triple, triple, types.int64), generate
+
+
+@instruction
+def add_numbers(typingctx, column, p, q, to_p, to_q, first):
+    """Add numbers first … WIDTH to the places p and q of an array, one pair after the other."""
+    if not _is_table(column):
+        return None
+
+    def generate(context, builder, sig, args):
+        ends = (_places(builder, args[1]), _places(builder, args[2]))
+        pointers = [[_address(context, builder, sig.args[0], args[0], n) for n in end] for end in ends]
+
+        def add(n: int) -> None:
+            for pointer, value in ((pointers[1][n], args[4]), (pointers[0][n], args[3])):
+                one = builder.extract_element(value, ir.Constant(_INDEX, n))
+                builder.store(builder.fadd(builder.load(pointer), one), pointer)
+
+        for n in range(WIDTH - 1):
+            with builder.if_then(builder.icmp_signed("<=", args[5], _long(n)), likely=True):
+                add(n)
+        add(WIDTH - 1)
+        return context.get_dummy_value()
+
+    return types.void(column, place, place, lanes, lanes, types.int64), generate
 
 
 @instruction

@@ -6,6 +6,7 @@ import numpy as np
 
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import bond_energies
+from bondem.kernels.cell_pass import cell_energies
 from bondem.kernels.contact_pass import contact_energy
 from bondem.kernels.incremental import incremental_energies
 from bondem.kernels.tables import (
@@ -60,7 +61,7 @@ def kinetic_energies(motion, p):
 
 
 @kernel(parallel=False)
-def energies(elements, bonds, work, history, record):
+def energies(elements, bonds, work, history, cells, record):
     """Kinetic and elastic energy, work and losses, without those of contacts."""
     translation = rotation = damped = rubbed = total = 0.0
     for p in range(len(elements.pose)):
@@ -69,7 +70,9 @@ def energies(elements, bonds, work, history, record):
         rotation += about
         damped += elements.loss[p, DAMPED]
         rubbed += elements.loss[p, RUBBED]
-    if history is None:  # decided when compiled
+    if cells is not None:  # decided when compiled
+        parts = cell_energies(elements.pose, bonds, cells)
+    elif history is None:
         parts = bond_energies(elements.pose, bonds)
     else:
         parts = incremental_energies(elements.pose, bonds, history)
@@ -135,10 +138,10 @@ def gauged(elements, rows, gauges, record):
 
 
 @kernel(parallel=False)
-def sample(t, elements, bonds, rows, gauges, history, contacts, record):
+def sample(t, elements, bonds, rows, gauges, history, cells, contacts, record):
     """One row of the history."""
     record[TIME] = t
-    energies(elements, bonds, rows.work, history, record)
+    energies(elements, bonds, rows.work, history, cells, record)
     if contacts is not None:
         of_contacts(elements.pose, bonds.period, contacts, gauges, record)
     gauged(elements, rows, gauges, record)

@@ -5,20 +5,24 @@ See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 
 from bondem._compile import kernel, prange
 from bondem.kernels.bond_pass import bond_loads
+from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
 from bondem.kernels.incremental import incremental_loads
 
 
 @kernel(parallel=False)
-def sweep(elements, bonds, same, history, cut, rows, scheme, added, go_on, first, last):
+def sweep(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on, first, last):
     """The blocks first … last: bonds, sums, and the elements whose sums are complete.
 
-    `history` is what bonds store in the incremental formulation, (6, m), or None.
+    `history` is what bonds store in the incremental formulation, (6, m), or None; `cells` are facets and cells, whose
+    stresses are known, or None.
     """
     for b in range(first, last):
         k0, k1 = cut.bond[b], cut.bond[b + 1]
-        if history is None:  # decided when compiled
+        if cells is not None:  # decided when compiled
+            facet_loads(elements.pose, bonds, cells, cut.sums, cut.row_i, cut.row_j, k0, k1)
+        elif history is None:
             bond_loads(elements.pose, bonds, same, cut.sums, cut.row_i, cut.row_j, k0, k1)
         else:
             incremental_loads(elements, bonds, history, scheme.dt, cut.sums, cut.row_i, cut.row_j, k0, k1)
@@ -39,7 +43,21 @@ def sweep_shared(elements, cut, rows, scheme, added, go_on, first, last):
 
 
 @kernel(parallel=True)
-def sweep_domains(elements, bonds, same, history, cut, rows, scheme, added, go_on):
+def swell_domains(pose, bonds, cells, cut):
+    """Stresses of all cells now, each domain on a thread of its own."""
+    count, n = len(cut.domain) - 1, len(pose)
+    for both in range(2):
+        if both == 1:
+            gather_swelling(cells, cut.shared, cut.part)
+        for d in prange(count):
+            if both == 0:
+                swell(pose, bonds, cells, cut.bond[cut.domain[d]], cut.bond[cut.domain[d + 1]])
+            else:
+                stress_cells(pose, cells, n * d // count, n * (d + 1) // count)
+
+
+@kernel(parallel=True)
+def sweep_domains(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on):
     """Forces of all bonds now, and what elements do with them: close the step, and open the next or not.
 
     Each domain is on a thread of its own; then each thread takes a part of the elements they share.
@@ -49,7 +67,21 @@ def sweep_domains(elements, bonds, same, history, cut, rows, scheme, added, go_o
         for d in prange(count):
             if both == 0:
                 first, last = cut.domain[d], cut.domain[d + 1]
-                sweep(elements, bonds, same, history, cut, rows, scheme, added, go_on, first, last)
+                sweep(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on, first, last)
             else:
                 first, last = shared * d // count, shared * (d + 1) // count
                 sweep_shared(elements, cut, rows, scheme, added, go_on, first, last)
+
+
+@kernel(parallel=False)
+def all_forces(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on):
+    """A step over everything, on one thread or on as many as there are domains."""
+    if len(cut.domain) == 2:
+        if cells is not None:
+            swell(elements.pose, bonds, cells, 0, len(bonds.i))
+            stress_cells(elements.pose, cells, 0, len(elements.pose))
+        sweep(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on, 0, len(cut.move) - 1)
+    else:
+        if cells is not None:
+            swell_domains(elements.pose, bonds, cells, cut)
+        sweep_domains(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on)

@@ -5,8 +5,8 @@ flat, because threads take no others. What only some runs have (`Alike`, `Contac
 bonds store in the incremental formulation) is an argument of its own, or None: that is decided when a kernel is
 compiled, so what is absent costs nothing.
 
-Rows of eight are one cache line: pose (x, y, z, spare, quaternion w x y z), motion (velocity, 1/m, angular velocity,
-1/I) and sums (force, 0, torque, 0).
+Rows of eight are one cache line: pose (x, y, z, λ θ of a cell, quaternion w x y z), motion (velocity, 1/m, angular
+velocity, 1/I) and sums (force, 0, torque, 0).
 """
 
 from typing import NamedTuple
@@ -80,6 +80,21 @@ class Alike(NamedTuple):
     AL: float  #: A L = C L [N·m²]
     BL: float
     ktL: float
+
+
+class CellTable(NamedTuple):
+    """The facets and cells of a body, m facets in the order of the bonds and n cells; kernels write `swelling`."""
+
+    k: np.ndarray  #: [N/m], (m,)
+    lever_i: np.ndarray  #: from the centre of i to the facet [m], (3, m)
+    lever_j: np.ndarray
+    share_i: np.ndarray  #: A w M⁻¹n of both sides [m²], (3, m)
+    share_j: np.ndarray
+    normal: np.ndarray  #: from i to j [-], (3, m)
+    H: np.ndarray  #: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], (6, m)
+    weight: np.ndarray  #: λ / V of each cell [Pa/m³], (n,)
+    to_i: np.ndarray  #: where a facet adds to its cell i: there, or for the other domain, uint32, (m,)
+    swelling: np.ndarray  #: V θ [m³], (n + …,)
 
 
 class StepCut(NamedTuple):

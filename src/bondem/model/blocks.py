@@ -119,6 +119,14 @@ class Blocks:
             sums=lines(self.rows),
         )  # fmt: skip
 
+    def swelling_places(self, layout: Layout) -> np.ndarray:
+        """Where each facet adds to the dilatation of its cell i, uint32, (m,): there, or behind all n cells.
+
+        Behind them stands what facets between domains add, part[e] … part[e + 1] of it for shared element e.
+        """
+        row = self.row_i[: len(layout.i)].astype(np.int64)
+        return np.where(row < self.parts, layout.i, len(layout.order) + row - self.parts).astype(np.uint32)
+
     @property
     def rows(self) -> int:
         """Rows of sums in all."""

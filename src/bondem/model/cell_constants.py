@@ -1,14 +1,16 @@
 """Constants of the cell law on a body: of its facets and of its cells."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from bondem._types import Floats, PerBond, PerBond3, PerElement
 from bondem.errors import InputError
+from bondem.kernels.tables import CellTable
 from bondem.laws.bond import BondStiffness
 from bondem.laws.cell_bond import CellBond
+from bondem.model.bond_table import with_twins, with_zeros
 from bondem.model.layout import Layout
 from bondem.specimen.cells.tables import Cells, Facets
 from bondem.specimen.lattice import Lattice
@@ -30,10 +32,8 @@ class CellConstants:
         H: resistance to relative rotation [N·m], shape (m, 3, 3).
         share_i, share_j: A w_p M_p⁻¹ n: V θ of each side is Σ share·δ [m²], shape (m, 3).
         volume: V [m³], shape (n,).
-        weight: λ_p / V_p, of which V_p θ_p makes the stress λ_p θ_p [Pa/m³], shape (n,).
-        free_share: A d / 2 G of each free facet: a traction along its normal adds that much to V θ, before the
-            division by 1 + c λ / 2 G that `slack` holds [m³/Pa], shape (k,).
-        slack: 1 + c_p λ / 2 G of each cell [-], shape (n,).
+        weight: λ_p / V_p, by which V_p θ_p becomes the stress λ_p θ_p [Pa/m³], shape (n,).
+        normal: of the facets, from i to j [-], shape (m, 3).
     """
 
     k: PerBond
@@ -44,8 +44,7 @@ class CellConstants:
     share_j: PerBond3
     volume: PerElement
     weight: PerElement
-    free_share: Floats
-    slack: PerElement
+    normal: PerBond3
 
     @classmethod
     def of(cls, body: Lattice, bond: CellAssignment) -> "CellConstants":
@@ -79,8 +78,7 @@ class CellConstants:
             share_j=(area * w_j)[:, None] * n_j,
             volume=cells.volume,
             weight=lame / slack / cells.volume,
-            free_share=free.area * free.depth / (2.0 * G[free.cell]),
-            slack=slack,
+            normal=normal,
         )
 
     def ordered(self, layout: Layout) -> "CellConstants":
@@ -97,9 +95,37 @@ class CellConstants:
             share_j=np.where(back, -share_i, share_j),
             volume=self.volume[element],
             weight=self.weight[element],
-            free_share=self.free_share,
-            slack=self.slack[element],
+            normal=np.where(back, -self.normal[bond], self.normal[bond]),
         )
+
+    def stretched(self, strain: PerBond) -> "CellConstants":
+        """The same with cells that would be larger without stress, as their facets' ε* say.
+
+        Args:
+            strain: ε* [-], kernels' order, shape (m,), or (0,) for none.
+        """
+        if strain.size == 0:
+            return self
+        stretch = 1.0 + strain[:, None]
+        return replace(self, lever_i=self.lever_i * stretch, lever_j=self.lever_j * stretch)
+
+    def rows(self, to_i: np.ndarray) -> CellTable:
+        """The constants as kernels take them, in the kernels' order.
+
+        Args:
+            to_i: where each facet adds to its cell i, uint32, (m,): cell i, or a place behind all cells.
+        """
+        def columns(each: Floats) -> Floats:
+            return np.ascontiguousarray(with_zeros(each.T))
+
+        return CellTable(
+            k=with_zeros(self.k),
+            lever_i=columns(self.lever_i), lever_j=columns(self.lever_j),
+            share_i=columns(self.share_i), share_j=columns(self.share_j), normal=columns(self.normal),
+            H=columns(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]),
+            weight=self.weight, to_i=with_twins(to_i),
+            swelling=np.zeros(max(len(self.weight), int(to_i.max(initial=0)) + 1)),
+        )  # fmt: skip
 
     def as_bonds(self, body: Lattice) -> BondStiffness:
         """Stiffnesses of beams that are about as stiff, for what only needs a measure: dashpots, magnitudes."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from bondem._types import Floats, PerBond, PerElement3
 from bondem.kernels.bond_pass import bond_energies
+from bondem.kernels.cell_pass import cell_energies
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -77,7 +78,7 @@ def _cell_energy(
 
 
 def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
-    """What the faces of facets close by, under stress-free strains ε* [-], (m,) in the kernels' order: [m], (m, 3)."""
+    """By how much less facets are open under stress-free strains ε* [-], kernels' order, (m,): [m], (m, 3)."""
     if strain is None or model.cells is None:
         return None
     own = np.empty(len(strain))
@@ -87,4 +88,8 @@ def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
 
 def elastic_energy(model: Model, state: State) -> EnergyParts:
     """Energy of a state under the total formulation, at any rotation."""
-    return EnergyParts(*bond_energies(state.pose, model.bonds.rows(model.layout, model.period, state.integrity)))
+    bonds = model.bonds.rows(model.layout, model.period, state.integrity)
+    if model.cells is None:
+        return EnergyParts(*bond_energies(state.pose, bonds))
+    cells = model.cells.stretched(state.eigenstrain).rows(model.layout.i)
+    return EnergyParts(*cell_energies(state.pose, bonds, cells))

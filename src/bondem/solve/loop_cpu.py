@@ -9,7 +9,7 @@ from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance
 from bondem.kernels.boundary import set_boundary
 from bondem.kernels.contact_pass import contact_loads
 from bondem.kernels.sample import sample
-from bondem.kernels.sweep import sweep, sweep_domains
+from bondem.kernels.sweep import all_forces
 from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, ContactTable, Elements, Gauges, Run, Span
 from bondem.laws.damping import DampingTerms
 from bondem.model.blocks import Blocks
@@ -56,7 +56,7 @@ class CpuLoop:
         changing = len(held.strain_part) > 0
         if changing:  # their lengths change while it runs
             bonds = bonds.separate()
-        self._same = None if changing else bonds.alike
+        self._same = None if changing or model.cells is not None else bonds.alike
         domains = 1
         if len(layout.i) >= SERIAL_BONDS:
             domains = min(current_threads(), len(layout.i) // _DOMAIN)
@@ -72,6 +72,10 @@ class CpuLoop:
             budget=np.zeros(2),  # as `kernels.advance.guard` has it
         )
         self._still = noticeable(model, dt)
+        self._cells = None
+        if model.cells is not None:
+            strained = model.cells.stretched(state.eigenstrain)
+            self._cells = strained.rows(blocks.swelling_places(layout))
         contact = None if self._contacts is None else self._contacts.arrays.load
         self._added = added(model, terms, state, contact, blocks.rows)
         self._strain = changing_strain(model, state)
@@ -92,7 +96,9 @@ class CpuLoop:
             self._keep()
             self.state.stale = False
         records = np.empty((1, self._width))
-        sample(t, run.elements, bonds, run.rows, run.gauges, self._history, self._touching, records[0])
+        sample(
+            t, run.elements, bonds, run.rows, run.gauges, self._history, self._cells, self._touching, records[0]
+        )
         budget = run.budget
         budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
         return records
@@ -103,11 +109,10 @@ class CpuLoop:
         still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
         if self._touching is not None:
             contact_loads(run.elements, run.bonds.period, 0.0, self._touching)
-        every = (run.elements, run.bonds, self._same, self._history, run.cut, run.rows, still, self._added, False)
-        if len(run.cut.domain) == 2:
-            sweep(*every, 0, len(run.cut.move) - 1)
-        else:
-            sweep_domains(*every)
+        all_forces(
+            run.elements, run.bonds, self._same, self._history, self._cells, run.cut, run.rows, still, self._added,
+            False,
+        )  # fmt: skip
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
         """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` found."""
@@ -120,8 +125,8 @@ class CpuLoop:
         while sick == FINE:
             span = Span(state.step + done, steps - done, every, moved)
             gone, new, turned, lost, sick, moved = advance(
-                span, self._scheme, self._run, self._same, self._history, self._touching, self._added, self._strain,
-                records[written:],
+                span, self._scheme, self._run, self._same, self._history, self._cells, self._touching, self._added,
+                self._strain, records[written:],
             )  # fmt: skip
             done, written, wide = done + gone, written + new, max(wide, turned)
             if not moved or self._contacts is None:

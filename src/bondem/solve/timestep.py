@@ -10,6 +10,7 @@ from scipy.linalg import eigh_tridiagonal
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import StepWarning, UnstableStepError
 from bondem.kernels.bond_pass import bond_loads
+from bondem.kernels.cell_pass import facet_loads, stress_cells, swell
 from bondem.kernels.tables import lines
 from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.model.model import Model
@@ -53,7 +54,8 @@ def stiffest(
     if m == 0:
         return 0.0
     intact = np.ones(m) if integrity is None else integrity
-    table, same = model.bonds, model.bonds.alike
+    table, same = model.bonds, None if model.cells is not None else model.bonds.alike
+    cells = None if model.cells is None else model.cells.rows(layout.i)
     bonds, sums = table.rows(layout, model.period, intact, alike=same is not None), lines(n)
     pose = lines(n)
     rest = model.lattice.centre[layout.order]
@@ -68,7 +70,12 @@ def stiffest(
         pose[:, 4] = 1.0
         pose[:, 5:] = 0.5 * motion[:, 3:]
         pose[:, 4:] /= np.sqrt(np.einsum("nk,nk->n", pose[:, 4:], pose[:, 4:]))[:, None]
-        bond_loads(pose, bonds, same, sums, bonds.i, bonds.j, 0, len(bonds.i))
+        if cells is not None:
+            swell(pose, bonds, cells, 0, len(bonds.i))
+            stress_cells(pose, cells, 0, n)
+            facet_loads(pose, bonds, cells, sums, bonds.i, bonds.j, 0, len(bonds.i))
+        else:
+            bond_loads(pose, bonds, same, sums, bonds.i, bonds.j, 0, len(bonds.i))
         forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
         sums[:] = 0.0
         return forces

@@ -1,0 +1,124 @@
+"""The cell law in a step: dilatation of the cells first, then forces and torques of their facets.
+
+The stress λ θ of a cell stands in the spare column of its row of the pose, where the second pass finds it with the
+rest. Loops take WIDTH facets at a time; what they add to a cell is added in the order of the facets, whatever the
+cuts.
+"""
+
+import numpy as np
+
+from bondem._compile import device, kernel
+from bondem.kernels.bond_pass import ahead, apart, branch, group, groups
+from bondem.kernels.lane_memory import add_loads, add_numbers, places, row, side
+from bondem.laws.cell_energy import facet_energy, facet_force, swellings
+
+# Column of a row of the pose that holds λ θ of a cell [Pa].
+STRESS = 3
+
+
+@device
+def _three(table):
+    return table[0], table[1], table[2]
+
+
+@device
+def _triple(columns, k):
+    return side(columns[0], k), side(columns[1], k), side(columns[2], k)
+
+
+@device
+def _orientation(pose):
+    return pose[4], pose[5], pose[6], pose[7]
+
+
+@device
+def _times(s, a):
+    return s * a[0], s * a[1], s * a[2]
+
+
+@kernel(parallel=False)
+def swell(pose, bonds, cells, first, last):
+    """Add what the facets first … last do to V θ of their cells, in `cells.swelling`."""
+    lever_i, lever_j = _three(cells.lever_i), _three(cells.lever_j)
+    share_i, share_j = _three(cells.share_i), _three(cells.share_j)
+    for g in range(groups(first, last)):
+        k, known = group(first, last, g)
+        ahead(bonds, pose, k, last)
+        j = places(bonds.j, k)
+        a, b = row(pose, places(bonds.i, k)), row(pose, j)
+        s = side(bonds.integrity, k)
+        one, other = swellings(
+            apart(a, b, bonds.period), _orientation(a), _orientation(b),
+            _triple(lever_i, k), _triple(lever_j, k), _triple(share_i, k), _triple(share_j, k),
+        )  # fmt: skip
+        add_numbers(cells.swelling, places(cells.to_i, k), j, s * one, s * other, known)
+
+
+@kernel(parallel=False)
+def stress_cells(pose, cells, first, last):
+    """Stresses of the cells first … last from their V θ, which is left at zero."""
+    for p in range(first, last):
+        pose[p, STRESS] = cells.weight[p] * cells.swelling[p]
+        cells.swelling[p] = 0.0
+
+
+@kernel(parallel=False)
+def gather_swelling(cells, shared, part):
+    """Add to the shared cells of a list what facets of other domains have left for them."""
+    n = len(cells.weight)
+    for e in range(len(shared)):
+        for q in range(n + part[e], n + part[e + 1]):
+            cells.swelling[shared[e]] += cells.swelling[q]
+            cells.swelling[q] = 0.0
+
+
+@kernel(parallel=False)
+def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
+    """Add force and torques of the facets first … last to the rows of their two cells in `sums`."""
+    lever_i, lever_j = _three(cells.lever_i), _three(cells.lever_j)
+    share_i, share_j = _three(cells.share_i), _three(cells.share_j)
+    bend, mixed = _three(cells.H), _three(cells.H[3:])
+    for g in range(groups(first, last)):
+        k, known = group(first, last, g)
+        ahead(bonds, pose, k, last)
+        a, b = row(pose, places(bonds.i, k)), row(pose, places(bonds.j, k))
+        s = side(bonds.integrity, k)
+        H = (
+            s * side(bend[0], k), s * side(bend[1], k), s * side(bend[2], k),
+            s * side(mixed[0], k), s * side(mixed[1], k), s * side(mixed[2], k),
+        )  # fmt: skip
+        force, on_i, on_j = facet_force(
+            apart(a, b, bonds.period), _orientation(a), _orientation(b),
+            _triple(lever_i, k), _triple(lever_j, k), _triple(share_i, k), _triple(share_j, k),
+            s * side(cells.k, k), H, s * a[STRESS], s * b[STRESS],
+        )  # fmt: skip
+        add_loads(sums, places(row_i, k), places(row_j, k), force, on_i, on_j, known)
+
+
+@kernel(parallel=False)
+def cell_energies(pose, bonds, cells):
+    """Normal (with dilatation), shear, bending and twisting energy of all facets and cells [J]."""
+    normal = slip = bend = twist = 0.0
+    swelling = np.zeros(len(cells.weight))
+    for k in range(bonds.m):
+        i, j = bonds.i[k], bonds.j[k]
+        d = branch(pose, i, j, bonds.period)
+        p, q = (pose[i, 4], pose[i, 5], pose[i, 6], pose[i, 7]), (pose[j, 4], pose[j, 5], pose[j, 6], pose[j, 7])
+        a = cells.lever_i[0, k], cells.lever_i[1, k], cells.lever_i[2, k]
+        b = cells.lever_j[0, k], cells.lever_j[1, k], cells.lever_j[2, k]
+        u = cells.share_i[0, k], cells.share_i[1, k], cells.share_i[2, k]
+        v = cells.share_j[0, k], cells.share_j[1, k], cells.share_j[2, k]
+        n = cells.normal[0, k], cells.normal[1, k], cells.normal[2, k]
+        H = cells.H[0, k], cells.H[1, k], cells.H[2, k], cells.H[3, k], cells.H[4, k], cells.H[5, k]
+        s = bonds.integrity[k]
+        one, other = swellings(d, p, q, a, b, u, v)
+        swelling[i] += s * one
+        swelling[j] += s * other
+        part = facet_energy(d, p, q, a, b, n, cells.k[k], H)
+        normal += s * part[0]
+        slip += s * part[1]
+        bend += s * part[2]
+        twist += s * part[3]
+    for p in range(len(swelling)):
+        normal += 0.5 * cells.weight[p] * swelling[p] ** 2
+    return normal, slip, bend, twist
