@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import bond_energies
-from bondem.kernels.cell_pass import cell_energies
+from bondem.kernels.cell_energies import cell_energies
 from bondem.kernels.contact_pass import contact_energy
 from bondem.kernels.incremental import incremental_energies
 from bondem.kernels.tables import (
@@ -61,7 +61,7 @@ def kinetic_energies(motion, p):
 
 
 @kernel(parallel=False)
-def energies(elements, bonds, work, history, cells, record):
+def energies(elements, bonds, work, history, body, record):
     """Kinetic and elastic energy, work and losses, without those of contacts."""
     translation = rotation = damped = rubbed = total = 0.0
     for p in range(len(elements.pose)):
@@ -70,8 +70,8 @@ def energies(elements, bonds, work, history, cells, record):
         rotation += about
         damped += elements.loss[p, DAMPED]
         rubbed += elements.loss[p, RUBBED]
-    if cells is not None:  # decided when compiled
-        parts = cell_energies(elements.pose, bonds, cells)
+    if body is not None:  # decided when compiled
+        parts = cell_energies(elements.pose, elements.rest, bonds, body.cells, body.grips)
     elif history is None:
         parts = bond_energies(elements.pose, bonds)
     else:
@@ -117,7 +117,8 @@ def _element_value(pose, motion, rest, rows, quantity, p, d):
     r = rows.of[p]
     if r < 0:
         return 0.0
-    return rows.reaction[r, d] if rows.fixed[r, d] else rows.force[r, d]
+    wall = rows.grip[r, d] if len(rows.grip) > 0 else 0.0
+    return wall + (rows.reaction[r, d] if rows.fixed[r, d] else rows.force[r, d])
 
 
 @kernel(parallel=False)
@@ -138,10 +139,10 @@ def gauged(elements, rows, gauges, record):
 
 
 @kernel(parallel=False)
-def sample(t, elements, bonds, rows, gauges, history, cells, contacts, record):
+def sample(t, elements, bonds, rows, gauges, history, body, contacts, record):
     """One row of the history."""
     record[TIME] = t
-    energies(elements, bonds, rows.work, history, cells, record)
+    energies(elements, bonds, rows.work, history, body, record)
     if contacts is not None:
         of_contacts(elements.pose, bonds.period, contacts, gauges, record)
     gauged(elements, rows, gauges, record)

@@ -147,10 +147,11 @@ class Model:
     @cached_property
     def constraints(self) -> Constraints:
         """Boundary conditions resolved to elements."""
-        boundary = self.boundary
+        boundary, gripped = self.boundary, None
         if self._cells is not None:
             boundary = [one for one in boundary if not (isinstance(one, Fix | Drive) and holds_wall(one))]
-        return Constraints.of(self.lattice, self.layout, boundary, self.mass)
+            gripped = self._cells.grips.cell if len(self._cells.grips.cell) else None
+        return Constraints.of(self.lattice, self.layout, boundary, self.mass, gripped)
 
     @cached_property
     def mass(self) -> PerElement:

@@ -63,7 +63,7 @@ class State:
         self.history = np.zeros((6, m if model.formulation == "incremental" else 0))
         self.eigenstrain = np.zeros(0)
         self.reaction = np.zeros((rows, 6))
-        self.work = np.zeros(model.constraints.works[2])
+        self.work = np.zeros(model.constraints.works[-1])
         self.loss = np.zeros((n, 3))
         self.touching = np.zeros((0, 2), dtype=np.int64)
         self.stretch = np.zeros((0, 6))
@@ -108,7 +108,7 @@ class State:
             )
         rows = len(model.constraints.element)
         self.reaction = np.zeros((rows, 6))
-        self.work = np.zeros(model.constraints.works[2])
+        self.work = np.zeros(model.constraints.works[-1])
         self.loss[:] = 0.0
         if model.contact is None:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))

@@ -6,7 +6,8 @@ import numpy as np
 
 from bondem._types import Floats, PerBond, PerElement3
 from bondem.kernels.bond_pass import bond_energies
-from bondem.kernels.cell_pass import cell_energies
+from bondem.kernels.cell_energies import cell_energies
+from bondem.kernels.grip_pass import place_walls
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -95,5 +96,7 @@ def elastic_energy(model: Model, state: State) -> EnergyParts:
     bonds = model.bonds.rows(model.layout, model.period, state.integrity)
     if model.cells is None:
         return EnergyParts(*bond_energies(state.pose, bonds))
-    cells = model.cells.stretched(state.eigenstrain).rows(model.layout.i)
-    return EnergyParts(*cell_energies(state.pose, bonds, cells))
+    layout, constants = model.layout, model.cells.stretched(state.eigenstrain)
+    grips = constants.grips.table(layout, model.constraints.row_of, 0)
+    place_walls(state.time, grips)
+    return EnergyParts(*cell_energies(state.pose, state.rest, bonds, constants.rows(layout.i), grips))
