@@ -103,7 +103,7 @@ def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Pol
     one = _merged(polygons.chosen(order), key)
     depth = ((one.centroid - position[one.a]) * one.normal).sum(axis=1)
     face = _faces(shape, one.centroid, one.normal, _INSIDE * width)
-    return FreeFacets(*map(freeze, (one.a, one.area, one.normal, one.centroid, depth, face)))
+    return FreeFacets(*map(freeze, (one.a, one.area, one.normal, one.centroid, one.moment, depth, face)))
 
 
 def _faces(shape: Shape, centroid: Floats, normal: Floats, inside: float) -> Ints:
