@@ -136,9 +136,13 @@ class Grips:
         moved = own[:, :3] + np.cross(own[:, 3:], self.lever[:, :, None], axis=1)
         return (self.axes[:, :, None] * moved).reshape(-1, motion.shape[-1])
 
-    def blocks(self) -> tuple[Floats, Floats]:
-        """What the grips add to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of their cells, (g, 6)."""
-        b, P = self.lever, self.axes[:, :, None] * np.eye(3)
+    def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
+        """What the grips add to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of their cells, (g, 6).
+
+        Args:
+            lever: as the cells have turned it [m], (g, 3); that of the reference when None.
+        """
+        b, P = self.lever if lever is None else lever, self.axes[:, :, None] * np.eye(3)
         cross = np.zeros((len(b), 3, 3))
         for r, c, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
             cross[:, r, c], cross[:, c, r] = -b[:, axis], b[:, axis]

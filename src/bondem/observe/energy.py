@@ -91,12 +91,18 @@ def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
     return -own[:, None] * model.lattice.branch
 
 
-def elastic_energy(model: Model, state: State) -> EnergyParts:
-    """Energy of a state under the total formulation, at any rotation."""
+def elastic_energy(model: Model, state: State, *, wall: Floats | None = None) -> EnergyParts:
+    """Energy of a state under the total formulation, at any rotation.
+
+    Walls that hold cells are where `wall` [m], (g, 3), says, or else where the time of the state has brought them.
+    """
     bonds = model.bonds.rows(model.layout, model.period, state.integrity)
     if model.cells is None:
         return EnergyParts(*bond_energies(state.pose, bonds))
     layout, constants = model.layout, model.cells.stretched(state.eigenstrain)
     grips = constants.grips.table(layout, model.constraints.row_of, 0)
-    place_walls(state.time, grips)
+    if wall is None:
+        place_walls(state.time, grips)
+    else:
+        grips.wall[:] = wall
     return EnergyParts(*cell_energies(state.pose, state.rest, bonds, constants.rows(layout.i), grips))
