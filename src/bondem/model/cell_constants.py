@@ -36,6 +36,8 @@ class CellConstants:
         weight: λ_p / V_p, by which V_p θ_p becomes the stress λ_p θ_p [Pa/m³], shape (n,).
         normal: of the facets, from i to j [-], shape (m, 3).
         grips: facets that walls hold; their cells in the user's order.
+        softness: d / 2 G of each free facet, by which a traction opens it [m/Pa], shape (k,).
+        way: M⁻¹n along its free axes: the stress of the cell opens it by -softness · stress · way [-], shape (k, 3).
     """
 
     k: PerBond
@@ -48,6 +50,8 @@ class CellConstants:
     weight: PerElement
     normal: PerBond3
     grips: Grips
+    softness: Floats
+    way: Floats
 
     @classmethod
     def of(cls, body: Lattice, bond: CellAssignment, holds: Holds) -> "CellConstants":
@@ -90,6 +94,8 @@ class CellConstants:
             weight=lame / slack / cells.volume,
             normal=normal,
             grips=_grips(cells, holds, G, n_free, rotation),
+            softness=free.depth / (2.0 * G[free.cell]),
+            way=open_axes * n_free,
         )
 
     def ordered(self, layout: Layout) -> "CellConstants":
@@ -108,6 +114,8 @@ class CellConstants:
             weight=self.weight[element],
             normal=np.where(back, -self.normal[bond], self.normal[bond]),
             grips=self.grips,
+            softness=self.softness,
+            way=self.way,
         )
 
     def stretched(self, strain: PerBond) -> "CellConstants":

@@ -1,0 +1,37 @@
+"""Where the surface of a body of cells goes: free facets open until they bear the traction that is put on them."""
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Floats, PerElement3
+from bondem.model.cell_constants import body_of
+from bondem.model.model import Model
+from bondem.observe.cell_strain import CellStrain
+
+
+def surface_displacement(
+    model: Model, displacement: PerElement3, rotation: PerElement3, *, traction: Floats | None = None
+) -> Floats:
+    """Displacements of the centroids of the free facets [m], shape (k, 3), in the order of `cells.free`.
+
+    A facet lies half a cell outside of its element, and that half is strained, too: with the stress σ = λ θ of the
+    cell, the facet opens by (d / 2 G)(t - σ M⁻¹n).
+
+    Args:
+        model: a body of cells.
+        displacement, rotation: of its elements [m, rad], small, (n, 3) each.
+        traction: on the free facets [Pa], (k, 3); none when None.
+
+    Raises:
+        InputError: a model without cells.
+    """
+    instance("surface_displacement", "model", model, Model, "bd.Model(...)")
+    _, cells = body_of(model.lattice)
+    constants, free = model.cell_constants, cells.free
+    found = CellStrain.of(model.lattice, constants, displacement, rotation, wall=constants.grips.motion)
+    arm = free.centroid - cells.centroid[free.cell]
+    rigid = displacement[free.cell] + np.cross(rotation[free.cell], arm)
+    pull = -found.stress(constants)[free.cell, None] * constants.way
+    if traction is not None:
+        pull = pull + traction
+    return rigid + constants.softness[:, None] * pull
