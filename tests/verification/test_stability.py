@@ -37,7 +37,7 @@ def block(law=LAW, *, seed: int = 0, **options) -> bd.Model:
 
 @one_blas_thread
 def exact_frequency(model: bd.Model) -> float:
-    K, m = stiffness_matrix(model).toarray(), mass_diagonal(model)
+    K, m = stiffness_matrix(model).tocsc().toarray(), mass_diagonal(model)
     return math.sqrt(np.linalg.eigvalsh(K / np.sqrt(m[:, None] * m))[-1])
 
 

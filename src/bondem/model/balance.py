@@ -2,19 +2,25 @@
 
 import numpy as np
 
-from bondem._types import PerElement3, Vector
+from bondem._types import PerElement, PerElement3, Vector
 
 
-def balanced_forces(arms: PerElement3, force: Vector, moment: Vector) -> PerElement3:
-    """The smallest forces (k, 3) at `arms` (k, 3) with a given resultant, and its moment where they can."""
-    count = len(arms)
-    centre = arms.mean(axis=0)
+def balanced_forces(
+    arms: PerElement3, force: Vector, moment: Vector, weight: PerElement | None = None
+) -> PerElement3:
+    """The smallest forces (k, 3) at `arms` (k, 3) with a given resultant, and its moment where they can.
+
+    With `weight` (k,), such as areas, the smallest tractions: Σ F² / weight is least.
+    """
+    share = np.full(len(arms), 1.0 / len(arms)) if weight is None else weight / weight.sum()
+    centre = share @ arms
     spread = arms - centre
-    scale = np.sqrt((spread**2).sum() / count)
+    scale = np.sqrt(share @ (spread**2).sum(axis=1))
     if scale <= 1e-12 * (1.0 + np.abs(centre).max()):
-        return np.tile(force / count, (count, 1))
+        return share[:, None] * force
     # about the centroid the two problems decouple: an equal share each, and b × r for the moment
     wanted = moment - np.cross(centre, force)
-    inertia = (spread**2).sum() * np.eye(3) - spread.T @ spread
+    weighted = share[:, None] * spread
+    inertia = (weighted * spread).sum() * np.eye(3) - spread.T @ weighted
     turn = np.linalg.pinv(inertia, rcond=1e-9, hermitian=True) @ wanted
-    return force / count + np.cross(turn, spread)
+    return share[:, None] * (force + np.cross(turn, spread))

@@ -8,7 +8,7 @@ from bondem._checks import instance, vector
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.model.balance import balanced_forces
-from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
+from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure, face_of, facets_on, is_face, on_nodes
 from bondem.model.schedules import Constant, Schedule, as_schedule
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region, as_region
@@ -97,7 +97,8 @@ class Load:
 
     The nodal forces are the smallest (in the sum of squares) whose resultant is `force` through the region's
     anchor (the centre of a face, else the centroid) and whose moment about it is `moment`. Where the elements
-    cannot carry a moment by forces (one element, or a row), they get torques for the rest.
+    cannot carry a moment by forces (one element, or a row), they get torques for the rest. On a face of a body of
+    cells they are the smallest tractions, on the facets of the face.
 
     Attributes:
         region: who.
@@ -119,12 +120,27 @@ class Load:
 
     def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
         """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
+        if lattice.cells is not None and is_face(self.region):
+            return self._tractions(lattice)
         chosen = self.region.select(lattice)
         arms = lattice.centre[chosen] - self.region.anchor(lattice)
         values = np.zeros((len(chosen), 6))
         values[:, :3] = balanced_forces(arms, np.array(self.force), np.array(self.moment))
         rest = np.array(self.moment) - np.cross(arms, values[:, :3]).sum(axis=0)
         values[:, 3:] = rest / len(chosen)
+        return chosen, values
+
+
+    def _tractions(self, body: Lattice) -> tuple[Ints, Floats]:
+        """The same on the facets that cells have on a face."""
+        face = face_of("Load", self.region)
+        chosen, owner, centre, area = facets_on(face, self.region, body)
+        size = np.linalg.norm(area, axis=1)
+        arms = centre - self.region.anchor(body)
+        force = balanced_forces(arms, np.array(self.force), np.array(self.moment), size)
+        values = on_nodes(body, chosen, owner, centre, force)
+        rest = np.array(self.moment) - np.cross(arms, force).sum(axis=0)
+        values[:, 3:] += rest * (np.bincount(owner, weights=size) / size.sum())[:, None]
         return chosen, values
 
 

@@ -11,6 +11,7 @@ from bondem.kernels.tables import CellTable
 from bondem.laws.bond import BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.model.bond_table import with_twins, with_zeros
+from bondem.model.grips import Grips, Holds
 from bondem.model.layout import Layout
 from bondem.specimen.cells.tables import Cells, Facets
 from bondem.specimen.lattice import Lattice
@@ -34,6 +35,7 @@ class CellConstants:
         volume: V [m³], shape (n,).
         weight: λ_p / V_p, by which V_p θ_p becomes the stress λ_p θ_p [Pa/m³], shape (n,).
         normal: of the facets, from i to j [-], shape (m, 3).
+        grips: facets that walls hold; their cells in the user's order.
     """
 
     k: PerBond
@@ -45,10 +47,16 @@ class CellConstants:
     volume: PerElement
     weight: PerElement
     normal: PerBond3
+    grips: Grips
 
     @classmethod
-    def of(cls, body: Lattice, bond: CellAssignment) -> "CellConstants":
+    def of(cls, body: Lattice, bond: CellAssignment, holds: Holds) -> "CellConstants":
         """The constants of a body.
+
+        Args:
+            body: a lattice with facets and cells.
+            bond: its material.
+            holds: free facets that walls hold.
 
         Raises:
             InputError: a lattice without cells, or cells that no law covers.
@@ -66,19 +74,22 @@ class CellConstants:
         n_j = np.einsum("mab,mb->ma", inverse[j], normal)
         free = cells.free
         n_free = np.einsum("kab,kb->ka", inverse[free.cell], free.normal)
-        soft = free.area * free.depth * (n_free**2).sum(axis=1)
+        open_axes = np.ones((len(free.cell), 3))
+        open_axes[holds.facet] -= holds.axes
+        soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
         slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
         arm = facets.centroid - cells.centroid[i]
         return cls(
             k=k,
             lever_i=arm,
             lever_j=arm - body.branch,
-            H=_resistance(facets, k / area, rotation),
+            H=_resistance(facets.moment, normal, k / area, rotation),
             share_i=(area * w_i)[:, None] * n_i,
             share_j=(area * w_j)[:, None] * n_j,
             volume=cells.volume,
             weight=lame / slack / cells.volume,
             normal=normal,
+            grips=_grips(cells, holds, G, n_free, rotation),
         )
 
     def ordered(self, layout: Layout) -> "CellConstants":
@@ -96,6 +107,7 @@ class CellConstants:
             volume=self.volume[element],
             weight=self.weight[element],
             normal=np.where(back, -self.normal[bond], self.normal[bond]),
+            grips=self.grips,
         )
 
     def stretched(self, strain: PerBond) -> "CellConstants":
@@ -187,12 +199,25 @@ def _corrections(body: Lattice, facets: Facets, cells: Cells) -> Floats:
     return np.linalg.inv(M / cells.volume[:, None, None])
 
 
-def _resistance(facets: Facets, stiffness: PerBond, rotation: str) -> Floats:
-    """H [N·m], (m, 3, 3), of facets with `stiffness` 2 G / L [Pa/m]."""
-    S = facets.moment
+def _resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:
+    """H [N·m], (m, 3, 3), of facets with second moments S and `stiffness` 2 G / L [Pa/m]."""
     if rotation == "none":
         return np.zeros_like(S)
     unit = np.eye(3)
     if rotation == "bending":
-        unit = unit - facets.normal[:, :, None] * facets.normal[:, None, :]
+        unit = unit - normal[:, :, None] * normal[:, None, :]
     return stiffness[:, None, None] * (np.einsum("mii->m", S)[:, None, None] * unit - S)
+
+
+def _grips(cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: str) -> Grips:
+    """The half facets between cells and walls."""
+    free, facet = cells.free, holds.facet
+    cell, normal, axes = free.cell[facet], free.normal[facet], holds.axes.astype(float)
+    stiffness = 2.0 * G[cell] / free.depth[facet]
+    # a wall that holds the normal keeps the facet plane
+    flat = ((axes * normal) ** 2).sum(axis=1)
+    H = _resistance(free.moment[facet], normal, stiffness * flat, rotation)
+    return Grips(
+        cell=cell, k=stiffness * free.area[facet], lever=free.centroid[facet] - cells.centroid[cell],
+        share=axes * free.area[facet, None] * n_free[facet], H=H, axes=axes, motion=holds.final_motion(),
+    )  # fmt: skip

@@ -63,6 +63,8 @@ class Constraints:
     ) -> "Constraints":
         """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
 
+        Conditions that hold a wall of a body of cells are left out: see `bondem.model.grips`.
+
         Raises:
             InputError: a degree of freedom held or driven twice by different conditions.
             EmptyRegionError: a region that selects nothing.

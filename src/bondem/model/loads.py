@@ -47,7 +47,8 @@ class Pressure:
 
     The face is cut into patches of a quarter of the mean radius; each hands its force to the nearest element of the
     face. Resultant and moment are those of the patches: what moving their forces to the centres of the elements adds
-    to the moment is taken out by the smallest forces. The normals are those of the reference.
+    to the moment is taken out by the smallest forces. Cells take it on their own facets. The normals are those of the
+    reference.
 
     Attributes:
         region: a face, or part of one: `Face("side") & Within(...)`, `Face("x_max") - Index(...)`.
@@ -68,6 +69,8 @@ class Pressure:
         """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
         chosen, owner, centre, area = _shared("Pressure", self.region, lattice)
         force = -self.pressure * area
+        if lattice.cells is not None:
+            return chosen, on_nodes(lattice, chosen, owner, centre, force)
         values = np.zeros((len(chosen), 6))
         for d in range(3):
             values[:, d] = np.bincount(owner, weights=force[:, d], minlength=len(chosen))
@@ -162,6 +165,19 @@ class Eigenstrain:
         return self.strain * inside[lattice.pairs].mean(axis=1)
 
 
+def is_face(region: Region) -> bool:
+    """Whether a region is a face or part of one."""
+    match region:
+        case Face():
+            return True
+        case Difference(first=first):
+            return is_face(first)
+        case Intersection(first=first, second=second):
+            return is_face(first) or is_face(second)
+        case _:
+            return False
+
+
 def face_of(owner: str, region: Region) -> Face:
     """The face that a region is, or is part of.
 
@@ -182,9 +198,32 @@ def face_of(owner: str, region: Region) -> Face:
     )
 
 
+def facets_on(face: Face, region: Region, body: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
+    """Cells of a region and their facets on a face: which cell has each, its centroid, its area times normal."""
+    chosen = region.select(body)
+    place = np.full(len(body.particles), -1)
+    place[chosen] = np.arange(len(chosen))
+    assert body.cells is not None
+    free, found = body.cells.free, body.on_face(face.name)
+    found = found[place[free.cell[found]] >= 0]
+    return chosen, place[free.cell[found]], free.centroid[found], free.area[found, None] * free.normal[found]
+
+
+def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Floats) -> Floats:
+    """Force and torque on the chosen cells [N, N·m], (k, 6), of forces (p, 3) at points (p, 3) of those cells."""
+    torque = np.cross(centre - body.centre[chosen][owner], force)
+    columns = np.hstack([force, torque]).T
+    return np.stack([np.bincount(owner, weights=column, minlength=len(chosen)) for column in columns], axis=1)
+
+
 def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
-    """Elements of a face, and patches: which of the elements has each, its centre and its area times normal."""
+    """Elements of a face, and patches: which of the elements has each, its centre and its area times normal.
+
+    The patches of a body are its facets on the face.
+    """
     face, particles = face_of(owner, region), lattice.particles
+    if lattice.cells is not None:
+        return facets_on(face, region, lattice)
     whole, chosen = face.select(lattice), region.select(lattice)
     centre, area = face_patches(particles.envelope, face.name, _PATCH * particles.mean_radius)
     nearest = whole[KDTree(particles.position[whole]).query(centre)[1]]

@@ -29,6 +29,11 @@ def stiffness_matrix(model: Model) -> Stiffness:
     indptr, indices, data, forms = cell_matrix_arrays(
         c.k, c.lever_i, c.lever_j, c.H, c.share_i, c.share_j, layout.i, layout.j, layout.adjacency
     )
+    own, form = c.grips.blocks()
+    gripped = layout.rank[c.grips.cell]
+    diagonal = indptr[gripped] + (layout.in_start[gripped + 1] - layout.in_start[gripped])
+    np.add.at(data, diagonal, own)
+    np.add.at(forms, diagonal, form[:, None])
     return Stiffness(
         bsr_array((data, indices, indptr), shape=(size, size)),
         bsr_array((forms, indices, indptr), shape=(size // 6, size)),

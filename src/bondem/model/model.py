@@ -16,10 +16,11 @@ from bondem.laws.contact import LinearContact
 from bondem.laws.non_local import NonLocal
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.model.bond_table import BondTable
-from bondem.model.boundary import BoundaryCondition
+from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.cell_constants import CellAssignment, CellConstants, body_of
 from bondem.model.constraints import Constraints
 from bondem.model.contacts import ContactModel
+from bondem.model.grips import Holds, holds_wall
 from bondem.model.layout import Layout
 from bondem.model.non_local_constants import NonLocalConstants
 from bondem.model.state import State
@@ -113,7 +114,8 @@ class Model:
         laws = self.bond.values() if isinstance(self.bond, Mapping) else (self.bond,)
         if not any(isinstance(law, CellBond) for law in laws):
             return None
-        return CellConstants.of(self.lattice, self.bond)
+        body_of(self.lattice)
+        return CellConstants.of(self.lattice, self.bond, Holds.of(self.lattice, self.boundary))
 
     @cached_property
     def non_local(self) -> NonLocalConstants | None:
@@ -169,7 +171,10 @@ class Model:
     @cached_property
     def constraints(self) -> Constraints:
         """Boundary conditions resolved to elements."""
-        return Constraints.of(self.lattice, self.layout, self.boundary, self.mass)
+        boundary = self.boundary
+        if self._cells is not None:
+            boundary = [one for one in boundary if not (isinstance(one, Fix | Drive) and holds_wall(one))]
+        return Constraints.of(self.lattice, self.layout, boundary, self.mass)
 
     @property
     def _as_cells(self) -> bool:
@@ -202,7 +207,8 @@ class Model:
         for name in ("lattice", "bond", "density", "contact", "walls"):
             object.__setattr__(other, name, getattr(self, name))
         object.__setattr__(other, "boundary", _conditions(boundary))
-        for name in ("layout", "_cells", "cells", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia"):
+        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia")
+        for name in kept if self._cells is not None else (*kept, "_cells"):
             other.__dict__[name] = getattr(self, name)
         other.constraints  # noqa: B018  regions are checked now
         other._check_strain()

@@ -16,11 +16,15 @@ class CellStrain:
     Attributes:
         gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i, of the faces of each facet [m], (m, 3).
         turn: θ_j - θ_i [rad], (m, 3).
+        held: of the facets that walls hold, along the held axes [m], (g, 3).
+        rotation: of the elements [rad], (n, 3).
         swelling: V θ of each cell, free facets closed [m³], (n,).
     """
 
     gap: Floats
     turn: Floats
+    held: Floats
+    rotation: PerElement3
     swelling: PerElement
 
     @classmethod
@@ -32,6 +36,7 @@ class CellStrain:
         rotation: PerElement3,
         *,
         slip: Floats | None = None,
+        wall: Floats | None = None,
     ) -> "CellStrain":
         """The deformation under displacements [m] and rotations [rad], (n, 3) each.
 
@@ -41,6 +46,7 @@ class CellStrain:
             displacement, rotation: of the elements.
             slip: what every facet opens besides [m], (m, 3): by a macroscopic strain in a periodic cell, or less
                 what it opens without stress.
+            wall: displacement of walls that hold facets [m], (g, 3); none when None.
         """
         i, j = body.pairs.T
         gap = (
@@ -52,7 +58,10 @@ class CellStrain:
         n = len(body.particles)
         swelling = np.bincount(i, weights=(constants.share_i * gap).sum(axis=1), minlength=n)
         swelling += np.bincount(j, weights=(constants.share_j * gap).sum(axis=1), minlength=n)
-        return cls(gap, rotation[j] - rotation[i], swelling)
+        grips = constants.grips
+        held = grips.gap(displacement, rotation, wall)
+        swelling += np.bincount(grips.cell, weights=(grips.share * held).sum(axis=1), minlength=n)
+        return cls(gap, rotation[j] - rotation[i], held, rotation, swelling)
 
     def stress(self, constants: CellConstants) -> PerElement:
         """λ_p θ_p of each cell [Pa], (n,)."""
@@ -74,10 +83,19 @@ class CellStrain:
             both = sign * np.hstack([force, np.cross(lever, force) + moment])
             for d in range(6):
                 load[:, d] += np.bincount(end, weights=both[:, d], minlength=len(load))
-        return load
+        return load + self.of_walls(len(load), constants)
+
+    def of_walls(self, n: int, constants: CellConstants) -> PerElement6:
+        """What the walls do to the elements that they hold [N, N·m], (n, 6)."""
+        grips = constants.grips
+        values = grips.nodal(self.held, self.rotation, self.stress(constants))
+        return np.stack([np.bincount(grips.cell, weights=column, minlength=n) for column in values.T], axis=1)
 
     def work(self, other: "CellStrain", constants: CellConstants) -> float:
         """What the stresses of one deformation do on another, twice the energy where both are the same [J]."""
+        grips = constants.grips
         bent = np.einsum("ma,mab,mb->", self.turn, constants.H, other.turn)
+        bent += np.einsum("ga,gab,gb->", self.rotation[grips.cell], grips.H, other.rotation[grips.cell])
         opened = (constants.k[:, None] * self.gap * other.gap).sum()
+        opened += (grips.k[:, None] * self.held * other.held).sum()
         return float(opened + bent + (constants.weight * self.swelling * other.swelling).sum())

@@ -63,14 +63,18 @@ def _cell_energy(
     model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond | None
 ) -> EnergyParts:
     body, constants = model.lattice, model.cell_constants
-    found = CellStrain.of(body, constants, displacement, rotation, slip=stress_free_gap(model, strain))
+    grips = constants.grips
+    slip = stress_free_gap(model, strain)
+    found = CellStrain.of(body, constants, displacement, rotation, slip=slip, wall=grips.motion)
     facets, _ = body_of(body)
     normal = (found.gap * facets.normal).sum(axis=1)
     turned = (found.turn * facets.normal).sum(axis=1)
     along = np.einsum("ma,mab,mb->m", facets.normal, constants.H, facets.normal) * turned**2
     whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
+    own = rotation[grips.cell]
+    gripped = (grips.k[:, None] * found.held**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
     return EnergyParts(
-        normal=0.5 * float((constants.k * normal**2).sum() + (constants.weight * found.swelling**2).sum()),
+        normal=0.5 * float((constants.k * normal**2).sum() + (constants.weight * found.swelling**2).sum() + gripped),
         shear=0.5 * float((constants.k * ((found.gap**2).sum(axis=1) - normal**2)).sum()),
         bending=0.5 * float((whole - along).sum()),
         twisting=0.5 * float(along.sum()),

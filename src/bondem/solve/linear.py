@@ -73,8 +73,12 @@ class System:
         metric = np.tile(np.repeat([1.0, lattice.particles.mean_radius], 3), len(order))
         loose = rigid_motions(position, lattice.particles.period is not None) * connected[:, None, None]
         loose = orthonormal(loose.reshape(len(metric), -1) * metric[:, None])
-        if held.any():
-            grip = loose[held.ravel()]
+        grip = loose[held.ravel()]
+        if model.cells is not None:
+            grips = model.cells.grips
+            by_user = (loose / metric[:, None]).reshape(len(order), 6, -1)[model.layout.rank]
+            grip = np.concatenate([grip, grips.constraint(by_user)])
+        if len(grip):
             size, turn = np.linalg.eigh(grip.T @ grip)
             loose = loose @ turn[:, size <= 1e-12 * size[-1]]
         return cls(

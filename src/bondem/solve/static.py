@@ -111,7 +111,7 @@ class Statics:
         return StaticResult(
             displacement=displacement,
             rotation=rotation,
-            reaction=reaction[layout.rank],
+            reaction=reaction[layout.rank] + of_walls(model, displacement, rotation, strain),
             energy=linear_energy(model, displacement, rotation, strain),
             iterations=iterations,
             residual=_residual(system, unbalanced, load.reshape(n, 6)),
@@ -146,19 +146,28 @@ def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
 
 
 def strain_load(model: Model, strain: PerBond) -> Floats:
-    """Forces by which bonds with a stress-free strain push their ends apart [N], internal order, (6 n,)."""
+    """Forces of bonds with a stress-free strain, and of walls that move, on elements at rest [N, N·m], (6 n,)."""
     layout, bonds = model.layout, model.bonds
-    slip = stress_free_gap(model, strain)
-    if slip is not None:
+    if model.cells is not None:
         body, still = model.lattice, np.zeros((len(layout.order), 3))
-        constants = model.cell_constants
-        return CellStrain.of(body, constants, still, still, slip=slip).nodal(body, constants)[layout.order].ravel()
+        constants, slip = model.cell_constants, stress_free_gap(model, strain)
+        found = CellStrain.of(body, constants, still, still, slip=slip, wall=constants.grips.motion)
+        return found.nodal(body, constants)[layout.order].ravel()
     push = bonds.kn * bonds.length * strain * bonds.direction
     load = np.zeros((len(layout.order), 6))
     for d in range(3):
         load[:, d] = np.bincount(layout.j, weights=push[d], minlength=len(load))
         load[:, d] -= np.bincount(layout.i, weights=push[d], minlength=len(load))
     return load.ravel()
+
+
+def of_walls(model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> PerElement6 | float:
+    """Force and torque of the walls that hold facets on their cells [N, N·m], (n, 6); 0 of beams."""
+    if model.cells is None:
+        return 0.0
+    constants, slip = model.cell_constants, stress_free_gap(model, strain)
+    found = CellStrain.of(model.lattice, constants, displacement, rotation, slip=slip, wall=constants.grips.motion)
+    return found.of_walls(len(displacement), constants)
 
 
 def _check_balance(system: System, load: Floats) -> None:

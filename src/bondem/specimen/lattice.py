@@ -101,6 +101,18 @@ class Lattice:
             )
         return freeze(self.pieces == 0)
 
+    def on_face(self, name: str) -> Ints:
+        """Free facets of a body on a face of its shape, numbers in `cells.free`, ascending.
+
+        Raises:
+            InputError: the shape has no such face, or the lattice no cells.
+        """
+        if self.cells is None:
+            raise InputError("the lattice is not cut into cells; connect its particles with method='laguerre'")
+        envelope = self.particles.envelope
+        envelope.face_centre(name)  # refuses an unknown name
+        return np.flatnonzero(self.cells.free.face == envelope.faces.index(name))
+
     @property
     def rattlers(self) -> int:
         """Number of elements that are not part of the specimen."""

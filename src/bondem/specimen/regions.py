@@ -62,14 +62,14 @@ class Everything(Region):
 
 @dataclass(frozen=True)
 class Face(Region):
-    """Elements whose surface lies at a named face of the shape.
+    """Elements whose surface lies at a named face of the shape; cells of a body that have a facet on it.
 
     Without a shape the face is that of the bounding box of the spheres, which in a loose or cut packing few of them
     reach: a layer is then what `depth=1.0` selects, and a face of far fewer is warned of (`FaceWarning`).
 
     Attributes:
         name: "x_min", "x_max", ... or "side".
-        depth: how far from the face their surface may lie, in mean radii [-].
+        depth: how far from the face their surface may lie, in mean radii [-]; of no account for cells.
     """
 
     name: str
@@ -81,6 +81,10 @@ class Face(Region):
         object.__setattr__(self, "depth", depth)
 
     def mask(self, lattice: Lattice) -> Mask:
+        if lattice.cells is not None:
+            chosen = np.zeros(len(lattice.particles), dtype=bool)
+            chosen[lattice.cells.free.cell[lattice.on_face(self.name)]] = True
+            return chosen
         particles = lattice.particles
         gap = particles.envelope.face_depth(self.name, particles.position) - particles.radius
         chosen = gap <= self.depth * particles.mean_radius

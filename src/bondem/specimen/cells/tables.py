@@ -43,6 +43,7 @@ class FreeFacets:
         area: [m²], shape (k,).
         normal: outward unit vectors [-], shape (k, 3).
         centroid: [m], shape (k, 3).
+        moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (k, 3, 3).
         depth: distance of the cell's centre from their plane, positive inside [m], shape (k,).
         face: number of their face in `Shape.faces`, shape (k,).
     """
@@ -51,6 +52,7 @@ class FreeFacets:
     area: Floats
     normal: Floats
     centroid: Floats
+    moment: Floats
     depth: Floats
     face: Ints
 

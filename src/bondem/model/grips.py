@@ -1,0 +1,144 @@
+"""Facets of cells that a wall holds: where a body of cells is clamped, driven or pressed between platens.
+
+A condition on a face holds the surface, not the centres of the cells behind it: half a cell lies between. The wall is
+joined to each of its facets by the half of a facet that belongs to the cell, in the directions that are prescribed;
+in the others the facet stays free.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints, Mask, PerElement3, PerElement6
+from bondem.model.boundary import BoundaryCondition, Drive, Fix
+from bondem.model.loads import face_of, is_face
+from bondem.model.schedules import Schedule
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True, eq=False)
+class Holds:
+    """Which free facets of a body are held, along which axes, and how their walls move.
+
+    Attributes:
+        facet: numbers in `cells.free`, ascending, shape (g,).
+        axes: whether each is held along x, y, z, shape (g, 3).
+        drives: schedules of walls that move.
+        drive: which of them each facet follows along x, y, z, or -1, shape (g, 3).
+        rate: whether each schedule is a velocity, by schedule.
+    """
+
+    facet: Ints
+    axes: Mask
+    drives: tuple[Schedule, ...]
+    drive: Ints
+    rate: tuple[bool, ...]
+
+    @classmethod
+    def of(cls, body: Lattice, boundary: Sequence[BoundaryCondition]) -> "Holds":
+        """What the conditions on faces hold."""
+        assert body.cells is not None
+        count = len(body.cells.free.cell)
+        axes, drive = np.zeros((count, 3), dtype=bool), np.full((count, 3), -1)
+        drives: list[Schedule] = []
+        rate: list[bool] = []
+        for condition in boundary:
+            if not isinstance(condition, Fix | Drive) or not holds_wall(condition):
+                continue
+            found = facet_numbers(body, condition)
+            if isinstance(condition, Fix):
+                for axis in condition.components:
+                    if axis < 3:
+                        axes[found, axis] = True
+                continue
+            for axis, schedule, is_rate in condition.motion:
+                if axis < 3:
+                    axes[found, axis], drive[found, axis] = True, len(drives)
+                    drives.append(schedule)
+                    rate.append(is_rate)
+        facet = np.flatnonzero(axes.any(axis=1))
+        return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate))
+
+    def final_motion(self) -> Floats:
+        """Displacements of the walls at the end of all schedules [m], shape (g, 3)."""
+        last = np.array([schedule.final for schedule in self.drives] + [0.0])
+        return np.where(self.axes, last[self.drive], 0.0)
+
+
+def holds_wall(condition: Fix | Drive) -> bool:
+    """Whether a condition holds a wall: one on a face, that prescribes translations."""
+    first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
+    return is_face(condition.region) and min(first) < 3
+
+
+def facet_numbers(body: Lattice, condition: Fix | Drive) -> Ints:
+    """Numbers in `cells.free` of the facets that a condition on a face holds."""
+    face = face_of(type(condition).__name__, condition.region)
+    chosen = np.zeros(len(body.particles), dtype=bool)
+    chosen[condition.region.select(body)] = True
+    assert body.cells is not None
+    found = body.on_face(face.name)
+    return found[chosen[body.cells.free.cell[found]]]
+
+
+@dataclass(frozen=True, eq=False)
+class Grips:
+    """The half facets between cells and the walls that hold them, g of them; elements in the user's order.
+
+    Attributes:
+        cell: of each, shape (g,).
+        k: 2 G A / d [N/m], shape (g,).
+        lever: from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
+        share: A M⁻¹n along the held axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
+        H: resistance to rotation, where the normal is held [N·m], shape (g, 3, 3).
+        axes: whether the facet is held along x, y, z, as 0 and 1, shape (g, 3).
+        motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
+    """
+
+    cell: Ints
+    k: Floats
+    lever: Floats
+    share: Floats
+    H: Floats
+    axes: Floats
+    motion: Floats
+
+    def gap(self, displacement: PerElement3, rotation: PerElement3, wall: Floats | None = None) -> Floats:
+        """How far walls are from their facets along the held axes, for small motions [m], shape (g, 3).
+
+        Args:
+            displacement, rotation: of the elements [m, rad], (n, 3).
+            wall: displacement of the walls [m], (g, 3); none when None.
+        """
+        moved = displacement[self.cell] + np.cross(rotation[self.cell], self.lever)
+        return self.axes * ((0.0 if wall is None else wall) - moved)
+
+    def nodal(self, gap: Floats, turn: PerElement3, stress: Floats) -> PerElement6:
+        """Force and torque of the walls on their cells [N, N·m], shape (g, 6).
+
+        Args:
+            gap: [m], (g, 3).
+            turn: rotations of the elements [rad], (n, 3).
+            stress: λ θ of all cells [Pa], (n,).
+        """
+        force = self.k[:, None] * gap + stress[self.cell, None] * self.share
+        moment = -np.einsum("gab,gb->ga", self.H, turn[self.cell])
+        return np.hstack([force, np.cross(self.lever, force) + moment])
+
+    def constraint(self, motion: Floats) -> Floats:
+        """Motion of the held points along the held axes, (3 g, k), of motions (n, 6, k) of the elements."""
+        own = motion[self.cell]
+        moved = own[:, :3] + np.cross(own[:, 3:], self.lever[:, :, None], axis=1)
+        return (self.axes[:, :, None] * moved).reshape(-1, motion.shape[-1])
+
+    def blocks(self) -> tuple[Floats, Floats]:
+        """What the grips add to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of their cells, (g, 6)."""
+        b, P = self.lever, self.axes[:, :, None] * np.eye(3)
+        cross = np.zeros((len(b), 3, 3))
+        for r, c, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            cross[:, r, c], cross[:, c, r] = -b[:, axis], b[:, axis]
+        moved = np.concatenate([P, -P @ cross], axis=2)  # P (u + θ × b)
+        own = self.k[:, None, None] * np.swapaxes(moved, 1, 2) @ moved
+        own[:, 3:, 3:] += self.H
+        return own, -np.hstack([self.share, np.cross(b, self.share)])
