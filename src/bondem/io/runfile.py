@@ -4,7 +4,7 @@
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
     /bonds           pairs (m, 2)
     /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale
-    /history         records (s, 11 + 3 g); attribute gauges
+    /history         records (s, 12 + 3 g); attribute gauges
 
 What is derived (order, stiffnesses) is not kept but made again, by the same code. The file is
 written aside and moved into place, so that a kill leaves the checkpoint before.

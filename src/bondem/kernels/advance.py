@@ -48,7 +48,7 @@ def guard(motion, work, contacts, budget):
 
 
 @kernel(parallel=False)
-def advance(span, scheme, run, same, history, cells, contacts, added, strain, records):
+def advance(span, scheme, run, same, history, cells, non_local, contacts, added, strain, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
 
     The acceleration is that of the present state on entry and on return. Between samples the end of one step and the
@@ -91,7 +91,7 @@ def advance(span, scheme, run, same, history, cells, contacts, added, strain, re
         looked = now % GUARD_INTERVAL == 0 or done == span.steps
         paused = sampled or looked
         set_boundary(t, dt, False, schedules, rows, elements.pose, bonds, added, strain)
-        all_forces(elements, bonds, same, history, cells, cut, rows, scheme, added, not paused)
+        all_forces(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, not paused)
         if looked:
             turned, lost, broken = rotation_guard(elements.pose, bonds)
             wide = max(wide, turned)
@@ -99,6 +99,6 @@ def advance(span, scheme, run, same, history, cells, contacts, added, strain, re
             if lost > 0 or sick != FINE:
                 break
         if sampled:
-            sample(t, elements, bonds, rows, run.gauges, history, cells, contacts, records[written])
+            sample(t, elements, bonds, rows, run.gauges, history, cells, non_local, contacts, records[written])
             written += 1
     return done, written, wide, lost, sick, False

@@ -21,8 +21,9 @@ DAMPED, POWER, RUBBED = range(3)
 
 # Columns of a record before the gauges.
 (
-    TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, FIXED_COLUMNS,
-) = range(12)  # fmt: skip
+    TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, NON_LOCAL,
+    FIXED_COLUMNS,
+) = range(13)  # fmt: skip
 
 # What a gauge reads of elements, and from WALL_DISPLACEMENT on of a wall.
 (
