@@ -7,6 +7,7 @@ import numpy as np
 from bondem._types import Floats, PerBond3, PerElement6
 from bondem.kernels.non_local import small_extra_forces
 from bondem.model.non_local_constants import NonLocalConstants
+from bondem.observe.energy import EnergyParts
 from bondem.specimen.lattice import Lattice
 
 _SIX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
@@ -80,6 +81,17 @@ class NonLocalStrain:
                 both = half * (lever[:, a] * force[:, b] + lever[:, b] * force[:, a])
                 found[:, s] += np.bincount(end, weights=both, minlength=n)
         return found / c.volume[:, None]
+
+    @property
+    def energy(self) -> EnergyParts:
+        """Of the springs alone; what extra forces have taken up depends on the path."""
+        c = self.constants
+        along = (self.gap * c.normal).sum(axis=1) ** 2
+        across = (self.gap**2).sum(axis=1) - along
+        return EnergyParts(
+            normal=0.5 * float((c.kn * along).sum()), shear=0.5 * float((c.kt * across).sum()),
+            bending=0.0, twisting=0.0,
+        )  # fmt: skip
 
     def nodal(self, force: PerBond3) -> PerElement6:
         """What such forces of the bonds do to the elements [N, N·m], (n, 6)."""
