@@ -14,9 +14,9 @@ from bondem.model.model import Model
 from bondem.observe.non_local_strain import NonLocalStrain
 
 #: Shares of the critical step of the springs that are tried.
-SHARES = (1.0, 0.5, 0.25, 0.125)
+SHARES = (1.0, 0.5, 0.25, 0.125, 0.0625)
 # Steps of a trial, and the growth of its motion over the last half of them that is taken for stable.
-_STEPS, _GROWTH = 240, 1.5
+_STEPS, _GROWTH = 400, 1.2
 
 
 def stable_share(model: Model, critical: float, terms: DampingTerms) -> float:

@@ -150,13 +150,15 @@ def critical_step(
             limits.append(scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
     if model.non_local is None or bonds == 0.0:
         return min(limits)
-    share = stable_share(model, min(limits), terms)
+    # dashpots take part in the trials; their bound would go by the smallest facet
+    springs = scheme.critical / (raised * max(math.hypot(bonds, frequency) for frequency, _ in motions))
+    share = stable_share(model, springs, terms)
     if share == 0.0:
         warnings.warn(
             "the lagging stress of the non-local law feeds its motions at any time step: give damping=, or lower nu=",
             StepWarning, stacklevel=3,
         )  # fmt: skip
-    return (share or SHARES[-1]) * min(limits)
+    return (share or SHARES[-1]) * springs
 
 
 @dataclass(frozen=True)
