@@ -17,7 +17,6 @@ import numpy as np
 
 import bondem as bd
 from bondem.kernels.advance import FINE
-from bondem.laws.cell_bond import CellBond
 from bondem.model.state import State
 from bondem.solve.lagged import LaggedStatics
 from bondem.solve.linear import System
@@ -54,7 +53,7 @@ def elastic(body: bd.Lattice, seed: int) -> list[dict]:
             ("facets", body, bd.NonLocal(E=E, nu=nu)),
             ("facets, lever on the line of centres", body, bd.NonLocal(E=E, nu=nu, lever="contact")),
             ("weighted", spheres, bd.NonLocal(E=E, nu=nu, areas="weighted")),
-            ("cell law", body, CellBond(E=E, nu=nu)),
+            ("cell law", body, bd.CellBond(E=E, nu=nu)),
         ):
             rows.append({"seed": seed, "law": name, "nu_given": nu, **moduli(lattice, law)})
             print(rows[-1], flush=True)

@@ -25,6 +25,7 @@ _PUBLIC = {
     "bondem.packing": ("pack",),
     "bondem.packing.sizes": ("Lognormal", "Sieve", "SizeLaw", "Uniform"),
     "bondem.laws.bond": ("BondGeometry", "BondLaw", "BondStiffness"),
+    "bondem.laws.cell_bond": ("CellBond",),
     "bondem.laws.contact": ("LinearContact",),
     "bondem.laws.contact_bond": ("ContactBond",),
     "bondem.laws.damping": ("AnyDamping", "BondDamping", "LocalDamping", "MassDamping"),

@@ -19,6 +19,7 @@ from bondem.labtests.bulk import bulk_moduli as bulk_moduli
 from bondem.laws.bond import BondGeometry as BondGeometry
 from bondem.laws.bond import BondLaw as BondLaw
 from bondem.laws.bond import BondStiffness as BondStiffness
+from bondem.laws.cell_bond import CellBond as CellBond
 from bondem.laws.contact import LinearContact as LinearContact
 from bondem.laws.contact_bond import ContactBond as ContactBond
 from bondem.laws.damping import AnyDamping as AnyDamping

@@ -7,6 +7,7 @@ from bondem.kernels.bond_pass import rotation_guard
 from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.contact_pass import contact_loads, outdated
 from bondem.kernels.element_pass import open_step, open_step_serial
+from bondem.kernels.grip_pass import place_walls
 from bondem.kernels.sample import kinetic_energies, sample
 from bondem.kernels.sweep import all_forces
 from bondem.kernels.walls import WORK as WALL_WORK
@@ -48,7 +49,14 @@ def guard(motion, work, contacts, budget):
 
 
 @kernel(parallel=False)
-def advance(span, scheme, run, same, history, cells, non_local, contacts, added, strain, records):
+def move_holds(t, body):
+    """Bring walls that hold cells to time t, where there are any."""
+    if body is not None:  # decided when compiled
+        place_walls(t, body.grips)
+
+
+@kernel(parallel=False)
+def advance(span, scheme, run, same, history, body, non_local, contacts, added, strain, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
 
     The acceleration is that of the present state on entry and on return. Between samples the end of one step and the
@@ -91,7 +99,8 @@ def advance(span, scheme, run, same, history, cells, non_local, contacts, added,
         looked = now % GUARD_INTERVAL == 0 or done == span.steps
         paused = sampled or looked
         set_boundary(t, dt, False, schedules, rows, elements.pose, bonds, added, strain)
-        all_forces(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, not paused)
+        move_holds(t, body)
+        all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, not paused)
         if looked:
             turned, lost, broken = rotation_guard(elements.pose, bonds)
             wide = max(wide, turned)
@@ -99,6 +108,6 @@ def advance(span, scheme, run, same, history, cells, non_local, contacts, added,
             if lost > 0 or sick != FINE:
                 break
         if sampled:
-            sample(t, elements, bonds, rows, run.gauges, history, cells, non_local, contacts, records[written])
+            sample(t, elements, bonds, rows, run.gauges, history, body, non_local, contacts, records[written])
             written += 1
     return done, written, wide, lost, sick, False

@@ -5,12 +5,10 @@ rest. Loops take WIDTH facets at a time; what they add to a cell is added in the
 cuts.
 """
 
-import numpy as np
-
 from bondem._compile import device, kernel
-from bondem.kernels.bond_pass import ahead, apart, branch, group, groups
+from bondem.kernels.bond_pass import ahead, apart, group, groups
 from bondem.kernels.lane_memory import add_loads, add_numbers, places, row, side
-from bondem.laws.cell_energy import facet_energy, facet_force, swellings
+from bondem.laws.cell_energy import facet_force, swellings
 
 # Column of a row of the pose that holds λ θ of a cell [Pa].
 STRESS = 3
@@ -93,32 +91,3 @@ def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
             s * side(cells.k, k), H, s * a[STRESS], s * b[STRESS],
         )  # fmt: skip
         add_loads(sums, places(row_i, k), places(row_j, k), force, on_i, on_j, known)
-
-
-@kernel(parallel=False)
-def cell_energies(pose, bonds, cells):
-    """Normal (with dilatation), shear, bending and twisting energy of all facets and cells [J]."""
-    normal = slip = bend = twist = 0.0
-    swelling = np.zeros(len(cells.weight))
-    for k in range(bonds.m):
-        i, j = bonds.i[k], bonds.j[k]
-        d = branch(pose, i, j, bonds.period)
-        p, q = (pose[i, 4], pose[i, 5], pose[i, 6], pose[i, 7]), (pose[j, 4], pose[j, 5], pose[j, 6], pose[j, 7])
-        a = cells.lever_i[0, k], cells.lever_i[1, k], cells.lever_i[2, k]
-        b = cells.lever_j[0, k], cells.lever_j[1, k], cells.lever_j[2, k]
-        u = cells.share_i[0, k], cells.share_i[1, k], cells.share_i[2, k]
-        v = cells.share_j[0, k], cells.share_j[1, k], cells.share_j[2, k]
-        n = cells.normal[0, k], cells.normal[1, k], cells.normal[2, k]
-        H = cells.H[0, k], cells.H[1, k], cells.H[2, k], cells.H[3, k], cells.H[4, k], cells.H[5, k]
-        s = bonds.integrity[k]
-        one, other = swellings(d, p, q, a, b, u, v)
-        swelling[i] += s * one
-        swelling[j] += s * other
-        part = facet_energy(d, p, q, a, b, n, cells.k[k], H)
-        normal += s * part[0]
-        slip += s * part[1]
-        bend += s * part[2]
-        twist += s * part[3]
-    for p in range(len(swelling)):
-        normal += 0.5 * cells.weight[p] * swelling[p] ** 2
-    return normal, slip, bend, twist

@@ -13,7 +13,7 @@ any.
 import numpy as np
 
 from bondem._compile import device, kernel, prange
-from bondem.kernels.element_rows import loaded, prescribed, react, row_power, switched_energy
+from bondem.kernels.element_rows import gripped, loaded, prescribed, react, row_power, switched_energy
 from bondem.kernels.lane_memory import clear_row, places_below, prefetch, put_entry, put_row, row
 from bondem.kernels.lanes import WIDTH, all_below, dot, lane, put_lane
 from bondem.kernels.resistance import body_work, book_loss, damped, lost, resisted, viscous_power, with_added
@@ -81,6 +81,7 @@ def _step(elements, sums, rows, scheme, added, go_on, p, s, r):
         f, t = with_added(added, p, s, m, f, t)
         body_work(added, p, m, 0.5 * dt, v)
     if r is not None:
+        f, t = gripped(rows.grip, r, f, t)
         react(rows.reaction, r, f, t)
         _row_work(rows, r, 0.5 * dt, v, w)
         f, t = loaded(rows.fixed, rows.force, r, f, t)

@@ -43,6 +43,17 @@ def loaded(fixed, load, r, f, t):
 
 
 @device
+def gripped(grip, r, f, t):
+    """Force and torque with those of walls that hold the facets of a cell."""
+    if len(grip) == 0:
+        return f, t
+    return (
+        (f[0] + grip[r, 0], f[1] + grip[r, 1], f[2] + grip[r, 2]),
+        (t[0] + grip[r, 3], t[1] + grip[r, 4], t[2] + grip[r, 5]),
+    )
+
+
+@device
 def react(reaction, r, f, t):
     """Keep minus the force and torque of the bonds on row r."""
     reaction[r, 0], reaction[r, 1], reaction[r, 2] = -f[0], -f[1], -f[2]

@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import bond_energies
-from bondem.kernels.cell_pass import cell_energies
+from bondem.kernels.cell_energies import cell_energies
 from bondem.kernels.contact_pass import contact_energy
 from bondem.kernels.incremental import incremental_energies
 from bondem.kernels.non_local import non_local_energies
@@ -63,7 +63,7 @@ def kinetic_energies(motion, p):
 
 
 @kernel(parallel=False)
-def energies(elements, bonds, work, history, cells, non_local, record):
+def energies(elements, bonds, work, history, body, non_local, record):
     """Kinetic and elastic energy, work and losses, without those of contacts."""
     translation = rotation = damped = rubbed = total = taken = 0.0
     for p in range(len(elements.pose)):
@@ -72,8 +72,8 @@ def energies(elements, bonds, work, history, cells, non_local, record):
         rotation += about
         damped += elements.loss[p, DAMPED]
         rubbed += elements.loss[p, RUBBED]
-    if cells is not None:  # decided when compiled
-        parts = cell_energies(elements.pose, bonds, cells)
+    if body is not None:  # decided when compiled
+        parts = cell_energies(elements.pose, elements.rest, bonds, body.cells, body.grips)
     elif non_local is not None:
         springs = non_local_energies(elements.pose, bonds, non_local)
         parts = springs[0], springs[1], 0.0, 0.0
@@ -124,7 +124,8 @@ def _element_value(pose, motion, rest, rows, quantity, p, d):
     r = rows.of[p]
     if r < 0:
         return 0.0
-    return rows.reaction[r, d] if rows.fixed[r, d] else rows.force[r, d]
+    wall = rows.grip[r, d] if len(rows.grip) > 0 else 0.0
+    return wall + (rows.reaction[r, d] if rows.fixed[r, d] else rows.force[r, d])
 
 
 @kernel(parallel=False)
@@ -145,10 +146,10 @@ def gauged(elements, rows, gauges, record):
 
 
 @kernel(parallel=False)
-def sample(t, elements, bonds, rows, gauges, history, cells, non_local, contacts, record):
+def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts, record):
     """One row of the history."""
     record[TIME] = t
-    energies(elements, bonds, rows.work, history, cells, non_local, record)
+    energies(elements, bonds, rows.work, history, body, non_local, record)
     if contacts is not None:
         of_contacts(elements.pose, bonds.period, contacts, gauges, record)
     gauged(elements, rows, gauges, record)

@@ -8,6 +8,7 @@ from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
+from bondem.kernels.grip_pass import hand_on, swell_grips
 from bondem.kernels.incremental import incremental_loads
 from bondem.kernels.non_local import non_local_loads, settle_stress
 
@@ -77,16 +78,35 @@ def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, s
 
 
 @kernel(parallel=False)
-def all_forces(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on):
-    """A step over everything, on one thread or on as many as there are domains."""
+def swell_body(elements, bonds, body, cut, rows):
+    """Stresses of all cells now, and what walls that hold some of them do."""
+    pose, rest, cells, grips = elements.pose, elements.rest, body.cells, body.grips
+    swell_grips(pose, rest, grips, cells.swelling)
     if len(cut.domain) == 2:
-        if cells is not None:
-            swell(elements.pose, bonds, cells, 0, len(bonds.i))
-            stress_cells(elements.pose, cells, 0, len(elements.pose))
-        sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, 0, len(cut.move) - 1)
-        if non_local is not None:  # which is on one thread always
-            settle_stress(non_local)
+        swell(pose, bonds, cells, 0, len(bonds.i))
+        stress_cells(pose, cells, 0, len(pose))
     else:
-        if cells is not None:
-            swell_domains(elements.pose, bonds, cells, cut)
+        swell_domains(pose, bonds, cells, cut)
+    if len(grips.cell) > 0:
+        hand_on(pose, rest, grips, rows)
+
+
+@kernel(parallel=False)
+def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on):
+    """Forces of all bonds or facets, and what elements do with them."""
+    if len(cut.domain) == 2:
+        sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, 0, len(cut.move) - 1)
+    else:
         sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on)
+
+
+@kernel(parallel=False)
+def all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, go_on):
+    """A step over everything, on one thread or on as many as there are domains."""
+    if body is not None:  # decided when compiled
+        swell_body(elements, bonds, body, cut, rows)
+        sweep_all(elements, bonds, same, history, body.cells, None, cut, rows, scheme, added, go_on)
+    else:
+        sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, go_on)
+    if non_local is not None:  # which is on one thread always
+        settle_stress(non_local)

@@ -115,6 +115,34 @@ class LaggedTable(NamedTuple):
     sums: np.ndarray  #: V σ that is being found, zero between steps [J], (n, 6)
 
 
+class GripTable(NamedTuple):
+    """Facets of cells that walls hold, g of them (`bondem.kernels.grip_pass`); kernels write the last three."""
+
+    cell: np.ndarray  #: (g,)
+    row: np.ndarray  #: of the boundary, that the cell owns, (g,)
+    k: np.ndarray  #: [N/m], (g,)
+    lever: np.ndarray  #: from the centre of the cell to the facet [m], (g, 3)
+    share: np.ndarray  #: A M⁻¹n along the held axes [m²], (g, 3)
+    H: np.ndarray  #: xx, yy, zz, xy, xz, yz [N·m], (g, 6)
+    axes: np.ndarray  #: 1 where held, along x, y, z, (g, 3)
+    drive: np.ndarray  #: which schedule moves the wall along x, y, z, or -1, (g, 3)
+    rate: np.ndarray  #: whether a schedule is a velocity, uint8
+    times: np.ndarray  #: schedules, as `Schedules` has them
+    values: np.ndarray
+    start: np.ndarray
+    place: int  #: of the walls in the list of works
+    wall: np.ndarray  #: displacement of the wall now [m], (g, 3)
+    came: np.ndarray  #: how much of it came in this step [m], (g, 3)
+    load: np.ndarray  #: force and torque on the cell [N, N·m], (g, 6)
+
+
+class Body(NamedTuple):
+    """What only bodies of cells have; not flat, so it stays outside of threads."""
+
+    cells: CellTable
+    grips: GripTable
+
+
 class StepCut(NamedTuple):
     """How a step is cut (`bondem.model.blocks`), and the sums it adds to; kernels write `sums` only."""
 
@@ -143,7 +171,8 @@ class Rows(NamedTuple):
     half: np.ndarray  #: prescribed velocities over the step [m/s, rad/s], (r, 6)
     full: np.ndarray  #: prescribed velocities now, (r, 6)
     reaction: np.ndarray  #: minus the bond forces [N, N·m], (r, 6)
-    work: np.ndarray  #: of loads and drives on each row [J], then of body forces and strains
+    grip: np.ndarray  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any
+    work: np.ndarray  #: of loads and drives on each row [J], then of body forces, strains and walls that hold cells
 
 
 class Schedules(NamedTuple):

@@ -220,4 +220,5 @@ def _grips(cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: 
     return Grips(
         cell=cell, k=stiffness * free.area[facet], lever=free.centroid[facet] - cells.centroid[cell],
         share=axes * free.area[facet, None] * n_free[facet], H=H, axes=axes, motion=holds.final_motion(),
+        holds=holds,
     )  # fmt: skip

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import shown
-from bondem._types import Floats, PerBond, PerElement
+from bondem._types import Floats, Ints, PerBond, PerElement
 from bondem.errors import InputError
 from bondem.kernels.tables import Rows, Schedules
 from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
@@ -34,6 +34,7 @@ class Constraints:
             acceleration [m/s²], (b, 3), and schedule, (b,).
         strain_part: stress-free strain of each bond, shape (g, m); strain_schedule: (g,).
         weight: mass of each element that is connected, else 0 [kg], shape (n,).
+        holding: whether walls hold facets of cells.
     """
 
     element: np.ndarray
@@ -56,14 +57,21 @@ class Constraints:
     strain_part: Floats
     strain_schedule: np.ndarray
     weight: PerElement
+    holding: bool = False
 
     @classmethod
     def of(
-        cls, lattice: Lattice, layout: Layout, boundary: Sequence[BoundaryCondition], mass: PerElement
+        cls,
+        lattice: Lattice,
+        layout: Layout,
+        boundary: Sequence[BoundaryCondition],
+        mass: PerElement,
+        gripped: Ints | None = None,
     ) -> "Constraints":
         """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
 
-        Conditions that hold a wall of a body of cells are left out: see `bondem.model.grips`.
+        Conditions that hold a wall of a body of cells are left out: see `bondem.model.grips`. Their cells, `gripped`
+        in the user's order, own rows all the same; it is None where there are none.
 
         Raises:
             InputError: a degree of freedom held or driven twice by different conditions.
@@ -118,6 +126,8 @@ class Constraints:
         if (fixed.astype(bool) & driven).any():
             raise InputError("an element is both fixed and driven in one component; subtract the regions")
         fixed |= driven.astype(np.uint8)
+        if gripped is not None:
+            owns[layout.rank[gripped]] = True
         element = np.flatnonzero(owns)
         row_of = np.full(n, -1, dtype=np.int64)
         row_of[element] = np.arange(len(element))
@@ -146,6 +156,7 @@ class Constraints:
             strain_part=np.array([part for part, _ in strains], dtype=float).reshape(len(strains), m),
             strain_schedule=np.array([s for _, s in strains], dtype=np.int64),
             weight=np.where(lattice.connected, mass, 0.0)[layout.order],
+            holding=gripped is not None,
         )
 
     @property
@@ -162,7 +173,7 @@ class Constraints:
         still = np.zeros((3, len(self.element), 6))
         return Rows(
             of=self.row_of, fixed=self.fixed, force=still[0], half=still[1], full=still[2], reaction=reaction,
-            work=work,
+            grip=np.zeros((len(self.element) if self.holding else 0, 6)), work=work,
         )  # fmt: skip
 
     def final_load(self, n: int) -> Floats:
@@ -182,11 +193,12 @@ class Constraints:
         return self.values[self.start[schedules + 1] - 1]
 
     @property
-    def works(self) -> tuple[int, int, int]:
-        """Where the works of body forces, one an element, and of strains begin in the list of works, and its end."""
+    def works(self) -> tuple[int, int, int, int]:
+        """Where the works of body forces, one an element, strains and walls begin in the list of works; its end."""
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
-        return body, strain, strain + (1 if len(self.strain_part) else 0)
+        walls = strain + (1 if len(self.strain_part) else 0)
+        return body, strain, walls, walls + (1 if self.holding else 0)
 
     def final_motion(self, n: int) -> Floats:
         """Prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).

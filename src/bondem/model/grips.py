@@ -11,7 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints, Mask, PerElement3, PerElement6
+from bondem.kernels.tables import GripTable
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
+from bondem.model.layout import Layout
 from bondem.model.loads import face_of, is_face
 from bondem.model.schedules import Schedule
 from bondem.specimen.lattice import Lattice
@@ -94,6 +96,7 @@ class Grips:
         H: resistance to rotation, where the normal is held [N·m], shape (g, 3, 3).
         axes: whether the facet is held along x, y, z, as 0 and 1, shape (g, 3).
         motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
+        holds: how the walls move.
     """
 
     cell: Ints
@@ -103,6 +106,7 @@ class Grips:
     H: Floats
     axes: Floats
     motion: Floats
+    holds: Holds
 
     def gap(self, displacement: PerElement3, rotation: PerElement3, wall: Floats | None = None) -> Floats:
         """How far walls are from their facets along the held axes, for small motions [m], shape (g, 3).
@@ -132,9 +136,13 @@ class Grips:
         moved = own[:, :3] + np.cross(own[:, 3:], self.lever[:, :, None], axis=1)
         return (self.axes[:, :, None] * moved).reshape(-1, motion.shape[-1])
 
-    def blocks(self) -> tuple[Floats, Floats]:
-        """What the grips add to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of their cells, (g, 6)."""
-        b, P = self.lever, self.axes[:, :, None] * np.eye(3)
+    def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
+        """What the grips add to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of their cells, (g, 6).
+
+        Args:
+            lever: as the cells have turned it [m], (g, 3); that of the reference when None.
+        """
+        b, P = self.lever if lever is None else lever, self.axes[:, :, None] * np.eye(3)
         cross = np.zeros((len(b), 3, 3))
         for r, c, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
             cross[:, r, c], cross[:, c, r] = -b[:, axis], b[:, axis]
@@ -142,3 +150,22 @@ class Grips:
         own = self.k[:, None, None] * np.swapaxes(moved, 1, 2) @ moved
         own[:, 3:, 3:] += self.H
         return own, -np.hstack([self.share, np.cross(b, self.share)])
+
+    def table(self, layout: Layout, row_of: Ints, place: int) -> GripTable:
+        """The grips as kernels take them.
+
+        Args:
+            layout: order of the elements.
+            row_of: row of the boundary of each element, kernels' order.
+            place: of the walls in the list of works.
+        """
+        cell, count, holds = layout.rank[self.cell], len(self.cell), self.holds
+        tables = [schedule.table for schedule in holds.drives]
+        return GripTable(
+            cell=cell, row=row_of[cell], k=self.k, lever=self.lever, share=self.share,
+            H=np.ascontiguousarray(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]), axes=self.axes, drive=holds.drive,
+            rate=np.array(holds.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),
+            values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
+            start=np.cumsum([0, *(len(t) for t, _ in tables)]).astype(np.int64), place=place,
+            wall=np.zeros((count, 3)), came=np.zeros((count, 3)), load=np.zeros((count, 6)),
+        )  # fmt: skip

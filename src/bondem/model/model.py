@@ -134,7 +134,7 @@ class Model:
         if not any(isinstance(law, NonLocal) for law in laws):
             return None
         if not isinstance(self.bond, NonLocal):
-            raise InputError("NonLocal is one law for the whole model: give bond=bd.NonLocal(...), not laws by region")
+            raise InputError("NonLocal is one law for the whole model: give bond=bd.NonLocal(...), no mapping")
         return NonLocalConstants.of(self.lattice, self.bond)
 
     @cached_property
@@ -171,10 +171,11 @@ class Model:
     @cached_property
     def constraints(self) -> Constraints:
         """Boundary conditions resolved to elements."""
-        boundary = self.boundary
+        boundary, gripped = self.boundary, None
         if self._cells is not None:
             boundary = [one for one in boundary if not (isinstance(one, Fix | Drive) and holds_wall(one))]
-        return Constraints.of(self.lattice, self.layout, boundary, self.mass)
+            gripped = self._cells.grips.cell if len(self._cells.grips.cell) else None
+        return Constraints.of(self.lattice, self.layout, boundary, self.mass, gripped)
 
     @property
     def _as_cells(self) -> bool:

@@ -69,7 +69,7 @@ class State:
         self.stress = np.zeros((n if model.non_local is not None else 0, 6))
         self.eigenstrain = np.zeros(0)
         self.reaction = np.zeros((rows, 6))
-        self.work = np.zeros(model.constraints.works[2])
+        self.work = np.zeros(model.constraints.works[-1])
         self.loss = np.zeros((n, 3))
         self.touching = np.zeros((0, 2), dtype=np.int64)
         self.stretch = np.zeros((0, 6))
@@ -114,7 +114,7 @@ class State:
             )
         rows = len(model.constraints.element)
         self.reaction = np.zeros((rows, 6))
-        self.work = np.zeros(model.constraints.works[2])
+        self.work = np.zeros(model.constraints.works[-1])
         self.loss[:] = 0.0
         if model.non_local is not None:
             self.history[TAKEN] = 0.0

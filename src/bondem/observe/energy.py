@@ -6,7 +6,8 @@ import numpy as np
 
 from bondem._types import Floats, PerBond, PerElement3
 from bondem.kernels.bond_pass import bond_energies
-from bondem.kernels.cell_pass import cell_energies
+from bondem.kernels.cell_energies import cell_energies
+from bondem.kernels.grip_pass import place_walls
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -90,10 +91,18 @@ def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
     return -own[:, None] * model.lattice.branch
 
 
-def elastic_energy(model: Model, state: State) -> EnergyParts:
-    """Energy of a state under the total formulation, at any rotation."""
+def elastic_energy(model: Model, state: State, *, wall: Floats | None = None) -> EnergyParts:
+    """Energy of a state under the total formulation, at any rotation.
+
+    Walls that hold cells are where `wall` [m], (g, 3), says, or else where the time of the state has brought them.
+    """
     bonds = model.bonds.rows(model.layout, model.period, state.integrity)
     if model.cells is None:
         return EnergyParts(*bond_energies(state.pose, bonds))
-    cells = model.cells.stretched(state.eigenstrain).rows(model.layout.i)
-    return EnergyParts(*cell_energies(state.pose, bonds, cells))
+    layout, constants = model.layout, model.cells.stretched(state.eigenstrain)
+    grips = constants.grips.table(layout, model.constraints.row_of, 0)
+    if wall is None:
+        place_walls(state.time, grips)
+    else:
+        grips.wall[:] = wall
+    return EnergyParts(*cell_energies(state.pose, state.rest, bonds, constants.rows(layout.i), grips))

@@ -28,7 +28,7 @@ def added(
     if not viscous and contact is None and not len(held.body_on):
         return None
     member, group = np.unique(held.body_on.T, axis=0, return_inverse=True)
-    body, strain, _ = held.works
+    body, strain, *_ = held.works
     return Added(
         contact=np.zeros((0, 6)) if contact is None else contact,
         group=(group.ravel() if len(held.body_on) else np.zeros(0)).astype(np.uint32),

@@ -107,7 +107,8 @@ class LaggedStatics:
             if quiet == _IN_A_ROW:
                 return Settled(now, found, k, change)
             later = now.lagged()
-            now = later if k < steps else NonLocalStrain(lattice, constants, later.gap, mixing(now.extra, later.extra))
+            extra = later.extra if k < steps else mixing(now.extra, later.extra)
+            now = NonLocalStrain(lattice, constants, later.gap, extra)
         raise ConvergenceError(
             f"stresses of the non-local law still change by {change:.2g} a round after {_ROUNDS} rounds"
         )

@@ -8,9 +8,20 @@ from bondem.kernels import tables
 from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance
 from bondem.kernels.boundary import set_boundary
 from bondem.kernels.contact_pass import contact_loads
+from bondem.kernels.grip_pass import give, grip_loads, place_walls
 from bondem.kernels.sample import sample
 from bondem.kernels.sweep import all_forces
-from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, ContactTable, Elements, Gauges, Run, Span
+from bondem.kernels.tables import (
+    CONTACT,
+    FIXED_COLUMNS,
+    TRANSLATION,
+    Body,
+    ContactTable,
+    Elements,
+    Gauges,
+    Run,
+    Span,
+)
 from bondem.laws.damping import DampingTerms
 from bondem.model.blocks import Blocks
 from bondem.model.bond_table import with_zeros
@@ -72,10 +83,11 @@ class CpuLoop:
             budget=np.zeros(2),  # as `kernels.advance.guard` has it
         )
         self._still = noticeable(model, dt)
-        self._cells = None
+        self._body = None
         if model.cells is not None:
             strained = model.cells.stretched(state.eigenstrain)
-            self._cells = strained.rows(blocks.swelling_places(layout))
+            grips = strained.grips.table(layout, held.row_of, held.works[2])
+            self._body = Body(strained.rows(blocks.swelling_places(layout)), grips)
         contact = None if self._contacts is None else self._contacts.arrays.load
         self._added = added(model, terms, state, contact, blocks.rows)
         self._strain = changing_strain(model, state)
@@ -94,13 +106,18 @@ class CpuLoop:
         t = self._origin + self.state.step * dt
         pose, bonds = run.elements.pose, run.bonds
         set_boundary(t, dt, True, run.schedules, run.rows, pose, bonds, self._added, self._strain)
+        if self._body is not None and len(self._body.grips.cell):
+            place_walls(t, self._body.grips)
+            self._body.grips.came[:] = 0.0
+            grip_loads(pose, run.elements.rest, self._body.grips)
+            give(self._body.grips, run.rows)
         if self.state.stale:
             self._evaluate()
             self._keep()
             self.state.stale = False
         records = np.empty((1, self._width))
         sample(
-            t, run.elements, bonds, run.rows, run.gauges, self._history, self._cells, self._non_local,
+            t, run.elements, bonds, run.rows, run.gauges, self._history, self._body, self._non_local,
             self._touching, records[0],
         )
         budget = run.budget
@@ -114,7 +131,7 @@ class CpuLoop:
         if self._touching is not None:
             contact_loads(run.elements, run.bonds.period, 0.0, self._touching)
         all_forces(
-            run.elements, run.bonds, self._same, self._history, self._cells, self._non_local, run.cut, run.rows,
+            run.elements, run.bonds, self._same, self._history, self._body, self._non_local, run.cut, run.rows,
             still, self._added, False,
         )  # fmt: skip
 
@@ -129,7 +146,7 @@ class CpuLoop:
         while sick == FINE:
             span = Span(state.step + done, steps - done, every, moved)
             gone, new, turned, lost, sick, moved = advance(
-                span, self._scheme, self._run, self._same, self._history, self._cells, self._non_local,
+                span, self._scheme, self._run, self._same, self._history, self._body, self._non_local,
                 self._touching, self._added, self._strain, records[written:],
             )  # fmt: skip
             done, written, wide = done + gone, written + new, max(wide, turned)

@@ -208,6 +208,7 @@ def require_runnable(model: Model, plan: Plan) -> None:
         ),
         "damping other than LocalDamping": plan.damping is not None and not isinstance(plan.damping, LocalDamping),
         "gauges of walls": any(not isinstance(gauge, Gauge) for gauge in plan.gauges.values()),
+        "the cell law": model.cells is not None,
         "more than 2³¹ bonds": len(model.layout.i) >= 2**31,
     }
     for what, asked in lacking.items():

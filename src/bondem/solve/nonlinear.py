@@ -19,6 +19,7 @@ from bondem.model.bond_table import with_twins
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.model.stiffness import Stiffness
+from bondem.solve.cell_forces import cell_forces, current_forms, facet_gradient, grip_blocks
 from bondem.solve.linear import System, solver
 
 # Largest rotation of an element in one step of the load [rad].
@@ -38,6 +39,7 @@ class Bent:
         state: the poses.
         motion: displacements and rotation vectors [m, rad], shape (n, 6).
         force: what the bonds oppose to displacements and spins, K u for small ones [N, N·m], (n, 6).
+        walls: what walls that hold facets of cells do to them [N, N·m], (n, 6).
         rounds: of Newton's method, over all steps of the load.
         residual: unbalanced force at the end, over that of loads and supports [-].
     """
@@ -45,6 +47,7 @@ class Bent:
     state: State
     motion: Floats
     force: Floats
+    walls: Floats
     rounds: int
     residual: float
 
@@ -77,16 +80,20 @@ def follow(model: Model, system: System) -> Bent:
                     " lower it, bond with more and shorter bonds, or use solve_explicit with damping"
                 )
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
-    return Bent(state, turned, _forces(strained(model, 1.0), state.pose), rounds, residual)
+    force, walls = _forces(strained(model, 1.0), state.pose)
+    return Bent(state, turned, force, walls, rounds, residual)
 
 
 def strained(model: Model, share: float) -> Model:
-    """The model with a share of its stress-free strains at the end of their schedules in the bonds."""
+    """The model with a share of its stress-free strains and of the motion of walls that hold cells, at the end."""
     strain = share * model.constraints.final_strain()
-    if not strain.any():
+    if not strain.any() and model.cells is None:
         return model
     twin = copy(model)
     twin.__dict__["bonds"] = model.bonds.stretched(strain)
+    if model.cells is not None:
+        grips = replace(model.cells.grips, motion=share * model.cells.grips.motion)
+        twin.__dict__["cells"] = replace(model.cells.stretched(strain), grips=grips)
     return twin
 
 
@@ -107,9 +114,10 @@ def _advance(model: Model, system: System, start: State, load: Floats, motion: F
     noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(load))
     bonds = model.bonds.rows(model.layout, model.period, state.integrity)
     for k in range(_ROUNDS):
-        force = _forces(model, state.pose)
+        force, walls = _forces(model, state.pose)
         rest = np.where(system.free, load - force, 0.0) * metric
-        scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, 0.0, force) * metric)
+        supports = np.where(system.free, walls, force)
+        scale = np.linalg.norm(load * metric) + np.linalg.norm(supports * metric)
         if k and np.linalg.norm(rest) <= _TOLERANCE * scale + noise:
             wide, _, sick = rotation_guard(state.pose, bonds)
             left = float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
@@ -134,8 +142,10 @@ def _advance(model: Model, system: System, start: State, load: Floats, motion: F
     return _Trial(_ROUNDS)
 
 
-def _forces(model: Model, pose: Floats) -> Floats:
-    """Derivative of the bond energy by displacements and spins of the elements [N, N·m], shape (n, 6)."""
+def _forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
+    """Derivative of the energy by displacements and spins, and what walls do to cells [N, N·m], (n, 6) each."""
+    if model.cells is not None:
+        return cell_forces(model, pose)
     layout = model.layout
     on_i, on_j = _bond_gradient(model, pose, layout.i, layout.j)
     n = len(pose)
@@ -143,11 +153,13 @@ def _forces(model: Model, pose: Floats) -> Floats:
     for d in range(6):
         force[:, d] = np.bincount(layout.i, weights=on_i[d], minlength=n)
         force[:, d] += np.bincount(layout.j, weights=on_j[d], minlength=n)
-    return force
+    return force, np.zeros_like(force)
 
 
 def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
     """Derivative of each bond's energy by the motion of its two ends, (6, m) each."""
+    if model.cells is not None:
+        return facet_gradient(model, pose, i, j)
     m = len(i)
     bonds = model.bonds.rows(model.layout, model.period, np.ones(m))._replace(i=with_twins(i), j=with_twins(j))
     loads = lines(2 * m)  # every bond adds to two rows of its own
@@ -195,7 +207,12 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
     data[start[layout.j] + place - layout.in_start[layout.j]] = H[:, 6:, :6]
     leaving = layout.i[layout.out_bond]
     data[diagonal[leaving] + 1 + place - layout.out_start[leaving]] = H[layout.out_bond, :6, 6:]
-    return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape))
+    if model.cells is None:
+        return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape))
+    held, own = grip_blocks(model, pose)
+    np.add.at(data, diagonal[held], own)
+    forms = current_forms(model, pose, pattern)
+    return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape), forms, model.cells.weight)
 
 
 def _turned(quaternion: Floats, rotation: Floats) -> Floats:

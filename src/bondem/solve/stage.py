@@ -10,6 +10,7 @@ from bondem._types import Floats
 from bondem.errors import InputError, StageWarning
 from bondem.model.boundary import Drive, Load
 from bondem.model.gauges import Gauge
+from bondem.model.grips import holds_wall
 from bondem.model.loads import BodyForce, Eigenstrain, Pressure
 from bondem.model.model import Model
 from bondem.model.origin import Origin
@@ -74,6 +75,12 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
         if isinstance(condition, Load | Pressure | BodyForce | Eigenstrain):
             s += 1  # schedules are numbered in the order of the conditions
         if not isinstance(condition, Drive):
+            continue
+        if model.cells is not None and holds_wall(condition):
+            # a wall counts from the reference: where it is when a run goes on, its own schedule says
+            for dof, schedule, rate in condition.motion if state.time == 0.0 else ():
+                if not rate:
+                    _refuse_jump(f"Drive({_DOF[dof]}=)", schedule, 0.0, np.zeros(1), 0.0)
             continue
         for dof, schedule, rate in condition.motion:
             s += 1

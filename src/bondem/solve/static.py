@@ -73,9 +73,10 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     bent = follow(model, System.of(model))
     values = bent.motion[layout.rank]
     reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n), 0.0)
-    energy = elastic_energy(strained(model, 1.0), bent.state)
+    end = strained(model, 1.0)
+    energy = elastic_energy(end, bent.state, wall=None if end.cells is None else end.cells.grips.motion)
     return StaticResult(
-        values[:, :3].copy(), values[:, 3:].copy(), reaction[layout.rank], energy,
+        values[:, :3].copy(), values[:, 3:].copy(), (reaction + bent.walls)[layout.rank], energy,
         iterations=bent.rounds, residual=bent.residual,
     )  # fmt: skip
 

@@ -10,12 +10,12 @@ from scipy.linalg import eigh_tridiagonal
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import StepWarning, UnstableStepError
 from bondem.kernels.bond_pass import bond_loads
-from bondem.kernels.cell_pass import facet_loads, stress_cells, swell
 from bondem.kernels.tables import lines
 from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.solve.added import bond_delay
+from bondem.solve.cell_forces import body_loads, body_tables
 from bondem.solve.lagged_step import SHARES, stable_share
 from bondem.solve.schemes import Scheme
 from bondem.solve.threads import one_blas_thread
@@ -57,7 +57,10 @@ def stiffest(
         return 0.0
     intact = np.ones(m) if integrity is None else integrity
     table, same = model.bonds, None if model.cells is not None or model.non_local is not None else model.bonds.alike
-    cells = None if model.cells is None else model.cells.rows(layout.i)
+    body = None
+    if model.cells is not None:
+        _, body = body_tables(model, intact)
+        body.grips.wall[:] = 0.0
     bonds, sums = table.rows(layout, model.period, intact, alike=same is not None), lines(n)
     pose = lines(n)
     rest = model.lattice.centre[layout.order]
@@ -76,10 +79,8 @@ def stiffest(
         pose[:, 4] = 1.0
         pose[:, 5:] = 0.5 * motion[:, 3:]
         pose[:, 4:] /= np.sqrt(np.einsum("nk,nk->n", pose[:, 4:], pose[:, 4:]))[:, None]
-        if cells is not None:
-            swell(pose, bonds, cells, 0, len(bonds.i))
-            stress_cells(pose, cells, 0, n)
-            facet_loads(pose, bonds, cells, sums, bonds.i, bonds.j, 0, len(bonds.i))
+        if body is not None:
+            body_loads(pose, rest, bonds, body, sums)
         else:
             bond_loads(pose, bonds, same, sums, bonds.i, bonds.j, 0, len(bonds.i))
         forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)

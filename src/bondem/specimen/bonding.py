@@ -1,12 +1,18 @@
 """Which elements become bonded: by gap, by reach, or over all pairs one names oneself."""
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.spatial import KDTree
 
-from bondem._checks import instance, number
+from bondem._checks import choice, instance, number
 from bondem.errors import InputError
+from bondem.specimen.cells.tessellation import tessellate
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
+
+#: What bonds elements.
+METHODS = ("distance", "laguerre")
 
 # Contacts of a packing touch to rounding only: what overlaps by less than this share of R̄ still touches.
 _TOUCH = 1e-9
@@ -15,21 +21,39 @@ _TOUCH = 1e-9
 _FAR, _MOST = 6.0, 500
 
 
-def connect(particles: Particles, *, tolerance: float | None = None, reach: float | None = None) -> Lattice:
-    """Bond neighbouring elements.
+def connect(
+    particles: Particles,
+    *,
+    tolerance: float | None = None,
+    reach: float | None = None,
+    method: str = "distance",
+    progress: Callable[[float], None] | None = None,
+) -> Lattice:
+    """Bond neighbouring elements, by distance, or by cutting the shape into cells.
 
     Args:
         particles: the elements.
         tolerance: bond where gap <= tolerance · R̄ [-], gap = L - (Ri + Rj); the default, with 0.
         reach: bond where L <= reach · (Ri + Rj) [-], the contact-radius multiplier η_r of Chen et al. (2022).
 
+        method: "distance", or "laguerre": the shape is cut into Laguerre cells, one an element, and those that share
+            a facet are bonded; the lattice has `facets` and `cells` then. Without a shape, the spheres' bounding box.
+        progress: for "laguerre": called now and then with the done share, from 0 to 1.
+
     Returns:
         The lattice, its pairs sorted and with i < j.
 
     Raises:
-        InputError: both or neither sensible, or no pair is near enough.
+        InputError: both or neither sensible, or no pair is near enough; elements that have no cell, for "laguerre".
         DisconnectedError: the specimen falls into two large pieces.
     """
+    choice("connect", "method", method, METHODS)
+    if method == "laguerre":
+        if tolerance is not None or reach is not None:
+            raise InputError("connect: all cells that share a facet are bonded; leave out tolerance= and reach=")
+        instance("connect", "particles", particles, Particles, "bd.Particles")
+        pairs, facets, cells = tessellate(particles, progress)
+        return Lattice(particles, pairs, facets=facets, cells=cells)
     if tolerance is not None and reach is not None:
         raise InputError("connect takes tolerance= or reach=, not both; leave one out")
     instance("connect", "particles", particles, Particles, "bd.Particles")

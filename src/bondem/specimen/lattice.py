@@ -11,6 +11,7 @@ from bondem._checks import instance, shown
 from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3, PerElement3
 from bondem.errors import DisconnectedError, InputError
 from bondem.specimen.cells.tables import Cells, Facets
+from bondem.specimen.cells.tessellation import tessellate
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled, freeze
 
@@ -154,12 +155,15 @@ def _check_pairs(pairs: Pairs, count: int) -> None:
 def carve(lattice: Lattice, shape: Shape) -> Lattice:
     """The part of a lattice whose centres lie inside `shape`, which becomes its shape.
 
+    A body of cells is cut anew: the kept centres get cells that fill the new shape, up to its walls.
+
     Args:
         lattice: what to cut from.
         shape: what to keep; its faces name the faces of the part.
 
     Returns:
-        A lattice of the kept elements, in their old order, with the bonds between them.
+        A lattice of the kept elements, in their old order, with the bonds between them; of a body with its new facets
+        and cells.
 
     Raises:
         InputError: no element lies inside.
@@ -179,4 +183,7 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
     if periodic is None:
         periodic = shape.period
     part = filled(Particles(lattice.particles.position[keep], lattice.particles.radius[keep], periodic), shape)
+    if lattice.cells is not None:
+        pairs, facets, cells = tessellate(part)
+        return Lattice(part, pairs, facets=facets, cells=cells)
     return Lattice(part, number[lattice.pairs[inside]])

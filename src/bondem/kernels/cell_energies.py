@@ -1,0 +1,39 @@
+"""Energy of the facets and cells of a body, and of the walls that hold some of them."""
+
+import numpy as np
+
+from bondem._compile import kernel
+from bondem.kernels.bond_pass import branch
+from bondem.kernels.grip_pass import grip_energy, swell_grips
+from bondem.laws.cell_energy import facet_energy, swellings
+
+
+@kernel(parallel=False)
+def cell_energies(pose, rest, bonds, cells, grips):
+    """Normal (with dilatation), shear, bending and twisting energy of all facets and cells [J]."""
+    normal = slip = bend = twist = 0.0
+    swelling = np.zeros(len(cells.weight))
+    swell_grips(pose, rest, grips, swelling)
+    normal += grip_energy(pose, rest, grips)
+    for k in range(bonds.m):
+        i, j = bonds.i[k], bonds.j[k]
+        d = branch(pose, i, j, bonds.period)
+        p, q = (pose[i, 4], pose[i, 5], pose[i, 6], pose[i, 7]), (pose[j, 4], pose[j, 5], pose[j, 6], pose[j, 7])
+        a = cells.lever_i[0, k], cells.lever_i[1, k], cells.lever_i[2, k]
+        b = cells.lever_j[0, k], cells.lever_j[1, k], cells.lever_j[2, k]
+        u = cells.share_i[0, k], cells.share_i[1, k], cells.share_i[2, k]
+        v = cells.share_j[0, k], cells.share_j[1, k], cells.share_j[2, k]
+        n = cells.normal[0, k], cells.normal[1, k], cells.normal[2, k]
+        H = cells.H[0, k], cells.H[1, k], cells.H[2, k], cells.H[3, k], cells.H[4, k], cells.H[5, k]
+        s = bonds.integrity[k]
+        one, other = swellings(d, p, q, a, b, u, v)
+        swelling[i] += s * one
+        swelling[j] += s * other
+        part = facet_energy(d, p, q, a, b, n, cells.k[k], H)
+        normal += s * part[0]
+        slip += s * part[1]
+        bend += s * part[2]
+        twist += s * part[3]
+    for p in range(len(swelling)):
+        normal += 0.5 * cells.weight[p] * swelling[p] ** 2
+    return normal, slip, bend, twist

@@ -1,0 +1,107 @@
+"""Forces of a body of cells in any pose, and their derivative: what Newton's method needs."""
+
+import numpy as np
+from scipy.sparse import bsr_array
+from scipy.spatial.transform import Rotation
+
+from bondem._types import Floats
+from bondem.kernels.cell_pass import STRESS, facet_loads, stress_cells, swell
+from bondem.kernels.grip_pass import grip_loads, swell_grips
+from bondem.kernels.tables import Body, Bonds, lines
+from bondem.model.bond_table import with_twins
+from bondem.model.cell_constants import CellConstants
+from bondem.model.model import Model
+
+
+def body_tables(model: Model, integrity: Floats) -> tuple[Bonds, Body]:
+    """Facets, cells and walls as kernels take them, walls at the end of their schedules."""
+    layout, cells = model.layout, _cells(model)
+    grips = cells.grips.table(layout, model.constraints.row_of, 0)
+    grips.wall[:] = cells.grips.motion
+    return model.bonds.rows(layout, model.period, integrity), Body(cells.rows(layout.i), grips)
+
+
+def _cells(model: Model) -> CellConstants:
+    assert model.cells is not None
+    return model.cells
+
+
+def body_loads(pose: Floats, rest: Floats, bonds: Bonds, body: Body, sums: Floats) -> None:
+    """Add force and torque of facets and walls on all cells to `sums`, (n, 8), which holds zeros."""
+    cells, grips = body.cells, body.grips
+    swell(pose, bonds, cells, 0, len(bonds.i))
+    swell_grips(pose, rest, grips, cells.swelling)
+    stress_cells(pose, cells, 0, len(pose))
+    facet_loads(pose, bonds, cells, sums, bonds.i, bonds.j, 0, len(bonds.i))
+    grip_loads(pose, rest, grips)
+    np.add.at(sums[:, :3], grips.cell, grips.load[:, :3])
+    np.add.at(sums[:, 4:7], grips.cell, grips.load[:, 3:])
+
+
+def cell_forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
+    """Derivative of the energy by displacements and spins, and what the walls do [N, N·m], (n, 6) each.
+
+    The stresses of the cells are left in the pose.
+    """
+    order = model.layout.order
+    bonds, body = body_tables(model, np.ones(len(model.layout.i)))
+    sums, walls = lines(len(pose)), np.zeros((len(pose), 6))
+    body_loads(pose, model.lattice.centre[order], bonds, body, sums)
+    np.add.at(walls, body.grips.cell, body.grips.load)
+    return -sums[:, [0, 1, 2, 4, 5, 6]], walls
+
+
+def facet_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
+    """Derivative of the energy of each facet by the motion of its two ends, at the stresses in the pose, (6, m)."""
+    m = len(i)
+    bonds, body = body_tables(model, np.ones(m))
+    bonds = bonds._replace(i=with_twins(i), j=with_twins(j))
+    loads, own = lines(2 * m), np.arange(m, dtype=np.uint32)
+    facet_loads(pose, bonds, body.cells, loads, with_twins(own), with_twins(own + np.uint32(m)), 0, len(bonds.i))
+    columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
+    return columns[:, :m], columns[:, m:]
+
+
+def current_forms(model: Model, pose: Floats, pattern: bsr_array) -> bsr_array:
+    """V θ of each cell under unit motions from the present pose [m², m³], 1×6 blocks, (n, 6 n)."""
+    layout, cells = model.layout, _cells(model)
+    turn = Rotation.from_quat(pose[:, [5, 6, 7, 4]])
+    i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
+    a, b = turn[i].apply(cells.lever_i), turn[j].apply(cells.lever_j)
+    gap = model.lattice.particles.nearest(pose[j, :3] - pose[i, :3]) + b - a
+    start, inward = pattern.indptr, np.diff(layout.in_start)
+    diagonal, place = start[:-1] + inward, np.arange(len(i))
+    forms = np.zeros((len(pattern.indices), 1, 6))
+    for end, lever, share, sign, other, far in (
+        (i, a, turn[i].apply(cells.share_i), -1.0, j, b), (j, b, turn[j].apply(cells.share_j), 1.0, i, a)
+    ):  # fmt: skip
+        own = sign * np.hstack([share, np.cross(lever, share)])
+        own[:, 3:] += np.cross(share, gap)
+        np.add.at(forms[:, 0], diagonal[end], own)
+        towards = -sign * np.hstack([share, np.cross(far, share)])
+        if other is i:  # row j, column i
+            forms[start[j] + place - layout.in_start[j], 0] = towards
+        else:
+            leaving = layout.i[layout.out_bond]
+            forms[diagonal[leaving] + 1 + place - layout.out_start[leaving], 0] = towards[layout.out_bond]
+    grips = cells.grips
+    held = layout.rank[grips.cell]
+    lever = turn[held].apply(grips.lever) if len(held) else grips.lever
+    np.add.at(forms[:, 0], diagonal[held], -np.hstack([grips.share, np.cross(lever, grips.share)]))
+    return bsr_array((forms, pattern.indices, start), shape=(len(pose), 6 * len(pose)))
+
+
+def grip_blocks(model: Model, pose: Floats) -> tuple[np.ndarray, Floats]:
+    """Cells that walls hold, and what the walls add to their diagonal blocks in the present pose, (g,), (g, 6, 6)."""
+    order, grips = model.layout.order, _cells(model).grips
+    held = model.layout.rank[grips.cell]
+    if not len(held):
+        return held, np.zeros((0, 6, 6))
+    arm = Rotation.from_quat(pose[held][:, [5, 6, 7, 4]]).apply(grips.lever)
+    moved = pose[held, :3] + arm - model.lattice.centre[order][held] - grips.lever
+    force = grips.k[:, None] * grips.axes * (grips.motion - moved) + pose[held, STRESS, None] * grips.share
+    own, _ = grips.blocks(arm)
+    # the lever turns under the force
+    along = (arm * force).sum(axis=1)[:, None, None] * np.eye(3) - arm[:, :, None] * force[:, None, :]
+    own[:, 3:, 3:] += 0.5 * (along + np.swapaxes(along, 1, 2))
+    return held, own

@@ -1,0 +1,188 @@
+"""Where pieces of cells meet: faces in one plane laid over each other.
+
+Two pieces that face each other across a plane share what their faces have in common; what no other piece covers is
+free. Both are patches, convex polygons again.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._compile import kernel
+from bondem._types import Floats, Ints, PerElement3
+from bondem.specimen.cells.pile import KIND, SIZE, START, TAG, new_pile, put
+from bondem.specimen.cells.polygon import MOST_CORNERS, area, clip, copy
+from bondem.specimen.cells.solids import SPLIT, Solids, polygon_measures, ranges
+
+
+class _Groups(NamedTuple):
+    """Faces in one plane: of group g, from one side plus[first[g]] …, and from the other minus[second[g]] …"""
+
+    plus: Ints
+    first: Ints
+    minus: Ints
+    second: Ints
+    shift: Floats  #: from the centre that corners of the first are measured from to that of the others, (groups, 3)
+
+
+class Patches(NamedTuple):
+    """Convex polygons, each a face of a piece or part of one, sorted by nothing.
+
+    Attributes:
+        piece: whose face it is of, shape (p,).
+        other: the piece on the other side, or -1, shape (p,).
+        element: the element whose whole cell is on the other side, or -1, shape (p,).
+        normal: away from `piece` [-], shape (p, 3).
+        corner: corners of polygon q are corner[q] … corner[q + 1] - 1, shape (p + 1,).
+        vertex: corners [m], shape (v, 3).
+        area: [m²], shape (p,).
+        centroid: [m], shape (p, 3).
+        moment: second moments about it [m⁴], shape (p, 3, 3).
+    """
+
+    piece: Ints
+    other: Ints
+    element: Ints
+    normal: Floats
+    corner: Ints
+    vertex: Floats
+    area: Floats
+    centroid: Floats
+    moment: Floats
+
+
+@kernel(parallel=False)
+def _part(rest, count, solids, of_face, g, x, y, z, tolerance, f, done, patches, corners, work, other):
+    """Divide polygons by the piece that face g is of: what lies in its face goes to `done`, the rest is returned.
+
+    Args:
+        rest: the polygons.
+        count: how many.
+        x, y, z: from the centre that `rest` is measured from to that of the piece [m].
+        f: the face that they are of; -1 if what lies in face g is not wanted.
+    """
+    q, left, kept, rows = of_face[g], new_pile(8, 64), 0, 0
+    for p in range(count):
+        start, whole = rest.what[p, START], rest.what[p, SIZE]
+        copy(rest.vertex, start, whole, work, 0)
+        size = whole
+        for h in range(solids.face[q], solids.face[q + 1]):
+            if h != g:
+                a, b, c, d = solids.plane[h, 0], solids.plane[h, 1], solids.plane[h, 2], solids.plane[h, 3]
+                size = clip(work, 0, size, other, a, b, c, d + a * x + b * y + c * z)
+                copy(other, 0, size, work, 0)
+                if size == 0:
+                    break
+        if size == 0 or area(work, 0, size) <= tolerance:
+            copy(rest.vertex, start, whole, work, 0)
+            left = put(left, kept, rows, 0, 0, 0.0, 0.0, 0.0, 0.0, work, whole)
+            kept, rows = kept + 1, rows + whole
+            continue
+        if f >= 0:
+            done = put(done, patches, corners, f, g, 0.0, 0.0, 0.0, 0.0, work, size)
+            patches, corners = patches + 1, corners + size
+        copy(rest.vertex, start, whole, work, 0)
+        size = whole
+        for h in range(solids.face[q], solids.face[q + 1]):
+            if h != g:
+                a, b, c, d = solids.plane[h, 0], solids.plane[h, 1], solids.plane[h, 2], solids.plane[h, 3]
+                d += a * x + b * y + c * z
+                out = clip(work, 0, size, other, -a, -b, -c, -d)
+                if out > 0 and area(other, 0, out) > tolerance:
+                    left = put(left, kept, rows, 0, 0, 0.0, 0.0, 0.0, 0.0, other, out)
+                    kept, rows = kept + 1, rows + out
+                size = clip(work, 0, size, other, a, b, c, d)
+                copy(other, 0, size, work, 0)
+    return left, kept, done, patches, corners
+
+
+@kernel(parallel=False)
+def _side(solids, of_face, groups, g, sign, tolerance, done, patches, corners, work, other):
+    """Lay the faces of one side of a group over those of the other, from where `sign` 1 also wants what is shared."""
+    mine, first, theirs, second = groups.plus, groups.first, groups.minus, groups.second
+    if sign < 0:
+        mine, first, theirs, second = groups.minus, groups.second, groups.plus, groups.first
+    x, y, z = sign * groups.shift[g, 0], sign * groups.shift[g, 1], sign * groups.shift[g, 2]
+    for k in range(first[g], first[g + 1]):
+        f = mine[k]
+        size = solids.corner[f + 1] - solids.corner[f]
+        copy(solids.vertex, solids.corner[f], size, work, 0)
+        rest, count = put(new_pile(8, 64), 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, work, size), 1
+        for h in range(second[g], second[g + 1]):
+            rest, count, done, patches, corners = _part(
+                rest, count, solids, of_face, theirs[h], x, y, z, tolerance, f if sign > 0 else -1, done, patches,
+                corners, work, other,
+            )  # fmt: skip
+        for p in range(count):
+            size = rest.what[p, SIZE]
+            copy(rest.vertex, rest.what[p, START], size, work, 0)
+            if area(work, 0, size) > tolerance:
+                done = put(done, patches, corners, f, -1, 0.0, 0.0, 0.0, 0.0, work, size)
+                patches, corners = patches + 1, corners + size
+    return done, patches, corners
+
+
+@kernel(parallel=False)
+def _match(solids, of_face, groups, tolerance):
+    """Patches of all groups: the face, that on the other side or -1, where corners begin, and corners."""
+    done, patches, corners = new_pile(1024, 8192), 0, 0
+    work, other = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
+    for g in range(groups.first.size - 1):
+        for sign in (1, -1):
+            done, patches, corners = _side(
+                solids, of_face, groups, g, sign, tolerance, done, patches, corners, work, other
+            )
+    start = np.zeros(patches + 1, np.int64)
+    for p in range(patches):
+        start[p + 1] = start[p] + done.what[p, SIZE]
+    return done.what[:patches, KIND].copy(), done.what[:patches, TAG].copy(), start, done.vertex[:corners]
+
+
+def _grouped(pieces: Solids, cell: Ints, inner: Ints, position: PerElement3) -> _Groups:
+    """Group the faces `inner` of pieces by the plane between cells, or between pieces of one, that they lie in."""
+    n, tag, own = len(position), pieces.tag[inner], cell[inner]
+    split = tag <= SPLIT
+    number = (SPLIT - tag) // 2
+    low = np.where(split, own, np.minimum(own, tag))
+    high = np.where(split, n + number, np.maximum(own, tag))
+    forth = np.where(split, (SPLIT - tag) % 2 == 0, own < tag)
+    key = low * (n + int(number.max(initial=0)) + 1) + high
+    _, one, group = np.unique(key, return_index=True, return_inverse=True)
+    sides = []
+    for side in (forth, ~forth):
+        order = np.argsort(group[side], kind="stable")
+        begin = np.searchsorted(group[side][order], np.arange(len(one) + 1))
+        sides += [inner[side][order], begin]
+    between = ~split[one]
+    shift = np.zeros((len(one), 3))
+    shift[between] = position[high[one][between]] - position[low[one][between]]
+    return _Groups(*sides, shift)
+
+
+def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:
+    """Where pieces of cells meet each other, whole cells, or nothing.
+
+    Args:
+        pieces: those inside the shape, of all cells that walls cut.
+        position: centres of all elements [m], shape (n, 3).
+        tolerance: patches of less area are left out [m²].
+    """
+    of_face = pieces.of_face
+    cell, tag = pieces.cell[of_face], pieces.tag
+    is_cut = np.zeros(len(position), dtype=bool)
+    is_cut[pieces.cell] = True
+    inner = (tag <= SPLIT) | ((tag >= 0) & is_cut[np.maximum(tag, 0)])
+    groups = _grouped(pieces, cell, np.flatnonzero(inner), position)
+    face, opposite, corner, vertex = _match(pieces, of_face, groups, tolerance)
+    plain = np.flatnonzero(~inner)
+    corners, begin = ranges(pieces.corner, plain)
+    element = np.concatenate([np.full(len(face), -1), np.maximum(tag[plain], -1)])
+    face = np.concatenate([face, plain])
+    opposite = np.concatenate([opposite, np.full(len(plain), -1)])
+    corner = np.concatenate([corner, corner[-1] + begin[1:]])
+    vertex = np.concatenate([vertex, pieces.vertex[corners]])
+    vertex = vertex + np.repeat(position[cell[face]], np.diff(corner), axis=0)
+    other = np.where(opposite >= 0, of_face[opposite], -1)
+    return Patches(
+        of_face[face], other, element, pieces.plane[face, :3], corner, vertex, *polygon_measures(corner, vertex)
+    )

@@ -1,0 +1,38 @@
+"""A pile of polygons that grows as one after another is put on it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._compile import kernel
+from bondem._types import Floats, Ints
+from bondem.specimen.cells.polygon import copy, roomy
+
+#: Columns of the integers of a polygon.
+KIND, TAG, START, SIZE = 0, 1, 2, 3
+
+
+class Pile(NamedTuple):
+    """Polygons one after another."""
+
+    what: Ints  #: kind, tag, first corner, number of corners, shape (p, 4)
+    plane: Floats  #: shape (p, 4)
+    vertex: Floats  #: shape (v, 3)
+
+
+@kernel(parallel=False)
+def new_pile(polygons, corners):
+    """An empty pile with room for some polygons and corners."""
+    return Pile(np.empty((polygons, 4), np.int64), np.empty((polygons, 4)), np.empty((corners, 3)))
+
+
+@kernel(parallel=False)
+def put(pile, polygons, corners, kind, tag, a, b, c, d, work, size):
+    """Put a polygon on a pile that has some; returns the pile, which may have grown."""
+    pile = Pile(roomy(pile.what, polygons + 1), roomy(pile.plane, polygons + 1), roomy(pile.vertex, corners + size))
+    pile.what[polygons, KIND], pile.what[polygons, TAG] = kind, tag
+    pile.what[polygons, START], pile.what[polygons, SIZE] = corners, size
+    pile.plane[polygons, 0], pile.plane[polygons, 1] = a, b
+    pile.plane[polygons, 2], pile.plane[polygons, 3] = c, d
+    copy(work, 0, size, pile.vertex, corners)
+    return pile

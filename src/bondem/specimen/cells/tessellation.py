@@ -1,0 +1,234 @@
+"""A shape cut into cells, one an element: Laguerre cells of the spheres within the walls of the shape."""
+
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._compile import current_threads
+from bondem._types import Floats, Ints, Pairs, PerElement, PerElement3
+from bondem.errors import InputError
+from bondem.specimen.cells.gathering import Polygons, facets, free_facets, together
+from bondem.specimen.cells.interfaces import Patches, patches
+from bondem.specimen.cells.laguerre import Bins, bins, plain_cells
+from bondem.specimen.cells.owners import owners
+from bondem.specimen.cells.solids import LOCAL, Bulk, Solids, bulk, joined, polygon_measures
+from bondem.specimen.cells.tables import Cells, Facets
+from bondem.specimen.cells.trim import trimmed
+from bondem.specimen.cells.walls import WallTree, faceted, wall_tree, wall_triangles
+from bondem.specimen.geometry import BoundingBox, Box, Cell
+from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.shape import Shape
+
+# Cells that are made at once, in memory as well as between two words about the progress.
+_BATCH = 4096
+# Half the width of the boxes that cells begin as, over the usual distance of the farthest neighbour.
+_HALF = 0.67
+# How far walls must reach in to split a cell, over that distance; facets of less area are left out, over its square.
+_REACHED, _SLIVER = 3e-12, 1e-11
+# Centres may lie outside the walls by this much, over that distance: rounding.
+_OUTSIDE = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Tessellation:
+    """All cells, whole ones as tables and cut ones as pieces.
+
+    Attributes:
+        centres: the elements.
+        faces: polygons of the whole cells, between elements those of the lower number only.
+        whole: elements whose cells are whole, shape (w,).
+        whole_bulk: volumes and moments of these.
+        pieces: the pieces of all others, inside the shape.
+        piece_bulk: volumes and moments of these.
+        found: where pieces meet.
+        owner: the element that each piece belongs to, shape (p,).
+    """
+
+    centres: Bins
+    faces: Polygons
+    whole: Ints
+    whole_bulk: Bulk
+    pieces: Solids
+    piece_bulk: Bulk
+    found: Patches
+    owner: Ints
+
+
+@dataclass(frozen=True, eq=False)
+class _Walls:
+    """What cells are cut by: the walls of a flat-walled shape."""
+
+    shape: Shape
+    tree: WallTree
+    clear: PerElement  #: distance of each centre from the walls [m], shape (n,)
+
+
+@dataclass(frozen=True, eq=False)
+class _Batch:
+    """What one batch of cells gives; `again` are elements whose boxes were too small."""
+
+    faces: Polygons
+    whole: Ints
+    whole_bulk: Bulk
+    pieces: Solids
+    piece_bulk: Bulk
+    again: Ints
+
+
+def _walls(particles: Particles, shape: Shape) -> _Walls | None:
+    """The walls of a shape, but for a box, the sides of which are the ends of all cells anyway.
+
+    Raises:
+        InputError: centres outside the shape.
+    """
+    depth = shape.depth(particles.position)
+    outside = np.flatnonzero(depth < -_OUTSIDE * particles.mean_radius)
+    if outside.size:
+        worst = int(np.argmin(depth))
+        raise InputError(
+            f"{outside.size} centres lie outside the {type(shape).__name__} that is to be cut into cells, that of"
+            f" element {worst} by {-depth[worst]:.3g} m; remove these elements, or correct the shape"
+        )
+    if isinstance(shape, Box | BoundingBox | Cell):
+        return None
+    flat = faceted(shape, particles.mean_radius)
+    return _Walls(flat, wall_tree(wall_triangles(flat)), flat.depth(particles.position))
+
+
+def _kept_faces(plain: Solids, kept: np.ndarray, position: PerElement3) -> Polygons:
+    """Faces of whole cells: those on walls, and those to elements of higher number."""
+    of_face = plain.of_face
+    cell = plain.cell[of_face]
+    rows = np.flatnonzero(kept[of_face] & ((plain.tag < 0) | (plain.tag > cell)))
+    own = plain.cell[of_face[rows]]
+    area, centroid, moment = (values[rows] for values in polygon_measures(plain.corner, plain.vertex))
+    other = np.maximum(plain.tag[rows], -1)
+    return Polygons(own, other, area, plain.plane[rows, :3], centroid + position[own], moment)
+
+
+def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _Batch:
+    """Make some cells."""
+    plain = plain_cells(centres, chosen, half)
+    measures = bulk(plain)
+    local = np.bincount(plain.of_face, weights=plain.tag == LOCAL, minlength=len(chosen)) > 0
+    clear = np.ones(len(chosen), dtype=bool)
+    if walls is not None:
+        clear = measures.farthest < walls.clear[chosen]
+    kept = clear & ~local
+    again = chosen[clear & local]
+    pieces, piece_bulk = joined([]), bulk(joined([]))
+    if walls is not None and not clear.all():
+        tolerance = max(_REACHED * centres.reach, centres.tolerance)
+        pieces = trimmed(plain.chosen(np.flatnonzero(~clear)), centres.position, walls.tree, tolerance)
+        piece_bulk = bulk(pieces)
+        inside = walls.shape.depth(piece_bulk.middle + centres.position[pieces.cell]) >= 0.0
+        open_ended = np.bincount(pieces.of_face, weights=pieces.tag == LOCAL, minlength=pieces.number) > 0
+        redo = np.unique(pieces.cell[inside & open_ended])
+        again = np.concatenate([again, redo])
+        good = np.flatnonzero(inside & ~np.isin(pieces.cell, redo))
+        pieces, piece_bulk = pieces.chosen(good), piece_bulk.chosen(good)
+    rows = np.flatnonzero(kept)
+    return _Batch(
+        _kept_faces(plain, kept, centres.position), chosen[rows], measures.chosen(rows), pieces, piece_bulk, again
+    )
+
+
+def _batches(
+    centres: Bins, walls: _Walls | None, told: Callable[[float], None]
+) -> Iterator[_Batch]:
+    """Make all cells, those that outgrow their boxes again in larger ones."""
+    n = len(centres.position)
+    waiting, half, done = np.arange(n), _HALF * centres.reach, 0
+    with ThreadPoolExecutor(current_threads()) as pool:
+        while waiting.size:
+            some = [waiting[k : k + _BATCH] for k in range(0, len(waiting), _BATCH)]
+            again = []
+            for batch in pool.map(lambda part, h=half: _batch(centres, walls, part, np.full(len(part), h)), some):
+                again.append(batch.again)
+                done += len(batch.whole) + len(np.unique(batch.pieces.cell))
+                told(min(done / n, 1.0))
+                yield batch
+            waiting, half = np.concatenate(again), 2.0 * half
+
+
+def tessellation(particles: Particles, progress: Callable[[float], None] | None = None) -> Tessellation:
+    """Cut the shape of particles into cells; see `tessellate`."""
+    shape = particles.envelope
+    walls = _walls(particles, shape)
+    centres = bins(particles, *(shape if walls is None else walls.shape).bounds)
+    made = list(_batches(centres, walls, progress or (lambda share: None)))
+    pieces = joined([batch.pieces for batch in made])
+    whole_bulk = _joined_bulk([batch.whole_bulk for batch in made])
+    piece_bulk = _joined_bulk([batch.piece_bulk for batch in made])
+    whole = np.concatenate([batch.whole for batch in made])
+    faces = together([batch.faces for batch in made])
+    sliver = _SLIVER * centres.reach**2
+    found = patches(pieces, centres.position, sliver)
+    owner = owners(pieces.cell, piece_bulk, found, centres.position)
+    is_cut = np.zeros(len(particles), dtype=bool)
+    is_cut[pieces.cell] = True
+    # facets between a whole cell and a cut one are those of the pieces of the latter
+    faces = faces.chosen(((faces.b < 0) | ~is_cut[np.maximum(faces.b, 0)]) & (faces.area > sliver))
+    return Tessellation(centres, faces, whole, whole_bulk, pieces, piece_bulk, found, owner)
+
+
+def _joined_bulk(parts: list[Bulk]) -> Bulk:
+    return Bulk(*(np.concatenate(column) for column in zip(*(vars(p).values() for p in parts), strict=True)))
+
+
+def tessellate(
+    particles: Particles, progress: Callable[[float], None] | None = None
+) -> tuple[Pairs, Facets, Cells]:
+    """Cut the shape of particles into Laguerre cells.
+
+    Args:
+        particles: spheres in a shape; without one, in the box around them.
+        progress: called now and then with the done share, from 0 to 1.
+
+    Returns:
+        Pairs i < j of neighbours, sorted, shape (m, 2), the facets between them, and the cells. Curved walls become
+        flat pieces half an element wide, the volume being that of the shape.
+
+    Raises:
+        InputError: coincident centres or centres outside the shape, a cell of no volume, a periodic cell too small,
+            or a part of the shape without elements.
+    """
+    told = progress or (lambda share: None)
+    cut = tessellation(particles, lambda share: told(0.9 * share))
+    found, position = cut.found, cut.centres.position
+    a = cut.owner[found.piece]
+    b = np.where(found.other >= 0, cut.owner[found.other], found.element)
+    shared = Polygons(a, b, found.area, found.normal, found.centroid, found.moment)
+    every = together([cut.faces, shared.chosen(a != b)])
+    pairs, between = facets(particles, every.chosen(every.b >= 0).facing())
+    free = free_facets(particles.envelope, position, cut.centres.reach, every.chosen(every.b < 0))
+    volume, centroid, inertia = _solid_tables(cut)
+    told(1.0)
+    return pairs, between, Cells(volume, centroid, inertia, free)
+
+
+def _solid_tables(cut: Tessellation) -> tuple[PerElement, PerElement3, Floats]:
+    """Volumes [m³], (n,), centroids [m], (n, 3), and inertia about them at density 1 [m⁵], (n, 3, 3)."""
+    x, n = cut.centres.position, len(cut.centres.position)
+    volume, first, second = np.zeros(n), np.zeros((n, 3)), np.zeros((n, 3, 3))
+    volume[cut.whole], first[cut.whole] = cut.whole_bulk.volume, cut.whole_bulk.first
+    second[cut.whole] = cut.whole_bulk.second
+    part, owner = cut.piece_bulk, cut.owner
+    shift = x[cut.pieces.cell] - x[owner]
+    moved = part.volume[:, None] * shift
+    np.add.at(volume, owner, part.volume)
+    np.add.at(first, owner, part.first + moved)
+    cross = part.first[:, :, None] * shift[:, None, :]
+    np.add.at(second, owner, part.second + cross + cross.transpose(0, 2, 1) + moved[:, :, None] * shift[:, None, :])
+    empty = np.flatnonzero(volume <= 1e-12 * cut.centres.reach**3)
+    if empty.size:
+        raise InputError(
+            f"the cell of element {empty[0]} has no volume ({empty.size} such cells): larger spheres swallow it, or"
+            " walls pass through its centre; remove it, or make radii more alike"
+        )
+    middle = first / volume[:, None]
+    second -= volume[:, None, None] * middle[:, :, None] * middle[:, None, :]
+    trace = np.trace(second, axis1=1, axis2=2)
+    return freeze(volume), freeze(x + middle), freeze(trace[:, None, None] * np.eye(3) - second)
