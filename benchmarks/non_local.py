@@ -123,9 +123,8 @@ def table(rows: list[dict]) -> None:
         cells = []
         for nu in RATIOS:
             some = [r for r in rows if r["law"] == law and r["nu_given"] == nu and r["E"] is not None]
-            cells.append(
-                f"{np.mean([r['E'] for r in some]):6.2f}/{np.mean([r['nu'] for r in some]):6.4f}" if some else "   -   "
-            )
+            means = (np.mean([r[name] for r in some]) for name in ("E", "nu"))
+            cells.append("{:6.2f}/{:6.4f}".format(*means) if some else "      -      ")
         print(f"{law:38s}" + "  ".join(cells))
 
 
