@@ -51,7 +51,7 @@ def strained(lattice: bd.Lattice, strain: np.ndarray) -> np.ndarray:
 def test_moduli_of_the_material_come_back(body: bd.Lattice, nu: float):
     """Laguerre areas, levers to the facets: E within 1 %, ν within 0.005."""
     found = bd.bulk_moduli(body, law(nu))
-    assert found.E / E == pytest.approx(1.0, abs=0.01)
+    assert abs(found.E / E - 1.0) < 0.01
     assert found.nu == pytest.approx(nu, abs=0.005)
 
 
@@ -236,9 +236,9 @@ def test_authors_construction_is_near_but_not_exact(spheres: bd.Lattice):
 
 
 def test_free_bar_in_tension():
-    bar = bd.connect(bd.pack(bd.Box((3.0, 1.0, 1.0)), count=200, spread=0.25, seed=1), method="laguerre")
+    bar = bd.connect(bd.pack(bd.Box((3.0, 1.0, 1.0)), count=300, spread=0.25, seed=1), method="laguerre")
     found = bd.labtests.static_tension(bar, law())
-    assert found.E / E == pytest.approx(1.0, abs=0.02)
+    assert abs(found.E / E - 1.0) < 0.02
     assert found.nu == pytest.approx(0.2, abs=0.01)
 
 
