@@ -39,7 +39,7 @@ def weighted_areas(lattice: Lattice) -> PerBond:
     total = np.bincount(i, weights=plain, minlength=n) + np.bincount(j, weights=plain, minlength=n)
     wanted = 4.0 * math.pi * radius**2 * np.interp(number, _FACES, _SURFACES)
     scale = wanted / np.where(total > 0.0, total, 1.0)
-    skin = _open(lattice, plain, total) | (number < 4)
+    skin = _open(lattice, plain, total.astype(float)) | (number < 4)
     usual = scale[~skin & (number > 0)].mean() if (~skin & (number > 0)).any() else scale[number > 0].mean()
     of_i = np.where(skin[i], np.where(skin[j], usual, scale[j]), scale[i])
     of_j = np.where(skin[j], np.where(skin[i], usual, scale[i]), scale[j])
