@@ -4,7 +4,7 @@
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
     /bonds           pairs (m, 2)
     /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale
-    /history         records (s, 11 + 3 g); attribute gauges
+    /history         records (s, 12 + 3 g); attribute gauges
 
 What is derived (order, stiffnesses) is not kept but made again, by the same code. The file is
 written aside and moved into place, so that a kill leaves the checkpoint before.
@@ -23,6 +23,7 @@ from bondem._checks import place
 from bondem.errors import RunFileError
 from bondem.io.atomic import replacing, require_writable
 from bondem.io.codec import decode, encode
+from bondem.kernels.tables import NON_LOCAL
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.history import History
@@ -31,8 +32,8 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 2
-# From here on they hold contacts, walls and friction.
+SCHEMA = 3
+# From here on they hold contacts, walls and friction; from 3 on stresses and non-local work.
 _OLDEST = 2
 
 
@@ -132,7 +133,7 @@ def read_run(path: str | Path) -> Checkpoint:
                 f"'{path}' was written by an older bondem, before there were contacts; start the run again"
             )
         try:
-            return _checkpoint(file)
+            return _checkpoint(file, head["schema"])
         except (KeyError, ValueError, OSError) as error:
             raise RunFileError(f"'{path}' is damaged ({error}); start the run again") from error
 
@@ -151,7 +152,7 @@ def _json(file: h5py.File, name: str) -> Any:
     return json.loads(_array(file, name).item())
 
 
-def _checkpoint(file: h5py.File) -> Checkpoint:
+def _checkpoint(file: h5py.File, schema: int) -> Checkpoint:
     made_of = {key: decode(value) for key, value in _json(file, "model").items()}
     period = _array(file, "elements/period") if "elements/period" in file else None
     particles = filled(
@@ -168,6 +169,8 @@ def _checkpoint(file: h5py.File) -> Checkpoint:
     )
     state = State(model)
     for name in State.ARRAYS:
+        if name == "stress" and schema < 3:
+            continue
         values = np.ascontiguousarray(_array(file, f"state/{name}"))
         wanted = getattr(state, name).shape
         if (name not in State.GROWING and values.shape != wanted) or values.shape[1:] != wanted[1:]:
@@ -175,5 +178,8 @@ def _checkpoint(file: h5py.File) -> Checkpoint:
         setattr(state, name, values)
     kept = _attributes(file["state"])
     state.step, state.time, state.stale = int(kept["step"]), float(kept["time"]), bool(kept["stale"])
-    history = History(_array(file, "history/records"), tuple(json.loads(_attributes(file["history"])["gauges"])))
+    records = _array(file, "history/records")
+    if schema < 3:
+        records = np.insert(records, NON_LOCAL, 0.0, axis=1)
+    history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
     return Checkpoint(model, decode(_json(file, "plan")), state, history)
