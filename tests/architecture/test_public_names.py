@@ -14,7 +14,9 @@ ROOT = Path(__file__).resolve().parents[2]
 STUB = ROOT / "src/bondem/__init__.pyi"
 
 # Arrays in the kernels' order, which a model keeps for solvers: not for users.
-INTERNAL = {"BondTable", "Constraints", "ContactModel", "Layout", "Origin"}
+INTERNAL = {
+    "BondTable", "CellConstants", "Constraints", "ContactModel", "Layout", "NonLocalConstants", "Origin"
+}  # fmt: skip
 
 
 def stub() -> str:

@@ -56,8 +56,11 @@ def move_holds(t, body):
 
 
 @kernel(parallel=False)
-def advance(span, scheme, run, same, history, body, non_local, contacts, added, strain, records):
+def advance(span, scheme, run, law, contacts, added, strain, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
+
+    `law` is what forces come from: what all bonds share, what bonds store, the tables of a body of cells and of the
+    non-local law, each or None.
 
     The acceleration is that of the present state on entry and on return. Between samples the end of one step and the
     start of the next are fused into one pass over the elements. The two passes go block by block, and an element
@@ -71,6 +74,7 @@ def advance(span, scheme, run, same, history, body, non_local, contacts, added, 
         contacts is out of date).
     """
     elements, bonds, cut, rows, schedules = run.elements, run.bonds, run.cut, run.rows, run.schedules
+    same, history, body, non_local = law
     start, dt = scheme.origin + span.step * scheme.dt, scheme.dt
     threaded = bonds.m >= SERIAL_BONDS
     done = written = wide = lost = 0

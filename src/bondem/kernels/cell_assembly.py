@@ -1,9 +1,22 @@
 """The stiffness matrix of the facets of cells at rest, and what the dilatation of each cell is a sum of."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from bondem._compile import device, kernel, prange
 from bondem.kernels.tables import Adjacency
+
+
+class FacetRows(NamedTuple):
+    """Constants of m facets, a row each; see `bondem.model.cell_constants`."""
+
+    k: np.ndarray  #: (m,)
+    lever_i: np.ndarray  #: (m, 3)
+    lever_j: np.ndarray
+    H: np.ndarray  #: (m, 3, 3)
+    share_i: np.ndarray  #: (m, 3)
+    share_j: np.ndarray
 
 
 @device
@@ -52,9 +65,11 @@ def _form(share, lever, sign, out):
 
 
 @kernel(parallel=True)
-def assemble_cells(k, lever_i, lever_j, H, share_i, share_j, ends_i, ends_j, adjacency, indptr, indices, data, forms):
+def assemble_cells(facets, ends_i, ends_j, adjacency, indptr, indices, data, forms):
     """Fill block rows of 6×6 and of 1×6, degrees of freedom (u, φ) an element; facets and elements in their order."""
     in_start, out_start = adjacency.in_start, adjacency.out_start
+    k, H, lever_i, lever_j = facets.k, facets.H, facets.lever_i, facets.lever_j
+    share_i, share_j = facets.share_i, facets.share_j
     for p in prange(len(out_start) - 1):
         slot = indptr[p]
         diagonal = slot + in_start[p + 1] - in_start[p]
@@ -80,15 +95,12 @@ def assemble_cells(k, lever_i, lever_j, H, share_i, share_j, ends_i, ends_j, adj
 
 
 def cell_matrix_arrays(
-    k: np.ndarray, lever_i: np.ndarray, lever_j: np.ndarray, H: np.ndarray, share_i: np.ndarray, share_j: np.ndarray,
-    ends_i: np.ndarray, ends_j: np.ndarray, adjacency: Adjacency,
+    facets: FacetRows, ends_i: np.ndarray, ends_j: np.ndarray, adjacency: Adjacency
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:  # fmt: skip
     """Row pointers, columns, blocks (…, 6, 6) of the facets' stiffness and blocks (…, 1, 6) of V θ."""
     n = len(adjacency.out_start) - 1
     indptr = (adjacency.in_start + adjacency.out_start + np.arange(n + 1)).astype(np.int32)
     indices = np.empty(indptr[-1], dtype=np.int32)
     data, forms = np.empty((indptr[-1], 6, 6)), np.empty((indptr[-1], 1, 6))
-    assemble_cells(
-        k, lever_i, lever_j, H, share_i, share_j, ends_i, ends_j, adjacency, indptr, indices, data, forms
-    )
+    assemble_cells(facets, ends_i, ends_j, adjacency, indptr, indices, data, forms)
     return indptr, indices, data, forms

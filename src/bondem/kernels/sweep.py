@@ -14,13 +14,13 @@ from bondem.kernels.non_local import non_local_loads, settle_stress
 
 
 @kernel(parallel=False)
-def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, first, last):
-    """The blocks first … last: bonds, sums, and the elements whose sums are complete.
+def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, blocks):
+    """The blocks first … last, a pair: bonds, sums, and the elements whose sums are complete.
 
     `history` is what bonds store in the incremental formulation, (6, m), or None; `cells` are facets and cells, whose
     stresses are known, or None; `non_local` is the table of the non-local law, or None.
     """
-    for b in range(first, last):
+    for b in range(blocks[0], blocks[1]):
         k0, k1 = cut.bond[b], cut.bond[b + 1]
         if cells is not None:  # decided when compiled
             facet_loads(elements.pose, bonds, cells, cut.sums, cut.row_i, cut.row_j, k0, k1)
@@ -70,8 +70,8 @@ def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, s
     for both in range(2):  # one launch in the code, as everything in it is compiled for each
         for d in prange(count):
             if both == 0:
-                first, last = cut.domain[d], cut.domain[d + 1]
-                sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, first, last)
+                blocks = cut.domain[d], cut.domain[d + 1]
+                sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, blocks)
             else:
                 first, last = shared * d // count, shared * (d + 1) // count
                 sweep_shared(elements, cut, rows, scheme, added, go_on, first, last)
@@ -95,7 +95,8 @@ def swell_body(elements, bonds, body, cut, rows):
 def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on):
     """Forces of all bonds or facets, and what elements do with them."""
     if len(cut.domain) == 2:
-        sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, 0, len(cut.move) - 1)
+        blocks = 0, len(cut.move) - 1
+        sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, blocks)
     else:
         sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on)
 

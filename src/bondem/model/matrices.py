@@ -5,7 +5,7 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.kernels.assembly import block_matrix_arrays
-from bondem.kernels.cell_assembly import cell_matrix_arrays
+from bondem.kernels.cell_assembly import FacetRows, cell_matrix_arrays
 from bondem.model.local_stiffness import local_stiffness
 from bondem.model.model import Model
 from bondem.model.stiffness import Stiffness
@@ -26,9 +26,8 @@ def stiffness_matrix(model: Model) -> Stiffness:
         indptr, indices, data = block_matrix_arrays(bonds, layout.adjacency)
         return Stiffness(bsr_array((data, indices, indptr), shape=(size, size)))
     c = model.cells
-    indptr, indices, data, forms = cell_matrix_arrays(
-        c.k, c.lever_i, c.lever_j, c.H, c.share_i, c.share_j, layout.i, layout.j, layout.adjacency
-    )
+    facets = FacetRows(c.k, c.lever_i, c.lever_j, c.H, c.share_i, c.share_j)
+    indptr, indices, data, forms = cell_matrix_arrays(facets, layout.i, layout.j, layout.adjacency)
     own, form = c.grips.blocks()
     gripped = layout.rank[c.grips.cell]
     diagonal = indptr[gripped] + (layout.in_start[gripped + 1] - layout.in_start[gripped])

@@ -143,12 +143,12 @@ class CpuLoop:
         records = np.empty((steps // every + 1 if every else 0, self._width))
         done, written, wide, lost = 0, 0, 0, 0
         sick, moved = FINE, False
+        law = self._same, self._history, self._body, self._non_local
         while sick == FINE:
             span = Span(state.step + done, steps - done, every, moved)
             gone, new, turned, lost, sick, moved = advance(
-                span, self._scheme, self._run, self._same, self._history, self._body, self._non_local,
-                self._touching, self._added, self._strain, records[written:],
-            )  # fmt: skip
+                span, self._scheme, self._run, law, self._touching, self._added, self._strain, records[written:]
+            )
             done, written, wide = done + gone, written + new, max(wide, turned)
             if not moved or self._contacts is None:
                 break

@@ -15,7 +15,7 @@ from scipy.spatial import KDTree
 from bondem._compile import kernel
 from bondem._types import Floats, Ints, Vector
 from bondem.errors import InputError
-from bondem.specimen.cells.polygon import MOST_CORNERS, clip, copy, height, roomy, roomy_list, sheet
+from bondem.specimen.cells.polygon import MOST_CORNERS, clip, copy, height, plane_square, roomy, roomy_list
 from bondem.specimen.cells.solids import BOX, LOCAL, Solids
 from bondem.specimen.particles import Particles
 
@@ -167,7 +167,7 @@ def _begin(centres, i, half, room):
         plane[f, 3] = min(wall, half)
         room.tag[f] = BOX - f if wall <= half else LOCAL
     for f in range(6):
-        sheet(plane[f, 0], plane[f, 1], plane[f, 2], plane[f, 3], 2.0 * half, room.work)
+        plane_square(plane[f, 0], plane[f, 1], plane[f, 2], plane[f, 3], 2.0 * half, room.work)
         left = 4
         for g in range(6):
             if g // 2 != f // 2:
@@ -188,7 +188,7 @@ def _cut(room, faces, a, b, c, d, behind, farthest, tolerance):
         deepest = max(deepest, height(vertex, f * MOST_CORNERS, size[f], a, b, c, d)[1])
     if deepest <= tolerance:
         return -1
-    sheet(a, b, c, d, 1.01 * farthest, other)
+    plane_square(a, b, c, d, 1.01 * farthest, other)
     lid, kept = 4, 0
     for f in range(faces):
         here, there = f * MOST_CORNERS, kept * MOST_CORNERS

@@ -48,7 +48,7 @@ def clip(source, start, size, target, a, b, c, d):
 
 
 @kernel(parallel=False)
-def sheet(a, b, c, d, half, target):
+def plane_square(a, b, c, d, half, target):
     """Write a square of half-width `half` on the plane a x + b y + c z = d, about the foot of the origin."""
     if abs(a) < 0.6:
         ux, uy, uz = 0.0, c, -b

@@ -18,9 +18,9 @@ from bondem.specimen.cells.polygon import (
     clip,
     copy,
     height,
+    plane_square,
     roomy,
     roomy_list,
-    sheet,
 )
 from bondem.specimen.cells.solids import SPLIT, Solids
 from bondem.specimen.cells.walls import WallTree
@@ -111,7 +111,7 @@ def _lid(pile, polygons, a, b, c, d, tolerance, work, other):
     for p in range(polygons):
         for v in range(pile.what[p, START], pile.what[p, START] + pile.what[p, SIZE]):
             far = max(far, pile.vertex[v, 0] ** 2 + pile.vertex[v, 1] ** 2 + pile.vertex[v, 2] ** 2)
-    sheet(a, b, c, d, 1.01 * math.sqrt(far), work)
+    plane_square(a, b, c, d, 1.01 * math.sqrt(far), work)
     size = 4
     for p in range(polygons):
         if pile.what[p, KIND] == _FACE:
