@@ -1,0 +1,92 @@
+"""E and ν of bodies of cells against those put in, and how far tractions and stresses scatter.
+
+Nothing is calibrated. Packings of spheres (κ = 25 %, seeds 1 to 5) are cut into cells: a periodic cell, and a free bar
+4 × 1 × 1 pulled between smooth platens. In the bar the stress is uniform, σ = F / S along x: the root mean square of
+t - σ n over the facets of the middle half, over σ, and the scatter of the mean stress of its cells tell what a failure
+criterion would see.
+
+Run: python benchmarks/cell_moduli.py [--count 2000] [--seeds 1 2 3 4 5]
+It writes benchmarks/results/cell_moduli.json.
+"""
+
+import argparse
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+from bondem.observe.cell_strain import CellStrain
+from kept import RESULTS, keep, origin
+
+NU = (-0.3, 0.0, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49)
+PULL = 1e-3
+
+
+def bar_test(body: bd.Lattice, nu: float) -> dict[str, float]:
+    """E and ν of a bar between smooth platens, for E = 1, and the scatter of its tractions and stresses."""
+    shape = body.particles.envelope
+    length, section = shape.extent, shape.section()
+    middle = int(np.linalg.norm(body.centre - shape.bounds[1] / 2.0, axis=1).argmin())
+    held = [
+        bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=PULL * length),
+        bd.Fix(bd.Index([middle]), translation="yz", rotation="x"),
+    ]  # fmt: skip
+    model = bd.Model(body, bd.CellBond(E=1.0, nu=nu), 1.0, boundary=held)
+    static = bd.solve_static(model)
+    stress = static.reaction[body.centre[:, 0] > 0.5 * length, 0].sum() / section
+    inside = np.abs(body.particles.position[:, 0] - 0.5 * length) < 0.25 * length
+    design = np.column_stack([body.particles.position[inside], np.ones(inside.sum())])
+    fit = np.linalg.lstsq(design, static.displacement[inside], rcond=None)[0]
+    found = CellStrain.of(
+        body, model.cell_constants, static.displacement, static.rotation, wall=model.cell_constants.grips.motion
+    )
+    force = found.forces(body, model.cell_constants)
+    area, normal = body.facets.area, body.facets.normal
+    both = inside[body.pairs].all(axis=1)
+    off = force / area[:, None] - stress * normal[:, :1] * np.array([1.0, 0.0, 0.0])
+    traction = np.sqrt((area[both] * (off[both] ** 2).sum(axis=1)).sum() / area[both].sum()) / stress
+    axial = np.zeros(len(body.particles))
+    for end, lever in ((0, model.cell_constants.lever_i), (1, -model.cell_constants.lever_j)):
+        axial += np.bincount(body.pairs[:, end], weights=lever[:, 0] * force[:, 0], minlength=len(axial))
+    axial = axial[inside] / body.cells.volume[inside]
+    return {
+        "E": stress / PULL, "nu": float(-0.5 * (fit[1, 1] + fit[2, 2]) / fit[0, 0]),
+        "traction": float(traction), "stress": float(axial.std() / stress),
+    }  # fmt: skip
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=2000)
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3, 4, 5])
+    given = parser.parse_args(arguments)
+    begun, rows = origin(), []
+    for seed in given.seeds:
+        torus, bar = (
+            bd.connect(bd.pack(shape, count=given.count, spread=0.25, seed=seed), method="laguerre")
+            for shape in (bd.Cell((1.0, 1.0, 1.0)), bd.Box((4.0, 1.0, 1.0)))
+        )
+        for nu in NU:
+            bulk = bd.bulk_moduli(torus, bd.CellBond(E=1.0, nu=nu))
+            pulled = bar_test(bar, nu)
+            rows.append({"seed": seed, "nu": nu, "bulk": {"E": bulk.E, "nu": bulk.nu}, "bar": pulled})
+            print(
+                f"seed {seed}, ν = {nu:5.2f}: bulk {bulk.E:.5f} {bulk.nu:.5f}, bar {pulled['E']:.5f}"
+                f" {pulled['nu']:.5f}; tractions {100 * pulled['traction']:.2f} %, stress {100 * pulled['stress']:.2f} %", flush=True,
+            )  # fmt: skip
+    keep(RESULTS / "cell_moduli.json", begun | {"count": given.count, "rows": rows, "worst": worst(rows)})
+
+
+def worst(rows: list[dict[str, Any]]) -> dict[str, dict[str, float]]:
+    """Largest error of E [-] and of ν over all rows."""
+    return {
+        kind: {
+            "E": max(abs(row[kind]["E"] - 1.0) for row in rows),
+            "nu": max(abs(row[kind]["nu"] - row["nu"]) for row in rows),
+        }
+        for kind in ("bulk", "bar")
+    }
+
+
+if __name__ == "__main__":
+    main()

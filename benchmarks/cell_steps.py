@@ -1,0 +1,108 @@
+"""Speed of explicit steps of cells beside those of beam bonds on the same elements, and what a microsecond costs.
+
+The same packing (periodic, κ = 25 %) is bonded where spheres touch, with beams, and cut into cells. Runs of both
+alternate; ratios are of runs that follow each other. A cell has about 7 facets where an element has 3.1 bonds, in two
+passes, but its time step is longer: what counts is the time to simulate a microsecond of the same specimen.
+
+Run: python benchmarks/cell_steps.py [--elements 10000 100000] [--threads 1 2] [--repeat 5]
+It writes benchmarks/results/cell_steps.json.
+"""
+
+import argparse
+import statistics
+import time
+import tracemalloc
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.model.state import State
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import Plan
+from bondem.solve.timestep import critical_step
+from kept import RESULTS, keep, origin, spread
+
+SILICA = bd.materials.fused_silica
+#: Bonds that make such packings about as stiff as the glass; the rate does not depend on them.
+BEAMS = bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+EDGE = 10e-3
+
+
+class Runner:
+    """One model in motion."""
+
+    def __init__(self, model: bd.Model) -> None:
+        self.model = model
+        self.dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+        tracemalloc.start()
+        state = State(model)
+        state.set_motion(velocity=1e-3 * np.random.default_rng(0).standard_normal((len(model.mass), 3)))
+        self.state = integrate(model, Plan(duration=2 * self.dt, dt=self.dt, every=0), state=state).state
+        self.memory = tracemalloc.get_traced_memory()[1] / len(model.mass)
+        tracemalloc.stop()
+
+    def seconds(self, steps: int) -> float:
+        """Of one step, from runs of `steps` and of twice as many."""
+        taken = []
+        for count in (steps, 2 * steps):
+            plan = Plan(duration=(self.state.step + count) * self.dt, dt=self.dt, every=0)
+            began = time.perf_counter()
+            self.state = integrate(self.model, plan, state=self.state).state
+            taken.append(time.perf_counter() - began)
+        return (taken[1] - taken[0]) / steps
+
+
+def measure(count: int, threads_: list[int], repeat: int) -> dict[str, Any]:
+    particles = bd.pack(bd.Cell((EDGE,) * 3), count=count, spread=0.25, seed=1)
+    body, lattice = bd.connect(particles, method="laguerre"), bd.connect(particles)
+    cells = Runner(bd.Model(body, bd.CellBond(E=SILICA.E, nu=SILICA.nu), SILICA.rho))
+    beams = Runner(bd.Model(lattice, BEAMS, SILICA.rho * EDGE**3 / particles.volume.sum()))
+    steps = max(20, 2_000_000 // count)
+    found: dict[str, Any] = {
+        "elements": count, "facets": len(body.pairs) / count, "bonds": len(lattice.pairs) / count,
+        "dt": {"cells": cells.dt, "beams": beams.dt}, "bytes": {"cells": cells.memory, "beams": beams.memory},
+    }  # fmt: skip
+    for number in threads_:
+        with threads(number):
+            cells.seconds(5), beams.seconds(5)
+            pairs = [(cells.seconds(steps), beams.seconds(steps)) for _ in range(repeat)]
+        one, other = zip(*pairs, strict=True)
+        ratio = [b / c for c, b in pairs]
+        found[f"threads_{number}"] = {
+            "cells": _rates(one, count, found["facets"], cells.dt),
+            "beams": _rates(other, count, found["bonds"], beams.dt),
+            "element_rate": spread(ratio),
+            "microsecond": spread([r * cells.dt / beams.dt for r in ratio]),
+        }
+        print(
+            f"{count} elements, {number} threads: cells {1e9 * statistics.median(one) / count:.0f} ns an element-step,"
+            f" beams {1e9 * statistics.median(other) / count:.0f}; element rate {statistics.median(ratio):.2f} of that of"
+            f" beams, a microsecond {statistics.median(ratio) * cells.dt / beams.dt:.2f} times as fast", flush=True,
+        )  # fmt: skip
+    return found
+
+
+def _rates(seconds: tuple[float, ...], count: int, each: float, dt: float) -> dict[str, Any]:
+    """Rates of runs: bonds or facets and elements a second, and seconds a microsecond."""
+    return {
+        "bond_steps": spread([count * each / s for s in seconds]),
+        "element_steps": spread([count / s for s in seconds]),
+        "microsecond_s": spread([1e-6 / dt * s for s in seconds]),
+    }
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--elements", type=int, nargs="+", default=[10_000, 100_000])
+    parser.add_argument("--threads", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--repeat", type=int, default=5)
+    given = parser.parse_args(arguments)
+    begun = origin()
+    cases = [measure(count, given.threads, given.repeat) for count in given.elements]
+    keep(RESULTS / "cell_steps.json", begun | {"cases": cases})
+
+
+if __name__ == "__main__":
+    main()

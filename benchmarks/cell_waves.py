@@ -1,0 +1,70 @@
+"""Waves in the infinite medium of cells: their celerity from the longest to the shortest.
+
+A standing plane wave cos(k x) along or across x is let go in a periodic cell; what it does on itself oscillates with
+ω(k), which is read from its zero crossings. For long waves ω / k is √((λ + 2G)/ρ) and √(G/ρ) of the material. The
+shortest wave that elements carry is two of them long.
+
+Run: python benchmarks/cell_waves.py [--count 8000] [--seed 1] [--nu 0.2 0.4]
+It writes benchmarks/results/cell_waves.json.
+"""
+
+import argparse
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+from kept import RESULTS, keep, origin
+
+LENGTH = 8.0
+#: Waves in the length of the cell.
+NUMBERS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
+
+
+def celerity(model: bd.Model, number: int, axis: int, guess: float) -> float:
+    """ω / k of a standing wave, from the first zero crossings of its own part."""
+    k = 2.0 * np.pi * number / LENGTH
+    wave = np.cos(k * model.lattice.particles.position[:, 0])
+    state = model.state()
+    velocity = np.zeros((len(wave), 3))
+    velocity[:, axis] = 1e-6 * wave
+    state.set_motion(velocity=velocity)
+    time, own = [], []
+
+    def look(state: bd.State, record: bd.History) -> None:
+        time.append(float(record.time[-1]))
+        own.append(float((model.mass * wave * state.velocity[:, axis]).sum()))
+
+    period = 2.0 * np.pi / (k * guess)
+    bd.solve_explicit(model, duration=2.6 * period, every=1, state=state, callback=look)
+    t, p = np.array(time), np.array(own)
+    at = np.flatnonzero(p[1:] * p[:-1] < 0.0)
+    zero = t[at] - p[at] * (t[at + 1] - t[at]) / (p[at + 1] - p[at])
+    # quarter, three quarters … of a period
+    return float(np.pi * (len(zero) - 1) / (zero[-1] - zero[0]) / k)
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=8000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--nu", type=float, nargs="+", default=[0.2, 0.4])
+    given = parser.parse_args(arguments)
+    begun = origin()
+    particles = bd.pack(bd.Cell((LENGTH, 1.0, 1.0)), count=given.count, spread=0.25, seed=given.seed)
+    body = bd.connect(particles, method="laguerre")
+    size = (LENGTH / given.count) ** (1.0 / 3.0)
+    rows: list[dict[str, Any]] = []
+    for nu in given.nu:
+        law = bd.CellBond(E=1.0, nu=nu)
+        model = bd.Model(body, law, 1.0)
+        for kind, axis, exact in (("P", 0, np.sqrt(law.lame + 2.0 * law.G)), ("S", 1, np.sqrt(law.G))):
+            for number in NUMBERS:
+                found = celerity(model, number, axis, exact)
+                rows.append({"nu": nu, "wave": kind, "elements": LENGTH / number / size, "ratio": found / exact})
+                print(f"ν = {nu}, {kind}, {rows[-1]['elements']:5.1f} elements long: {found / exact:.5f}", flush=True)
+    keep(RESULTS / "cell_waves.json", begun | {"count": given.count, "seed": given.seed, "rows": rows})
+
+
+if __name__ == "__main__":
+    main()
