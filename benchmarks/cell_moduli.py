@@ -1,9 +1,9 @@
 """E and ν of bodies of cells against those put in, and how far tractions and stresses scatter.
 
-Nothing is calibrated. Packings of spheres (κ = 25 %, seeds 1 to 5) are cut into cells: a periodic cell, and a free bar
-4 × 1 × 1 pulled between smooth platens. In the bar the stress is uniform, σ = F / S along x: the root mean square of
-t - σ n over the facets of the middle half, over σ, and the scatter of the mean stress of its cells tell what a failure
-criterion would see.
+Nothing is calibrated. Packings of spheres (κ = 25 %, seeds 1 to 5) are cut into cells: a periodic cell, and a free
+bar 4 × 1 × 1 pulled between smooth platens. In the bar the stress is uniform, σ = F / S along x: the root mean square
+of t - σ n over the facets of the middle half, over σ, and the scatter of the mean stress of its cells tell what a
+failure criterion would see.
 
 Run: python benchmarks/cell_moduli.py [--count 2000] [--seeds 1 2 3 4 5]
 It writes benchmarks/results/cell_moduli.json.
@@ -70,10 +70,9 @@ def main(arguments: list[str] | None = None) -> None:
             bulk = bd.bulk_moduli(torus, bd.CellBond(E=1.0, nu=nu))
             pulled = bar_test(bar, nu)
             rows.append({"seed": seed, "nu": nu, "bulk": {"E": bulk.E, "nu": bulk.nu}, "bar": pulled})
-            print(
-                f"seed {seed}, ν = {nu:5.2f}: bulk {bulk.E:.5f} {bulk.nu:.5f}, bar {pulled['E']:.5f}"
-                f" {pulled['nu']:.5f}; tractions {100 * pulled['traction']:.2f} %, stress {100 * pulled['stress']:.2f} %", flush=True,
-            )  # fmt: skip
+            scatter = f"tractions {100 * pulled['traction']:.2f} %, stress {100 * pulled['stress']:.2f} %"
+            moduli = f"bulk {bulk.E:.5f} {bulk.nu:.5f}, bar {pulled['E']:.5f} {pulled['nu']:.5f}"
+            print(f"seed {seed}, ν = {nu:5.2f}: {moduli}; {scatter}", flush=True)
     keep(RESULTS / "cell_moduli.json", begun | {"count": given.count, "rows": rows, "worst": worst(rows)})
 
 

@@ -76,10 +76,11 @@ def measure(count: int, threads_: list[int], repeat: int) -> dict[str, Any]:
             "element_rate": spread(ratio),
             "microsecond": spread([r * cells.dt / beams.dt for r in ratio]),
         }
+        c, b, r = (statistics.median(values) for values in (one, other, ratio))
         print(
-            f"{count} elements, {number} threads: cells {1e9 * statistics.median(one) / count:.0f} ns an element-step,"
-            f" beams {1e9 * statistics.median(other) / count:.0f}; element rate {statistics.median(ratio):.2f} of that of"
-            f" beams, a microsecond {statistics.median(ratio) * cells.dt / beams.dt:.2f} times as fast", flush=True,
+            f"{count} elements, {number} threads: cells {1e9 * c / count:.0f} ns an element-step, beams"
+            f" {1e9 * b / count:.0f}; element rate {r:.2f} of that of beams, a microsecond"
+            f" {r * cells.dt / beams.dt:.2f} times as fast", flush=True,
         )  # fmt: skip
     return found
 
