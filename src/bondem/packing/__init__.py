@@ -9,6 +9,7 @@ from bondem._checks import count as whole
 from bondem.errors import InputError
 from bondem.io.packing_cache import PackingCache, wanted
 from bondem.packing.compression import compress
+from bondem.packing.even import even
 from bondem.packing.growth import grow
 from bondem.packing.quench import quench
 from bondem.packing.shear import shear
@@ -19,11 +20,13 @@ from bondem.specimen.particles import Particles, filled
 
 __all__ = ["METHOD", "METHODS", "SEED", "pack"]
 
+# packs without radii or target; all others are in _METHODS
+_EVEN = "even"
 _METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": shear}
 # Relaxation steps after which progress stands at one half; how many are needed is not known beforehand.
 _USUAL_STEPS = 2000
 #: Names of the methods, the default one, and the default seed: one place for Python, studies and the command line.
-METHODS = tuple(_METHODS)
+METHODS = (*_METHODS, _EVEN)
 METHOD = "quench"
 SEED = 1
 
@@ -57,8 +60,10 @@ def pack(
     - "growth": flying hard spheres that collide and grow (Lubachevsky and Stillinger).
     - "compression": soft spheres compressed from a dilute gas in small strains, without gravity.
     - "shear" (slowest): grains on a grid, pressed while walls shear them to and fro (André et al. 2012, §4.1).
+    - "even": for bodies of cells, `bd.connect(particles, method="laguerre")`: equal spheres, their centres spread
+      evenly, none nearer to a wall than a third of its radius. They hardly touch; no target, spread or sizes.
 
-    Every target can be had from every method; one above jamming is reached by compressing soft spheres. What
+    Every target can be had from every other method; one above jamming is reached by compressing soft spheres. What
     a coordination number costs beyond jamming is overlap: at 6.2 on average 0.2 % of the mean radius in a periodic
     cell and, as spheres at walls have fewer neighbours, 0.8 % between the walls of a cylinder of 10 000, with 5 % for
     the worst pair; `bd.fabric(lattice).largest_overlap` reports it.
@@ -69,7 +74,7 @@ def pack(
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
             `sizes` is given. Equal spheres (0) order at walls.
         sizes: law of the radii: Uniform, Lognormal, Sieve; in place of `spread`.
-        method: "quench", "growth", "compression" or "shear" (Box and Cylinder).
+        method: "quench", "growth", "compression", "shear" (Box and Cylinder) or "even".
         seed: which of the random packings.
         coordination_number: target z = 2 contacts / spheres [-], ± 0.01, as `bd.connect` counts them with
             tolerance 0, over all spheres, those at walls and rattlers included. Without any target, 6.2.
@@ -97,9 +102,19 @@ def pack(
         instance("pack", "sizes", sizes, SizeLaw, "a law of the radii: bd.Uniform, bd.Lognormal or bd.Sieve")
     seed = whole("pack", "seed", seed, advice="a whole number from 0 up")
     choice("pack", "method", method, METHODS)
+    told = progress or (lambda share: None)
+    if method == _EVEN:
+        given = (spread, sizes, coordination_number, volume_fraction, jamming or None)
+        if any(value is not None for value in given):
+            raise InputError(
+                'pack: method="even" makes equal spheres that hardly touch; leave out spread=, sizes= and targets, or'
+                " take another method"
+            )
+        request = {"shape": shape, "count": count, "method": method, "seed": seed}
+        return _kept(request, lambda: even(shape, count, np.random.Generator(np.random.Philox(seed)), told), told,
+                     cache=cache)  # fmt: skip
     target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
     size_law = Uniform(SPREAD if spread is None else spread) if sizes is None else sizes
-    told = progress or (lambda share: None)
 
     def make() -> Particles:
         random = np.random.Generator(np.random.Philox(seed))
@@ -111,6 +126,15 @@ def pack(
         return filled(Particles(spheres.sphere[:, :3].copy(), spheres.sphere[:, 3].copy(), shape.period), shape)
 
     request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
+    return _kept(request, make, told, cache=cache)
+
+
+def _kept(
+    request: dict[str, object], make: Callable[[], Particles], told: Callable[[float], None], *, cache: bool
+) -> Particles:
+    """The packing of a request, from disk where it may be, else made."""
+    count = request["count"]
+    assert isinstance(count, int)
     particles = PackingCache().remembered(request, make) if cache and wanted(count) else make()
     told(1.0)
     return particles

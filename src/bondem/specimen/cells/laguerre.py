@@ -54,8 +54,8 @@ class Bins(NamedTuple):
     tolerance: float
 
 
-def bins(particles: Particles, lower: Vector, upper: Vector) -> Bins:
-    """Sort the centres of particles that fill the box from `lower` to `upper` [m].
+def usual_reach(particles: Particles) -> float:
+    """Distance within which most elements have all their neighbours [m], about twice that of two of these.
 
     Raises:
         InputError: coincident centres.
@@ -63,12 +63,20 @@ def bins(particles: Particles, lower: Vector, upper: Vector) -> Bins:
     x, n = particles.position, len(particles)
     tree = KDTree(x, boxsize=particles.period)
     some = np.linspace(0, n - 1, min(n, 500)).astype(int)
-    near = tree.query(x[some], k=min(n, 13))[0].reshape(len(some), -1)
+    near = np.asarray(tree.query(x[some], k=min(n, 13))[0]).reshape(len(some), -1)
     reach = 1.5 * float(np.median(near[:, -1]))
-    if reach <= 0.0 or len(tree.query_pairs(1e-9 * reach, output_type="ndarray")):
-        pair = tree.query_pairs(1e-9 * reach, output_type="ndarray")
+    if n == 1:
+        reach = 4.0 * particles.mean_radius
+    pair = tree.query_pairs(1e-9 * reach, output_type="ndarray")
+    if reach <= 0.0 or len(pair):
         name = f"elements {pair[0, 0]} and {pair[0, 1]}" if len(pair) else "elements"
         raise InputError(f"centres of {name} coincide, so that no plane parts their cells; remove one of them")
+    return reach
+
+
+def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bins:
+    """Sort the centres of particles that fill the box from `lower` to `upper` [m]; see `usual_reach`."""
+    x, n = particles.position, len(particles)
     extent = upper - lower
     most = max(1, round(2.0 * n ** (1.0 / 3.0)) + 1)
     count = np.clip((extent / (0.5 * reach)).astype(np.int64), 1, 4 * most)

@@ -11,7 +11,7 @@ from bondem._types import Floats, Ints, Mask, Pairs, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.specimen.cells.gathering import Polygons, facets, free_facets, together
 from bondem.specimen.cells.interfaces import Patches, patches
-from bondem.specimen.cells.laguerre import Bins, bins, plain_cells
+from bondem.specimen.cells.laguerre import Bins, bins, plain_cells, usual_reach
 from bondem.specimen.cells.owners import owners
 from bondem.specimen.cells.solids import LOCAL, Bulk, Solids, bulk, joined, polygon_measures
 from bondem.specimen.cells.tables import Cells, Facets
@@ -25,6 +25,8 @@ from bondem.specimen.shape import Shape
 _BATCH = 4096
 # Half the width of the boxes that cells begin as, over the usual distance of the farthest neighbour.
 _HALF = 0.67
+# Width of the flat pieces of curved walls, about half an element, over that distance.
+_FLAT = 0.25
 # How far walls must reach in to split a cell, over that distance; facets of less area are left out, over its square.
 _REACHED, _SLIVER = 3e-12, 1e-11
 # Volumes of combined shapes are known to about 1e-3; more than this share of it is a lost part.
@@ -90,14 +92,14 @@ class _Batch:
     ended: Ints
 
 
-def _walls(particles: Particles, shape: Shape) -> _Walls | None:
+def _walls(particles: Particles, shape: Shape, reach: float) -> _Walls | None:
     """The walls of a shape, but for a box, the sides of which are the ends of all cells anyway.
 
     Raises:
         InputError: centres outside the shape.
     """
     depth = shape.depth(particles.position)
-    outside = np.flatnonzero(depth < -_OUTSIDE * particles.mean_radius)
+    outside = np.flatnonzero(depth < -_OUTSIDE * reach)
     if outside.size:
         worst = int(np.argmin(depth))
         raise InputError(
@@ -106,7 +108,7 @@ def _walls(particles: Particles, shape: Shape) -> _Walls | None:
         )
     if isinstance(shape, Box | BoundingBox | Cell):
         return None
-    flat = faceted(shape, particles.mean_radius)
+    flat = faceted(shape, _FLAT * reach)
     return _Walls(flat, wall_tree(wall_triangles(flat)), flat.depth(particles.position))
 
 
@@ -172,8 +174,9 @@ def tessellation(
 ) -> Tessellation:
     """Cut the shape of particles into cells; see `tessellate`. With `outlines` it keeps the whole cells as solids."""
     shape, n = particles.envelope, len(particles)
-    walls = _walls(particles, shape)
-    centres = bins(particles, *(shape if walls is None else walls.shape).bounds)
+    reach = usual_reach(particles)
+    walls = _walls(particles, shape, reach)
+    centres = bins(particles, *(shape if walls is None else walls.shape).bounds, reach)
     half = np.full(n, _HALF * centres.reach)
     made = [
         batch if outlines else replace(batch, plain=joined([]))
@@ -242,6 +245,11 @@ def tessellate(
     _check_volume(particles.envelope, float(volume.sum()))
     told(1.0)
     return pairs, between, Cells(volume, centroid, inertia, free)
+
+
+def cell_centroids(particles: Particles) -> PerElement3:
+    """Centroids of the cells alone [m], shape (n, 3); see `tessellate`."""
+    return _solid_tables(tessellation(particles))[1]
 
 
 def _check_depths(pairs: Pairs, between: Facets) -> None:

@@ -1,0 +1,89 @@
+"""Centres for cells: spread evenly and at random through a shape, each at the centroid of its own cell.
+
+Soft spheres push each other apart for a while, from random places; they need not come to rest. Then every centre
+moves to the centroid of its Voronoi cell, a few times over (Lloyd). Cells are round and of much the same size, and
+nothing has to jam: what carries the load of a body of cells are facets.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._types import Floats
+from bondem.packing.start import thrown
+from bondem.specimen.cells.tessellation import cell_centroids
+from bondem.specimen.geometry import Shape
+from bondem.specimen.particles import Particles, filled
+
+# Volume fractions: where spheres are thrown, small enough for narrow shapes, and where they push each other apart.
+_THROWN, _PUSHED = 0.2, 0.64
+# Rms force over mean contact force that is even enough to go on from, most steps to there, and steps of Lloyd.
+_ROUGH, _STEPS, _LLOYD = 0.1, 300, 6
+# Radius over half the distance of the nearest two centres, and over the depth of the centre nearest to a wall; cells
+# want centres at least a third of a radius inside.
+_TOUCHING, _INSIDE = 1.1, 3.0
+# How far inside walls centres stay on the way, over the usual radius.
+_MARGIN = 0.4
+
+
+def even(
+    shape: Shape, count: int, random: np.random.Generator, told: Callable[[float], None]
+) -> Particles:
+    """Equal spheres, no two of which overlap by more than a tenth of their diameter.
+
+    Args:
+        shape: what to fill.
+        count: how many.
+        random: where the randomness comes from.
+        told: called with the done share.
+
+    Raises:
+        InputError: spheres too large for the shape, or a part of it that no centre fell into.
+    """
+    spheres = thrown(shape, np.ones(count), _THROWN, random)
+    spheres.relax(spheres.scale_for(_PUSHED), tolerance=_ROUGH, steps=_STEPS)
+    width = spheres.mean_radius
+    x = _kept_inside(shape, spheres.sphere[:, :3], spheres.sphere[:, :3], _MARGIN * width)
+    for step in range(_LLOYD):
+        told((step + 1) / (_LLOYD + 2))
+        x = _kept_inside(shape, cell_centroids(_points(shape, x, width)), x, _MARGIN * width)
+    return filled(Particles(x, _radius(shape, x, width), shape.period), shape)
+
+
+def _points(shape: Shape, x: Floats, width: float) -> Particles:
+    """Particles of next to no radius, so that overlap is no matter."""
+    return filled(Particles(x, 1e-3 * width, shape.period), shape)
+
+
+def _kept_inside(shape: Shape, x: Floats, before: Floats, margin: float) -> Floats:
+    """Centres that would come nearer to a wall than `margin` go half the way, or stay, and are pushed inwards."""
+    if shape.period is not None:
+        return np.mod(x, shape.period)
+    x = x.copy()
+    for share in (0.5, 0.0):
+        close = np.flatnonzero(shape.depth(x) < margin)
+        x[close] = before[close] + share * (x[close] - before[close])
+    for _ in range(10):
+        depth = shape.depth(x)
+        close = np.flatnonzero(depth < margin)
+        if not close.size:
+            break
+        tiny = 1e-3 * margin
+        slope = np.column_stack([
+            (shape.depth(x[close] + tiny * axis) - depth[close]) / tiny for axis in np.eye(3)
+        ])  # fmt: skip
+        steep = np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), 0.1)
+        pushed = x[close] + (1.01 * margin - depth[close])[:, None] * slope / steep**2
+        deeper = shape.depth(pushed) > depth[close]
+        x[close[deeper]] = pushed[deeper]
+    return x
+
+
+def _radius(shape: Shape, x: Floats, width: float) -> float:
+    """Radius of the spheres [m]: as large as neighbours and walls let them be."""
+    if len(x) == 1:
+        return float(min(width, shape.depth(x)[0]))
+    nearest = float(KDTree(x, boxsize=shape.period).query(x, k=2)[0][:, 1].min())
+    radius = 0.5 * _TOUCHING * nearest
+    return float(min(radius, _INSIDE * shape.depth(x).min()))
