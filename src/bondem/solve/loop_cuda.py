@@ -235,7 +235,7 @@ def _bonds(model: Model, state: State) -> DeviceBonds:
 def _rows(held: Constraints, state: State) -> Rows:
     of, fixed, reaction, work = map(upload, (held.row_of.astype(np.int32), held.fixed, state.reaction, state.work))
     force, half, full = (zeros(len(held.element), 6) for _ in range(3))
-    return Rows(of, fixed, force, half, full, reaction, work)
+    return Rows(of, fixed, force, half, full, reaction, zeros(0, 6), work)
 
 
 def _schedules(held: Constraints) -> RowSchedules:
