@@ -18,16 +18,16 @@ from bondem.packing.targets import chosen
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
 
-__all__ = ["METHOD", "METHODS", "SEED", "pack"]
+__all__ = ["EVEN", "METHOD", "METHODS", "SEED", "pack"]
 
-# packs without radii or target; all others are in _METHODS
-_EVEN = "even"
 _METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": shear}
 # Relaxation steps after which progress stands at one half; how many are needed is not known beforehand.
 _USUAL_STEPS = 2000
-#: Names of the methods, the default one, and the default seed: one place for Python, studies and the command line.
-METHODS = (*_METHODS, _EVEN)
+#: Names of the methods, the default one, that for cells, which takes neither sizes nor targets, and the default seed:
+#: one place for Python, studies and the command line.
 METHOD = "quench"
+EVEN = "even"
+METHODS = (*_METHODS, EVEN)
 SEED = 1
 
 # More would take a day, and more memory than a machine has.
@@ -103,7 +103,7 @@ def pack(
     seed = whole("pack", "seed", seed, advice="a whole number from 0 up")
     choice("pack", "method", method, METHODS)
     told = progress or (lambda share: None)
-    if method == _EVEN:
+    if method == EVEN:
         given = (spread, sizes, coordination_number, volume_fraction, jamming or None)
         if any(value is not None for value in given):
             raise InputError(

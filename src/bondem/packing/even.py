@@ -16,8 +16,8 @@ from bondem.specimen.cells.tessellation import cell_centroids
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
 
-# Volume fractions: where spheres are thrown, small enough for narrow shapes, and where they push each other apart.
-_THROWN, _PUSHED = 0.2, 0.64
+# Volume fraction at which soft spheres push each other apart, and how far inside walls they start, over their radius.
+_PUSHED, _START = 0.64, 0.6
 # Rms force over mean contact force that is even enough to go on from, most steps to there, and steps of Lloyd.
 _ROUGH, _STEPS, _LLOYD = 0.1, 300, 6
 # Radius over half the distance of the nearest two centres, and over the depth of the centre nearest to a wall; cells
@@ -41,8 +41,8 @@ def even(
     Raises:
         InputError: spheres too large for the shape, or a part of it that no centre fell into.
     """
-    spheres = thrown(shape, np.ones(count), _THROWN, random)
-    spheres.relax(spheres.scale_for(_PUSHED), tolerance=_ROUGH, steps=_STEPS)
+    spheres = thrown(shape, np.ones(count), _PUSHED, random, inside=_START)
+    spheres.relax(1.0, tolerance=_ROUGH, steps=_STEPS)
     width = spheres.mean_radius
     x = _kept_inside(shape, spheres.sphere[:, :3], spheres.sphere[:, :3], _MARGIN * width)
     for step in range(_LLOYD):

@@ -15,7 +15,7 @@ _WIDTH, _DENSEST = 5.2, 0.75
 
 
 def thrown(
-    shape: Shape, relative_radius: Floats, fraction: float, random: np.random.Generator
+    shape: Shape, relative_radius: Floats, fraction: float, random: np.random.Generator, *, inside: float = 1.0
 ) -> SoftSpheres:
     """Spheres thrown into a shape at random, overlapping as they fall, neighbours in space near in order.
 
@@ -24,6 +24,7 @@ def thrown(
         relative_radius: radii up to a common factor, (n,).
         fraction: volume of the spheres over that of the shape [-].
         random: where the randomness comes from.
+        inside: how far from walls centres fall at least, over the radius [-].
 
     Raises:
         InputError: spheres too large for the shape.
@@ -36,13 +37,13 @@ def thrown(
             f"{len(radius)} spheres are too large for the periodic {shape}; ask for more, or make its edges more"
             " alike"
         )
-    centre = _random_centres(shape, radius, random)
+    centre = _random_centres(shape, inside * radius, random)
     order = np.argsort(morton_code(centre), kind="stable")
     return SoftSpheres(shape, centre[order], radius[order])
 
 
 def _random_centres(shape: Shape, radius: Floats, random: np.random.Generator) -> Floats:
-    """Centres [m], uniform over the part of `shape` in which a sphere of its radius [m] fits, (n, 3).
+    """Centres [m], uniform over the part of `shape` that is deeper than `radius` (n,) [m], (n, 3).
 
     Raises:
         InputError: the largest sphere does not fit.

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.io.importing import read_particles
-from bondem.packing import METHOD, METHODS, pack
+from bondem.packing import EVEN, METHOD, METHODS, pack
 from bondem.packing.sizes import SPREAD, Lognormal, Sieve, SizeLaw, Uniform
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
 from bondem.specimen.particles import Particles
@@ -31,14 +31,14 @@ class SpecimenPlan:
     Attributes:
         shape: what the elements fill.
         count: number of elements.
-        sizes: law of the radii.
+        sizes: law of the radii; None for the method that makes equal spheres.
         method: of packing.
         target: at most one of coordination_number, volume_fraction and jamming, by name, as `bd.pack` takes it.
     """
 
     shape: Shape
     count: int
-    sizes: SizeLaw = Uniform()
+    sizes: SizeLaw | None = Uniform()
     method: str = METHOD
     target: Mapping[str, Any] = field(default_factory=dict)
 
@@ -82,13 +82,25 @@ def read_specimen(table: TomlTable, folder: Path) -> SpecimenPlan | ImportPlan:
             file = table.file("particles", folder)
             shape = _shape(table, folder) if table.has("shape") else None
             return ImportPlan(file=file, unit=table.unit("unit"), shape=shape)
+        method = table.text("method", default=METHOD, choices=METHODS)
+        if method == EVEN:
+            _refuse_sizes(table)
         return SpecimenPlan(
             shape=_shape(table, folder),
             count=table.count("count", least=100),
-            sizes=_sizes(table),
-            method=table.text("method", default=METHOD, choices=METHODS),
-            target=_target(table),
+            sizes=None if method == EVEN else _sizes(table),
+            method=method,
+            target={} if method == EVEN else _target(table),
         )
+
+
+def _refuse_sizes(table: TomlTable) -> None:
+    for key in ("spread", "sizes", *TARGETS):
+        if table.has(key):
+            raise StudyError(
+                f"'{table.name(key)}' goes with other methods: '{EVEN}' makes equal spheres that hardly touch;"
+                " leave it out"
+            )
 
 
 def _shape(table: TomlTable, folder: Path) -> Shape:

@@ -98,6 +98,14 @@ def copy(source, start, size, target, at):
 
 
 @kernel(parallel=False)
+def turn(source, size):
+    """Reverse the corners of the polygon in the first rows: it faces the other way then."""
+    for k in range(size // 2):
+        for c in range(3):
+            source[k, c], source[size - 1 - k, c] = source[size - 1 - k, c], source[k, c]
+
+
+@kernel(parallel=False)
 def roomy(values, needed) -> Any:
     """The same rows, (k, c), or a longer copy where there are fewer than `needed`."""
     if values.shape[0] >= needed:

@@ -21,6 +21,7 @@ from bondem.specimen.cells.polygon import (
     plane_square,
     roomy,
     roomy_list,
+    turn,
 )
 from bondem.specimen.cells.solids import SPLIT, Solids
 from bondem.specimen.cells.walls import WallTree
@@ -164,16 +165,17 @@ def _pieces(solids, position, walls, tolerance) -> Any:
     done, faces, corners = new_pile(1024, 8192), 0, 0
     stack, piece = new_pile(256, 2048), new_pile(256, 2048)
     below = np.empty(64, np.int64)  # where each piece on the stack begins
-    found, work, other = np.empty(64, np.int64), np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
+    found, lid = np.empty(64, np.int64), np.empty((MOST_CORNERS, 3))
+    work, other = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
     for s in range(solids.cell.size):
         x = position[solids.cell[s]]
-        stack, on, height_of, found = _whole(solids, s, x, walls, tolerance, stack, found, work, other)
+        stack, on, top, found = _whole(solids, s, x, walls, tolerance, stack, found, work, other)
         below[0], waiting, splits = 0, 1, 0
         while waiting > 0:
             waiting -= 1
             first = below[waiting]
             piece = _taken(stack, first, on, piece)
-            count, height_of = on - first, stack.what[first, START]
+            count, top = on - first, stack.what[first, START]
             on = first
             wall = _largest(piece, count)
             if wall < 0:
@@ -190,18 +192,19 @@ def _pieces(solids, position, walls, tolerance) -> Any:
                 out_face[out_solids] = faces
                 continue
             a, b, c, d = piece.plane[wall, 0], piece.plane[wall, 1], piece.plane[wall, 2], piece.plane[wall, 3]
+            size = _lid(piece, count, a, b, c, d, tolerance, lid, other)
             for side in range(2):
                 if side == 1:
                     a, b, c, d = -a, -b, -c, -d
+                    turn(lid, size)
                 begin = on
-                stack, on, height_of = _half(
-                    piece, count, wall, a, b, c, d, tolerance, stack, on, height_of, work
+                stack, on, top = _half(
+                    piece, count, wall, a, b, c, d, tolerance, stack, on, top, work
                 )
-                size = _lid(piece, count, a, b, c, d, tolerance, work, other)
                 if size > 0:
                     tag = SPLIT - 2 * splits - side
-                    stack = put(stack, on, height_of, _FACE, tag, a, b, c, d, work, size)
-                    on, height_of = on + 1, height_of + size
+                    stack = put(stack, on, top, _FACE, tag, a, b, c, d, lid, size)
+                    on, top = on + 1, top + size
                 if on > begin:
                     below = roomy_list(below, waiting + 1)
                     below[waiting] = begin

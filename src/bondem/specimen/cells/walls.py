@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -37,7 +38,7 @@ def faceted(shape: Shape, size: float) -> Shape:
     if isinstance(shape, Cylinder):
         return _prism(shape, size)
     if isinstance(shape, Ball):
-        return _geodesic(shape, size)
+        return _geodesic(shape, max(_QUARTERED, round(math.log2(max(shape.radius / size, 1.0)))))
     if isinstance(shape, Placed):
         return replace(shape, shape=faceted(shape.shape, size))
     if isinstance(shape, Overlap | Cut | Joined):
@@ -134,7 +135,8 @@ def _prism(shape: Cylinder, size: float) -> Prism:
     return Prism(shape.radius * math.sqrt(angle / math.sin(angle)), shape.length, sides)
 
 
-def _geodesic(shape: Ball, size: float) -> Surface:
+@lru_cache(maxsize=4)
+def _geodesic(shape: Ball, quartered: int) -> Surface:
     p = _GOLDEN
     vertices = np.array([
         [-1, p, 0], [1, p, 0], [-1, -p, 0], [1, -p, 0], [0, -1, p], [0, 1, p], [0, -1, -p], [0, 1, -p],
@@ -146,7 +148,7 @@ def _geodesic(shape: Ball, size: float) -> Surface:
         [8, 6, 7], [9, 8, 1],
     ])  # fmt: skip
     vertices = vertices / math.hypot(1.0, p)
-    for _ in range(max(_QUARTERED, round(math.log2(max(shape.radius / size, 1.0))))):
+    for _ in range(quartered):
         ends = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2), axis=2)
         edge, which = np.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
         middle = vertices[edge].sum(axis=1)
