@@ -80,7 +80,7 @@ class UniformStress:
 def uniform_stress(lattice: Lattice, law: BondAssignment, *, depth: float = 0.02) -> UniformStress:
     """Six unit stress states σ, each by tractions σ·n on the whole surface, and the mean strain of the body.
 
-    The faces are cut into patches of half a mean radius. Each hands its force to the nearest element of its face,
+    The faces are cut into patches of half a mean radius; of a body of cells, into their facets. Each hands its force to the nearest element of its face,
     with the moment about the element's centre; what rounding and curved patches leave unbalanced is taken out by the
     smallest forces. The mean strain is that of the affine field closest to the displacements of all connected
     elements: no gauge, no ends.
@@ -104,7 +104,7 @@ def uniform_stress(lattice: Lattice, law: BondAssignment, *, depth: float = 0.02
     statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
     owner, centre, area = _surface(lattice, depth)
     moving = np.flatnonzero(lattice.connected)
-    position = lattice.particles.position
+    position = lattice.centre
     strain = np.empty((6, 6))
     for column, (a, b) in enumerate(_VOIGT):
         stress = np.zeros((3, 3))
@@ -119,6 +119,9 @@ def uniform_stress(lattice: Lattice, law: BondAssignment, *, depth: float = 0.02
 
 def _surface(lattice: Lattice, depth: float) -> tuple[np.ndarray, Floats, Floats]:
     """The surface in patches: which element has each, centres [m] and areas times outward normals [m²]."""
+    if lattice.cells is not None:
+        free = lattice.cells.free
+        return free.cell, free.centroid, free.area[:, None] * free.normal
     particles = lattice.particles
     owners, centres, areas = [], [], []
     for name in particles.envelope.faces:
@@ -132,7 +135,7 @@ def _surface(lattice: Lattice, depth: float) -> tuple[np.ndarray, Floats, Floats
 
 def _nodal(lattice: Lattice, owner: np.ndarray, centre: Floats, force: Floats) -> PerElement6:
     """Forces and moments of the elements under forces at patches [N, N·m], in balance, (n, 6)."""
-    position = lattice.particles.position
+    position = lattice.centre
     values = np.hstack([force, np.cross(centre - position[owner], force)])
     load = np.zeros((len(position), 6))
     np.add.at(load, owner, values)

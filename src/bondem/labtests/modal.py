@@ -75,7 +75,7 @@ def _effective_mass(model: Model, shape: Floats) -> Floats:
     """(φ·M r)² / (φ·M φ · r·M r) for rigid motions r along x, y, z and about x, shape (count, 4)."""
     lattice = model.lattice
     moving = lattice.connected
-    y, z = (lattice.particles.position - lattice.particles.position[moving].mean(axis=0))[:, 1:].T
+    y, z = (lattice.centre - lattice.centre[moving].mean(axis=0))[:, 1:].T
     rigid = np.zeros((4, len(y), 6))
     rigid[range(3), :, range(3)] = 1.0
     rigid[3, :, 1], rigid[3, :, 2], rigid[3, :, 3] = -z, y, 1.0

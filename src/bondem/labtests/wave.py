@@ -77,7 +77,7 @@ def strike(
     lower, upper = lattice.particles.envelope.bounds
     edges = np.linspace(lower[0], upper[0], slices + 1)
     inside = np.flatnonzero(lattice.connected)
-    number = np.searchsorted(edges[1:-1], lattice.particles.position[inside, 0], side="right")
+    number = np.searchsorted(edges[1:-1], lattice.centre[inside, 0], side="right")
     members = np.bincount(number, minlength=slices).astype(float)
     sections: list[Floats] = []
     snapshots: list[tuple[float, PerElement3]] = []

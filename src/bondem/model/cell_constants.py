@@ -35,6 +35,8 @@ class CellConstants:
         volume: V [m³], shape (n,).
         weight: λ_p / V_p, by which V_p θ_p becomes the stress λ_p θ_p [Pa/m³], shape (n,).
         normal: of the facets, from i to j [-], shape (m, 3).
+        G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
+        free_normal: M⁻¹n of the facets on the surface [-], in the order of `cells.free`, shape (k, 3).
         grips: facets that walls hold; their cells in the user's order.
     """
 
@@ -47,6 +49,9 @@ class CellConstants:
     volume: PerElement
     weight: PerElement
     normal: PerBond3
+    G: PerElement
+    lame: PerElement
+    free_normal: Floats
     grips: Grips
 
     @classmethod
@@ -89,6 +94,9 @@ class CellConstants:
             volume=cells.volume,
             weight=lame / slack / cells.volume,
             normal=normal,
+            G=G,
+            lame=lame,
+            free_normal=n_free,
             grips=_grips(cells, holds, G, n_free, rotation),
         )
 
@@ -107,6 +115,9 @@ class CellConstants:
             volume=self.volume[element],
             weight=self.weight[element],
             normal=np.where(back, -self.normal[bond], self.normal[bond]),
+            G=self.G[element],
+            lame=self.lame[element],
+            free_normal=self.free_normal,
             grips=self.grips,
         )
 

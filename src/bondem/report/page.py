@@ -107,6 +107,7 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         drawings["distribution"] = lambda path: draw_distribution(path, distribution)
     if findings.fit is not None:
         drawings["calibration"] = lambda path: draw_free_parameter(path, findings)
+    if findings.bonds is not None:
         drawings["tension"] = lambda path: draw_tension(path, findings)
     if any(name.startswith("static") for name in first.outcomes):
         drawings["profiles"] = lambda path: draw_profiles(path, first)
@@ -133,14 +134,14 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         "difference": signed,
     }
     rows = rows_of(findings)
-    law = findings.fit.law if findings.fit is not None else None
+    law = findings.bonds.law if findings.bonds is not None else None
     return templates.get_template("report.html").render(
         findings=findings,
         results=findings.results,
         pictures=pictures,
         rows=rows,
         bonds=named(type(law).__name__) if law is not None else None,
-        free=law.free if law is not None else None,
+        free=findings.fit.law.free if findings.fit is not None else None,
         worst=max(rows, key=lambda row: abs(row["error"])) if rows else None,
         quality=quality_rows(findings.specimens),
         shape=measures(findings.specimens[0].lattice.particles.envelope),
