@@ -17,6 +17,8 @@ _PUBLIC = {
     "bondem.specimen.particles": ("Particles",),
     "bondem.specimen.lattice": ("Lattice", "carve"),
     "bondem.specimen.bonding": ("connect",),
+    "bondem.specimen.cells.tables": ("Cells", "Facets", "FreeFacets"),
+    "bondem.specimen.cells.polyhedra": ("Polyhedra", "polyhedra"),
     "bondem.specimen.regions": ("Everything", "Face", "Index", "Region", "Within"),
     "bondem.specimen.fabric": ("Fabric", "fabric"),
     "bondem.specimen.strata": ("Strata",),

@@ -81,6 +81,11 @@ from bondem.solve.solution import Status as Status
 from bondem.solve.static import StaticResult as StaticResult
 from bondem.specimen import materials as materials
 from bondem.specimen.bonding import connect as connect
+from bondem.specimen.cells.polyhedra import Polyhedra as Polyhedra
+from bondem.specimen.cells.polyhedra import polyhedra as polyhedra
+from bondem.specimen.cells.tables import Cells as Cells
+from bondem.specimen.cells.tables import Facets as Facets
+from bondem.specimen.cells.tables import FreeFacets as FreeFacets
 from bondem.specimen.fabric import Fabric as Fabric
 from bondem.specimen.fabric import fabric as fabric
 from bondem.specimen.geometry import Ball as Ball

@@ -38,6 +38,8 @@ class Patches(NamedTuple):
         area: [m²], shape (p,).
         centroid: [m], shape (p, 3).
         moment: second moments about it [m⁴], shape (p, 3, 3).
+        expected: elements whose cells should lie behind patches with nothing behind them: a wall lies there, or those
+            cells ended too early.
     """
 
     piece: Ints
@@ -49,6 +51,7 @@ class Patches(NamedTuple):
     area: Floats
     centroid: Floats
     moment: Floats
+    expected: Ints
 
 
 @kernel(parallel=False)
@@ -148,15 +151,12 @@ def _grouped(pieces: Solids, cell: Ints, inner: Ints, position: PerElement3) -> 
     forth = np.where(split, (SPLIT - tag) % 2 == 0, own < tag)
     key = low * (n + int(number.max(initial=0)) + 1) + high
     _, one, group = np.unique(key, return_index=True, return_inverse=True)
-    sides = []
-    for side in (forth, ~forth):
-        order = np.argsort(group[side], kind="stable")
-        begin = np.searchsorted(group[side][order], np.arange(len(one) + 1))
-        sides += [inner[side][order], begin]
+    plus, minus = (inner[side][np.argsort(group[side], kind="stable")] for side in (forth, ~forth))
+    first, second = (np.searchsorted(np.sort(group[side]), np.arange(len(one) + 1)) for side in (forth, ~forth))
     between = ~split[one]
     shift = np.zeros((len(one), 3))
     shift[between] = position[high[one][between]] - position[low[one][between]]
-    return _Groups(*sides, shift)
+    return _Groups(plus, first, minus, second, shift)
 
 
 def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:
@@ -174,7 +174,8 @@ def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:
     inner = (tag <= SPLIT) | ((tag >= 0) & is_cut[np.maximum(tag, 0)])
     groups = _grouped(pieces, cell, np.flatnonzero(inner), position)
     face, opposite, corner, vertex = _match(pieces, of_face, groups, tolerance)
-    plain = np.flatnonzero(~inner)
+    expected = np.unique(tag[face[(opposite < 0) & (tag[face] >= 0)]])
+    plain = np.flatnonzero(~inner & (polygon_measures(pieces.corner, pieces.vertex)[0] > tolerance))
     corners, begin = ranges(pieces.corner, plain)
     element = np.concatenate([np.full(len(face), -1), np.maximum(tag[plain], -1)])
     face = np.concatenate([face, plain])
@@ -184,5 +185,6 @@ def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:
     vertex = vertex + np.repeat(position[cell[face]], np.diff(corner), axis=0)
     other = np.where(opposite >= 0, of_face[opposite], -1)
     return Patches(
-        of_face[face], other, element, pieces.plane[face, :3], corner, vertex, *polygon_measures(corner, vertex)
-    )
+        of_face[face], other, element, pieces.plane[face, :3], corner, vertex, *polygon_measures(corner, vertex),
+        expected,
+    )  # fmt: skip

@@ -7,7 +7,7 @@ at distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search e
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.spatial import KDTree
@@ -35,7 +35,7 @@ class Bins(NamedTuple):
         radius: radii [m], shape (n,).
         lower, upper: the box around all cells [m], (3,).
         period: edge lengths of the periodic cell, or 0 [m], (3,).
-        count: boxes along each axis, (3,).
+        boxes: boxes along each axis, (3,).
         start: where the members of each box begin, (boxes + 1,).
         member: elements, box by box, (n,).
         reach: usual distance of the farthest neighbour [m].
@@ -47,7 +47,7 @@ class Bins(NamedTuple):
     lower: Vector
     upper: Vector
     period: Vector
-    count: Ints
+    boxes: Ints
     start: Ints
     member: Ints
     reach: float
@@ -98,7 +98,7 @@ class _Room(NamedTuple):
 @kernel(parallel=False)
 def _gather(centres, i, near, far, found, offset):
     """List the elements at distances from `near` up to `far` from element i [m], images included."""
-    position, period, count = centres.position, centres.period, centres.count
+    position, period, count = centres.position, centres.period, centres.boxes
     listed = 0
     low, high = np.empty(3, np.int64), np.empty(3, np.int64)
     for c in range(3):
@@ -275,7 +275,7 @@ def _shaped(centres, i, half, largest, room, found, offset, order):
 
 
 @kernel(parallel=False)
-def _cells(centres, chosen, half):
+def _cells(centres, chosen, half) -> Any:
     """Cells of the chosen elements; see `plain_cells`.
 
     Returns:

@@ -1,6 +1,7 @@
 """Convex polygons in space: rows of an array of corners, counter-clockwise seen against their normal."""
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -97,7 +98,7 @@ def copy(source, start, size, target, at):
 
 
 @kernel(parallel=False)
-def roomy(values, needed):
+def roomy(values, needed) -> Any:
     """The same rows, (k, c), or a longer copy where there are fewer than `needed`."""
     if values.shape[0] >= needed:
         return values
@@ -109,7 +110,7 @@ def roomy(values, needed):
 
 
 @kernel(parallel=False)
-def roomy_list(values, needed):
+def roomy_list(values, needed) -> Any:
     """The same numbers, (k,), or a longer copy where there are fewer than `needed`."""
     if values.shape[0] >= needed:
         return values

@@ -2,12 +2,12 @@
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from bondem._compile import current_threads
-from bondem._types import Floats, Ints, Pairs, PerElement, PerElement3
+from bondem._types import Floats, Ints, Mask, Pairs, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.specimen.cells.gathering import Polygons, facets, free_facets, together
 from bondem.specimen.cells.interfaces import Patches, patches
@@ -27,6 +27,8 @@ _BATCH = 4096
 _HALF = 0.67
 # How far walls must reach in to split a cell, over that distance; facets of less area are left out, over its square.
 _REACHED, _SLIVER = 3e-12, 1e-11
+# Volumes of combined shapes are known to about 1e-3; more than this share of it is a lost part.
+_LOST = 0.02
 # Centres may lie outside the walls by this much, over that distance: rounding.
 _OUTSIDE = 1e-9
 
@@ -44,6 +46,8 @@ class Tessellation:
         piece_bulk: volumes and moments of these.
         found: where pieces meet.
         owner: the element that each piece belongs to, shape (p,).
+        is_cut: whether the cell of an element is cut by walls, shape (n,).
+        outlines: the whole cells as solids, if they were asked for; else none.
     """
 
     centres: Bins
@@ -54,6 +58,8 @@ class Tessellation:
     piece_bulk: Bulk
     found: Patches
     owner: Ints
+    is_cut: Mask
+    outlines: Solids
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,14 +73,21 @@ class _Walls:
 
 @dataclass(frozen=True, eq=False)
 class _Batch:
-    """What one batch of cells gives; `again` are elements whose boxes were too small."""
+    """What one batch of cells gives.
 
+    Attributes:
+        again: elements whose boxes were too small.
+        ended: elements whose cells end at their boxes, but outside the shape only.
+    """
+
+    plain: Solids
     faces: Polygons
     whole: Ints
     whole_bulk: Bulk
     pieces: Solids
     piece_bulk: Bulk
     again: Ints
+    ended: Ints
 
 
 def _walls(particles: Particles, shape: Shape) -> _Walls | None:
@@ -131,47 +144,67 @@ def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _
         pieces, piece_bulk = pieces.chosen(good), piece_bulk.chosen(good)
     rows = np.flatnonzero(kept)
     return _Batch(
-        _kept_faces(plain, kept, centres.position), chosen[rows], measures.chosen(rows), pieces, piece_bulk, again
-    )
+        plain.chosen(rows), _kept_faces(plain, kept, centres.position), chosen[rows], measures.chosen(rows), pieces,
+        piece_bulk, again, np.setdiff1d(chosen[~clear & local], again),
+    )  # fmt: skip
 
 
 def _batches(
-    centres: Bins, walls: _Walls | None, told: Callable[[float], None]
+    centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats, told: Callable[[float], None]
 ) -> Iterator[_Batch]:
-    """Make all cells, those that outgrow their boxes again in larger ones."""
-    n = len(centres.position)
-    waiting, half, done = np.arange(n), _HALF * centres.reach, 0
+    """Make some cells, those that outgrow their boxes again in larger ones; `half`, (n,), is doubled for these."""
+    waiting, done = chosen, 0
     with ThreadPoolExecutor(current_threads()) as pool:
         while waiting.size:
             some = [waiting[k : k + _BATCH] for k in range(0, len(waiting), _BATCH)]
             again = []
-            for batch in pool.map(lambda part, h=half: _batch(centres, walls, part, np.full(len(part), h)), some):
+            for batch in pool.map(lambda part: _batch(centres, walls, part, half[part]), some):
                 again.append(batch.again)
                 done += len(batch.whole) + len(np.unique(batch.pieces.cell))
-                told(min(done / n, 1.0))
+                told(min(done / len(chosen), 1.0))
                 yield batch
-            waiting, half = np.concatenate(again), 2.0 * half
+            waiting = np.concatenate(again)
+            half[waiting] *= 2.0
 
 
-def tessellation(particles: Particles, progress: Callable[[float], None] | None = None) -> Tessellation:
-    """Cut the shape of particles into cells; see `tessellate`."""
-    shape = particles.envelope
+def tessellation(
+    particles: Particles, progress: Callable[[float], None] | None = None, *, outlines: bool = False
+) -> Tessellation:
+    """Cut the shape of particles into cells; see `tessellate`. With `outlines` it keeps the whole cells as solids."""
+    shape, n = particles.envelope, len(particles)
     walls = _walls(particles, shape)
     centres = bins(particles, *(shape if walls is None else walls.shape).bounds)
-    made = list(_batches(centres, walls, progress or (lambda share: None)))
+    half = np.full(n, _HALF * centres.reach)
+    made = [
+        batch if outlines else replace(batch, plain=joined([]))
+        for batch in _batches(centres, walls, np.arange(n), half, progress or (lambda share: None))
+    ]
     pieces = joined([batch.pieces for batch in made])
-    whole_bulk = _joined_bulk([batch.whole_bulk for batch in made])
-    piece_bulk = _joined_bulk([batch.piece_bulk for batch in made])
-    whole = np.concatenate([batch.whole for batch in made])
-    faces = together([batch.faces for batch in made])
+    measures = _joined_bulk([batch.piece_bulk for batch in made])
+    ended = np.concatenate([batch.ended for batch in made])
     sliver = _SLIVER * centres.reach**2
-    found = patches(pieces, centres.position, sliver)
-    owner = owners(pieces.cell, piece_bulk, found, centres.position)
-    is_cut = np.zeros(len(particles), dtype=bool)
+    while True:
+        found = patches(pieces, centres.position, sliver)
+        early = np.intersect1d(found.expected, ended)
+        if not early.size:
+            break
+        half[early] *= 2.0
+        more = list(_batches(centres, walls, early, half, lambda share: None))
+        kept = np.flatnonzero(~np.isin(pieces.cell, early))
+        pieces = joined([pieces.chosen(kept), *(batch.pieces for batch in more)])
+        measures = _joined_bulk([measures.chosen(kept), *(batch.piece_bulk for batch in more)])
+        ended = np.concatenate([np.setdiff1d(ended, early), *(batch.ended for batch in more)])
+    owner = owners(pieces.cell, measures, found, centres.position)
+    is_cut = np.zeros(n, dtype=bool)
     is_cut[pieces.cell] = True
+    faces = together([batch.faces for batch in made])
     # facets between a whole cell and a cut one are those of the pieces of the latter
     faces = faces.chosen(((faces.b < 0) | ~is_cut[np.maximum(faces.b, 0)]) & (faces.area > sliver))
-    return Tessellation(centres, faces, whole, whole_bulk, pieces, piece_bulk, found, owner)
+    return Tessellation(
+        centres, faces, np.concatenate([batch.whole for batch in made]),
+        _joined_bulk([batch.whole_bulk for batch in made]), pieces, measures, found, owner, is_cut,
+        joined([batch.plain for batch in made]),
+    )  # fmt: skip
 
 
 def _joined_bulk(parts: list[Bulk]) -> Bulk:
@@ -203,10 +236,34 @@ def tessellate(
     shared = Polygons(a, b, found.area, found.normal, found.centroid, found.moment)
     every = together([cut.faces, shared.chosen(a != b)])
     pairs, between = facets(particles, every.chosen(every.b >= 0).facing())
+    _check_depths(pairs, between)
     free = free_facets(particles.envelope, position, cut.centres.reach, every.chosen(every.b < 0))
     volume, centroid, inertia = _solid_tables(cut)
+    _check_volume(particles.envelope, float(volume.sum()))
     told(1.0)
     return pairs, between, Cells(volume, centroid, inertia, free)
+
+
+def _check_depths(pairs: Pairs, between: Facets) -> None:
+    """Refuse facets that do not lie between their centres, as no spring can."""
+    bad = np.flatnonzero(~((between.depth_i > 0.0) & (between.depth_j > 0.0)))
+    if bad.size:
+        i, j = map(int, pairs[bad[0]])
+        raise InputError(
+            f"the facet of elements {i} and {j} does not lie between their centres ({bad.size} such facets): walls"
+            " less than an element apart gave one of them what lies beyond the other; take more elements, or leave out"
+            " the narrow slots of the shape"
+        )
+
+
+def _check_volume(shape: Shape, volume: float) -> None:
+    """Refuse cells that leave a part of the shape empty: one far from all elements, beyond a gap."""
+    whole = shape.volume
+    if abs(volume / whole - 1.0) > _LOST:
+        raise InputError(
+            f"the cells fill {volume:.4g} m³ of the {whole:.4g} m³ of the shape: a part of it lies apart from all"
+            " elements; put elements there, or cut it off"
+        )
 
 
 def _solid_tables(cut: Tessellation) -> tuple[PerElement, PerElement3, Floats]:

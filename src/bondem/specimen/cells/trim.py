@@ -5,6 +5,7 @@ so are its other triangles (a binary partition of space); a piece without triang
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -153,7 +154,7 @@ def _taken(stack, first, on, piece):
 
 
 @kernel(parallel=False)
-def _pieces(solids, position, walls, tolerance):
+def _pieces(solids, position, walls, tolerance) -> Any:
     """Split cells; see `trimmed`.
 
     Returns:
