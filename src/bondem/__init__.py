@@ -33,6 +33,7 @@ _PUBLIC = {
     "bondem.laws.damping": ("AnyDamping", "BondDamping", "LocalDamping", "MassDamping"),
     "bondem.laws.euler_bernoulli": ("EulerBernoulli",),
     "bondem.laws.free_parameter": ("FreeParameter",),
+    "bondem.laws.non_local": ("NonLocal",),
     "bondem.laws.obermayr": ("Obermayr",),
     "bondem.laws.parallel_bond": ("ParallelBond",),
     "bondem.laws.timoshenko": ("Timoshenko",),

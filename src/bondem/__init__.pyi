@@ -28,6 +28,7 @@ from bondem.laws.damping import LocalDamping as LocalDamping
 from bondem.laws.damping import MassDamping as MassDamping
 from bondem.laws.euler_bernoulli import EulerBernoulli as EulerBernoulli
 from bondem.laws.free_parameter import FreeParameter as FreeParameter
+from bondem.laws.non_local import NonLocal as NonLocal
 from bondem.laws.obermayr import Obermayr as Obermayr
 from bondem.laws.parallel_bond import ParallelBond as ParallelBond
 from bondem.laws.timoshenko import Timoshenko as Timoshenko

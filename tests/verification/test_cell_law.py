@@ -182,17 +182,28 @@ def clamped(law, **load):
     )
 
 
-def test_walls_hold_the_surface():
-    """Smooth platens on all sides: confined compression of the whole length, stress λ + 2G on every platen."""
-    law = bd.CellBond(E=1.0, nu=0.3)
+def confined(body, law):
+    """Static solution of a body between smooth walls on all sides, pressed by 1e-3 of its length along x."""
+    length = body.particles.envelope.extent
     sides = [bd.Fix(bd.Face(f"{a}_{end}"), translation=a, rotation="") for a in "yz" for end in ("min", "max")]
-    ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=-0.012)]
-    model = bd.Model(bar(), law, 1.0, boundary=[*ends, *sides])
-    static = bd.solve_static(model)
-    far = bar().centre[:, 0] > 6.0
-    assert static.reaction[far, 0].sum() == pytest.approx(-1e-3 * 16 * (law.lame + 2 * law.G), rel=2e-3)
-    assert static.energy.total == pytest.approx(0.5 * 1e-6 * 192 * (law.lame + 2 * law.G), rel=2e-3)
-    assert np.abs(static.reaction.sum(axis=0)[:3]).max() <= 1e-9
+    ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=-1e-3 * length)]
+    return bd.solve_static(bd.Model(body, law, 1.0, boundary=[*ends, *sides]))
+
+
+def test_walls_hold_the_surface():
+    """Confined compression: stress (λ + 2G) ε on every platen; the error of random cells falls with their size."""
+    law, error = bd.CellBond(E=1.0, nu=0.3), []
+    for k in (1, 2):
+        body = block(6 * k, 2 * k, 2 * k)
+        static, stress = confined(body, law), 1e-3 * (law.lame + 2.0 * law.G)
+        error.append(static.energy.total / (0.5e-3 * stress * body.cells.volume.sum()) - 1.0)
+        far = body.centre[:, 0] > 3.0 * k
+        pressed = -static.reaction[far, 0].sum() / (4 * k * k)
+        assert pressed * 0.5e-3 == pytest.approx(static.energy.total / body.cells.volume.sum(), rel=1e-8)
+        assert np.abs(static.reaction.sum(axis=0)[:3]).max() <= 1e-9
+    assert abs(error[0]) < 0.015
+    assert abs(error[1]) < 0.5 * abs(error[0])
+    assert abs(confined(block(6, 6, 6), bd.CellBond(E=1.0, nu=0.0)).energy.total / (0.5e-6 * 216) - 1.0) < 1e-9
 
 
 def test_work_of_loads_is_energy_and_reactions_balance():

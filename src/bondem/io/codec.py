@@ -15,6 +15,7 @@ from bondem.errors import RunFileError
 from bondem.laws.catalogue import CELL_LAWS, LAWS
 from bondem.laws.contact import LinearContact
 from bondem.laws.damping import BondDamping, LocalDamping, MassDamping
+from bondem.laws.non_local import NonLocal
 from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge, WallGauge
 from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
@@ -31,7 +32,7 @@ from bondem.specimen.surface import Surface
 _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
-        *LAWS.values(), *CELL_LAWS.values(),
+        *LAWS.values(), *CELL_LAWS.values(), NonLocal,
         LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
         LinearContact, PlaneWall, CylinderWall, Driven, Servo,
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,

@@ -3,8 +3,9 @@
     /                attributes format, schema, bondem_version; texts plan and model (JSON)
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
     /bonds           pairs (m, 2)
+    /facets, /cells  of a body, see `bondem.io.bodies`
     /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale
-    /history         records (s, 11 + 3 g); attribute gauges
+    /history         records (s, 12 + 3 g); attribute gauges
 
 What is derived (order, stiffnesses) is not kept but made again, by the same code. The file is
 written aside and moved into place, so that a kill leaves the checkpoint before.
@@ -22,17 +23,18 @@ from bondem import __version__
 from bondem._checks import place
 from bondem.errors import RunFileError
 from bondem.io.atomic import replacing, require_writable
+from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
+from bondem.kernels.tables import NON_LOCAL
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.history import History
 from bondem.solve.plan import Plan
-from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 2
-# From here on they hold contacts, walls and friction.
+SCHEMA = 3
+# From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells.
 _OLDEST = 2
 
 
@@ -96,7 +98,7 @@ class RunFile:
             elements["density"] = np.asarray(self._model.density, dtype=float)
             if particles.period is not None:
                 elements["period"] = particles.period
-            file["bonds/pairs"] = self._model.lattice.pairs
+            write_bonds(file, self._model.lattice)
             kept = file.create_group("state")
             for name in State.ARRAYS:
                 kept[name] = getattr(state, name)
@@ -132,7 +134,7 @@ def read_run(path: str | Path) -> Checkpoint:
                 f"'{path}' was written by an older bondem, before there were contacts; start the run again"
             )
         try:
-            return _checkpoint(file)
+            return _checkpoint(file, head["schema"])
         except (KeyError, ValueError, OSError) as error:
             raise RunFileError(f"'{path}' is damaged ({error}); start the run again") from error
 
@@ -151,7 +153,7 @@ def _json(file: h5py.File, name: str) -> Any:
     return json.loads(_array(file, name).item())
 
 
-def _checkpoint(file: h5py.File) -> Checkpoint:
+def _checkpoint(file: h5py.File, schema: int) -> Checkpoint:
     made_of = {key: decode(value) for key, value in _json(file, "model").items()}
     period = _array(file, "elements/period") if "elements/period" in file else None
     particles = filled(
@@ -159,7 +161,7 @@ def _checkpoint(file: h5py.File) -> Checkpoint:
     )
     density = _array(file, "elements/density")
     model = Model(
-        Lattice(particles, _array(file, "bonds/pairs")),
+        read_bonds(file, particles),
         bond=made_of["bond"],
         density=float(density) if density.ndim == 0 else density,
         boundary=made_of["boundary"],
@@ -168,6 +170,8 @@ def _checkpoint(file: h5py.File) -> Checkpoint:
     )
     state = State(model)
     for name in State.ARRAYS:
+        if name == "stress" and schema < 3:
+            continue
         values = np.ascontiguousarray(_array(file, f"state/{name}"))
         wanted = getattr(state, name).shape
         if (name not in State.GROWING and values.shape != wanted) or values.shape[1:] != wanted[1:]:
@@ -175,5 +179,8 @@ def _checkpoint(file: h5py.File) -> Checkpoint:
         setattr(state, name, values)
     kept = _attributes(file["state"])
     state.step, state.time, state.stale = int(kept["step"]), float(kept["time"]), bool(kept["stale"])
-    history = History(_array(file, "history/records"), tuple(json.loads(_attributes(file["history"])["gauges"])))
+    records = _array(file, "history/records")
+    if schema < 3:
+        records = np.insert(records, NON_LOCAL, 0.0, axis=1)
+    history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
     return Checkpoint(model, decode(_json(file, "plan")), state, history)

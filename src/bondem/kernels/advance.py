@@ -56,7 +56,7 @@ def move_holds(t, body):
 
 
 @kernel(parallel=False)
-def advance(span, scheme, run, same, history, body, contacts, added, strain, records):
+def advance(span, scheme, run, same, history, body, non_local, contacts, added, strain, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
 
     The acceleration is that of the present state on entry and on return. Between samples the end of one step and the
@@ -100,7 +100,7 @@ def advance(span, scheme, run, same, history, body, contacts, added, strain, rec
         paused = sampled or looked
         set_boundary(t, dt, False, schedules, rows, elements.pose, bonds, added, strain)
         move_holds(t, body)
-        all_forces(elements, bonds, same, history, body, cut, rows, scheme, added, not paused)
+        all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, not paused)
         if looked:
             turned, lost, broken = rotation_guard(elements.pose, bonds)
             wide = max(wide, turned)
@@ -108,6 +108,6 @@ def advance(span, scheme, run, same, history, body, contacts, added, strain, rec
             if lost > 0 or sick != FINE:
                 break
         if sampled:
-            sample(t, elements, bonds, rows, run.gauges, history, body, contacts, records[written])
+            sample(t, elements, bonds, rows, run.gauges, history, body, non_local, contacts, records[written])
             written += 1
     return done, written, wide, lost, sick, False

@@ -9,6 +9,7 @@ from bondem.kernels.bond_pass import bond_energies
 from bondem.kernels.cell_energies import cell_energies
 from bondem.kernels.contact_pass import contact_energy
 from bondem.kernels.incremental import incremental_energies
+from bondem.kernels.non_local import non_local_energies
 from bondem.kernels.tables import (
     BENDING,
     CONTACT,
@@ -20,6 +21,7 @@ from bondem.kernels.tables import (
     LARGEST,
     LOSS,
     MEAN,
+    NON_LOCAL,
     NORMAL,
     OF_DISPLACEMENT,
     OF_ROTATION,
@@ -61,9 +63,9 @@ def kinetic_energies(motion, p):
 
 
 @kernel(parallel=False)
-def energies(elements, bonds, work, history, body, record):
+def energies(elements, bonds, work, history, body, non_local, record):
     """Kinetic and elastic energy, work and losses, without those of contacts."""
-    translation = rotation = damped = rubbed = total = 0.0
+    translation = rotation = damped = rubbed = total = taken = 0.0
     for p in range(len(elements.pose)):
         along, about = kinetic_energies(elements.motion, p)
         translation += along
@@ -72,6 +74,10 @@ def energies(elements, bonds, work, history, body, record):
         rubbed += elements.loss[p, RUBBED]
     if body is not None:  # decided when compiled
         parts = cell_energies(elements.pose, elements.rest, bonds, body.cells, body.grips)
+    elif non_local is not None:
+        springs = non_local_energies(elements.pose, bonds, non_local)
+        parts = springs[0], springs[1], 0.0, 0.0
+        taken = springs[2]
     elif history is None:
         parts = bond_energies(elements.pose, bonds)
     else:
@@ -81,6 +87,7 @@ def energies(elements, bonds, work, history, body, record):
     record[TRANSLATION], record[ROTATION] = translation, rotation
     record[NORMAL], record[SHEAR], record[BENDING], record[TWISTING] = parts
     record[CONTACT], record[WORK], record[LOSS], record[FRICTION] = 0.0, total, damped, rubbed
+    record[NON_LOCAL] = taken
 
 
 @kernel(parallel=False)
@@ -139,10 +146,10 @@ def gauged(elements, rows, gauges, record):
 
 
 @kernel(parallel=False)
-def sample(t, elements, bonds, rows, gauges, history, body, contacts, record):
+def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts, record):
     """One row of the history."""
     record[TIME] = t
-    energies(elements, bonds, rows.work, history, body, record)
+    energies(elements, bonds, rows.work, history, body, non_local, record)
     if contacts is not None:
         of_contacts(elements.pose, bonds.period, contacts, gauges, record)
     gauged(elements, rows, gauges, record)

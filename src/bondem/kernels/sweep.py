@@ -10,19 +10,22 @@ from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
 from bondem.kernels.grip_pass import hand_on, swell_grips
 from bondem.kernels.incremental import incremental_loads
+from bondem.kernels.non_local import non_local_loads, settle_stress
 
 
 @kernel(parallel=False)
-def sweep(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on, first, last):
+def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, first, last):
     """The blocks first … last: bonds, sums, and the elements whose sums are complete.
 
     `history` is what bonds store in the incremental formulation, (6, m), or None; `cells` are facets and cells, whose
-    stresses are known, or None.
+    stresses are known, or None; `non_local` is the table of the non-local law, or None.
     """
     for b in range(first, last):
         k0, k1 = cut.bond[b], cut.bond[b + 1]
         if cells is not None:  # decided when compiled
             facet_loads(elements.pose, bonds, cells, cut.sums, cut.row_i, cut.row_j, k0, k1)
+        elif non_local is not None:
+            non_local_loads(elements.pose, bonds, non_local, scheme.dt, cut.sums, cut.row_i, cut.row_j, k0, k1)
         elif history is None:
             bond_loads(elements.pose, bonds, same, cut.sums, cut.row_i, cut.row_j, k0, k1)
         else:
@@ -58,7 +61,7 @@ def swell_domains(pose, bonds, cells, cut):
 
 
 @kernel(parallel=True)
-def sweep_domains(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on):
+def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on):
     """Forces of all bonds now, and what elements do with them: close the step, and open the next or not.
 
     Each domain is on a thread of its own; then each thread takes a part of the elements they share.
@@ -68,7 +71,7 @@ def sweep_domains(elements, bonds, same, history, cells, cut, rows, scheme, adde
         for d in prange(count):
             if both == 0:
                 first, last = cut.domain[d], cut.domain[d + 1]
-                sweep(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on, first, last)
+                sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, first, last)
             else:
                 first, last = shared * d // count, shared * (d + 1) // count
                 sweep_shared(elements, cut, rows, scheme, added, go_on, first, last)
@@ -89,19 +92,21 @@ def swell_body(elements, bonds, body, cut, rows):
 
 
 @kernel(parallel=False)
-def sweep_all(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on):
+def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on):
     """Forces of all bonds or facets, and what elements do with them."""
     if len(cut.domain) == 2:
-        sweep(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on, 0, len(cut.move) - 1)
+        sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, 0, len(cut.move) - 1)
     else:
-        sweep_domains(elements, bonds, same, history, cells, cut, rows, scheme, added, go_on)
+        sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on)
 
 
 @kernel(parallel=False)
-def all_forces(elements, bonds, same, history, body, cut, rows, scheme, added, go_on):
+def all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, go_on):
     """A step over everything, on one thread or on as many as there are domains."""
     if body is not None:  # decided when compiled
         swell_body(elements, bonds, body, cut, rows)
-        sweep_all(elements, bonds, same, history, body.cells, cut, rows, scheme, added, go_on)
+        sweep_all(elements, bonds, same, history, body.cells, None, cut, rows, scheme, added, go_on)
     else:
-        sweep_all(elements, bonds, same, history, None, cut, rows, scheme, added, go_on)
+        sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, go_on)
+    if non_local is not None:  # which is on one thread always
+        settle_stress(non_local)

@@ -21,8 +21,9 @@ DAMPED, POWER, RUBBED = range(3)
 
 # Columns of a record before the gauges.
 (
-    TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, FIXED_COLUMNS,
-) = range(12)  # fmt: skip
+    TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, NON_LOCAL,
+    FIXED_COLUMNS,
+) = range(13)  # fmt: skip
 
 # What a gauge reads of elements, and from WALL_DISPLACEMENT on of a wall.
 (
@@ -95,6 +96,23 @@ class CellTable(NamedTuple):
     weight: np.ndarray  #: λ / V of each cell [Pa/m³], (n,)
     to_i: np.ndarray  #: where a facet adds to its cell i: there, or for the other domain, uint32, (m,)
     swelling: np.ndarray  #: V θ [m³], (n + …,)
+
+
+class LaggedTable(NamedTuple):
+    """Bonds of the non-local law, m of them, and its n elements; kernels write `history`, `stress` and `sums`."""
+
+    area: np.ndarray  #: [m²], (m,)
+    kn: np.ndarray  #: [N/m], (m,)
+    kt: np.ndarray  #: [N/m], (m,)
+    normal: np.ndarray  #: from i to j in the reference [-], (3, m)
+    lever_i: np.ndarray  #: from the element i to the contact point in the reference [m], (3, m)
+    lever_j: np.ndarray
+    inverse: np.ndarray  #: 1 / V of each element [1/m³], (n,)
+    nu: float  #: ν [-]
+    limited: bool  #: whether the extra shear force is limited
+    history: np.ndarray  #: what bonds store (`bondem.kernels.non_local`), (7, m)
+    stress: np.ndarray  #: of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    sums: np.ndarray  #: V σ that is being found, zero between steps [J], (n, 6)
 
 
 class GripTable(NamedTuple):

@@ -12,6 +12,8 @@ from bondem.model.assignment import BondAssignment
 from bondem.model.model import Model
 from bondem.observe.bond_strain import BondStrain
 from bondem.observe.cell_strain import CellStrain
+from bondem.solve.lagged import LaggedStatics
+from bondem.solve.linear import System
 from bondem.solve.static import Statics
 from bondem.specimen.lattice import Lattice
 
@@ -27,7 +29,7 @@ class BulkModuli:
 
     Attributes:
         stiffness: C, σ = C ε in the order xx, yy, zz, yz, xz, xy with engineering shear strains [Pa], (6, 6).
-        strains: deformation of the bonds under each of the six unit strains; none of cells.
+        strains: deformation of the bonds under each of the six unit strains; none of cells and of the non-local law.
         motions: of the elements beside that strain (u, θ) [m, rad], six of (n, 6).
         volume: of the cell [m³].
     """
@@ -85,7 +87,7 @@ def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | No
 
     Args:
         lattice: bonded elements of a `Cell`, or of particles with a `period`.
-        law: a bond law, or laws by region.
+        law: a bond law, or laws by region, or a law of cells or `NonLocal`.
         guess: moduli of the same lattice with similar bonds, to start from.
 
     Raises:
@@ -101,7 +103,10 @@ def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | No
         raise InputError(
             "bulk_moduli needs a periodic cell: pack a bd.Cell, or give Particles their period= [m]"
         )
-    statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
+    model = Model(lattice, law, 1.0)  # statics do not depend on the density
+    if model.non_local is not None:
+        return _of_non_local(model)
+    statics = Statics(model)
     if statics.model.cells is not None:
         return _of_cells(statics)
     k = statics.model.stiffness
@@ -139,6 +144,19 @@ def _of_cells(statics: Statics) -> BulkModuli:
     volume = float(body.particles.period.prod())
     C = np.array([[one.work(other, constants) for other in strains] for one in strains]) / volume
     return BulkModuli(C, (), tuple(motions), volume)
+
+
+def _of_non_local(model: Model) -> BulkModuli:
+    """The same of the non-local law, whose C is the mean stress: Σ branch ⊗ F / V."""
+    lattice = model.lattice
+    assert lattice.particles.period is not None
+    volume = float(lattice.particles.period.prod())
+    slips = _slips(lattice.branch)
+    statics = LaggedStatics(model, System.of(model))
+    rest = np.zeros((len(lattice.particles), 6))
+    found = [statics.settle(rest, slip=slip) for slip in slips]
+    C = np.array([[np.vdot(slip, one.strain.force) for one in found] for slip in slips]) / volume
+    return BulkModuli(C, (), tuple(one.motion for one in found), volume)
 
 
 def _slips(branch: Floats) -> Floats:

@@ -5,6 +5,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.labtests.gauge_length import rigid_motion
 from bondem.model.model import Model
+from bondem.observe.cell_forces import loads_on_facets
 from bondem.observe.surface import surface_displacement
 from bondem.solve.static import StaticResult
 from bondem.specimen.lattice import Lattice
@@ -22,7 +23,14 @@ def face_motion(model: Model, solution: StaticResult, name: str, depth: float) -
         chosen = Face(name, depth).select(lattice)
         return rigid_motion(lattice.centre[chosen], solution.displacement[chosen])
     free, found = lattice.cells.free, lattice.on_face(name)
-    return rigid_motion(free.centroid[found], surface_displacement(model, solution)[found], free.area[found])
+    return rigid_motion(free.centroid[found], surface(model, solution)[found], free.area[found])
+
+
+def surface(model: Model, solution: StaticResult) -> Floats:
+    """Displacements of the free facets of a body under the loads of the model [m], in the order of `cells.free`."""
+    assert model.lattice.cells is not None
+    traction = loads_on_facets(model) / model.lattice.cells.free.area[:, None]
+    return surface_displacement(model, solution.displacement, solution.rotation, traction=traction)
 
 
 def ends(lattice: Lattice, depth: float) -> tuple[float, float]:

@@ -7,14 +7,13 @@ import numpy as np
 
 from bondem._types import Floats, Ints
 from bondem.labtests.arguments import check
-from bondem.labtests.faces import ends
+from bondem.labtests.faces import ends, surface
 from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Load
 from bondem.model.model import Model
 from bondem.observe.bond_strain import BondStrain
 from bondem.observe.cell_stress import cell_stress
-from bondem.observe.surface import surface_displacement
 from bondem.solve.static import StaticResult, Statics
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -188,4 +187,4 @@ def _outside(
     free = lattice.cells.free
     sets = {name: lattice.on_face(name) for name in names}
     by_area = {name: (found, free.area[found] / free.area[found].sum()) for name, found in sets.items()}
-    return free.centroid, surface_displacement(model, solution), by_area
+    return free.centroid, surface(model, solution), by_area

@@ -36,8 +36,9 @@ class CellConstants:
         weight: λ_p / V_p, by which V_p θ_p becomes the stress λ_p θ_p [Pa/m³], shape (n,).
         normal: of the facets, from i to j [-], shape (m, 3).
         G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
-        free_normal: M⁻¹n of the facets on the surface [-], in the order of `cells.free`, shape (k, 3).
         grips: facets that walls hold; their cells in the user's order.
+        softness: d / 2 G of each free facet, by which a traction opens it [m/Pa], shape (k,).
+        way: M⁻¹n along its free axes: the stress of the cell opens it by -softness · stress · way [-], shape (k, 3).
     """
 
     k: PerBond
@@ -51,8 +52,9 @@ class CellConstants:
     normal: PerBond3
     G: PerElement
     lame: PerElement
-    free_normal: Floats
     grips: Grips
+    softness: Floats
+    way: Floats
 
     @classmethod
     def of(cls, body: Lattice, bond: CellAssignment, holds: Holds) -> "CellConstants":
@@ -96,8 +98,9 @@ class CellConstants:
             normal=normal,
             G=G,
             lame=lame,
-            free_normal=n_free,
             grips=_grips(cells, holds, G, n_free, rotation),
+            softness=free.depth / (2.0 * G[free.cell]),
+            way=open_axes * n_free,
         )
 
     def ordered(self, layout: Layout) -> "CellConstants":
@@ -117,8 +120,9 @@ class CellConstants:
             normal=np.where(back, -self.normal[bond], self.normal[bond]),
             G=self.G[element],
             lame=self.lame[element],
-            free_normal=self.free_normal,
             grips=self.grips,
+            softness=self.softness,
+            way=self.way,
         )
 
     def stretched(self, strain: PerBond) -> "CellConstants":

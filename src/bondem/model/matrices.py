@@ -6,6 +6,7 @@ from scipy.sparse import bsr_array
 from bondem._types import Floats
 from bondem.kernels.assembly import block_matrix_arrays
 from bondem.kernels.cell_assembly import cell_matrix_arrays
+from bondem.model.local_stiffness import local_stiffness
 from bondem.model.model import Model
 from bondem.model.stiffness import Stiffness
 
@@ -13,10 +14,13 @@ from bondem.model.stiffness import Stiffness
 def stiffness_matrix(model: Model) -> Stiffness:
     """Stiffness K of the unconstrained lattice: 6×6 blocks, (u, θ) an element, internal order.
 
-    It is the second derivative of the energy at rest; of bonds, the same for both formulations.
+    It is the second derivative of the energy at rest; of bonds, the same for both formulations. Of the non-local law
+    it is that of its springs alone, without the stresses that lag behind.
     """
     layout = model.layout
     size = 6 * len(layout.order)
+    if model.non_local is not None:
+        return Stiffness(local_stiffness(model.non_local, layout))
     if model.cells is None:
         bonds = model.bonds.rows(layout, model.period, np.ones(len(layout.i)))
         indptr, indices, data = block_matrix_arrays(bonds, layout.adjacency)

@@ -13,6 +13,7 @@ from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.contact import LinearContact
+from bondem.laws.non_local import NonLocal
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.model.bond_table import BondTable
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
@@ -21,6 +22,7 @@ from bondem.model.constraints import Constraints
 from bondem.model.contacts import ContactModel
 from bondem.model.grips import Holds, holds_wall
 from bondem.model.layout import Layout
+from bondem.model.non_local_constants import NonLocalConstants
 from bondem.model.state import State
 from bondem.model.walls import Wall, WallTable, check_walls
 from bondem.specimen.lattice import Lattice
@@ -38,7 +40,7 @@ class Model:
     Attributes:
         lattice: elements and bonds.
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
-            `CellBond`, or {region: CellBond}, for a body cut into cells.
+            `CellBond`, or {region: CellBond}, for a body cut into cells. `NonLocal` is one law for all.
         density: of the elements themselves, ρ_μ [kg/m³], or of the material in a body of cells; a number or shape
             (n,). Only linear statics without body forces do not depend on it.
         boundary: what is fixed, driven, loaded, absorbed or strained; one condition or several.
@@ -52,7 +54,7 @@ class Model:
     """
 
     lattice: Lattice
-    bond: BondAssignment | CellAssignment | None
+    bond: BondAssignment | CellAssignment | NonLocal | None
     density: float | ArrayLike
     boundary: Sequence[BoundaryCondition] = field(default=())
     contact: LinearContact | None = None
@@ -116,9 +118,31 @@ class Model:
         return CellConstants.of(self.lattice, self.bond, Holds.of(self.lattice, self.boundary))
 
     @cached_property
+    def non_local(self) -> NonLocalConstants | None:
+        """Constants of the non-local law, in the kernels' order; None of another law."""
+        return None if self._non_local is None else self._non_local.ordered(self.layout)
+
+    @property
+    def non_local_constants(self) -> NonLocalConstants:
+        """The same in the user's order, of a model that has them."""
+        assert self._non_local is not None
+        return self._non_local
+
+    @cached_property
+    def _non_local(self) -> NonLocalConstants | None:
+        laws = tuple(self.bond.values()) if isinstance(self.bond, Mapping) else (self.bond,)
+        if not any(isinstance(law, NonLocal) for law in laws):
+            return None
+        if not isinstance(self.bond, NonLocal):
+            raise InputError("NonLocal is one law for the whole model: give bond=bd.NonLocal(...), no mapping")
+        return NonLocalConstants.of(self.lattice, self.bond)
+
+    @cached_property
     def _assigned(self) -> tuple[BondStiffness, str]:
         if self._cells is not None:
             return self._cells.as_bonds(self.lattice), "total"
+        if self._non_local is not None:
+            return self._non_local.as_bonds(self.lattice), NonLocal.formulation
         return bond_stiffness(self.lattice, self.bond)
 
     @property
@@ -153,16 +177,21 @@ class Model:
             gripped = self._cells.grips.cell if len(self._cells.grips.cell) else None
         return Constraints.of(self.lattice, self.layout, boundary, self.mass, gripped)
 
+    @property
+    def _as_cells(self) -> bool:
+        """Whether elements have the masses of their cells."""
+        return self.lattice.cells is not None and not (self._cells is None and self._non_local is None)
+
     @cached_property
     def mass(self) -> PerElement:
         """m = ρ_μ 4/3 π R³, or ρ V of a cell [kg], user's order, shape (n,)."""
-        volume = self.lattice.particles.volume if self._cells is None else self._cells.volume
+        volume = body_of(self.lattice)[1].volume if self._as_cells else self.lattice.particles.volume
         return freeze(np.asarray(self.density, dtype=float) * volume)
 
     @cached_property
     def inertia(self) -> PerElement:
         """I = 2/5 m R², or a third of the trace of a cell's tensor [kg·m²], user's order, shape (n,)."""
-        if self._cells is None:
+        if not self._as_cells:
             return freeze(0.4 * self.mass * self.lattice.particles.radius**2)
         _, cells = body_of(self.lattice)
         return freeze(np.asarray(self.density, dtype=float) * np.einsum("nii->n", cells.inertia) / 3.0)
@@ -179,7 +208,7 @@ class Model:
         for name in ("lattice", "bond", "density", "contact", "walls"):
             object.__setattr__(other, name, getattr(self, name))
         object.__setattr__(other, "boundary", _conditions(boundary))
-        kept = ("layout", "_assigned", "bonds", "mass", "inertia")
+        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia")
         for name in kept if self._cells is not None else (*kept, "_cells"):
             other.__dict__[name] = getattr(self, name)
         other.constraints  # noqa: B018  regions are checked now

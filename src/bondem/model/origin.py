@@ -12,6 +12,7 @@ from bondem.laws.contact import LinearContact
 from bondem.model.boundary import BoundaryCondition
 from bondem.model.constraints import Constraints
 from bondem.model.layout import Layout
+from bondem.model.non_local_constants import NonLocalConstants
 from bondem.model.walls import Wall
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
@@ -32,6 +33,8 @@ class Origin(Protocol):
     def stiffness(self) -> BondStiffness: ...
     @property
     def formulation(self) -> str: ...
+    @cached_property
+    def non_local(self) -> NonLocalConstants | None: ...
     @property
     def boundary(self) -> Sequence[BoundaryCondition]: ...
     @cached_property
@@ -59,6 +62,8 @@ def difference(one: Origin, other: Origin) -> str:
             return "lattice, of other bonds"
     if one.formulation != other.formulation:
         return f"formulation ('{one.formulation}', not '{other.formulation}')"
+    if (one.non_local is None) != (other.non_local is None):
+        return "bond law, which remembers other things"
     if not np.array_equal(one.lattice.centre, other.lattice.centre):
         return "law: elements of cells are not where spheres are"
     if not np.array_equal(one.mass, other.mass):

@@ -7,6 +7,7 @@ import numpy as np
 from bondem._checks import array, shown
 from bondem._types import Floats, Pairs, PerBond, PerElement3
 from bondem.errors import InputError
+from bondem.kernels.non_local import STORED, TAKEN
 from bondem.kernels.tables import lines
 from bondem.kernels.walls import COLUMNS, FORCE, WORK
 from bondem.model.origin import Origin, difference
@@ -25,7 +26,10 @@ class State:
         motion: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
         acceleration: translational and rotational at the present pose, shape (n, 6).
         integrity: 1 intact … 0 broken, shape (m,).
-        history: force and moment of each bond, (6, m); only for the incremental formulation, else (6, 0).
+        history: force and moment of each bond, (6, m); only for the incremental formulation, else (6, 0). Of the
+            non-local law gap, extra force and its work (`bondem.kernels.non_local`), (7, m).
+        stress: of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa]; only for the non-local law, (n, 6),
+            else (0, 6).
         eigenstrain: stress-free strain ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,)
             where none was set.
         reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
@@ -60,7 +64,9 @@ class State:
         self.motion[:, 7] = 1.0 / model.inertia[order]
         self.acceleration = np.zeros((n, 6))
         self.integrity = np.ones(m)
-        self.history = np.zeros((6, m if model.formulation == "incremental" else 0))
+        stored = STORED if model.non_local is not None else 6
+        self.history = np.zeros((stored, m if model.formulation == "incremental" else 0))
+        self.stress = np.zeros((n if model.non_local is not None else 0, 6))
         self.eigenstrain = np.zeros(0)
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(model.constraints.works[-1])
@@ -75,7 +81,7 @@ class State:
         self.stale = True
 
     ARRAYS = (
-        "pose", "motion", "acceleration", "integrity", "history", "eigenstrain", "reaction", "work", "loss",
+        "pose", "motion", "acceleration", "integrity", "history", "stress", "eigenstrain", "reaction", "work", "loss",
         "touching", "stretch", "wall_touching", "wall_stretch", "walls",
     )  # fmt: skip
 
@@ -110,6 +116,8 @@ class State:
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(model.constraints.works[-1])
         self.loss[:] = 0.0
+        if model.non_local is not None:
+            self.history[TAKEN] = 0.0
         if model.contact is None:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
         self._take_walls(model.walls)

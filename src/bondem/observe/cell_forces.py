@@ -90,7 +90,7 @@ def _small(model: Model, result: SmallMotion) -> CellForces:
     return CellForces(
         force=found.forces(body, constants), arm_i=constants.lever_i, arm_j=constants.lever_j,
         held=grips.nodal(found.held, result.rotation, stress)[:, :3], held_arm=grips.lever,
-        load=loads_on_facets(model, None), load_arm=cells.free.centroid - cells.centroid[cells.free.cell],
+        load=loads_on_facets(model), load_arm=cells.free.centroid - cells.centroid[cells.free.cell],
         stress=stress,
     )  # fmt: skip
 
@@ -134,7 +134,7 @@ def _walls(model: Model, time: float) -> Floats:
     return grips.wall
 
 
-def loads_on_facets(model: Model, time: float | None) -> Floats:
+def loads_on_facets(model: Model, time: float | None = None) -> Floats:
     """Forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end."""
     _, cells = body_of(model.lattice)
     force = np.zeros((len(cells.free.cell), 3))

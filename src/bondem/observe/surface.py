@@ -1,30 +1,40 @@
-"""How the surface of a body of cells moves, where walls and loads are: half a cell outside the outermost elements."""
+"""Where the surface of a body of cells goes: free facets open until they bear the traction that is put on them."""
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._checks import instance
+from bondem._types import Floats, PerElement3
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
-from bondem.observe.cell_forces import CellForces, SmallMotion
+from bondem.observe.cell_strain import CellStrain
 
 
-def surface_displacement(model: Model, result: SmallMotion) -> Floats:
-    """Displacement of the centroids of the facets on the surface [m], in the order of `cells.free`, (k, 3).
+def surface_displacement(
+    model: Model, displacement: PerElement3, rotation: PerElement3, *, traction: Floats | None = None
+) -> Floats:
+    """Displacements of the centroids of the free facets [m], shape (k, 3), in the order of `cells.free`.
 
-    A facet moves with its cell and opens, by d/2G (t - λθ M⁻¹n) under the traction t of the loads; where a wall holds
-    it, it moves with the wall.
+    A facet lies half a cell outside of its element, and that half is strained, too: with the stress σ = λ θ of the
+    cell, the facet opens by (d / 2 G)(t - σ M⁻¹n). Where a wall holds it, it moves with the wall.
 
     Args:
         model: a body of cells.
-        result: its linear static solution.
+        displacement, rotation: of its elements [m, rad], small, (n, 3) each.
+        traction: on the free facets [Pa], (k, 3); none when None.
+
+    Raises:
+        InputError: a model without cells.
     """
-    constants, forces = model.cell_constants, CellForces.of(model, result)
+    instance("surface_displacement", "model", model, Model, "bd.Model(...)")
     _, cells = body_of(model.lattice)
-    free, grips = cells.free, constants.grips
-    cell = free.cell
-    traction = forces.load / free.area[:, None] - forces.stress[cell, None] * constants.free_normal
-    opening = (0.5 * free.depth / constants.G[cell])[:, None] * traction
-    moved = result.displacement[cell] + np.cross(result.rotation[cell], forces.load_arm) + opening
-    held = grips.holds.facet
-    moved[held] = np.where(grips.axes > 0.0, grips.motion, moved[held])
+    constants, free = model.cell_constants, cells.free
+    found = CellStrain.of(model.lattice, constants, displacement, rotation, wall=constants.grips.motion)
+    arm = free.centroid - cells.centroid[free.cell]
+    rigid = displacement[free.cell] + np.cross(rotation[free.cell], arm)
+    pull = -found.stress(constants)[free.cell, None] * constants.way
+    if traction is not None:
+        pull = pull + traction
+    moved = rigid + constants.softness[:, None] * pull
+    grips = constants.grips
+    moved[grips.holds.facet] = np.where(grips.axes > 0.0, grips.motion, moved[grips.holds.facet])
     return moved

@@ -67,9 +67,9 @@ class CpuLoop:
         changing = len(held.strain_part) > 0
         if changing:  # their lengths change while it runs
             bonds = bonds.separate()
-        self._same = None if changing or model.cells is not None else bonds.alike
+        self._same = None if changing or model.cells is not None or model.non_local is not None else bonds.alike
         domains = 1
-        if len(layout.i) >= SERIAL_BONDS:
+        if len(layout.i) >= SERIAL_BONDS and model.non_local is None:
             domains = min(current_threads(), len(layout.i) // _DOMAIN)
         blocks = Blocks.of(layout, BLOCK, domains, held.row_of >= 0)
         self._contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
@@ -92,6 +92,9 @@ class CpuLoop:
         self._added = added(model, terms, state, contact, blocks.rows)
         self._strain = changing_strain(model, state)
         self._history = with_zeros(state.history) if model.formulation == "incremental" else None
+        self._non_local = None
+        if model.non_local is not None and self._history is not None:
+            self._non_local = model.non_local.rows(self._history, state.stress)
 
     @property
     def _touching(self) -> ContactTable | None:
@@ -114,7 +117,8 @@ class CpuLoop:
             self.state.stale = False
         records = np.empty((1, self._width))
         sample(
-            t, run.elements, bonds, run.rows, run.gauges, self._history, self._body, self._touching, records[0]
+            t, run.elements, bonds, run.rows, run.gauges, self._history, self._body, self._non_local,
+            self._touching, records[0],
         )
         budget = run.budget
         budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
@@ -127,8 +131,8 @@ class CpuLoop:
         if self._touching is not None:
             contact_loads(run.elements, run.bonds.period, 0.0, self._touching)
         all_forces(
-            run.elements, run.bonds, self._same, self._history, self._body, run.cut, run.rows, still, self._added,
-            False,
+            run.elements, run.bonds, self._same, self._history, self._body, self._non_local, run.cut, run.rows,
+            still, self._added, False,
         )  # fmt: skip
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
@@ -142,8 +146,8 @@ class CpuLoop:
         while sick == FINE:
             span = Span(state.step + done, steps - done, every, moved)
             gone, new, turned, lost, sick, moved = advance(
-                span, self._scheme, self._run, self._same, self._history, self._body, self._touching, self._added,
-                self._strain, records[written:],
+                span, self._scheme, self._run, self._same, self._history, self._body, self._non_local,
+                self._touching, self._added, self._strain, records[written:],
             )  # fmt: skip
             done, written, wide = done + gone, written + new, max(wide, turned)
             if not moved or self._contacts is None:

@@ -53,6 +53,8 @@ def solve_modes(model: Model, *, count: int = 8) -> ModesResult:
     """
     instance("solve_modes", "model", model, Model, "bd.Model(...)")
     count = whole_number("solve_modes", "count", count, least=1)
+    if model.non_local is not None:
+        raise InputError("the non-local law has no potential, and so no modes: use bd.CellBond, or solve_explicit")
     system, mass = System.of(model), mass_diagonal(model)
     available = int(system.free.sum()) - system.loose.shape[1]
     if not 1 <= count <= available:

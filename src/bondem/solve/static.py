@@ -10,6 +10,7 @@ from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.energy import EnergyParts, elastic_energy, linear_energy, stress_free_gap
+from bondem.solve.lagged import LaggedStatics
 from bondem.solve.linear import System, solver
 from bondem.solve.nonlinear import follow, strained
 from bondem.solve.solution import Solution
@@ -45,7 +46,8 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     """Equilibrium under the loads and prescribed motions at the end of their schedules.
 
     A specimen that its supports leave free to move rigidly must carry balanced loads; its rigid motion is
-    taken out of the result. Absorbing boundaries take no part.
+    taken out of the result. Absorbing boundaries take no part. Of the non-local law it is the end of a path from the
+    unloaded state, in rounds (`bondem.solve.lagged`), and the energy that of its springs.
 
     Args:
         model: what is solved.
@@ -60,6 +62,8 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     """
     instance("solve_static", "model", model, Model, "bd.Model(...)")
     instance("solve_static", "nonlinear", nonlinear, bool, "True or False")
+    if nonlinear and model.non_local is not None:
+        raise InputError("the non-local law has no potential to follow: leave out nonlinear=, or use solve_explicit")
     if not nonlinear:
         return Statics(model).equilibrium(guess=guess)
     if guess is not None:
@@ -84,7 +88,8 @@ class Statics:
     def __init__(self, model: Model) -> None:
         self.model = model
         self._system = System.of(model)
-        self._solver = solver(self._system)
+        self._lagged = None if model.non_local is None else LaggedStatics(model, self._system)
+        self._solver = None if self._lagged is not None else solver(self._system)
 
     @one_blas_thread
     def equilibrium(self, *, guess: StaticResult | None = None) -> StaticResult:
@@ -103,6 +108,9 @@ class Statics:
             if guess.displacement.shape != (n, 3):
                 raise InputError(f"guess= has {len(guess.displacement)} elements; give a solution with {n}")
             start = np.hstack([guess.displacement, guess.rotation])[layout.order].ravel()
+        if self._lagged is not None:
+            return _of_lagged(model, system, self._lagged, load, motion)
+        assert self._solver is not None
         change, iterations = self._solver.solve(right, guess=start)
         solution = motion + change
         unbalanced = (system.matrix @ solution - load).reshape(n, 6)
@@ -134,8 +142,25 @@ class Statics:
         order, rank = self.model.layout.order, self.model.layout.rank
         load = load[order].ravel()
         _check_balance(self._system, load)
+        if self._lagged is not None:
+            return self._lagged.settle(load.reshape(-1, 6)[rank]).motion
+        assert self._solver is not None
         start = None if guess is None else guess[order].ravel()
         return self._solver.solve(load, guess=start, rtol=rtol)[0].reshape(-1, 6)[rank]
+
+
+def _of_lagged(model: Model, system: System, statics: LaggedStatics, load: Floats, motion: Floats) -> StaticResult:
+    """The equilibrium of the non-local law under loads and prescribed motions in the kernels' order, (6 n,) each."""
+    order, rank = model.layout.order, model.layout.rank
+    n = len(order)
+    found = statics.settle(load.reshape(n, 6)[rank], motion=motion.reshape(n, 6)[rank])
+    strain = found.strain
+    unbalanced = -strain.nodal(strain.force)[order] - load.reshape(n, 6)
+    reaction = np.where(model.constraints.held(n), unbalanced, 0.0)
+    return StaticResult(
+        displacement=found.motion[:, :3].copy(), rotation=found.motion[:, 3:].copy(), reaction=reaction[rank],
+        energy=strain.energy, iterations=found.rounds, residual=_residual(system, unbalanced, load.reshape(n, 6)),
+    )  # fmt: skip
 
 
 def _residual(system: System, unbalanced: Floats, load: Floats) -> float:

@@ -12,9 +12,11 @@ from bondem.errors import StepWarning, UnstableStepError
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.tables import lines
 from bondem.laws.damping import AnyDamping, DampingTerms
+from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.solve.added import bond_delay
 from bondem.solve.cell_forces import body_loads, body_tables
+from bondem.solve.lagged_step import SHARES, stable_share
 from bondem.solve.schemes import Scheme
 from bondem.solve.threads import one_blas_thread
 
@@ -54,7 +56,7 @@ def stiffest(
     if m == 0:
         return 0.0
     intact = np.ones(m) if integrity is None else integrity
-    table, same = model.bonds, None if model.cells is not None else model.bonds.alike
+    table, same = model.bonds, None if model.cells is not None or model.non_local is not None else model.bonds.alike
     body = None
     if model.cells is not None:
         _, body = body_tables(model, intact)
@@ -65,8 +67,12 @@ def stiffest(
     shortest = float(table.length.min())
     root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
 
+    matrix = None if model.non_local is None else stiffness_matrix(model)
+
     def answer(y: Floats) -> Floats:
         motion = y * root
+        if matrix is not None:  # of the springs alone
+            return (matrix @ motion.ravel()).reshape(motion.shape) * root
         size = max(np.abs(motion[:, :3]).max() / shortest, np.abs(motion[:, 3:]).max()) / _SMALL
         motion /= size
         pose[:, :3] = rest + motion[:, :3]
@@ -119,7 +125,8 @@ def critical_step(
 
     It holds for contacts before they appear, as each is counted with the most that can touch at once. Local damping
     raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots of bonds and contacts
-    lower the limit by √(1 + ζ²) - ζ, with ζ = ω c / 2 k. Mass damping and absorbing boundaries do not.
+    lower the limit by √(1 + ζ²) - ζ, with ζ = ω c / 2 k. Mass damping and absorbing boundaries do not. Of the
+    non-local law it is the largest share that its own steps bear (`bondem.solve.lagged_step`).
 
     Args:
         model: what will move.
@@ -142,7 +149,17 @@ def critical_step(
         if omega > 0.0:
             zeta = 0.5 * omega * max(delay, dashpots)
             limits.append(scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
-    return min(limits)
+    if model.non_local is None or bonds == 0.0:
+        return min(limits)
+    # dashpots take part in the trials; their bound would go by the smallest facet
+    springs = scheme.critical / (raised * max(math.hypot(bonds, frequency) for frequency, _ in motions))
+    share = stable_share(model, springs, terms)
+    if share == 0.0:
+        warnings.warn(
+            "the lagging stress of the non-local law feeds its motions at any time step: give damping=, or lower nu=",
+            StepWarning, stacklevel=3,
+        )  # fmt: skip
+    return (share or SHARES[-1]) * springs
 
 
 @dataclass(frozen=True)

@@ -251,8 +251,8 @@ def _check_depths(pairs: Pairs, between: Facets) -> None:
         i, j = map(int, pairs[bad[0]])
         raise InputError(
             f"the facet of elements {i} and {j} does not lie between their centres ({bad.size} such facets): walls"
-            " less than an element apart gave one of them what lies beyond the other; take more elements, or leave out"
-            " the narrow slots of the shape"
+            " less than an element apart gave one of them what lies beyond the other; take more elements, or leave"
+            " out the narrow slots of the shape"
         )
 
 

@@ -1,0 +1,109 @@
+"""The non-local law of Celigueta, Oñate et al.: a bond follows the mean stress of its two elements.
+
+A bond of area A between centres L apart has the gap δ at its contact point, with the normal part δ_n and the
+tangential part δ_t; σ is the mean stress of its two elements, found with the forces of the step (or iteration)
+before. With kn = A E / L and kt = A G / L, tension positive,
+
+    F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
+    e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻,      t = A (σ n - (n·σ n) n)
+
+where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t goes on by kt (δ_t - δ_t⁻) from A τ. What
+kt δ_t lacks is the other half of the engineering shear strain. The stress of an element of volume V is the symmetric
+part of
+
+    σ = (1/V) Σ l ⊗ F,     l from its centre to the contact point         eq (1)
+
+The limiter keeps the length of t - kt δ_t⁻ at most |t|, and so each of its components at most |A τ|, in whatever
+axes. The text of the paper does not print it; without it nothing but its own lag holds the rotation of an element.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from bondem._checks import choice, instance, number
+from bondem._compile import device
+
+#: Where the force of a bond acts, and l in eq (1): the centroid of the facet, or the line of centres.
+LEVERS = ("facet", "contact")
+#: What A is: of the facets of a body, or the authors' own weights on a lattice of spheres.
+AREAS = ("facet", "weighted")
+#: What V is in eq (1): of the cell, or of the sphere, as printed.
+VOLUMES = ("cell", "sphere")
+
+
+@dataclass(frozen=True, kw_only=True)
+class NonLocal:
+    """Bonds that follow the mean stress of their two elements, with the material's own E and ν.
+
+        kn = E A / L    kt = G A / L    F = kn δ_n n + kt δ_t + e(σ, δ_t of the step before)
+
+    The law has no potential: what its extra force e does is an entry of its own in the energy ledger, and there is
+    no symmetric stiffness and no mode. Stress lags one step or one iteration behind. There are no moments but those
+    of forces. See the module for e, and for how stresses are found.
+
+    Attributes:
+        E: Young's modulus of the material [Pa].
+        nu: Poisson's ratio of the material [-], from 0 on.
+        lever: "facet" (the centroid of the facet: a uniform strain has its exact stress in every cell) or "contact"
+            (the line of centres, as printed). A lattice of spheres has the line of centres alone.
+        areas: "facet" (needs a body from `bd.connect(..., method="laguerre")`) or "weighted" (a lattice of spheres,
+            see `bondem.model.contact_areas`).
+        volume: V of eq (1): "cell", or "sphere" as printed, by which stresses are too large and feed on themselves.
+        limited: whether the extra shear force is limited.
+
+    Reference: Celigueta, Latorre, Arrufat and Oñate, non-local bonded DEM with fracture (2020), eqs (1) to (6).
+
+    Raises:
+        InputError: a value outside its range.
+    """
+
+    title: ClassVar[str] = "non-local law"
+    formulation: ClassVar[str] = "incremental"
+
+    E: float
+    nu: float
+    lever: str = "facet"
+    areas: str = "facet"
+    volume: str = "cell"
+    limited: bool = True
+
+    def __post_init__(self) -> None:
+        number("NonLocal", "E", self.E, unit="Pa", above=0.0, advice="a positive Young's modulus in Pa")
+        number("NonLocal", "nu", self.nu, least=0.0, below=0.5, advice="a Poisson's ratio in [0, 0.5)")
+        choice("NonLocal", "lever", self.lever, LEVERS)
+        choice("NonLocal", "areas", self.areas, AREAS)
+        choice("NonLocal", "volume", self.volume, VOLUMES)
+        instance("NonLocal", "limited", self.limited, bool, "True or False")
+
+    @property
+    def G(self) -> float:
+        """Shear modulus [Pa]."""
+        return self.E / (2.0 * (1.0 + self.nu))
+
+
+@device
+def extra_force(s, n, area, nu, slip, limited):
+    """The extra force e of a bond [N].
+
+    Args:
+        s: mean stress of its elements, xx, yy, zz, xy, xz, yz [Pa].
+        n: unit normal.
+        area: A [m²].
+        nu: ν [-].
+        slip: kt δ_t of the step before [N].
+        limited: whether the shear part is limited.
+    """
+    tx = s[0] * n[0] + s[3] * n[1] + s[4] * n[2]
+    ty = s[3] * n[0] + s[1] * n[1] + s[5] * n[2]
+    tz = s[4] * n[0] + s[5] * n[1] + s[2] * n[2]
+    across = tx * n[0] + ty * n[1] + tz * n[2]
+    push = area * nu * (s[0] + s[1] + s[2] - across)
+    tx, ty, tz = area * (tx - across * n[0]), area * (ty - across * n[1]), area * (tz - across * n[2])
+    x, y, z = tx - slip[0], ty - slip[1], tz - slip[2]
+    if limited:
+        most, found = tx * tx + ty * ty + tz * tz, x * x + y * y + z * z
+        if found > most:
+            share = math.sqrt(most / found)
+            x, y, z = share * x, share * y, share * z
+    return push * n[0] + x, push * n[1] + y, push * n[2] + z

@@ -1,0 +1,134 @@
+"""Constants of the non-local law on a body of cells or a lattice of spheres."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, PerBond, PerBond3, PerElement
+from bondem.errors import InputError
+from bondem.kernels.tables import LaggedTable
+from bondem.laws.bond import BondStiffness
+from bondem.laws.non_local import NonLocal
+from bondem.model.bond_table import with_zeros
+from bondem.model.contact_areas import weighted_areas
+from bondem.model.layout import Layout
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True, eq=False)
+class NonLocalConstants:
+    """What the forces of `NonLocal` are made of.
+
+    Levers begin where elements are: at the centres of spheres, or at the centres of mass of cells.
+
+    Attributes:
+        area: A [m²], shape (m,).
+        kn: A E / L [N/m], shape (m,).
+        kt: A G / L [N/m], shape (m,).
+        normal: from i to j [-], shape (m, 3).
+        lever_i, lever_j: from the elements to the contact point [m], shape (m, 3).
+        volume: V of eq (1) [m³], shape (n,).
+        nu: ν [-].
+        limited: whether the extra shear force is limited.
+    """
+
+    area: PerBond
+    kn: PerBond
+    kt: PerBond
+    normal: PerBond3
+    lever_i: PerBond3
+    lever_j: PerBond3
+    volume: PerElement
+    nu: float
+    limited: bool
+
+    @classmethod
+    def of(cls, lattice: Lattice, law: NonLocal) -> "NonLocalConstants":
+        """The constants of a body or lattice.
+
+        Raises:
+            InputError: areas of facets where there are none, or weighted ones of a body.
+        """
+        build = _of_body if law.areas == "facet" else _of_spheres
+        area, span, normal, lever_i, lever_j, volume = build(lattice, law)
+        if law.volume == "sphere":
+            volume = lattice.particles.volume
+        return cls(
+            area=area, kn=law.E * area / span, kt=law.G * area / span, normal=normal, lever_i=lever_i,
+            lever_j=lever_j, volume=volume, nu=law.nu, limited=law.limited,
+        )  # fmt: skip
+
+    def ordered(self, layout: Layout) -> "NonLocalConstants":
+        """The same in the kernels' order."""
+        bond, back = layout.bond_order, layout.flipped[:, None]
+        lever_i, lever_j = self.lever_i[bond], self.lever_j[bond]
+        return NonLocalConstants(
+            area=self.area[bond], kn=self.kn[bond], kt=self.kt[bond],
+            normal=np.where(back, -self.normal[bond], self.normal[bond]),
+            lever_i=np.where(back, lever_j, lever_i), lever_j=np.where(back, lever_i, lever_j),
+            volume=self.volume[layout.order], nu=self.nu, limited=self.limited,
+        )  # fmt: skip
+
+    def rows(self, history: Floats, stress: Floats) -> LaggedTable:
+        """The constants as kernels take them, in the kernels' order, with what the law remembers.
+
+        Args:
+            history: what bonds store, (7, m) or longer; see `bondem.kernels.non_local`.
+            stress: of the elements [Pa], (n, 6).
+        """
+
+        def columns(each: Floats) -> Floats:
+            return np.ascontiguousarray(with_zeros(each.T))
+
+        return LaggedTable(
+            area=with_zeros(self.area), kn=with_zeros(self.kn), kt=with_zeros(self.kt),
+            normal=columns(self.normal), lever_i=columns(self.lever_i), lever_j=columns(self.lever_j),
+            inverse=1.0 / self.volume, nu=self.nu, limited=self.limited,
+            history=history, stress=stress, sums=np.zeros_like(stress),
+        )  # fmt: skip
+
+    def as_bonds(self, lattice: Lattice) -> BondStiffness:
+        """Stiffnesses of bonds that are about as stiff, for what only needs a measure: dashpots, magnitudes."""
+        none = np.zeros_like(self.kn)
+        return BondStiffness(
+            kn=self.kn, ks=self.kt, kb=none, kt=none.copy(),
+            lever=np.clip((self.lever_i * self.normal).sum(axis=1), 0.0, lattice.length),
+            radius=np.sqrt(self.area / math.pi),
+        )  # fmt: skip
+
+
+_Parts = tuple[PerBond, PerBond, PerBond3, PerBond3, PerBond3, PerElement]
+
+
+def _of_body(lattice: Lattice, law: NonLocal) -> _Parts:
+    """A, L, n, both levers and V of facets and cells."""
+    facets, cells = lattice.facets, lattice.cells
+    if facets is None or cells is None:
+        raise InputError(
+            "NonLocal takes its areas from facets: connect particles with bd.connect(particles, method='laguerre'),"
+            " or give areas='weighted' for a lattice of spheres"
+        )
+    i, _ = lattice.pairs.T
+    point = facets.centroid
+    if law.lever == "contact":
+        point = lattice.particles.position[i] + facets.depth_i[:, None] * facets.normal
+    arm = point - cells.centroid[i]
+    return facets.area, facets.span, facets.normal, arm, arm - lattice.branch, cells.volume
+
+
+def _of_spheres(lattice: Lattice, law: NonLocal) -> _Parts:
+    """The same of spheres, whose volume is Σ A l / 3 with l to the radical plane, and not below the sphere's."""
+    if lattice.cells is not None:
+        raise InputError("areas='weighted' is for lattices of spheres; a body of cells has areas of its own")
+    if len(lattice.pairs) == 0:
+        raise InputError("NonLocal: the lattice has no bonds; bond it with bd.connect")
+    i, j = lattice.pairs.T
+    area, length, radius = weighted_areas(lattice), lattice.length, lattice.particles.radius
+    normal = lattice.branch / length[:, None]
+    arm = 0.5 * (length + (radius[i] ** 2 - radius[j] ** 2) / length)
+    n = len(radius)
+    volume = np.bincount(i, weights=area * arm, minlength=n) / 3.0
+    volume += np.bincount(j, weights=area * (length - arm), minlength=n) / 3.0
+    lever_i = arm[:, None] * normal
+    return area, length, normal, lever_i, lever_i - lattice.branch, np.maximum(volume, lattice.particles.volume)
