@@ -18,10 +18,12 @@ from bondem.labtests.celerity import impact
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
 from bondem.labtests.modal import natural_frequencies
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.tension import static_tension
+from bondem.labtests.tension import static_tension, tension_model
 from bondem.labtests.vibration import free_vibration
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.observe.cell_forces import CellForces
+from bondem.observe.cell_stress import dilatation, mean_stress
 from bondem.report.findings import Bonds, Examined, Findings
 from bondem.report.page import write_report
 from bondem.solve.history import History
@@ -90,7 +92,7 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:
-        write_vtkhdf(out / "specimen.vtkhdf", lattices[0])
+        write_vtkhdf(out / "specimen.vtkhdf", lattices[0], elements=pulled(specimens[0], bonds))
     if study.packing_files:
         for one in specimens:
             told = {"study": study.name, "seed": one.seed}
@@ -173,6 +175,20 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonds | None, tell: 
             outcomes[name] = impact(lattice, law, **moving)
     tell(stage, 1.0)
     return replace(specimen, outcomes=outcomes)
+
+
+def pulled(specimen: Examined, bonds: Bonds | None) -> dict[str, Any]:
+    """What the cells of a body do in the tension test, for files; nothing of other lattices."""
+    tension, lattice = specimen.tension, specimen.lattice
+    if bonds is None or tension is None or lattice.cells is None:
+        return {}
+    model = tension_model(lattice, bonds.law, stress=tension.stress)
+    forces = CellForces.of(model, tension.solution)
+    stress = mean_stress(model, forces)
+    return {
+        "displacement": tension.solution.displacement, "stress": stress.reshape(-1, 9),
+        "dilatation": dilatation(model, stress), "lambda_theta": forces.stress,
+    }  # fmt: skip
 
 
 def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
