@@ -21,6 +21,7 @@ from bondem.labtests.tension import paper_length
 from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Fix, Load
 from bondem.model.model import Model
+from bondem.observe.cell_stress import cell_stress
 from bondem.solve.static import StaticResult, solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -91,19 +92,26 @@ class Cantilever:
             overhang=face - far,
         )
 
+    def model_under(self, law: BondAssignment, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
+        """The specimen clamped at x_min, under a force on x_max and a moment about x."""
+        held = Fix(Face("x_min", depth))
+        load = Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0))
+        return Model(self.lattice, law, density=1.0, boundary=[held, load])  # statics do not depend on the density
+
+    def stressed(
+        self, law: BondAssignment, depth: float, solution: StaticResult, *, force: tuple[float, ...]
+    ) -> dict[str, Floats]:
+        """Axial stress [Pa], (n,), and motion [m, rad], (n, 3) each, of cells in an equilibrium; nothing of spheres."""
+        if self.lattice.cells is None:
+            return {}
+        stress = cell_stress(self.model_under(law, depth, force), solution)
+        return {"axial_stress": stress[:, 0, 0], "displacement": solution.displacement, "rotation": solution.rotation}
+
     def respond(
         self, law: BondAssignment, depth: float, *, force: tuple[float, ...] = (0, 0, 0), moment: float = 0.0
     ) -> tuple[StaticResult, Floats]:
         """The equilibrium under a force on x_max and a moment about x, and the motion of x_max [m, rad], (6,)."""
-        model = Model(
-            self.lattice,
-            law,
-            density=1.0,  # statics do not depend on it
-            boundary=[
-                Fix(Face("x_min", depth)),
-                Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0)),
-            ],
-        )
+        model = self.model_under(law, depth, force, moment)
         solution = solve_static(model)
         return solution, face_motion(model, solution, "x_max", depth)
 
@@ -210,7 +218,8 @@ def static_bending(
         theory_refined=bar.refined.deflection(force, overhang=bar.overhang, shear=True),
         unit="m",
         curves=bar.profile(u, 1)
-        | {"gauge_error": np.array(bent * bar.paper.EI / (force * (face - middle)) - 1.0)},
+        | {"gauge_error": np.array(bent * bar.paper.EI / (force * (face - middle)) - 1.0)}
+        | bar.stressed(law, depth, solution, force=(0.0, force, 0.0)),
     )
 
 
