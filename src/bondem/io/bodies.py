@@ -1,8 +1,6 @@
 """Facets and cells of a body in an HDF5 file, to the bit, so that nothing hangs on cutting them again.
 
-    /facets          area, normal, centroid, moment, depth_i, depth_j of `Facets`
-    /cells           volume, centroid, inertia of `Cells`
-    /cells/free      the arrays of `FreeFacets`
+`/facets` holds the arrays of `Facets`, `/cells` those of `Cells` and `/cells/free` those of `FreeFacets`, by their names.
 """
 
 from dataclasses import fields

@@ -25,8 +25,8 @@ def write_vtkhdf(
 ) -> None:
     """Write a lattice as VTKHDF PolyData, which ParaView 5.11 and later opens (glyph by `radius`).
 
-    A body of cells is written as polyhedra (ParaView 6.0 and later) with `elements` as fields of the cells; of a state
-    under `CellBond` there are also the mean stress of each cell, its dilatation and λ θ.
+    A body of cells is written as polyhedra (ParaView 6.0 and later), with `elements` as fields of the cells; of a
+    state under `CellBond` there are also the mean stress of each cell, its dilatation and λ θ.
 
     Bonds that cross the border of a periodic cell are left out: as lines they would cross the whole cell.
 

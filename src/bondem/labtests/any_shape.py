@@ -8,10 +8,9 @@ from scipy.spatial import KDTree
 from bondem._checks import choice
 from bondem._types import Floats, PerElement6
 from bondem.errors import InputError
-from bondem.labtests.arguments import check
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.gauge_length import AffineField
 from bondem.labtests.isotropic import Isotropic
-from bondem.model.assignment import BondAssignment
 from bondem.model.balance import balanced_forces
 from bondem.model.model import Model
 from bondem.solve.static import Statics
@@ -77,13 +76,13 @@ class UniformStress:
         return 1.0 / S[k, k], -0.5 * (S[:3, k].sum() - S[k, k]) / S[k, k]
 
 
-def uniform_stress(lattice: Lattice, law: BondAssignment, *, depth: float = 0.02) -> UniformStress:
+def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> UniformStress:
     """Six unit stress states σ, each by tractions σ·n on the whole surface, and the mean strain of the body.
 
-    The faces are cut into patches of half a mean radius; of a body of cells, into their facets. Each hands its force to the nearest element of its face,
-    with the moment about the element's centre; what rounding and curved patches leave unbalanced is taken out by the
-    smallest forces. The mean strain is that of the affine field closest to the displacements of all connected
-    elements: no gauge, no ends.
+    The faces are cut into patches of half a mean radius, or into the facets of cells. Each hands its force to the
+    nearest element of its face, with the moment about the element's centre; what rounding and curved patches leave
+    unbalanced is taken out by the smallest forces. The mean strain is that of the affine field closest to the
+    displacements of all connected elements: no gauge, no ends.
 
     Equal tractions everywhere load the skin of a packing, which is softer than its inside, as much as the inside: the
     moduli are a lower bound (Huet, J. Mech. Phys. Solids 38, 1990) that the bulk's are reached from below as the

@@ -12,13 +12,12 @@ import numpy as np
 from bondem._checks import array, shown
 from bondem._types import Floats, Ints, PerElement
 from bondem.errors import InputError
-from bondem.labtests.arguments import check
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.faces import ends, face_motion
 from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, twist_rate
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import paper_length
-from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Fix, Load
 from bondem.model.model import Model
 from bondem.observe.cell_stress import cell_stress
@@ -92,23 +91,23 @@ class Cantilever:
             overhang=face - far,
         )
 
-    def model_under(self, law: BondAssignment, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
+    def model_under(self, law: AnyLaw, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
         """The specimen clamped at x_min, under a force on x_max and a moment about x."""
         held = Fix(Face("x_min", depth))
         load = Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0))
         return Model(self.lattice, law, density=1.0, boundary=[held, load])  # statics do not depend on the density
 
     def stressed(
-        self, law: BondAssignment, depth: float, solution: StaticResult, *, force: tuple[float, ...]
+        self, law: AnyLaw, depth: float, solution: StaticResult, *, force: tuple[float, ...]
     ) -> dict[str, Floats]:
-        """Axial stress [Pa], (n,), and motion [m, rad], (n, 3) each, of cells in an equilibrium; nothing of spheres."""
+        """Axial stress [Pa], (n,), and motion [m, rad], (n, 3) each, of cells at rest; nothing of spheres."""
         if self.lattice.cells is None:
             return {}
         stress = cell_stress(self.model_under(law, depth, force), solution)
         return {"axial_stress": stress[:, 0, 0], "displacement": solution.displacement, "rotation": solution.rotation}
 
     def respond(
-        self, law: BondAssignment, depth: float, *, force: tuple[float, ...] = (0, 0, 0), moment: float = 0.0
+        self, law: AnyLaw, depth: float, *, force: tuple[float, ...] = (0, 0, 0), moment: float = 0.0
     ) -> tuple[StaticResult, Floats]:
         """The equilibrium under a force on x_max and a moment about x, and the motion of x_max [m, rad], (6,)."""
         model = self.model_under(law, depth, force, moment)
@@ -143,7 +142,7 @@ def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats
 
 def clamped_tension(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     E: float,
     nu: float,
@@ -180,7 +179,7 @@ def clamped_tension(
 
 def static_bending(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     E: float,
     nu: float,
@@ -225,7 +224,7 @@ def static_bending(
 
 def static_torsion(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     E: float,
     nu: float,

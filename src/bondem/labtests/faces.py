@@ -34,7 +34,7 @@ def surface(model: Model, solution: StaticResult) -> Floats:
 
 
 def ends(lattice: Lattice, depth: float) -> tuple[float, float]:
-    """Where the two faces across x are held and loaded [m]: mean centres of their elements, or the walls of a body."""
+    """Where the faces across x are held and loaded [m]: mean centres of their elements, or the walls of a body."""
     if lattice.cells is not None:
         lower, upper = (float(lattice.particles.envelope.face_centre(name)[0]) for name in ("x_min", "x_max"))
         return lower, upper

@@ -119,7 +119,7 @@ def profile(position: PerElement3, displacement: PerElement3, *, slices: int = 2
 
 
 def rigid_motion(position: Floats, displacement: Floats, weight: Floats | None = None) -> Floats:
-    """Mean displacement and least-squares rotation vector of a few points [m, rad], (6,), equal weights unless given."""
+    """Mean displacement and least-squares rotation of a few points [m, rad], (6,); equal weights unless given."""
     share = np.full(len(position), 1.0 / len(position)) if weight is None else weight / weight.sum()
     shift = share @ displacement
     arm = position - share @ position

@@ -7,8 +7,7 @@ import numpy as np
 
 from bondem._types import Floats, PerElement
 from bondem.errors import InputError
-from bondem.labtests.arguments import check
-from bondem.model.assignment import BondAssignment
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.model.boundary import Fix
 from bondem.model.model import Model
 from bondem.solve.modal import ModesResult, solve_modes
@@ -34,7 +33,7 @@ class NaturalFrequencies:
 
 
 def natural_frequencies(
-    lattice: Lattice, law: BondAssignment, *, density: float | PerElement, count: int = 8, depth: float = 0.02
+    lattice: Lattice, law: AnyLaw, *, density: float | PerElement, count: int = 8, depth: float = 0.02
 ) -> NaturalFrequencies:
     """First axial, bending and torsional frequency by `solve_modes`.
 

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.labtests.arguments import check
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.faces import ends, surface
 from bondem.labtests.gauge_length import AffineField, middle_half
-from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Load
 from bondem.model.model import Model
 from bondem.observe.bond_strain import BondStrain
@@ -46,7 +45,7 @@ class Tension:
 
 def static_tension(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     stress: float = 1e6,
     depth: float = 0.02,
@@ -70,7 +69,7 @@ def static_tension(
     return tension_of(Statics(tension_model(lattice, law, stress=stress, depth=depth)), stress=stress, depth=depth)
 
 
-def tension_model(lattice: Lattice, law: BondAssignment, *, stress: float = 1e6, depth: float = 0.02) -> Model:
+def tension_model(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth: float = 0.02) -> Model:
     """The free specimen under the two forces of a tension test; see `static_tension`."""
     force = stress * lattice.particles.envelope.section()
     pull = [(Face("x_max", depth), force), (Face("x_min", depth), -force)]
@@ -106,8 +105,8 @@ def force_gyration(model: Model, solution: StaticResult) -> Floats:
     """Where in the section the axial force of a tension test runs: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
 
     The mean over the middle half of the length, each bond weighted with its axial force times its extent along
-    x. A homogeneous section gives I/S; one whose skin is soft gives less, and bends that much more easily. Of a body of
-    cells the mean over the cells, each weighted with its mean axial stress times its volume.
+    x. A homogeneous section gives I/S; one whose skin is soft gives less, and bends that much more easily. Of a body
+    the mean over its cells, each weighted with its mean axial stress times its volume.
     """
     lattice = model.lattice
     if lattice.cells is not None:
@@ -146,7 +145,7 @@ def paper_length(lattice: Lattice, depth: float = 0.02) -> float:
 
 
 def paper_radius(lattice: Lattice, depth: float = 0.02) -> float:
-    """R_M of eq (13): R̄ + mean distance of the elements at the face "side" from the axis [m]; the radius of a body."""
+    """R_M of eq (13): R̄ + mean distance of the the elements at "side" from the axis [m]; the radius of a body."""
     if lattice.cells is not None:
         return math.sqrt(lattice.particles.envelope.section() / math.pi)
     side = Face("side", depth).select(lattice)
@@ -177,7 +176,7 @@ def _paper_moduli(
 def _outside(
     model: Model, solution: StaticResult, depth: float
 ) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
-    """Places and displacements of elements or facets, and which of them are at each face with their share in its mean."""
+    """Places and displacements of elements or facets; which of them are at each face, and their shares in its mean."""
     lattice = model.lattice
     names = [name for name in ("x_min", "x_max", "side") if name in lattice.particles.envelope.faces]
     if lattice.cells is None:

@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats, PerElement3
 from bondem.errors import InputError, UnstableRunError
-from bondem.model.assignment import BondAssignment
+from bondem.labtests.arguments import AnyLaw
 from bondem.model.boundary import Drive
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
@@ -41,7 +41,7 @@ class Wave:
 
 def strike(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     density: float,
     duration: float,

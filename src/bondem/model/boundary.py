@@ -8,7 +8,16 @@ from bondem._checks import instance, vector
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.model.balance import balanced_forces
-from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure, facet_numbers, facets_on, is_face, on_nodes
+from bondem.model.loads import (
+    Absorbing,
+    BodyForce,
+    Eigenstrain,
+    Pressure,
+    facet_numbers,
+    facets_on,
+    is_face,
+    on_nodes,
+)
 from bondem.model.schedules import Constant, Schedule, as_schedule
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region, as_region

@@ -118,11 +118,12 @@ def _turned(model: Model, state: State) -> CellForces:
     stress = constants.weight * swelling
     force = constants.k[:, None] * gap + stress[i, None] * share_i + stress[j, None] * share_j
     free = cells.free
+    outwards = free.centroid - cells.centroid[free.cell]
     return CellForces(
         force=whole[:, None] * force, arm_i=a, arm_j=b,
         held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
         load=loads_on_facets(model, state.time),
-        load_arm=turn[free.cell].apply(free.centroid - cells.centroid[free.cell]) if len(free.cell) else free.centroid,
+        load_arm=turn[free.cell].apply(outwards) if len(free.cell) else outwards,
         stress=stress,
     )  # fmt: skip
 

@@ -44,8 +44,8 @@ _CAPTIONS = {
         the middle half best.""",
     "profiles": """Motion of the cross-sections of the clamped specimen under an axial force, a transverse force and
         a torque, against Euler–Bernoulli theory.""",
-    "cells": """The body under a transverse force: its cells as polyhedra, which move as rigid pieces, and a section along
-        the axis, coloured by the mean axial stress of each cell.""",
+    "cells": """The body under a transverse force: its cells as polyhedra, which move as rigid pieces, and a section
+        along the axis, coloured by the mean axial stress of each cell.""",
     "modes": "First natural modes of the clamped specimen, exaggerated; bright elements move farthest.",
     "vibration": """Free vibration after release from a combined load: mean motion of the free end, and its spectrum
         with the frequency of the mode and those of theory.""",
@@ -58,13 +58,13 @@ _CAPTIONS = {
 # Where these say something else of a body of cells.
 _OF_CELLS = {
     "specimen": "The specimen: its cells, coloured by size; one half is cut open along the axis.",
-    "geode": """Directions of the lines between neighbouring cells, counted on the 320 faces of a geode and divided by what
-        an isotropic fabric would have there.""",
-    "contacts": """Left: facets of a cell with its neighbours, with their mean. Right: radii of the spheres that it was
-        cut from.""",
+    "geode": """Directions of the lines between neighbouring cells, counted on the 320 faces of a geode and divided by
+        what an isotropic fabric would have there.""",
+    "contacts": """Left: facets of a cell with its neighbours, with their mean. Right: radii of the spheres that
+        cells were cut from.""",
     "layering": "Solid fraction of the spheres the cells were cut from, against the distance from each wall.",
-    "distribution": """How often centres of the spheres the cells were cut from lie at a distance from each other, over
-        what chance would do.""",
+    "distribution": """How often centres of the spheres the cells were cut from lie at a distance from each other,
+        over what chance would do.""",
 }
 
 
