@@ -147,7 +147,7 @@ def test_a_report_without_a_material(examined, tmp_path):
         "packings": [{"seed": 1, "fabric_reasons": []}, {"seed": 2, "fabric_reasons": ["it is in strata"]}],
     }  # fmt: skip
     findings = Findings(
-        title="Cell", material=None, fit=None, chart=(), calibrating=1, specimens=examined, results=results
+        title="Cell", material=None, bonds=None, chart=(), calibrating=1, specimens=examined, results=results
     )  # fmt: skip
     html = page(findings, {})
     for text in ("1 of 2 packings are", "<b>fit</b>", "seed 2: it is in strata", "φ of the core", "what it says"):

@@ -72,11 +72,8 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
             f"  (over all packings ± {percent(macro['E_std'] / macro['E'])} of E,"
             f" ± {percent(macro['nu_std'] / abs(macro['nu']))} of ν)"
         )  # fmt: skip
-        free = LAWS[micro["law"]].free
-        varied = "" if free.is_radius else f" {free.symbol} = {micro[free.name]:.4f},"
         lines += [
-            f"  {micro['law']}: E_μ = {with_unit(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},{varied}"
-            f" ρ_μ = {with_unit(micro['rho_mu'], 'kg/m³')}",
+            _law(micro),
             f"  E = {with_unit(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, ρ = {with_unit(macro['rho'], 'kg/m³')}"
             + spread,
         ]
@@ -92,6 +89,20 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
         for line in _EXPLANATION:
             console.print(f"  [dim]{line}[/dim]", soft_wrap=True)
     console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True)
+
+
+def _law(micro: Mapping[str, Any]) -> str:
+    if micro["law"] not in LAWS:
+        return (
+            f"  {micro['law']}: nothing calibrated; of the material E = {with_unit(micro['E_mu'], 'Pa')},"
+            f" ν = {micro['nu_mu']:g}, ρ = {with_unit(micro['rho_mu'], 'kg/m³')}; measured"
+        )
+    free = LAWS[micro["law"]].free
+    varied = "" if free.is_radius else f" {free.symbol} = {micro[free.name]:.4f},"
+    return (
+        f"  {micro['law']}: E_μ = {with_unit(micro['E_mu'], 'Pa')}, r̃ = {micro['r_mu_ratio']:.4f},{varied}"
+        f" ρ_μ = {with_unit(micro['rho_mu'], 'kg/m³')}"
+    )
 
 
 def _tests(study: Study, results: Mapping[str, Any]) -> Table:

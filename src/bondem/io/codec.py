@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from bondem.errors import RunFileError
-from bondem.laws.catalogue import LAWS
+from bondem.laws.catalogue import CELL_LAWS, LAWS
 from bondem.laws.contact import LinearContact
 from bondem.laws.damping import BondDamping, LocalDamping, MassDamping
 from bondem.laws.non_local import NonLocal
@@ -32,7 +32,7 @@ from bondem.specimen.surface import Surface
 _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
-        *LAWS.values(), NonLocal,
+        *LAWS.values(), *CELL_LAWS.values(), NonLocal,
         LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
         LinearContact, PlaneWall, CylinderWall, Driven, Servo,
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,

@@ -12,7 +12,7 @@ from bondem._checks import instance, place, vector
 from bondem._types import ArrayLike, Pairs
 from bondem.errors import InputError, UnitWarning
 from bondem.io.lammps import read_lammps
-from bondem.io.particles_file import load_bonded
+from bondem.io.particles_file import load_bonded, load_lattice
 from bondem.io.sphere_tables import RawSpheres, read_csv, read_yade
 from bondem.io.vtkhdf_spheres import read_vtkhdf_spheres
 from bondem.specimen.geometry import Shape
@@ -83,6 +83,8 @@ def read_lattice(
 ) -> Lattice:
     """Read spheres and their bonds from a file: ours, a LAMMPS data file with bonds, or VTKHDF with lines.
 
+    A body of cells comes from our own files only, with its facets and cells to the bit.
+
     Args:
         path: the file.
         unit: as for `read_particles`, like all the rest.
@@ -98,6 +100,10 @@ def read_lattice(
     path = _existing(path)
     _check_options(unit, shape, period, None, radius, periodic)
     if path.suffix.lower() in _OWN:
+        own = load_lattice(path)
+        if own is not None and own.cells is not None:
+            _as_saved(path, unit, shape, period)
+            return own
         particles, pairs = _own(path, unit, shape, period)
     else:
         raw = _read(path, None, radius, periodic)
@@ -138,6 +144,15 @@ def _check_options(
             instance("read", name, value, kinds, wanted)
     if period is not None:
         vector("read", "period", period, unit="m", advice="three positive edge lengths in metres")
+
+
+def _as_saved(path: Path, unit: str | float | None, shape: Shape | None, period: ArrayLike | None) -> None:
+    """Cells are cut from the shape and the period that the file has."""
+    if shape is not None or period is not None or (unit is not None and length_unit("read", unit) != 1.0):
+        raise InputError(
+            f"'{path}' holds a body of cells with its own shape, in metres; leave out shape=, period= and unit=, or"
+            " read its spheres with bd.read_particles and cut them anew"
+        )
 
 
 def _own(

@@ -3,6 +3,7 @@
     /                attributes format, schema, bondem_version; texts shape and provenance (JSON)
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one
     /bonds           pairs (m, 2), where a lattice was saved
+    /facets, /cells  of a body of cells, see `bondem.io.bodies`
 
 Arrays are kept to the bit.
 """
@@ -20,13 +21,15 @@ from bondem import __version__
 from bondem._checks import instance, place
 from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
+from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.shape import Shape
 
 FORMAT = "bondem particles"
-SCHEMA = 1
+#: From 2 on they may hold facets and cells.
+SCHEMA = 2
 
 
 def save_particles(
@@ -65,7 +68,7 @@ def save_particles(
         if elements.period is not None:
             file["elements/period"] = elements.period
         if lattice is not None:
-            file["bonds/pairs"] = lattice.pairs
+            write_bonds(file, lattice)
 
 
 def load_particles(path: str | Path) -> Particles:
@@ -74,14 +77,18 @@ def load_particles(path: str | Path) -> Particles:
     Raises:
         InputError: no such file, not a particle file, damaged, or of a newer bondem.
     """
-    particles, _, _ = _read(place("load_particles: path", path))
-    return particles
+    return _read(place("load_particles: path", path))[0]
 
 
 def load_bonded(path: str | Path) -> tuple[Particles, np.ndarray | None]:
     """Particles and the pairs (m, 2) of their bonds, None where none were saved."""
-    particles, pairs, _ = _read(Path(path))
-    return particles, pairs
+    particles, lattice, _ = _read(Path(path))
+    return particles, None if lattice is None else lattice.pairs
+
+
+def load_lattice(path: str | Path) -> Lattice | None:
+    """The lattice that was saved, a body with its facets and cells; None where no bonds were."""
+    return _read(Path(path))[1]
 
 
 def read_provenance(path: str | Path) -> dict[str, Any]:
@@ -89,7 +96,7 @@ def read_provenance(path: str | Path) -> dict[str, Any]:
     return _read(place("read_provenance: path", path))[2]
 
 
-def _read(path: Path) -> tuple[Particles, np.ndarray | None, dict[str, Any]]:
+def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
     if not os.path.isfile(path):
         raise InputError(f"there is no particle file '{path}'; check the path")
     try:
@@ -117,11 +124,11 @@ def _read(path: Path) -> tuple[Particles, np.ndarray | None, dict[str, Any]]:
             particles = filled(
                 Particles(_array(file, "elements/position"), _array(file, "elements/radius"), period), shape
             )
-            pairs = _array(file, "bonds/pairs") if "bonds/pairs" in file else None
+            lattice = read_bonds(file, particles) if "bonds/pairs" in file else None
             told = json.loads(_array(file, "provenance").item())
         except (AssertionError, AttributeError, KeyError, TypeError, ValueError, OSError) as error:
             raise InputError(f"'{path}' is damaged ({error}); make it again") from error
-    return particles, pairs, {"bondem_version": version} | {key: decode(value) for key, value in told.items()}
+    return particles, lattice, {"bondem_version": version} | {key: decode(value) for key, value in told.items()}
 
 
 def _array(file: h5py.File, name: str) -> np.ndarray:

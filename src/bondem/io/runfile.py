@@ -3,6 +3,7 @@
     /                attributes format, schema, bondem_version; texts plan and model (JSON)
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
     /bonds           pairs (m, 2)
+    /facets, /cells  of a body, see `bondem.io.bodies`
     /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale
     /history         records (s, 12 + 3 g); attribute gauges
 
@@ -22,18 +23,18 @@ from bondem import __version__
 from bondem._checks import place
 from bondem.errors import RunFileError
 from bondem.io.atomic import replacing, require_writable
+from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
 from bondem.kernels.tables import NON_LOCAL
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.history import History
 from bondem.solve.plan import Plan
-from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
 SCHEMA = 3
-# From here on they hold contacts, walls and friction; from 3 on stresses and non-local work.
+# From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells.
 _OLDEST = 2
 
 
@@ -97,7 +98,7 @@ class RunFile:
             elements["density"] = np.asarray(self._model.density, dtype=float)
             if particles.period is not None:
                 elements["period"] = particles.period
-            file["bonds/pairs"] = self._model.lattice.pairs
+            write_bonds(file, self._model.lattice)
             kept = file.create_group("state")
             for name in State.ARRAYS:
                 kept[name] = getattr(state, name)
@@ -160,7 +161,7 @@ def _checkpoint(file: h5py.File, schema: int) -> Checkpoint:
     )
     density = _array(file, "elements/density")
     model = Model(
-        Lattice(particles, _array(file, "bonds/pairs")),
+        read_bonds(file, particles),
         bond=made_of["bond"],
         density=float(density) if density.ndim == 0 else density,
         boundary=made_of["boundary"],

@@ -1,4 +1,4 @@
-"""Lattices for ParaView, as VTKHDF: elements are points, bonds are lines."""
+"""Lattices for ParaView, as VTKHDF: elements are points and bonds lines, or cells are polyhedra."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,6 +10,7 @@ from bondem._checks import array, instance, place
 from bondem._types import ArrayLike
 from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
+from bondem.io.vtk_cells import fields_of_cells, write_cells
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
@@ -23,6 +24,9 @@ def write_vtkhdf(
     bonds: Mapping[str, ArrayLike] | None = None,
 ) -> None:
     """Write a lattice as VTKHDF PolyData, which ParaView 5.11 and later opens (glyph by `radius`).
+
+    A body of cells is written as polyhedra (ParaView 6.0 and later), with `elements` as fields of the cells; of a
+    state under `CellBond` there are also the mean stress of each cell, its dilatation and λ θ.
 
     Bonds that cross the border of a periodic cell are left out: as lines they would cross the whole cell.
 
@@ -47,6 +51,13 @@ def write_vtkhdf(
             )
     for name, given in (("elements", elements), ("bonds", bonds)):
         instance("write_vtkhdf", name, given or {}, Mapping, "fields by name")
+    if lattice.cells is not None:
+        if bonds:
+            raise InputError("write_vtkhdf: a body is written as cells, without lines for bonds=; leave it out")
+        given = fields_of_cells(lattice, state) | dict(elements or {})
+        checked = {name: _checked(name, field, len(lattice.particles)) for name, field in given.items()}
+        write_cells(path, lattice, None if state is None else state.displacement, checked)
+        return
     particles, pairs = lattice.particles, lattice.pairs
     points = particles.position if state is None else particles.position + state.displacement
     of_elements: dict[str, ArrayLike] = {"radius": particles.radius, "connected": lattice.connected.astype(np.int8)}
@@ -82,9 +93,13 @@ def _write_fields(
     group: h5py.Group, fields: Mapping[str, ArrayLike], count: int, chosen: np.ndarray | None = None
 ) -> None:
     for name, field in fields.items():
-        wanted = f"one row for each of {count}"
-        values = array("write_vtkhdf", f"field '{name}'", field, wanted=wanted)
-        values = values.astype(np.asarray(field).dtype)  # whole numbers stay so
-        if values.shape[:1] != (count,):
-            raise InputError(f"field '{name}' has {len(values) if values.ndim else 1} values; give {count}")
+        values = _checked(name, field, count)
         group[name] = values if chosen is None else values[chosen]
+
+
+def _checked(name: str, field: ArrayLike, count: int) -> np.ndarray:
+    values = array("write_vtkhdf", f"field '{name}'", field, wanted=f"one row for each of {count}")
+    values = values.astype(np.asarray(field).dtype)  # whole numbers stay so
+    if values.shape[:1] != (count,):
+        raise InputError(f"field '{name}' has {len(values) if values.ndim else 1} values; give {count}")
+    return values

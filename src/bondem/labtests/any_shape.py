@@ -8,10 +8,9 @@ from scipy.spatial import KDTree
 from bondem._checks import choice
 from bondem._types import Floats, PerElement6
 from bondem.errors import InputError
-from bondem.labtests.arguments import check
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.gauge_length import AffineField
 from bondem.labtests.isotropic import Isotropic
-from bondem.model.assignment import BondAssignment
 from bondem.model.balance import balanced_forces
 from bondem.model.model import Model
 from bondem.solve.static import Statics
@@ -77,13 +76,13 @@ class UniformStress:
         return 1.0 / S[k, k], -0.5 * (S[:3, k].sum() - S[k, k]) / S[k, k]
 
 
-def uniform_stress(lattice: Lattice, law: BondAssignment, *, depth: float = 0.02) -> UniformStress:
+def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> UniformStress:
     """Six unit stress states σ, each by tractions σ·n on the whole surface, and the mean strain of the body.
 
-    The faces are cut into patches of half a mean radius. Each hands its force to the nearest element of its face,
-    with the moment about the element's centre; what rounding and curved patches leave unbalanced is taken out by the
-    smallest forces. The mean strain is that of the affine field closest to the displacements of all connected
-    elements: no gauge, no ends.
+    The faces are cut into patches of half a mean radius, or into the facets of cells. Each hands its force to the
+    nearest element of its face, with the moment about the element's centre; what rounding and curved patches leave
+    unbalanced is taken out by the smallest forces. The mean strain is that of the affine field closest to the
+    displacements of all connected elements: no gauge, no ends.
 
     Equal tractions everywhere load the skin of a packing, which is softer than its inside, as much as the inside: the
     moduli are a lower bound (Huet, J. Mech. Phys. Solids 38, 1990) that the bulk's are reached from below as the
@@ -104,7 +103,7 @@ def uniform_stress(lattice: Lattice, law: BondAssignment, *, depth: float = 0.02
     statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
     owner, centre, area = _surface(lattice, depth)
     moving = np.flatnonzero(lattice.connected)
-    position = lattice.particles.position
+    position = lattice.centre
     strain = np.empty((6, 6))
     for column, (a, b) in enumerate(_VOIGT):
         stress = np.zeros((3, 3))
@@ -119,6 +118,9 @@ def uniform_stress(lattice: Lattice, law: BondAssignment, *, depth: float = 0.02
 
 def _surface(lattice: Lattice, depth: float) -> tuple[np.ndarray, Floats, Floats]:
     """The surface in patches: which element has each, centres [m] and areas times outward normals [m²]."""
+    if lattice.cells is not None:
+        free = lattice.cells.free
+        return free.cell, free.centroid, free.area[:, None] * free.normal
     particles = lattice.particles
     owners, centres, areas = [], [], []
     for name in particles.envelope.faces:
@@ -132,7 +134,7 @@ def _surface(lattice: Lattice, depth: float) -> tuple[np.ndarray, Floats, Floats
 
 def _nodal(lattice: Lattice, owner: np.ndarray, centre: Floats, force: Floats) -> PerElement6:
     """Forces and moments of the elements under forces at patches [N, N·m], in balance, (n, 6)."""
-    position = lattice.particles.position
+    position = lattice.centre
     values = np.hstack([force, np.cross(centre - position[owner], force)])
     load = np.zeros((len(position), 6))
     np.add.at(load, owner, values)

@@ -6,7 +6,13 @@ import numpy as np
 
 from bondem._checks import instance, number, possible
 from bondem.errors import InputError
+from bondem.laws.non_local import NonLocal
+from bondem.model.assignment import BondAssignment
+from bondem.model.cell_constants import CellAssignment
 from bondem.specimen.lattice import Lattice
+
+#: What a test takes: a bond law or laws by region, a law of cells, or the non-local law.
+AnyLaw = BondAssignment | CellAssignment | NonLocal
 
 _RULES: dict[str, dict[str, Any]] = {
     "E": {"above": 0.0, "unit": "Pa", "advice": "the specimen's own Young's modulus in Pa"},

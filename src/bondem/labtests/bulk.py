@@ -8,7 +8,7 @@ from bondem._checks import instance
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.isotropic import Isotropic
-from bondem.model.assignment import BondAssignment
+from bondem.labtests.arguments import AnyLaw
 from bondem.model.model import Model
 from bondem.observe.bond_strain import BondStrain
 from bondem.observe.cell_strain import CellStrain
@@ -76,7 +76,7 @@ class BulkModuli:
         return self.isotropic.nu
 
 
-def bulk_moduli(lattice: Lattice, law: BondAssignment, *, guess: BulkModuli | None = None) -> BulkModuli:
+def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = None) -> BulkModuli:
     """Stiffness tensor of a periodic lattice.
 
     Six macroscopic strains ε are imposed. Every bond is stretched by ε times its branch vector, taken over

@@ -1,7 +1,8 @@
 """Static tension, bending and torsion of a clamped specimen against strength of materials.
 
 As in André et al. (2012): the elements at x_min are held, those at x_max loaded, and the mean motion of the
-loaded elements is compared with theory.
+loaded elements is compared with theory. A body of cells is held and loaded at its walls, whose motion is compared:
+its length is the shape's.
 """
 
 from dataclasses import dataclass
@@ -11,15 +12,16 @@ import numpy as np
 from bondem._checks import array, shown
 from bondem._types import Floats, Ints, PerElement
 from bondem.errors import InputError
-from bondem.labtests.arguments import check
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.beams import Bar, CrossSection
-from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, rigid_motion, twist_rate
+from bondem.labtests.faces import ends, face_motion
+from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, twist_rate
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import paper_length
-from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Fix, Load
 from bondem.model.model import Model
-from bondem.solve.static import solve_static
+from bondem.observe.cell_stress import cell_stress
+from bondem.solve.static import StaticResult, solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -33,7 +35,7 @@ class Cantilever:
         held: elements at x_min, (k,).
         loaded: elements at x_max, (k,).
         paper: the bar with L_M of eq (12), from wall to wall.
-        refined: the bar between the mean centres of the two sets, for statics.
+        refined: the bar between the mean centres of the two sets, for statics; between the walls of a body of cells.
         moving: the bar from the mean centre of the held set to the face x_max, for dynamics: the elements at
             x_max move with all their mass.
         overhang: distance of the face x_max, through whose centre loads act, beyond the loaded centres [m].
@@ -76,44 +78,51 @@ class Cantilever:
             if gyration.shape != (2,) or not (gyration > 0.0).all():
                 raise InputError(f"gyration = {shown(gyration)}; give {wanted}")
         filled = section if gyration is None else section.filled(gyration, mass_gyration(lattice, density))
-        x = lattice.particles.position[:, 0]
         held, loaded = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))
         face = float(envelope.face_centre("x_max")[0])
-        span = float(x[loaded].mean() - x[held].mean())
+        near, far = ends(lattice, depth)
         return cls(
             lattice=lattice,
             held=held,
             loaded=loaded,
             paper=Bar(paper_length(lattice, depth), section, E, nu, rho),
-            refined=Bar(span, filled, E, nu, rho),
-            moving=Bar(face - float(x[held].mean()), filled, E, nu, rho),
-            overhang=face - float(x[loaded].mean()),
+            refined=Bar(far - near, filled, E, nu, rho),
+            moving=Bar(face - near, filled, E, nu, rho),
+            overhang=face - far,
         )
 
+    def model_under(self, law: AnyLaw, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
+        """The specimen clamped at x_min, under a force on x_max and a moment about x."""
+        held = Fix(Face("x_min", depth))
+        load = Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0))
+        return Model(self.lattice, law, density=1.0, boundary=[held, load])  # statics do not depend on the density
+
+    def stressed(
+        self, law: AnyLaw, depth: float, solution: StaticResult, *, force: tuple[float, ...]
+    ) -> dict[str, Floats]:
+        """Axial stress [Pa], (n,), and motion [m, rad], (n, 3) each, of cells at rest; nothing of spheres."""
+        if self.lattice.cells is None:
+            return {}
+        stress = cell_stress(self.model_under(law, depth, force), solution)
+        return {"axial_stress": stress[:, 0, 0], "displacement": solution.displacement, "rotation": solution.rotation}
+
     def respond(
-        self, law: BondAssignment, depth: float, *, force: tuple[float, ...] = (0, 0, 0), moment: float = 0.0
-    ) -> Floats:
-        """Displacements [m], (n, 3), under a force on x_max and a moment about x."""
-        model = Model(
-            self.lattice,
-            law,
-            density=1.0,  # statics do not depend on it
-            boundary=[
-                Fix(Face("x_min", depth)),
-                Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0)),
-            ],
-        )
-        return solve_static(model).displacement
+        self, law: AnyLaw, depth: float, *, force: tuple[float, ...] = (0, 0, 0), moment: float = 0.0
+    ) -> tuple[StaticResult, Floats]:
+        """The equilibrium under a force on x_max and a moment about x, and the motion of x_max [m, rad], (6,)."""
+        model = self.model_under(law, depth, force, moment)
+        solution = solve_static(model)
+        return solution, face_motion(model, solution, "x_max", depth)
 
     def profile(self, displacement: Floats, component: int) -> dict[str, Floats]:
         """One component of the rigid motion of the cross-sections along x, for figures."""
         chosen = self.lattice.connected
-        x, motion = profile(self.lattice.particles.position[chosen], displacement[chosen])
+        x, motion = profile(self.lattice.centre[chosen], displacement[chosen])
         return {"x": x, "profile": motion[:, component]}
 
 
 def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats:
-    """Where in the section the mass is: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,), spheres as solid balls.
+    """Where in the section the mass is: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,), elements as solid balls or cells.
 
     With one density this is less than the shape has; with `balanced_density` it is exactly the shape's.
 
@@ -123,16 +132,17 @@ def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats
     """
     moving = lattice.connected
     particles = lattice.particles
-    mass = (density * particles.volume)[moving]
+    cells = lattice.cells
+    mass = (density * (particles.volume if cells is None else cells.volume))[moving]
     weight = mass / mass.sum()
-    place = particles.position[moving, 1:]
-    own = 0.2 * weight @ particles.radius[moving] ** 2
+    place = lattice.centre[moving, 1:]
+    own = 0.2 * weight @ particles.radius[moving] ** 2 if cells is None else weight @ cells.spread[moving, 1:]
     return weight @ place**2 - (weight @ place) ** 2 + own
 
 
 def clamped_tension(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     E: float,
     nu: float,
@@ -154,12 +164,12 @@ def clamped_tension(
     check("clamped_tension", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     force = stress * bar.paper.section.area
-    u = bar.respond(law, depth, force=(force, 0.0, 0.0))
-    chosen = middle_half(lattice)
-    strain = AffineField.fit(lattice.particles.position[chosen], u[chosen]).strain[0, 0]
+    solution, moved = bar.respond(law, depth, force=(force, 0.0, 0.0))
+    u, chosen = solution.displacement, middle_half(lattice)
+    strain = AffineField.fit(lattice.centre[chosen], u[chosen]).strain[0, 0]
     return Outcome(
         name="static_tension",
-        measured=float(u[bar.loaded, 0].mean()),
+        measured=float(moved[0]),
         theory=bar.paper.extension(force),
         theory_refined=bar.refined.extension(force),
         unit="m",
@@ -169,7 +179,7 @@ def clamped_tension(
 
 def static_bending(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     E: float,
     nu: float,
@@ -194,26 +204,27 @@ def static_bending(
     check("static_bending", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     force = stress * bar.paper.section.area
-    u = bar.respond(law, depth, force=(0.0, force, 0.0))
-    chosen = middle_half(lattice)
+    solution, moved = bar.respond(law, depth, force=(0.0, force, 0.0))
+    u, chosen = solution.displacement, middle_half(lattice)
     middle, face = (lattice.particles.envelope.face_centre(name)[0] for name in ("x_min", "x_max"))
     middle = 0.5 * (middle + face)
-    bent = curvature(lattice.particles.position[chosen], u[chosen], middle)
+    bent = curvature(lattice.centre[chosen], u[chosen], middle)
     return Outcome(
         name="static_bending",
-        measured=float(u[bar.loaded, 1].mean()),
+        measured=float(moved[1]),
         theory=bar.paper.deflection(force),
         theory_timoshenko=bar.paper.deflection(force, shear=True),
         theory_refined=bar.refined.deflection(force, overhang=bar.overhang, shear=True),
         unit="m",
         curves=bar.profile(u, 1)
-        | {"gauge_error": np.array(bent * bar.paper.EI / (force * (face - middle)) - 1.0)},
+        | {"gauge_error": np.array(bent * bar.paper.EI / (force * (face - middle)) - 1.0)}
+        | bar.stressed(law, depth, solution, force=(0.0, force, 0.0)),
     )
 
 
 def static_torsion(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     E: float,
     nu: float,
@@ -238,13 +249,12 @@ def static_torsion(
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     section = bar.paper.section
     moment = stress * section.torsion_constant / section.area**0.5
-    u = bar.respond(law, depth, moment=moment)
-    chosen = middle_half(lattice)
-    position = lattice.particles.position
-    rate = twist_rate(position[chosen], u[chosen])
+    solution, moved = bar.respond(law, depth, moment=moment)
+    u, chosen = solution.displacement, middle_half(lattice)
+    rate = twist_rate(lattice.centre[chosen], u[chosen])
     return Outcome(
         name="static_torsion",
-        measured=float(rigid_motion(position[bar.loaded], u[bar.loaded])[3]),
+        measured=float(moved[3]),
         theory=bar.paper.twist(moment),
         theory_refined=bar.refined.twist(moment),
         unit="rad",

@@ -3,17 +3,17 @@
 import numpy as np
 
 from bondem.errors import InputError
-from bondem.labtests.arguments import check
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.cantilever import Cantilever
+from bondem.labtests.faces import ends
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.wave import first_passage, strike
-from bondem.model.assignment import BondAssignment
 from bondem.specimen.lattice import Lattice
 
 
 def impact(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     density: float,
     E: float,
@@ -28,7 +28,8 @@ def impact(
     back from x_max at three times the arrival. The wave has arrived when the mean velocity of the elements at
     x_min first passes half the plateau, the mean over the middle of that time. Celerity is L_M of eq (12)
     over the arrival time; refined, the path runs from the mean centre of the driven elements to the face
-    x_min.
+    x_min. A body of cells is driven at its wall. Its far cells feel the front and its reflection at equal times before
+    and after it reaches the wall, so that their path is the whole length, too.
 
     Args:
         lattice: the specimen.
@@ -54,7 +55,7 @@ def impact(
             " check E=, rho= and density=, or use a finer specimen"
         )
     arrival = first_passage(wave.time, wave.far, 0.5 * plateau)
-    path = float(lattice.particles.position[bar.loaded, 0].mean() - lattice.particles.envelope.bounds[0][0])
+    path = ends(lattice, depth)[1] - float(lattice.particles.envelope.bounds[0][0])
     speed = bar.paper.wave_speed
     return Outcome(
         name="impact",

@@ -3,19 +3,18 @@
 import numpy as np
 
 from bondem._types import Floats, PerElement
-from bondem.labtests.arguments import check
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import spectrum
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.vibration import FreeVibration
-from bondem.model.assignment import BondAssignment
 from bondem.specimen.lattice import Lattice
 
 
 def dynamic_tension(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     density: float | PerElement,
     E: float,
@@ -58,7 +57,7 @@ def dynamic_tension(
 
 def dynamic_bending(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     density: float | PerElement,
     E: float,
@@ -89,7 +88,7 @@ def dynamic_bending(
 
 def dynamic_torsion(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     density: float | PerElement,
     E: float,

@@ -63,7 +63,7 @@ def middle_half(lattice: Lattice) -> Ints:
     """
     particles = lattice.particles
     lower, upper = particles.envelope.bounds
-    x = particles.position[:, 0]
+    x = lattice.centre[:, 0]
     inside = np.abs(x - 0.5 * (lower[0] + upper[0])) <= 0.25 * (upper[0] - lower[0])
     chosen = np.flatnonzero(inside & lattice.connected)
     if len(chosen) < 12:
@@ -118,10 +118,11 @@ def profile(position: PerElement3, displacement: PerElement3, *, slices: int = 2
     return np.array(places), np.array(motions).reshape(-1, 6)
 
 
-def rigid_motion(position: PerElement3, displacement: PerElement3) -> Floats:
-    """Mean displacement and least-squares rotation vector of a few elements [m, rad], (6,)."""
-    arm = position - position.mean(axis=0)
-    moved = displacement - displacement.mean(axis=0)
-    inertia = (arm**2).sum() * np.eye(3) - arm.T @ arm
-    turn = np.linalg.pinv(inertia, rcond=1e-9, hermitian=True) @ np.cross(arm, moved).sum(axis=0)
-    return np.concatenate([displacement.mean(axis=0), turn])
+def rigid_motion(position: Floats, displacement: Floats, weight: Floats | None = None) -> Floats:
+    """Mean displacement and least-squares rotation of a few points [m, rad], (6,); equal weights unless given."""
+    share = np.full(len(position), 1.0 / len(position)) if weight is None else weight / weight.sum()
+    shift = share @ displacement
+    arm = position - share @ position
+    inertia = (share @ arm**2).sum() * np.eye(3) - (share[:, None] * arm).T @ arm
+    turn = np.linalg.pinv(inertia, rcond=1e-9, hermitian=True) @ (share @ np.cross(arm, displacement - shift))
+    return np.concatenate([shift, turn])

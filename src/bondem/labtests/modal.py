@@ -7,8 +7,7 @@ import numpy as np
 
 from bondem._types import Floats, PerElement
 from bondem.errors import InputError
-from bondem.labtests.arguments import check
-from bondem.model.assignment import BondAssignment
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.model.boundary import Fix
 from bondem.model.model import Model
 from bondem.solve.modal import ModesResult, solve_modes
@@ -34,7 +33,7 @@ class NaturalFrequencies:
 
 
 def natural_frequencies(
-    lattice: Lattice, law: BondAssignment, *, density: float | PerElement, count: int = 8, depth: float = 0.02
+    lattice: Lattice, law: AnyLaw, *, density: float | PerElement, count: int = 8, depth: float = 0.02
 ) -> NaturalFrequencies:
     """First axial, bending and torsional frequency by `solve_modes`.
 
@@ -75,7 +74,7 @@ def _effective_mass(model: Model, shape: Floats) -> Floats:
     """(φ·M r)² / (φ·M φ · r·M r) for rigid motions r along x, y, z and about x, shape (count, 4)."""
     lattice = model.lattice
     moving = lattice.connected
-    y, z = (lattice.particles.position - lattice.particles.position[moving].mean(axis=0))[:, 1:].T
+    y, z = (lattice.centre - lattice.centre[moving].mean(axis=0))[:, 1:].T
     rigid = np.zeros((4, len(y), 6))
     rigid[range(3), :, range(3)] = 1.0
     rigid[3, :, 1], rigid[3, :, 2], rigid[3, :, 3] = -z, y, 1.0

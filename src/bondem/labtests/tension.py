@@ -5,13 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats
-from bondem.labtests.arguments import check
+from bondem._types import Floats, Ints
+from bondem.labtests.arguments import AnyLaw, check
+from bondem.labtests.faces import ends, surface
 from bondem.labtests.gauge_length import AffineField, middle_half
-from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Load
 from bondem.model.model import Model
 from bondem.observe.bond_strain import BondStrain
+from bondem.observe.cell_stress import cell_stress
 from bondem.solve.static import StaticResult, Statics
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -44,7 +45,7 @@ class Tension:
 
 def static_tension(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     stress: float = 1e6,
     depth: float = 0.02,
@@ -68,7 +69,7 @@ def static_tension(
     return tension_of(Statics(tension_model(lattice, law, stress=stress, depth=depth)), stress=stress, depth=depth)
 
 
-def tension_model(lattice: Lattice, law: BondAssignment, *, stress: float = 1e6, depth: float = 0.02) -> Model:
+def tension_model(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth: float = 0.02) -> Model:
     """The free specimen under the two forces of a tension test; see `static_tension`."""
     force = stress * lattice.particles.envelope.section()
     pull = [(Face("x_max", depth), force), (Face("x_min", depth), -force)]
@@ -84,11 +85,10 @@ def tension_of(
     lattice = model.lattice
     solution = statics.equilibrium(guess=guess)
     chosen = middle_half(lattice)
-    position = lattice.particles.position
+    position = lattice.centre
     field = AffineField.fit(position[chosen], solution.displacement[chosen])
     axial, *lateral = np.diag(field.strain)
-    moved = field.without_rigid_motion(position, solution.displacement)
-    E_paper, nu_paper = _paper_moduli(lattice, moved, stress * lattice.particles.envelope.section(), depth)
+    E_paper, nu_paper = _paper_moduli(model, solution, field, stress * lattice.particles.envelope.section(), depth)
     return Tension(
         E=stress / axial,
         nu=-0.5 * sum(lateral) / axial,
@@ -105,9 +105,12 @@ def force_gyration(model: Model, solution: StaticResult) -> Floats:
     """Where in the section the axial force of a tension test runs: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
 
     The mean over the middle half of the length, each bond weighted with its axial force times its extent along
-    x. A homogeneous section gives I/S; one whose skin is soft gives less, and bends that much more easily.
+    x. A homogeneous section gives I/S; one whose skin is soft gives less, and bends that much more easily. Of a body
+    the mean over its cells, each weighted with its mean axial stress times its volume.
     """
     lattice = model.lattice
+    if lattice.cells is not None:
+        return _stress_gyration(model, solution)
     i, j = lattice.pairs.T
     position = lattice.particles.position
     lower, upper = lattice.particles.envelope.bounds
@@ -119,6 +122,16 @@ def force_gyration(model: Model, solution: StaticResult) -> Floats:
     return weight @ ((a * a + a * b + b * b) / 3.0) / weight.sum() - centre**2
 
 
+def _stress_gyration(model: Model, solution: StaticResult) -> Floats:
+    body = model.lattice
+    assert body.cells is not None
+    chosen = middle_half(body)
+    weight = (cell_stress(model, solution)[:, 0, 0] * body.cells.volume)[chosen]
+    weight /= weight.sum()
+    place = body.centre[chosen, 1:]
+    return weight @ (place**2 + body.cells.spread[chosen, 1:]) - (weight @ place) ** 2
+
+
 def bond_forces(model: Model, solution: StaticResult) -> Floats:
     """Force of each bond on its element i in a linear equilibrium, tension pointing to j [N], (m, 3)."""
     k = model.stiffness
@@ -126,32 +139,51 @@ def bond_forces(model: Model, solution: StaticResult) -> Floats:
 
 
 def paper_length(lattice: Lattice, depth: float = 0.02) -> float:
-    """L_M of eq (12), its sign corrected: 2 R̄ + ⟨x⟩ of face x_max - ⟨x⟩ of face x_min [m]."""
-    x = lattice.particles.position[:, 0]
-    ends = [x[Face(name, depth).select(lattice)].mean() for name in ("x_min", "x_max")]
-    return float(2.0 * lattice.particles.mean_radius + ends[1] - ends[0])
+    """L_M of eq (12), its sign corrected: 2 R̄ + ⟨x⟩ of face x_max - ⟨x⟩ of face x_min; the length of a body [m]."""
+    first, last = ends(lattice, depth)
+    return last - first + (2.0 * lattice.particles.mean_radius if lattice.cells is None else 0.0)
 
 
 def paper_radius(lattice: Lattice, depth: float = 0.02) -> float:
-    """R_M of eq (13): R̄ + mean distance of the elements at the face "side" from the axis [m]."""
+    """R_M of eq (13): R̄ + mean distance of the the elements at "side" from the axis [m]; the radius of a body."""
+    if lattice.cells is not None:
+        return math.sqrt(lattice.particles.envelope.section() / math.pi)
     side = Face("side", depth).select(lattice)
     return float(lattice.particles.mean_radius + np.hypot(*lattice.particles.position[side, 1:].T).mean())
 
 
 def _paper_moduli(
-    lattice: Lattice, displacement: Floats, force: float, depth: float
+    model: Model, solution: StaticResult, field: AffineField, force: float, depth: float
 ) -> tuple[float, float | None]:
-    """E_M and ν_M of eqs (12)-(15), from displacements without rigid motion."""
-    position, envelope = lattice.particles.position, lattice.particles.envelope
-    first, last = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))
-    stretch = displacement[last, 0].mean() - displacement[first, 0].mean()
-    strain = float(stretch / paper_length(lattice, depth))
+    """E_M and ν_M of eqs (12)-(15), without rigid motion; of a body from the motion of its surface."""
+    lattice = model.lattice
+    place, displacement, outside = _outside(model, solution, depth)
+    moved = field.without_rigid_motion(place, displacement)
+    first, last = (outside[name][1] @ moved[outside[name][0], 0] for name in ("x_min", "x_max"))
+    strain = float((last - first) / paper_length(lattice, depth))
+    envelope = lattice.particles.envelope
     if "side" not in envelope.faces:
         return force / envelope.section() / strain, None
-    side = Face("side", depth).select(lattice)
-    y, z = position[side, 1:].T
+    side, share = outside["side"]
+    y, z = place[side, 1:].T
     distance = np.hypot(y, z)
     radius = paper_radius(lattice, depth)
     outward = np.stack([y, z], axis=1) / np.where(distance > 0.0, distance, 1.0)[:, None]
-    swell = float((outward * displacement[side, 1:]).sum(axis=1).mean())
+    swell = float(share @ (outward * moved[side, 1:]).sum(axis=1))
     return force / (math.pi * radius**2) / strain, -swell / radius / strain
+
+
+def _outside(
+    model: Model, solution: StaticResult, depth: float
+) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
+    """Places and displacements of elements or facets; which of them are at each face, and their shares in its mean."""
+    lattice = model.lattice
+    names = [name for name in ("x_min", "x_max", "side") if name in lattice.particles.envelope.faces]
+    if lattice.cells is None:
+        sets = {name: Face(name, depth).select(lattice) for name in names}
+        even = {name: (found, np.full(len(found), 1.0 / len(found))) for name, found in sets.items()}
+        return lattice.centre, solution.displacement, even
+    free = lattice.cells.free
+    sets = {name: lattice.on_face(name) for name in names}
+    by_area = {name: (found, free.area[found] / free.area[found].sum()) for name, found in sets.items()}
+    return free.centroid, surface(model, solution), by_area

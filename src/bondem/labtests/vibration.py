@@ -7,11 +7,10 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
-from bondem.labtests.arguments import check
+from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.beams import CrossSection
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import dominant_frequency
-from bondem.model.assignment import BondAssignment
 from bondem.model.boundary import Fix, Load
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
@@ -64,7 +63,7 @@ class FreeVibration:
 
 def free_vibration(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     density: float,
     E: float,
@@ -114,7 +113,7 @@ def free_vibration(
 
 def ramped_vibration(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     density: float,
     steps: int = 50_000,

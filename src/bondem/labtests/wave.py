@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats, PerElement3
 from bondem.errors import InputError, UnstableRunError
-from bondem.model.assignment import BondAssignment
+from bondem.labtests.arguments import AnyLaw
 from bondem.model.boundary import Drive
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
@@ -41,7 +41,7 @@ class Wave:
 
 def strike(
     lattice: Lattice,
-    law: BondAssignment,
+    law: AnyLaw,
     *,
     density: float,
     duration: float,
@@ -77,7 +77,7 @@ def strike(
     lower, upper = lattice.particles.envelope.bounds
     edges = np.linspace(lower[0], upper[0], slices + 1)
     inside = np.flatnonzero(lattice.connected)
-    number = np.searchsorted(edges[1:-1], lattice.particles.position[inside, 0], side="right")
+    number = np.searchsorted(edges[1:-1], lattice.centre[inside, 0], side="right")
     members = np.bincount(number, minlength=slices).astype(float)
     sections: list[Floats] = []
     snapshots: list[tuple[float, PerElement3]] = []

@@ -1,6 +1,7 @@
 """Every bond law of bondem, once. What a law is called and which parameter it varies, it says itself."""
 
 from bondem.laws.bond import BondLaw
+from bondem.laws.cell_bond import CellBond
 from bondem.laws.contact_bond import ContactBond
 from bondem.laws.euler_bernoulli import EulerBernoulli
 from bondem.laws.free_parameter import RADIUS_RATIO, FreeParameter
@@ -20,6 +21,9 @@ LAWS: dict[str, type[BondLaw]] = {law.__name__: law for law in _LAWS}
 #: Those with which packings are calibrated and tested: elements that may roll have no static solution.
 CALIBRATED: dict[str, type[BondLaw]] = {name: law for name, law in LAWS.items() if law.moments}
 
+#: Those of bodies cut into cells, by the name of the class: they have the material's own E and ν, and no calibration.
+CELL_LAWS: dict[str, type[CellBond]] = {law.__name__: law for law in (CellBond,)}
+
 #: The law of the paper (André et al. 2012), which studies take unless told otherwise.
 DEFAULT: type[BondLaw] = EulerBernoulli
 
@@ -29,4 +33,5 @@ PARAMETERS: dict[str, FreeParameter] = {one.name: one for one in (RADIUS_RATIO, 
 
 def named(law: str) -> str:
     """A law as people call its bonds, by the name of its class: EulerBernoulli becomes Euler–Bernoulli."""
-    return LAWS[law].title if law in LAWS else law
+    known = LAWS | CELL_LAWS
+    return known[law].title if law in known else law

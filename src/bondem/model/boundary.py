@@ -8,7 +8,16 @@ from bondem._checks import instance, vector
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.model.balance import balanced_forces
-from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure, face_of, facets_on, is_face, on_nodes
+from bondem.model.loads import (
+    Absorbing,
+    BodyForce,
+    Eigenstrain,
+    Pressure,
+    facet_numbers,
+    facets_on,
+    is_face,
+    on_nodes,
+)
 from bondem.model.schedules import Constant, Schedule, as_schedule
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region, as_region
@@ -130,14 +139,21 @@ class Load:
         values[:, 3:] = rest / len(chosen)
         return chosen, values
 
+    def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
+        """Facets of a face of a body, numbers in `cells.free`, and the force on each [N], (p, 3), at full load."""
+        _, _, centre, area = facets_on(self.region, body)
+        arms = centre - self.region.anchor(body)
+        size = np.linalg.norm(area, axis=1)
+        return facet_numbers(self.region, body), balanced_forces(
+            arms, np.array(self.force), np.array(self.moment), size
+        )
 
     def _tractions(self, body: Lattice) -> tuple[Ints, Floats]:
-        """The same on the facets that cells have on a face."""
-        face = face_of("Load", self.region)
-        chosen, owner, centre, area = facets_on(face, self.region, body)
+        """The same as `nodal` by tractions on the facets that cells have on a face."""
+        chosen, owner, centre, area = facets_on(self.region, body)
         size = np.linalg.norm(area, axis=1)
         arms = centre - self.region.anchor(body)
-        force = balanced_forces(arms, np.array(self.force), np.array(self.moment), size)
+        _, force = self.on_facets(body)
         values = on_nodes(body, chosen, owner, centre, force)
         rest = np.array(self.moment) - np.cross(arms, force).sum(axis=0)
         values[:, 3:] += rest * (np.bincount(owner, weights=size) / size.sum())[:, None]

@@ -35,6 +35,7 @@ class CellConstants:
         volume: V [m³], shape (n,).
         weight: λ_p / V_p, by which V_p θ_p becomes the stress λ_p θ_p [Pa/m³], shape (n,).
         normal: of the facets, from i to j [-], shape (m, 3).
+        G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
         grips: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, by which a traction opens it [m/Pa], shape (k,).
         way: M⁻¹n along its free axes: the stress of the cell opens it by -softness · stress · way [-], shape (k, 3).
@@ -49,6 +50,8 @@ class CellConstants:
     volume: PerElement
     weight: PerElement
     normal: PerBond3
+    G: PerElement
+    lame: PerElement
     grips: Grips
     softness: Floats
     way: Floats
@@ -93,6 +96,8 @@ class CellConstants:
             volume=cells.volume,
             weight=lame / slack / cells.volume,
             normal=normal,
+            G=G,
+            lame=lame,
             grips=_grips(cells, holds, G, n_free, rotation),
             softness=free.depth / (2.0 * G[free.cell]),
             way=open_axes * n_free,
@@ -113,6 +118,8 @@ class CellConstants:
             volume=self.volume[element],
             weight=self.weight[element],
             normal=np.where(back, -self.normal[bond], self.normal[bond]),
+            G=self.G[element],
+            lame=self.lame[element],
             grips=self.grips,
             softness=self.softness,
             way=self.way,

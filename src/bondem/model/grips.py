@@ -14,7 +14,7 @@ from bondem._types import Floats, Ints, Mask, PerElement3, PerElement6
 from bondem.kernels.tables import GripTable
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.layout import Layout
-from bondem.model.loads import face_of, is_face
+from bondem.model.loads import facet_numbers, is_face
 from bondem.model.schedules import Schedule
 from bondem.specimen.lattice import Lattice
 
@@ -48,7 +48,7 @@ class Holds:
         for condition in boundary:
             if not isinstance(condition, Fix | Drive) or not holds_wall(condition):
                 continue
-            found = facet_numbers(body, condition)
+            found = facet_numbers(condition.region, body)
             if isinstance(condition, Fix):
                 for axis in condition.components:
                     if axis < 3:
@@ -72,16 +72,6 @@ def holds_wall(condition: Fix | Drive) -> bool:
     """Whether a condition holds a wall: one on a face, that prescribes translations."""
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
     return is_face(condition.region) and min(first) < 3
-
-
-def facet_numbers(body: Lattice, condition: Fix | Drive) -> Ints:
-    """Numbers in `cells.free` of the facets that a condition on a face holds."""
-    face = face_of(type(condition).__name__, condition.region)
-    chosen = np.zeros(len(body.particles), dtype=bool)
-    chosen[condition.region.select(body)] = True
-    assert body.cells is not None
-    found = body.on_face(face.name)
-    return found[chosen[body.cells.free.cell[found]]]
 
 
 @dataclass(frozen=True, eq=False)

@@ -65,6 +65,11 @@ class Pressure:
         object.__setattr__(self, "pressure", number("Pressure", "pressure", self.pressure, unit="Pa"))
         object.__setattr__(self, "schedule", as_schedule("Pressure", "schedule", self.schedule))
 
+    def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
+        """Facets of a body, numbers in `cells.free`, and the force on each [N], (p, 3), at full load."""
+        _, _, _, area = facets_on(self.region, body)
+        return facet_numbers(self.region, body), -self.pressure * area
+
     def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
         """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
         chosen, owner, centre, area = _shared("Pressure", self.region, lattice)
@@ -198,14 +203,23 @@ def face_of(owner: str, region: Region) -> Face:
     )
 
 
-def facets_on(face: Face, region: Region, body: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
+def facet_numbers(region: Region, body: Lattice) -> Ints:
+    """Numbers in `cells.free` of the facets of a face, or of a part of one."""
+    face = face_of("facet_numbers", region)
+    chosen = np.zeros(len(body.particles), dtype=bool)
+    chosen[region.select(body)] = True
+    assert body.cells is not None
+    found = body.on_face(face.name)
+    return found[chosen[body.cells.free.cell[found]]]
+
+
+def facets_on(region: Region, body: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
     """Cells of a region and their facets on a face: which cell has each, its centroid, its area times normal."""
-    chosen = region.select(body)
+    chosen, found = region.select(body), facet_numbers(region, body)
     place = np.full(len(body.particles), -1)
     place[chosen] = np.arange(len(chosen))
     assert body.cells is not None
-    free, found = body.cells.free, body.on_face(face.name)
-    found = found[place[free.cell[found]] >= 0]
+    free = body.cells.free
     return chosen, place[free.cell[found]], free.centroid[found], free.area[found, None] * free.normal[found]
 
 
@@ -223,7 +237,7 @@ def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, F
     """
     face, particles = face_of(owner, region), lattice.particles
     if lattice.cells is not None:
-        return facets_on(face, region, lattice)
+        return facets_on(region, lattice)
     whole, chosen = face.select(lattice), region.select(lattice)
     centre, area = face_patches(particles.envelope, face.name, _PATCH * particles.mean_radius)
     nearest = whole[KDTree(particles.position[whole]).query(centre)[1]]

@@ -15,7 +15,7 @@ def surface_displacement(
     """Displacements of the centroids of the free facets [m], shape (k, 3), in the order of `cells.free`.
 
     A facet lies half a cell outside of its element, and that half is strained, too: with the stress σ = λ θ of the
-    cell, the facet opens by (d / 2 G)(t - σ M⁻¹n).
+    cell, the facet opens by (d / 2 G)(t - σ M⁻¹n). Where a wall holds it, it moves with the wall.
 
     Args:
         model: a body of cells.
@@ -34,4 +34,7 @@ def surface_displacement(
     pull = -found.stress(constants)[free.cell, None] * constants.way
     if traction is not None:
         pull = pull + traction
-    return rigid + constants.softness[:, None] * pull
+    moved = rigid + constants.softness[:, None] * pull
+    grips = constants.grips
+    moved[grips.holds.facet] = np.where(grips.axes > 0.0, grips.motion, moved[grips.holds.facet])
+    return moved

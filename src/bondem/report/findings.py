@@ -8,9 +8,26 @@ from bondem.calibration.elastic import Calibration, Trial
 from bondem.labtests.modal import NaturalFrequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import Tension
+from bondem.laws.bond import BondLaw
+from bondem.laws.cell_bond import CellBond
 from bondem.specimen.fabric import Fabric
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
+
+
+@dataclass(frozen=True, eq=False)
+class Bonds:
+    """What a study bonds its elements with.
+
+    Attributes:
+        law: the bond law, calibrated or with the material's own E and ν.
+        density: of the elements [kg/m³].
+        fit: the calibration; None of a law that needs none.
+    """
+
+    law: BondLaw | CellBond
+    density: float
+    fit: Calibration | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +38,7 @@ class Examined:
         seed: of the packing.
         lattice: the specimen.
         quality: its fabric.
-        tension: its own E and ν under the calibrated law, where there is one.
+        tension: its own E and ν under the law of the study, where there is one.
         rho: its own density, mass of the connected elements over the volume of the shape [kg/m³], likewise.
         outcomes: of the tests, by name.
         frequencies: natural frequencies, where a dynamic test was asked for.
@@ -43,9 +60,9 @@ class Findings:
     Attributes:
         title: of the report.
         material: the continuum that was to be reproduced, or None where only packings were made and checked.
-        fit: the calibration, likewise.
+        bonds: what it was tested with, likewise.
         chart: trials over the range of the free parameter, for the calibration curve.
-        calibrating: how many packings, the first ones, the calibration used.
+        calibrating: how many packings, the first ones, a calibration used.
         specimens: every packing.
         results: what `results.json` holds.
         citation: where `published` is from, or "".
@@ -54,10 +71,15 @@ class Findings:
 
     title: str
     material: Material | None
-    fit: Calibration | None
+    bonds: Bonds | None
     chart: tuple[Trial, ...]
     calibrating: int
     specimens: tuple[Examined, ...]
     results: Mapping[str, Any]
     citation: str = ""
     published: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def fit(self) -> Calibration | None:
+        """The calibration, where there was one."""
+        return None if self.bonds is None else self.bonds.fit

@@ -14,6 +14,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from bondem.errors import InputError
 from bondem.io.atomic import write_text
 from bondem.laws.catalogue import named
+from bondem.report.cell_figures import draw_bent, draw_body
 from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
 from bondem.report.fabric_figures import draw_distribution, draw_layering
 from bondem.report.findings import Findings
@@ -43,12 +44,27 @@ _CAPTIONS = {
         the middle half best.""",
     "profiles": """Motion of the cross-sections of the clamped specimen under an axial force, a transverse force and
         a torque, against Euler–Bernoulli theory.""",
+    "cells": """The body under a transverse force: its cells as polyhedra, which move as rigid pieces, and a section
+        along the axis, coloured by the mean axial stress of each cell.""",
     "modes": "First natural modes of the clamped specimen, exaggerated; bright elements move farthest.",
     "vibration": """Free vibration after release from a combined load: mean motion of the free end, and its spectrum
         with the frequency of the mode and those of theory.""",
     "wave": """Impact: one face is pushed at a held velocity; the wave has arrived when the far face, free and so
         twice as fast, passes half of its plateau.""",
     "errors": "All tests at a glance: means over the packings with their scatter, and what is in print (unsigned).",
+}
+
+
+# Where these say something else of a body of cells.
+_OF_CELLS = {
+    "specimen": "The specimen: its cells, coloured by size; one half is cut open along the axis.",
+    "geode": """Directions of the lines between neighbouring cells, counted on the 320 faces of a geode and divided by
+        what an isotropic fabric would have there.""",
+    "contacts": """Left: facets of a cell with its neighbours, with their mean. Right: radii of the spheres that
+        cells were cut from.""",
+    "layering": "Solid fraction of the spheres the cells were cut from, against the distance from each wall.",
+    "distribution": """How often centres of the spheres the cells were cut from lie at a distance from each other,
+        over what chance would do.""",
 }
 
 
@@ -84,8 +100,9 @@ def write_report(
             progress(done / len(drawings))
         path = out / "figures" / f"{name}.png"
         draw(path)
+        caption = _OF_CELLS.get(name, _CAPTIONS[name]) if findings.specimens[0].lattice.cells else _CAPTIONS[name]
         data = base64.b64encode(path.read_bytes()).decode("ascii")
-        pictures[name] = Picture(" ".join(_CAPTIONS[name].split()), data)
+        pictures[name] = Picture(" ".join(caption.split()), data)
     write_text(out / "report.html", page(findings, pictures))
     if progress is not None:
         progress(1.0)
@@ -95,7 +112,7 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
     """What draws each figure a study has the data for; the first packing stands for all."""
     first = findings.specimens[0]
     drawings: dict[str, Callable[[Path], None]] = {
-        "specimen": lambda path: draw_specimen(path, first.lattice),
+        "specimen": lambda path: (draw_specimen if first.lattice.cells is None else draw_body)(path, first.lattice),
         "geode": lambda path: draw_geode(path, first.quality),
         "contacts": lambda path: draw_contacts(path, first.lattice),
     }
@@ -107,9 +124,12 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         drawings["distribution"] = lambda path: draw_distribution(path, distribution)
     if findings.fit is not None:
         drawings["calibration"] = lambda path: draw_free_parameter(path, findings)
+    if findings.bonds is not None:
         drawings["tension"] = lambda path: draw_tension(path, findings)
     if any(name.startswith("static") for name in first.outcomes):
         drawings["profiles"] = lambda path: draw_profiles(path, first)
+    if "axial_stress" in getattr(first.outcomes.get("static_bending"), "curves", {}):
+        drawings["cells"] = lambda path: draw_bent(path, first)
     if first.frequencies is not None:
         drawings["modes"] = lambda path: draw_modes(path, first)
         drawings["vibration"] = lambda path: draw_vibration(path, first)
@@ -133,14 +153,14 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         "difference": signed,
     }
     rows = rows_of(findings)
-    law = findings.fit.law if findings.fit is not None else None
+    law = findings.bonds.law if findings.bonds is not None else None
     return templates.get_template("report.html").render(
         findings=findings,
         results=findings.results,
         pictures=pictures,
         rows=rows,
         bonds=named(type(law).__name__) if law is not None else None,
-        free=law.free if law is not None else None,
+        free=findings.fit.law.free if findings.fit is not None else None,
         worst=max(rows, key=lambda row: abs(row["error"])) if rows else None,
         quality=quality_rows(findings.specimens),
         shape=measures(findings.specimens[0].lattice.particles.envelope),

@@ -40,7 +40,7 @@ class Region(ABC):
 
     def anchor(self, lattice: Lattice) -> Vector:
         """The point a load on the region acts through: the centroid of its elements [m], (3,)."""
-        return lattice.particles.position[self.select(lattice)].mean(axis=0)
+        return lattice.centre[self.select(lattice)].mean(axis=0)
 
     def __and__(self, other: "Region") -> "Region":
         return Intersection(self, as_region("&", other))

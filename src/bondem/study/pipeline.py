@@ -18,11 +18,13 @@ from bondem.labtests.celerity import impact
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
 from bondem.labtests.modal import natural_frequencies
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.tension import static_tension
+from bondem.labtests.tension import static_tension, tension_model
 from bondem.labtests.vibration import free_vibration
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.report.findings import Examined, Findings
+from bondem.observe.cell_forces import CellForces
+from bondem.observe.cell_stress import dilatation, mean_stress
+from bondem.report.findings import Bonds, Examined, Findings
 from bondem.report.page import write_report
 from bondem.solve.history import History
 from bondem.solve.plan import Plan, settled
@@ -64,20 +66,21 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
     out = Path(out)
     require_folder(out, "output folder")
     tell = progress or (lambda stage, share: None)
-    if study.material is not None and study.bond.law is None:
+    if study.material is not None and study.bond.law is None and study.bond.cells is None:
         recommend(study.material.nu)  # raises before any work
     watch = _Watch()
     lattices = tuple(packed(study, k, tell) for k in range(study.packings))
     watch.lap("pack_s")
-    fit = calibrated(study, study.material, lattices, tell) if study.material is not None else None
+    bonds = bonds_of(study, study.material, lattices, tell) if study.material is not None else None
+    fit = bonds.fit if bonds is not None else None
     watch.lap("calibrate_s")
-    specimens = tuple(examined(study, k, lattice, fit, tell) for k, lattice in enumerate(lattices))
+    specimens = tuple(examined(study, k, lattice, bonds, tell) for k, lattice in enumerate(lattices))
     watch.lap("tests_s")
-    results = collect(study, fit, specimens, watch.laps)
+    results = collect(study, bonds, specimens, watch.laps)
     findings = Findings(
         title=study.name,
         material=study.material,
-        fit=fit,
+        bonds=bonds,
         chart=calibration_chart(lattices[0], fit) if study.figures and fit is not None else (),
         calibrating=study.calibrating,
         specimens=specimens,
@@ -89,14 +92,14 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:
-        write_vtkhdf(out / "specimen.vtkhdf", lattices[0])
+        write_vtkhdf(out / "specimen.vtkhdf", lattices[0], elements=pulled(specimens[0], bonds))
     if study.packing_files:
         for one in specimens:
             told = {"study": study.name, "seed": one.seed}
             save_particles(out / f"packing_{one.seed}.h5", one.lattice, provenance=told)
-    if study.run_files and fit is not None:
+    if study.run_files and bonds is not None:
         for one in specimens:
-            keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, fit)
+            keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, bonds)
     return results
 
 
@@ -105,7 +108,18 @@ def packed(study: Study, k: int, tell: Progress) -> Lattice:
     stage = f"pack {k + 1} of {study.packings}"
     particles = study.specimen.particles(study.seed + k, lambda share: tell(stage, share))
     study.require_testable(particles.envelope)
+    if study.bond.cells is not None:
+        return connect(particles, method="laguerre")
     return connect(particles, tolerance=study.bond.tolerance, reach=study.bond.reach)
+
+
+def bonds_of(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Bonds:
+    """The bonds of a material: the law calibrated, or that of its cells as it is."""
+    if study.bond.cells is not None:
+        law = study.bond.cells(E=material.E, nu=material.nu, facet_rotation=study.bond.facet_rotation)
+        return Bonds(law=law, density=material.rho)
+    fit = calibrated(study, material, lattices, tell)
+    return Bonds(law=fit.law, density=fit.density, fit=fit)
 
 
 def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Calibration:
@@ -122,43 +136,59 @@ def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], 
     return fit
 
 
-def examined(study: Study, k: int, lattice: Lattice, fit: Calibration | None, tell: Progress) -> Examined:
-    """Packing k: its fabric and, under the calibrated law, its own moduli and its tests."""
+def examined(study: Study, k: int, lattice: Lattice, bonds: Bonds | None, tell: Progress) -> Examined:
+    """Packing k: its fabric and, under the law of the study, its own moduli and its tests."""
     stage = f"test {k + 1} of {study.packings}"
     tell(stage, 0.0)
-    if fit is None:
+    if bonds is None:
         specimen = Examined(seed=study.seed + k, lattice=lattice, quality=fabric(lattice))
         tell(stage, 1.0)
         return specimen
-    tension = fit.tensions[k] if k < study.calibrating else static_tension(lattice, fit.law)
-    particles = lattice.particles
-    mass = fit.density * particles.volume[lattice.connected].sum()
+    law, density = bonds.law, bonds.density
+    known = bonds.fit.tensions[: study.calibrating] if bonds.fit is not None else ()
+    tension = known[k] if k < len(known) else static_tension(lattice, law)
+    volume = lattice.particles.volume if lattice.cells is None else lattice.cells.volume
+    mass = density * volume[lattice.connected].sum()
     specimen = Examined(
         seed=study.seed + k,
         lattice=lattice,
         quality=fabric(lattice),
         tension=tension,
-        rho=float(mass / particles.envelope.volume),
+        rho=float(mass / lattice.particles.envelope.volume),
     )
     own: dict[str, Any] = {"E": tension.E, "nu": tension.nu}
-    moving: dict[str, Any] = own | {"density": fit.density, "rho": specimen.rho}
+    moving: dict[str, Any] = own | {"density": density, "rho": specimen.rho}
     shared: dict[str, Any] = {}
     if any(name in _VIBRATION for name in study.tests):
-        frequencies = natural_frequencies(lattice, fit.law, density=fit.density)
+        frequencies = natural_frequencies(lattice, law, density=density)
         tell(stage, 0.3)
-        shared = {"modes": frequencies, "vibration": free_vibration(lattice, fit.law, **moving)}
+        shared = {"modes": frequencies, "vibration": free_vibration(lattice, law, **moving)}
         specimen = replace(specimen, frequencies=frequencies)
     outcomes: dict[str, Outcome] = {}
     for done, name in enumerate(study.tests):
         tell(stage, 0.6 + 0.4 * done / len(study.tests))
         if name in _STATIC:
-            outcomes[name] = _STATIC[name](lattice, fit.law, **own, gyration=tension.gyration)
+            outcomes[name] = _STATIC[name](lattice, law, **own, gyration=tension.gyration)
         elif name in _VIBRATION:
-            outcomes[name] = _VIBRATION[name](lattice, fit.law, **moving, **shared, gyration=tension.gyration)
+            outcomes[name] = _VIBRATION[name](lattice, law, **moving, **shared, gyration=tension.gyration)
         else:
-            outcomes[name] = impact(lattice, fit.law, **moving)
+            outcomes[name] = impact(lattice, law, **moving)
     tell(stage, 1.0)
     return replace(specimen, outcomes=outcomes)
+
+
+def pulled(specimen: Examined, bonds: Bonds | None) -> dict[str, Any]:
+    """What the cells of a body do in the tension test, for files; nothing of other lattices."""
+    tension, lattice = specimen.tension, specimen.lattice
+    if bonds is None or tension is None or lattice.cells is None:
+        return {}
+    model = tension_model(lattice, bonds.law, stress=tension.stress)
+    forces = CellForces.of(model, tension.solution)
+    stress = mean_stress(model, forces)
+    return {
+        "displacement": tension.solution.displacement, "stress": stress.reshape(-1, 9),
+        "dilatation": dilatation(model, stress), "lambda_theta": forces.stress,
+    }  # fmt: skip
 
 
 def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
@@ -172,9 +202,9 @@ def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
     return tuple(trials)
 
 
-def keep_specimen(path: Path, lattice: Lattice, fit: Calibration) -> None:
-    """Write a calibrated specimen, free and at rest, as a run file: model and state to go on from."""
-    model = Model(lattice, fit.law, density=fit.density)
+def keep_specimen(path: Path, lattice: Lattice, bonds: Bonds) -> None:
+    """Write a specimen, free and at rest, as a run file: model and state to go on from."""
+    model = Model(lattice, bonds.law, density=bonds.density)
     RunFile(path, model, settled(model, Plan(duration=0.0))).checkpoint(State(model), History.empty(()))
 
 

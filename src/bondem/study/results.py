@@ -8,50 +8,52 @@ from typing import Any
 import numpy as np
 
 from bondem import __version__
-from bondem.calibration.elastic import Calibration
 from bondem.laws.bond import BondLaw
-from bondem.report.findings import Examined
+from bondem.report.findings import Bonds, Examined
 from bondem.study.study import Study
 
 _COMMON = {item.name for item in fields(BondLaw)}
 
 
 def collect(
-    study: Study, fit: Calibration | None, specimens: Sequence[Examined], timing: dict[str, float]
+    study: Study, bonds: Bonds | None, specimens: Sequence[Examined], timing: dict[str, float]
 ) -> dict[str, Any]:
     """All numbers of a study, in the pinned layout, and those of every packing under "packings".
 
     A scatter over a single packing is null, and so are "micro" and "macro" of a study without a material.
     """
+    calibrating = study.calibrating if bonds is not None and bonds.fit is not None else 0
     return _finite({
         "specimen": _specimen(specimens[0]),
-        "micro": _micro(fit) if fit is not None else None,
-        "macro": _macro(fit, specimens) if fit is not None else None,
+        "micro": _micro(bonds) if bonds is not None else None,
+        "macro": _macro(bonds, specimens) if bonds is not None else None,
         "tests": {name: _test(name, specimens) for name in study.tests},
         "timing": timing,
         "version": __version__,
         "seed": study.seed,
-        "packings": [_packing(one, fit is not None and k < study.calibrating) for k, one in enumerate(specimens)],
+        "packings": [_packing(one, k < calibrating) for k, one in enumerate(specimens)],
     })  # fmt: skip
 
 
-def _micro(fit: Calibration) -> dict[str, Any]:
-    law = fit.law
+def _micro(bonds: Bonds) -> dict[str, Any]:
+    law = bonds.law
     pinned = {
         "law": type(law).__name__,
         "E_mu": law.E,
         "nu_mu": law.nu,
-        "r_mu_ratio": law.radius_ratio,
-        "rho_mu": fit.density,
+        "r_mu_ratio": law.radius_ratio if isinstance(law, BondLaw) else None,
+        "rho_mu": bonds.density,
     }
     return pinned | {item.name: getattr(law, item.name) for item in fields(law) if item.name not in _COMMON}
 
 
-def _macro(fit: Calibration, specimens: Sequence[Examined]) -> dict[str, Any]:
+def _macro(bonds: Bonds, specimens: Sequence[Examined]) -> dict[str, Any]:
+    """What was calibrated; of cells, which need no calibration, what the first packing was measured to have."""
     tensions = [one.tension for one in specimens if one.tension is not None]
+    found = tensions[0] if bonds.fit is None else bonds.fit
     return {
-        "E": fit.E,
-        "nu": fit.nu,
+        "E": found.E,
+        "nu": found.nu,
         "rho": specimens[0].rho,
         "E_std": deviation([tension.E for tension in tensions]),
         "nu_std": deviation([tension.nu for tension in tensions]),

@@ -10,7 +10,8 @@ from typing import Any
 
 from bondem.errors import StudyError
 from bondem.laws.bond import RADIUS_RULES, BondLaw
-from bondem.laws.catalogue import CALIBRATED
+from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
+from bondem.laws.cell_bond import FACET_ROTATIONS, CellBond
 from bondem.packing import SEED
 from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
@@ -28,13 +29,17 @@ class BondPlan:
     """Which bonds to make, and by which law.
 
     Attributes:
-        law: class of the bond law; None for the one recommended for the material, as in `bd.calibrate`.
+        law: class of the bond law to calibrate; None for the one recommended for the material, as in `bd.calibrate`.
+        cells: class of the law of a body cut into cells, which takes the place of the others and of calibration.
+        facet_rotation: of that law.
         nu_mu: Poisson's ratio of the bond [-].
         tolerance: bond where gap <= tolerance · R̄ [-]; None when `reach` is given.
         reach: bond where L <= reach (Ri + Rj) [-], or None.
     """
 
     law: type[BondLaw] | None = None
+    cells: type[CellBond] | None = None
+    facet_rotation: str = CellBond.facet_rotation
     nu_mu: float = 0.3
     radius_rule: str = "mean"
     tolerance: float | None = 0.0
@@ -175,6 +180,7 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
         name = top.text("name")
         specimen = read_specimen(top.section("specimen"), folder)
         material = _material(top.section("material")) if top.has("material") else None
+        bond = _bond(top.section("bond"))
         bar = specimen.shape is None or _is_bar(specimen.shape)
         return Study(
             name=name,
@@ -182,8 +188,8 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
             packings=top.count("packings", default=1 if isinstance(specimen, ImportPlan) else Study.packings),
             material=material,
             specimen=specimen,
-            bond=_bond(top.section("bond")),
-            calibrating=_calibrating(top.section("calibration")),
+            bond=bond,
+            calibrating=_calibrating(top, bond),
             tests=top.texts("tests", choices=TESTS, default=TESTS if material is not None and bar else ()),
             **_output(top.section("output")),
             reference=_reference(top.section("reference")) if top.has("reference") else None,
@@ -215,11 +221,15 @@ def _material(table: TomlTable) -> Material:
 
 def _bond(table: TomlTable) -> BondPlan:
     with table:
+        laws = tuple(CALIBRATED | CELL_LAWS)
+        law = table.text("law", choices=laws) if table.has("law") else None
+        if law in CELL_LAWS:
+            return _cells(table, law)
         reach = table.number("reach", "-", default=None, above=0.0)
         if reach is not None and table.has("tolerance"):
             raise StudyError(f"give '{table.name('tolerance')}' or '{table.name('reach')}', not both")
         return BondPlan(
-            law=CALIBRATED[table.text("law", choices=tuple(CALIBRATED))] if table.has("law") else BondPlan.law,
+            law=CALIBRATED[law] if law is not None else BondPlan.law,
             nu_mu=table.number("nu_mu", "-", default=BondPlan.nu_mu, above=-1.0, below=0.5),
             radius_rule=table.text("radius_rule", default=BondPlan.radius_rule, choices=RADIUS_RULES),
             tolerance=table.number("tolerance", "-", default=BondPlan.tolerance) if reach is None else None,
@@ -227,8 +237,25 @@ def _bond(table: TomlTable) -> BondPlan:
         )
 
 
-def _calibrating(table: TomlTable) -> int:
-    with table:
+def _cells(table: TomlTable, law: str) -> BondPlan:
+    """Of a law of cells, which has no bonds to choose."""
+    for key in ("nu_mu", "radius_rule", "tolerance", "reach"):
+        if table.has(key):
+            raise StudyError(
+                f"'{table.name(key)}' is of bonds between spheres; with law = \"{law}\" cells are joined at their"
+                " facets by the material's own E and nu: leave it out"
+            )
+    rotation = table.text("facet_rotation", default=BondPlan.facet_rotation, choices=FACET_ROTATIONS)
+    return BondPlan(cells=CELL_LAWS[law], facet_rotation=rotation)
+
+
+def _calibrating(top: TomlTable, bond: BondPlan) -> int:
+    if bond.cells is not None and top.has("calibration"):
+        raise StudyError(
+            f"'calibration': law = \"{bond.cells.__name__}\" takes the material's own E and nu, and nothing is"
+            " calibrated; leave [calibration] out"
+        )
+    with top.section("calibration") as table:
         return table.count("packings", default=Study.calibrating)
 
 

@@ -74,6 +74,12 @@ class Cells:
     free: FreeFacets
 
     @cached_property
+    def spread(self) -> PerElement3:
+        """Mean square distance of each cell's volume from its centroid along x, y and z [m²], shape (n, 3)."""
+        own = np.einsum("naa->na", self.inertia)
+        return freeze((0.5 * own.sum(axis=1)[:, None] - own) / self.volume[:, None])
+
+    @cached_property
     def free_area(self) -> PerElement:
         """Area of each cell on the walls [m²], shape (n,)."""
         return freeze(np.bincount(self.free.cell, weights=self.free.area, minlength=len(self.volume)))

@@ -1,0 +1,22 @@
+"""`bondem new silica` or `bondem new cells`: a commented study to begin from."""
+
+from pathlib import Path
+
+import click
+
+from bondem.errors import InputError
+from bondem.io.atomic import require_writable, write_text
+from bondem.study.beginnings import TEMPLATES, template
+
+
+@click.command("new")
+@click.argument("kind", metavar="|".join(TEMPLATES), type=click.Choice(tuple(TEMPLATES)))
+@click.argument("file", metavar="[FILE]", type=click.Path(path_type=Path), required=False)
+def command(kind: str, file: Path | None) -> None:
+    """Write a commented study file: beam bonds that are calibrated (silica), or cells that need no calibration."""
+    path = file or Path(TEMPLATES[kind])
+    if path.exists():
+        raise InputError(f"'{path}' is there already; name another FILE, or move it away")
+    require_writable(path, "study file")
+    write_text(path, template(kind, str(path)))
+    click.echo(f"{path}: change what you like, then  bondem run {path} --out out/")

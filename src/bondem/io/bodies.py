@@ -1,0 +1,60 @@
+"""Facets and cells of a body in an HDF5 file, to the bit, so that nothing hangs on cutting them again.
+
+`/facets` holds the arrays of `Facets`, `/cells` those of `Cells` and `/cells/free` those of `FreeFacets`, by their names.
+"""
+
+from dataclasses import fields
+
+import h5py
+import numpy as np
+
+from bondem.specimen.cells.tables import Cells, Facets, FreeFacets
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.particles import Particles, freeze
+
+
+def write_bonds(file: h5py.File, lattice: Lattice) -> None:
+    """Pairs, and the facets and cells of a body."""
+    file["bonds/pairs"] = lattice.pairs
+    if lattice.facets is None or lattice.cells is None:
+        return
+    for place, table in (("facets", lattice.facets), ("cells", lattice.cells), ("cells/free", lattice.cells.free)):
+        group = file.require_group(place)
+        for item in fields(table):
+            if item.name != "free":
+                group[item.name] = getattr(table, item.name)
+
+
+def read_bonds(file: h5py.File, particles: Particles) -> Lattice:
+    """The lattice that `write_bonds` wrote, of particles that are known.
+
+    Raises:
+        KeyError: an array is missing.
+        ValueError: one has another length than its fellows.
+    """
+    pairs = _array(file, "bonds/pairs")
+    if "facets" not in file:
+        return Lattice(particles, pairs)
+    n, m = len(particles), len(pairs)
+    free = FreeFacets(**_table(file, "cells/free", FreeFacets, len(_array(file, "cells/free/cell"))))
+    if len(free.cell) and not 0 <= free.cell.min() <= free.cell.max() < n:
+        raise ValueError(f"cells/free/cell has numbers beyond 0 … {n - 1}")
+    facets, cells = Facets(**_table(file, "facets", Facets, m)), Cells(**_table(file, "cells", Cells, n), free=free)
+    return Lattice(particles, pairs, facets=facets, cells=cells)
+
+
+def _table(file: h5py.File, place: str, kind: type, count: int) -> dict[str, np.ndarray]:
+    found: dict[str, np.ndarray] = {}
+    for item in fields(kind):
+        if item.name == "free":
+            continue
+        found[item.name] = freeze(_array(file, f"{place}/{item.name}"))
+        if len(found[item.name]) != count:
+            raise ValueError(f"{place}/{item.name} has {len(found[item.name])} rows, not {count}")
+    return found
+
+
+def _array(file: h5py.File, name: str) -> np.ndarray:
+    item = file[name]
+    assert isinstance(item, h5py.Dataset)
+    return np.asarray(item[()])

@@ -1,0 +1,98 @@
+"""Bodies of cells for ParaView, as VTKHDF: an unstructured grid of polyhedra."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from bondem._types import ArrayLike, Floats, Ints, PerElement3
+from bondem.io.atomic import replacing, require_writable
+from bondem.model.state import State
+from bondem.observe.cell_forces import CellForces
+from bondem.observe.cell_stress import dilatation, mean_stress
+from bondem.specimen.cells.polyhedra import polyhedra
+from bondem.specimen.lattice import Lattice
+
+# What VTK calls a polyhedron, and the version of VTKHDF that knows it.
+_POLYHEDRON = 42
+_VERSION = (2, 5)
+# Corners of one cell that are nearer than this, in mean radii, are one.
+_SAME = 1e-7
+
+
+def fields_of_cells(body: Lattice, state: State | None) -> dict[str, ArrayLike]:
+    """What every file of cells has; of a state, how they move and what they bear."""
+    assert body.cells is not None
+    fields: dict[str, ArrayLike] = {"volume": body.cells.volume, "free_area": body.cells.free_area}
+    if state is None:
+        return fields
+    fields |= {
+        "displacement": state.displacement, "velocity": state.velocity, "angular_velocity": state.angular_velocity,
+    }  # fmt: skip
+    model = state.model
+    if model.cells is not None:
+        forces = CellForces.of(model, state)
+        stress = mean_stress(model, forces)
+        fields |= {
+            "stress": stress.reshape(-1, 9), "dilatation": dilatation(model, stress), "lambda_theta": forces.stress
+        }  # fmt: skip
+    return fields
+
+
+def write_cells(path: Path, body: Lattice, moved: PerElement3 | None, fields: Mapping[str, np.ndarray]) -> None:
+    """Write cells as polyhedra, whose corners go with them.
+
+    Args:
+        path: VTKHDF file.
+        body: the cells.
+        moved: displacements of the cells [m], (n, 3); None at rest.
+        fields: of the cells, by name, (n,) or (n, k).
+    """
+    corners = _Corners(body)
+    point = corners.place if moved is None else corners.place + moved[corners.cell]
+    n = len(body.particles)
+    count, faces = np.bincount(corners.cell, minlength=n), np.bincount(corners.polygon_cell, minlength=n)
+    require_writable(path, "VTK file")
+    with replacing(path) as aside, h5py.File(aside, "w") as file:
+        root = file.create_group("VTKHDF")
+        root.attrs["Version"] = _VERSION
+        root.attrs.create("Type", b"UnstructuredGrid", dtype=h5py.string_dtype("ascii", 16))
+        root["Points"] = point
+        root["Types"] = np.full(n, _POLYHEDRON, dtype=np.uint8)
+        root["Connectivity"], root["Offsets"] = np.arange(len(point)), np.append(0, np.cumsum(count))
+        root["FaceConnectivity"], root["FaceOffsets"] = corners.number, corners.start
+        root["PolyhedronToFaces"] = np.arange(len(corners.polygon_cell))
+        root["PolyhedronOffsets"] = np.append(0, np.cumsum(faces))
+        for name, size in (
+            ("Points", len(point)), ("Cells", n), ("ConnectivityIds", len(point)), ("Faces", faces.sum()),
+            ("FaceConnectivityIds", len(corners.number)), ("PolyhedronToFaceIds", faces.sum()),
+        ):  # fmt: skip
+            root["NumberOf" + name] = [size]
+        data = root.create_group("CellData")
+        for name, values in fields.items():
+            data[name] = values
+
+
+class _Corners:
+    """Corners of cells, each once a cell, sorted by cell.
+
+    Attributes:
+        place: [m], (c, 3).
+        cell: whose each is, (c,).
+        number: of the corners of all polygons, one after another.
+        start: where each polygon begins in `number`, (p + 1,).
+        polygon_cell: whose each polygon is, (p,).
+    """
+
+    def __init__(self, body: Lattice) -> None:
+        found = polyhedra(body)
+        self.start: Ints = found.start
+        self.polygon_cell: Ints = found.cell
+        owner = np.repeat(found.cell, np.diff(found.start))
+        grid = np.rint(found.vertex / (_SAME * body.particles.mean_radius)).astype(np.int64)
+        rows = np.column_stack([owner, grid])
+        _, first, number = np.unique(rows, axis=0, return_index=True, return_inverse=True)
+        self.number: Ints = number.ravel()
+        self.cell: Ints = owner[first]
+        self.place: Floats = found.vertex[first]

@@ -1,0 +1,147 @@
+"""Forces on the facets of the cells of a body, and where they act: in small motions, or in the pose of a state."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from bondem._checks import shown
+from bondem._types import Floats, PerBond3, PerElement, PerElement3
+from bondem.errors import InputError
+from bondem.kernels.grip_pass import place_walls
+from bondem.model.boundary import Load
+from bondem.model.cell_constants import body_of
+from bondem.model.loads import Pressure, is_face
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observe.cell_strain import CellStrain
+from bondem.observe.energy import stress_free_gap
+
+
+class SmallMotion(Protocol):
+    """A linear solution, such as a `StaticResult`."""
+
+    @property
+    def displacement(self) -> PerElement3:
+        """Of the centres [m], (n, 3)."""
+        ...
+
+    @property
+    def rotation(self) -> PerElement3:
+        """Rotation vectors [rad], (n, 3)."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class CellForces:
+    """What bears on the cells of a body, user's order.
+
+    Arms begin at the centres of mass.
+
+    Attributes:
+        force: of each facet on its cell i, tension pointing to j [N], shape (m, 3).
+        arm_i, arm_j: to the facet [m], shape (m, 3).
+        held: forces of walls on the facets that they hold [N], shape (g, 3).
+        held_arm: to these [m], shape (g, 3).
+        load: forces of loads on the facets on the surface [N], in the order of `cells.free`, shape (k, 3).
+        load_arm: to these [m], shape (k, 3).
+        stress: λ θ of each cell [Pa], shape (n,).
+    """
+
+    force: PerBond3
+    arm_i: PerBond3
+    arm_j: PerBond3
+    held: Floats
+    held_arm: Floats
+    load: Floats
+    load_arm: Floats
+    stress: PerElement
+
+    @classmethod
+    def of(cls, model: Model, result: SmallMotion | State) -> "CellForces":
+        """The forces in an equilibrium of small rotations, or in a state at any rotation.
+
+        Args:
+            model: a body of cells; that of the result.
+            result: a linear `StaticResult`, or a `State`.
+
+        Raises:
+            InputError: another law, or a result of another model.
+        """
+        if model.cells is None:
+            raise InputError("stresses of cells need a body of cells, and bond=bd.CellBond(...)")
+        moved = getattr(result, "displacement", None)
+        if moved is None:
+            raise InputError(f"cell_stress: result = {shown(result)}; give what bd.solve_static returned, or a state")
+        if len(moved) != len(model.lattice.particles):
+            raise InputError(f"cell_stress: the result has {len(moved)} elements; give one of this model")
+        return _turned(model, result) if isinstance(result, State) else _small(model, result)
+
+
+def _small(model: Model, result: SmallMotion) -> CellForces:
+    body, constants = model.lattice, model.cell_constants
+    grips, slip = constants.grips, stress_free_gap(model, model.constraints.final_strain())
+    found = CellStrain.of(
+        body, constants, result.displacement, result.rotation, slip=slip, wall=grips.motion
+    )
+    stress = found.stress(constants)
+    _, cells = body_of(body)
+    return CellForces(
+        force=found.forces(body, constants), arm_i=constants.lever_i, arm_j=constants.lever_j,
+        held=grips.nodal(found.held, result.rotation, stress)[:, :3], held_arm=grips.lever,
+        load=loads_on_facets(model), load_arm=cells.free.centroid - cells.centroid[cells.free.cell],
+        stress=stress,
+    )  # fmt: skip
+
+
+def _turned(model: Model, state: State) -> CellForces:
+    body, constants = model.lattice, model.cell_constants
+    _, cells = body_of(body)
+    i, j = body.pairs.T
+    if state.eigenstrain.size:
+        own = np.empty_like(state.eigenstrain)
+        own[model.layout.bond_order] = state.eigenstrain
+        constants = constants.stretched(own)
+    turn = Rotation.from_quat(state.orientation[:, [1, 2, 3, 0]])
+    a, b = turn[i].apply(constants.lever_i), turn[j].apply(constants.lever_j)
+    gap = body.particles.nearest(state.position[j] - state.position[i]) + b - a
+    share_i, share_j = turn[i].apply(constants.share_i), turn[j].apply(constants.share_j)
+    grips, n = constants.grips, len(cells.volume)
+    arm = grips.lever if not len(grips.cell) else turn[grips.cell].apply(grips.lever)
+    came = state.displacement[grips.cell] + arm - grips.lever
+    opened = grips.axes * (_walls(model, state.time) - came)
+    whole = state.bond_integrity
+    swelling = np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
+    swelling += np.bincount(j, weights=whole * (share_j * gap).sum(axis=1), minlength=n)
+    swelling += np.bincount(grips.cell, weights=(grips.share * opened).sum(axis=1), minlength=n)
+    stress = constants.weight * swelling
+    force = constants.k[:, None] * gap + stress[i, None] * share_i + stress[j, None] * share_j
+    free = cells.free
+    outwards = free.centroid - cells.centroid[free.cell]
+    return CellForces(
+        force=whole[:, None] * force, arm_i=a, arm_j=b,
+        held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
+        load=loads_on_facets(model, state.time),
+        load_arm=turn[free.cell].apply(outwards) if len(free.cell) else outwards,
+        stress=stress,
+    )  # fmt: skip
+
+
+def _walls(model: Model, time: float) -> Floats:
+    """Displacement of the walls at a time [m], (g, 3)."""
+    grips = model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0)
+    place_walls(time, grips)
+    return grips.wall
+
+
+def loads_on_facets(model: Model, time: float | None = None) -> Floats:
+    """Forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end."""
+    _, cells = body_of(model.lattice)
+    force = np.zeros((len(cells.free.cell), 3))
+    for condition in model.boundary:
+        if isinstance(condition, Pressure) or (isinstance(condition, Load) and is_face(condition.region)):
+            numbers, values = condition.on_facets(model.lattice)
+            schedule = condition.schedule
+            force[numbers] += (schedule.final if time is None else schedule.at(time)) * values
+    return force

@@ -1,0 +1,75 @@
+"""A body as its cells: the specimen cut open, and what bending does to it."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+
+from bondem.report.cell_pictures import draw_cells, draw_section, section_through
+from bondem.report.findings import Examined
+from bondem.report.spheres import View
+from bondem.report.style import DIVERGING, SEQUENTIAL, sheet
+from bondem.specimen.cells.polyhedra import polyhedra
+from bondem.specimen.lattice import Lattice
+
+_VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
+# Largest displacement drawn, over the length.
+_EXAGGERATED = 0.15
+
+
+def draw_body(path: Path, body: Lattice) -> None:
+    """Cells coloured by size, whole on one half, cut open along the axis on the other.
+
+    Args:
+        path: PNG to write.
+        body: what to draw.
+    """
+    assert body.cells is not None
+    size = np.cbrt(body.cells.volume / body.cells.volume.mean())
+    norm = Normalize(float(np.quantile(size, 0.002)), float(np.quantile(size, 0.998)))
+    lower, upper = body.particles.envelope.bounds
+    middle = 0.5 * (lower + upper)
+    x, y, _ = body.centre.T
+    cut = (x > middle[0]) & (y < middle[1])
+    with sheet(path, 8.2, 4.7) as (figure, ax):
+        draw_cells(ax, polyhedra(body), _coloured(SEQUENTIAL, norm, size), view=_VIEW, shown=~cut)
+        bar = figure.colorbar(
+            ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.35, aspect=30, pad=0.02
+        )
+        bar.set_label("size of the cell over the mean,  (V / V̄)$^{1/3}$  [-]")
+        bar.outline.set_visible(False)  # type: ignore[operator]
+
+
+def draw_bent(path: Path, specimen: Examined) -> None:
+    """The body bent along y, exaggerated, its cells coloured by the axial stress, and a section of it along the axis.
+
+    Args:
+        path: PNG to write.
+        specimen: a body whose bending was tested.
+    """
+    body, curves = specimen.lattice, specimen.outcomes["static_bending"].curves
+    solid = polyhedra(body)
+    stress, moved = curves["axial_stress"] / 1e6, curves["displacement"]
+    top = float(np.quantile(np.abs(stress), 0.995))
+    norm = Normalize(-top, top)
+    colour = _coloured(DIVERGING, norm, stress)
+    reach = _EXAGGERATED * float(np.ptp(body.centre[:, 0])) / float(np.abs(moved).max())
+    owner = np.repeat(solid.cell, np.diff(solid.start))
+    pushed = moved[owner] + np.cross(curves["rotation"][owner], solid.vertex - body.centre[owner])
+    lower, upper = body.particles.envelope.bounds
+    view = View(azimuth=math.radians(14.0), elevation=math.radians(58.0))
+    with sheet(path, 8.2, 5.6, 2, 1, height_ratios=(1.5, 1.0)) as (figure, (above, below)):
+        draw_cells(above, solid, colour, view=view, moved=reach * pushed)
+        above.set_title(f"bent along y, {reach:.0f} times exaggerated")
+        draw_section(below, section_through(solid, 2, 0.5 * float(lower[2] + upper[2])), colour)
+        below.set(title="section through the axis", xlabel="x [mm]", ylabel="y [mm]")
+        bar = figure.colorbar(ScalarMappable(norm, DIVERGING), ax=[above, below], shrink=0.6, aspect=30, pad=0.02)
+        bar.set_label("mean axial stress of the cell,  σ$_{xx}$  [MPa]")
+        bar.outline.set_visible(False)  # type: ignore[operator]
+
+
+def _coloured(scale: str, norm: Normalize, values: np.ndarray) -> np.ndarray:
+    return np.asarray(colormaps[scale](norm(values)))[:, :3]

@@ -1,0 +1,136 @@
+"""Cells drawn as polyhedra in parallel projection, and cut by a plane: painter's algorithm, no graphics driver."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+
+from bondem._types import Floats, Mask
+from bondem.report.spheres import View
+from bondem.specimen.cells.polyhedra import Polyhedra
+
+_LIGHT = np.array([-0.45, 0.60, 0.66]) / np.linalg.norm([-0.45, 0.60, 0.66])
+# Shares of light that falls everywhere and from the lamp.
+_AMBIENT, _LAMP = 0.62, 0.45
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
+    """Polygons in which a plane cuts cells.
+
+    Attributes:
+        outline: corners in the plane, one array (k, 2) a cell.
+        cell: whose each is.
+    """
+
+    outline: list[Floats]
+    cell: np.ndarray
+
+
+def draw_cells(
+    ax: Axes,
+    solid: Polyhedra,
+    colour: Floats,
+    *,
+    view: View,
+    moved: Floats | None = None,
+    shown: Mask | None = None,
+    scale: float = 1e3,
+) -> None:
+    """Draw what is seen of cells from outside, and of those that others leave bare.
+
+    Args:
+        ax: where to.
+        solid: the polygons.
+        colour: red, green, blue of each cell in 0 … 1, (n, 3).
+        view: where one looks from.
+        moved: displacements of the corners of the polygons [m], (v, 3).
+        shown: which cells are there, (n,); all when None.
+        scale: units of the axes over metres.
+    """
+    here = np.ones(len(colour), dtype=bool) if shown is None else shown
+    behind = (solid.neighbour >= 0) & here[np.maximum(solid.neighbour, 0)]
+    size = np.diff(solid.start)
+    place = solid.vertex if moved is None else solid.vertex + moved
+    placed = scale * place @ view.axes.T
+    normal = _normals(placed, solid.start)
+    seen = np.flatnonzero(here[solid.cell] & ~behind & (normal[:, 2] > 0.0))
+    depth = np.add.reduceat(placed[:, 2], solid.start[:-1]) / size
+    seen = seen[np.argsort(depth[seen])]
+    unit = normal[seen] / np.linalg.norm(normal[seen], axis=1, keepdims=True)
+    light = _AMBIENT + _LAMP * np.clip(unit @ _LIGHT, 0.0, None)
+    face = np.clip(colour[solid.cell[seen]] * light[:, None], 0.0, 1.0)
+    outlined = _outlined(solid)
+    following = _following(solid.start)
+    paths: list[Floats] = []
+    fills: list[Floats] = []
+    for k, tint in zip(seen, face, strict=True):
+        corners = np.arange(solid.start[k], solid.start[k + 1])
+        paths.append(placed[np.append(corners, corners[0]), :2])
+        fills.append(np.append(tint, 1.0))
+        for a in corners[outlined[corners]]:  # drawn with their polygon, so that nearer ones hide both
+            paths.append(placed[[a, following[a]], :2])
+            fills.append(np.append(0.7 * tint, 1.0))
+    ax.add_collection(PolyCollection(paths, closed=False, facecolors=fills, edgecolors=fills, linewidths=0.35))
+    flat = placed[np.repeat(here[solid.cell], size)]
+    margin = 0.02 * np.ptp(flat[:, :2], axis=0).max()
+    lower, upper = flat[:, :2].min(axis=0) - margin, flat[:, :2].max(axis=0) + margin
+    ax.set(xlim=(lower[0], upper[0]), ylim=(lower[1], upper[1]), aspect="equal")
+    ax.axis("off")
+
+
+def _following(start: np.ndarray) -> np.ndarray:
+    """The next corner of the polygon, of each corner, (v,)."""
+    following = np.arange(1, start[-1] + 1)
+    following[start[1:] - 1] = start[:-1]
+    return following
+
+
+def _outlined(solid: Polyhedra) -> Mask:
+    """Whether the edge that begins at a corner is a true one, not one between two strips of a curved wall, (v,)."""
+    following, size = _following(solid.start), np.diff(solid.start)
+    owner, wall = np.repeat(solid.cell, size), np.repeat(solid.neighbour < 0, size)
+    grid = np.rint((solid.vertex + solid.vertex[following]) / (1e-6 * np.ptp(solid.vertex, axis=0).max()))
+    rows = np.column_stack([owner, grid.astype(np.int64)])[wall]
+    _, same, count = np.unique(rows, axis=0, return_inverse=True, return_counts=True)
+    outlined = np.ones(len(owner), dtype=bool)
+    outlined[wall] = count[same.ravel()] == 1
+    return outlined
+
+
+def _normals(place: Floats, start: np.ndarray) -> Floats:
+    """Twice the area vector of each polygon, (p, 3)."""
+    return np.add.reduceat(np.cross(place, place[_following(start)]), start[:-1], axis=0)
+
+
+def section_through(solid: Polyhedra, axis: int, at: float) -> Section:
+    """Where the plane across an axis at `at` [m] cuts the cells; each as the hull of its corners in the plane."""
+    following = _following(solid.start)
+    owner = np.repeat(solid.cell, np.diff(solid.start))
+    a, b = solid.vertex[:, axis] - at, solid.vertex[following, axis] - at
+    crossed = np.flatnonzero((a > 0.0) != (b > 0.0))
+    share = (a[crossed] / (a[crossed] - b[crossed]))[:, None]
+    point = (1.0 - share) * solid.vertex[crossed] + share * solid.vertex[following[crossed]]
+    flat = np.delete(point, axis, axis=1)
+    order = np.argsort(owner[crossed], kind="stable")
+    flat, cell = flat[order], owner[crossed][order]
+    begin = np.flatnonzero(np.diff(cell, prepend=-1))
+    outline: list[Floats] = []
+    for part in np.split(flat, begin[1:]):
+        spread = part - part.mean(axis=0)
+        outline.append(part[np.argsort(np.arctan2(spread[:, 1], spread[:, 0]))])
+    return Section(outline, cell[begin])
+
+
+def draw_section(ax: Axes, section: Section, colour: Floats, *, scale: float = 1e3) -> None:
+    """Draw a section with the colours of the cells, (n, 3)."""
+    face = colour[section.cell]
+    ax.add_collection(
+        PolyCollection([scale * one for one in section.outline], facecolors=face, edgecolors="white", linewidths=0.35)
+    )
+    every = scale * np.concatenate(section.outline)
+    margin = 0.02 * np.ptp(every, axis=0).max()
+    lower, upper = every.min(axis=0) - margin, every.max(axis=0) + margin
+    ax.set(xlim=(lower[0], upper[0]), ylim=(lower[1], upper[1]), aspect="equal")
+    ax.grid(visible=False)

@@ -1,0 +1,12 @@
+"""Commented studies to begin from."""
+
+from importlib.resources import files
+
+#: The files in `templates/`, by what one calls them; copies of the repository's examples/.
+TEMPLATES = {"silica": "silica.toml", "cells": "silica_cells.toml"}
+
+
+def template(name: str, file: str) -> str:
+    """The text of a study, which names the file it is to be written to."""
+    text = (files("bondem.study") / "templates" / TEMPLATES[name]).read_text(encoding="utf-8")
+    return text.replace(f"examples/{TEMPLATES[name]}", file)
