@@ -147,8 +147,10 @@ def test_stress_of_a_state_turns_with_the_body(clamped):
     R = whole.as_matrix()
     np.testing.assert_allclose(stresses[1], R @ stresses[0] @ R.T, rtol=0.0, atol=1e-6 * np.abs(stresses[0]).max())
     inner = np.bincount(model.lattice.cells.free.cell, minlength=500) == 0
-    still = bd.cell_stress(model, static)
-    np.testing.assert_allclose(stresses[0][inner], small * still[inner], atol=1e-5 * small * np.abs(still).max())
+    still, state = bd.cell_stress(model, static), model.state()
+    state.set_pose(position=state.position + small * static.displacement, orientation=own.as_quat()[:, [3, 0, 1, 2]])
+    held = bd.cell_stress(model, state)
+    np.testing.assert_allclose(held[inner], small * still[inner], atol=1e-5 * small * np.abs(still).max())
 
 
 def test_stress_of_what_has_no_cells_is_refused(body, law):

@@ -46,6 +46,7 @@ _PUBLIC = {
     "bondem.model.state": ("State",),
     "bondem.model.walls": ("CylinderWall", "Driven", "PlaneWall", "Servo", "Wall"),
     "bondem.observe.bond_strain": ("BondStrain",),
+    "bondem.observe.cell_forces": ("SmallMotion",),
     "bondem.observe.cell_stress": ("cell_stress",),
     "bondem.observe.energy": ("EnergyParts",),
     "bondem.solve.schemes": ("Scheme", "TchamwaWielgosz", "VelocityVerlet"),

@@ -56,6 +56,7 @@ from bondem.model.walls import PlaneWall as PlaneWall
 from bondem.model.walls import Servo as Servo
 from bondem.model.walls import Wall as Wall
 from bondem.observe.bond_strain import BondStrain as BondStrain
+from bondem.observe.cell_forces import SmallMotion as SmallMotion
 from bondem.observe.cell_stress import cell_stress as cell_stress
 from bondem.observe.energy import EnergyParts as EnergyParts
 from bondem.packing import pack as pack

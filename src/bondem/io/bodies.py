@@ -1,6 +1,6 @@
 """Facets and cells of a body in an HDF5 file, to the bit, so that nothing hangs on cutting them again.
 
-`/facets` holds the arrays of `Facets`, `/cells` those of `Cells` and `/cells/free` those of `FreeFacets`, by their names.
+`/facets` holds the arrays of `Facets`, `/cells` those of `Cells`, `/cells/free` those of `FreeFacets`, by name.
 """
 
 from dataclasses import fields

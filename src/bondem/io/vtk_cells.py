@@ -8,6 +8,7 @@ import numpy as np
 
 from bondem._types import ArrayLike, Floats, Ints, PerElement3
 from bondem.io.atomic import replacing, require_writable
+from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import dilatation, mean_stress
@@ -31,7 +32,7 @@ def fields_of_cells(body: Lattice, state: State | None) -> dict[str, ArrayLike]:
         "displacement": state.displacement, "velocity": state.velocity, "angular_velocity": state.angular_velocity,
     }  # fmt: skip
     model = state.model
-    if model.cells is not None:
+    if isinstance(model, Model) and model.cells is not None:
         forces = CellForces.of(model, state)
         stress = mean_stress(model, forces)
         fields |= {

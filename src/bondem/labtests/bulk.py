@@ -7,8 +7,8 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.arguments import AnyLaw
+from bondem.labtests.isotropic import Isotropic
 from bondem.model.model import Model
 from bondem.observe.bond_strain import BondStrain
 from bondem.observe.cell_strain import CellStrain

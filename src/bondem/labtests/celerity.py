@@ -28,8 +28,8 @@ def impact(
     back from x_max at three times the arrival. The wave has arrived when the mean velocity of the elements at
     x_min first passes half the plateau, the mean over the middle of that time. Celerity is L_M of eq (12)
     over the arrival time; refined, the path runs from the mean centre of the driven elements to the face
-    x_min. A body of cells is driven at its wall. Its far cells feel the front and its reflection at equal times before
-    and after it reaches the wall, so that their path is the whole length, too.
+    x_min. A body of cells is driven at its wall. Its far cells feel the front and its reflection at equal times
+    before and after it reaches the wall, so that their path is the whole length, too.
 
     Args:
         lattice: the specimen.

@@ -176,7 +176,7 @@ def _paper_moduli(
 def _outside(
     model: Model, solution: StaticResult, depth: float
 ) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
-    """Places and displacements of elements or facets; which of them are at each face, and their shares in its mean."""
+    """Places and displacements of elements or facets; which are at each face, and their shares in its mean."""
     lattice = model.lattice
     names = [name for name in ("x_min", "x_max", "side") if name in lattice.particles.envelope.faces]
     if lattice.cells is None:

@@ -16,7 +16,7 @@ _AMBIENT, _LAMP = 0.62, 0.45
 
 
 @dataclass(frozen=True, eq=False)
-class Section:
+class CellSection:
     """Polygons in which a plane cuts cells.
 
     Attributes:
@@ -104,7 +104,7 @@ def _normals(place: Floats, start: np.ndarray) -> Floats:
     return np.add.reduceat(np.cross(place, place[_following(start)]), start[:-1], axis=0)
 
 
-def section_through(solid: Polyhedra, axis: int, at: float) -> Section:
+def section_through(solid: Polyhedra, axis: int, at: float) -> CellSection:
     """Where the plane across an axis at `at` [m] cuts the cells; each as the hull of its corners in the plane."""
     following = _following(solid.start)
     owner = np.repeat(solid.cell, np.diff(solid.start))
@@ -120,10 +120,10 @@ def section_through(solid: Polyhedra, axis: int, at: float) -> Section:
     for part in np.split(flat, begin[1:]):
         spread = part - part.mean(axis=0)
         outline.append(part[np.argsort(np.arctan2(spread[:, 1], spread[:, 0]))])
-    return Section(outline, cell[begin])
+    return CellSection(outline, cell[begin])
 
 
-def draw_section(ax: Axes, section: Section, colour: Floats, *, scale: float = 1e3) -> None:
+def draw_section(ax: Axes, section: CellSection, colour: Floats, *, scale: float = 1e3) -> None:
     """Draw a section with the colours of the cells, (n, 3)."""
     face = colour[section.cell]
     ax.add_collection(

@@ -16,7 +16,7 @@ from bondem.specimen.material import Material
 
 
 @dataclass(frozen=True, eq=False)
-class Bonds:
+class Bonding:
     """What a study bonds its elements with.
 
     Attributes:
@@ -71,7 +71,7 @@ class Findings:
 
     title: str
     material: Material | None
-    bonds: Bonds | None
+    bonds: Bonding | None
     chart: tuple[Trial, ...]
     calibrating: int
     specimens: tuple[Examined, ...]

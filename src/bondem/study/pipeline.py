@@ -24,7 +24,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import dilatation, mean_stress
-from bondem.report.findings import Bonds, Examined, Findings
+from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
 from bondem.solve.history import History
 from bondem.solve.plan import Plan, settled
@@ -113,13 +113,13 @@ def packed(study: Study, k: int, tell: Progress) -> Lattice:
     return connect(particles, tolerance=study.bond.tolerance, reach=study.bond.reach)
 
 
-def bonds_of(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Bonds:
+def bonds_of(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Bonding:
     """The bonds of a material: the law calibrated, or that of its cells as it is."""
     if study.bond.cells is not None:
         law = study.bond.cells(E=material.E, nu=material.nu, facet_rotation=study.bond.facet_rotation)
-        return Bonds(law=law, density=material.rho)
+        return Bonding(law=law, density=material.rho)
     fit = calibrated(study, material, lattices, tell)
-    return Bonds(law=fit.law, density=fit.density, fit=fit)
+    return Bonding(law=fit.law, density=fit.density, fit=fit)
 
 
 def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Calibration:
@@ -136,7 +136,7 @@ def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], 
     return fit
 
 
-def examined(study: Study, k: int, lattice: Lattice, bonds: Bonds | None, tell: Progress) -> Examined:
+def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell: Progress) -> Examined:
     """Packing k: its fabric and, under the law of the study, its own moduli and its tests."""
     stage = f"test {k + 1} of {study.packings}"
     tell(stage, 0.0)
@@ -177,7 +177,7 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonds | None, tell: 
     return replace(specimen, outcomes=outcomes)
 
 
-def pulled(specimen: Examined, bonds: Bonds | None) -> dict[str, Any]:
+def pulled(specimen: Examined, bonds: Bonding | None) -> dict[str, Any]:
     """What the cells of a body do in the tension test, for files; nothing of other lattices."""
     tension, lattice = specimen.tension, specimen.lattice
     if bonds is None or tension is None or lattice.cells is None:
@@ -202,7 +202,7 @@ def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
     return tuple(trials)
 
 
-def keep_specimen(path: Path, lattice: Lattice, bonds: Bonds) -> None:
+def keep_specimen(path: Path, lattice: Lattice, bonds: Bonding) -> None:
     """Write a specimen, free and at rest, as a run file: model and state to go on from."""
     model = Model(lattice, bonds.law, density=bonds.density)
     RunFile(path, model, settled(model, Plan(duration=0.0))).checkpoint(State(model), History.empty(()))

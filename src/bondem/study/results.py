@@ -9,14 +9,14 @@ import numpy as np
 
 from bondem import __version__
 from bondem.laws.bond import BondLaw
-from bondem.report.findings import Bonds, Examined
+from bondem.report.findings import Bonding, Examined
 from bondem.study.study import Study
 
 _COMMON = {item.name for item in fields(BondLaw)}
 
 
 def collect(
-    study: Study, bonds: Bonds | None, specimens: Sequence[Examined], timing: dict[str, float]
+    study: Study, bonds: Bonding | None, specimens: Sequence[Examined], timing: dict[str, float]
 ) -> dict[str, Any]:
     """All numbers of a study, in the pinned layout, and those of every packing under "packings".
 
@@ -35,7 +35,7 @@ def collect(
     })  # fmt: skip
 
 
-def _micro(bonds: Bonds) -> dict[str, Any]:
+def _micro(bonds: Bonding) -> dict[str, Any]:
     law = bonds.law
     pinned = {
         "law": type(law).__name__,
@@ -47,7 +47,7 @@ def _micro(bonds: Bonds) -> dict[str, Any]:
     return pinned | {item.name: getattr(law, item.name) for item in fields(law) if item.name not in _COMMON}
 
 
-def _macro(bonds: Bonds, specimens: Sequence[Examined]) -> dict[str, Any]:
+def _macro(bonds: Bonding, specimens: Sequence[Examined]) -> dict[str, Any]:
     """What was calibrated; of cells, which need no calibration, what the first packing was measured to have."""
     tensions = [one.tension for one in specimens if one.tension is not None]
     found = tensions[0] if bonds.fit is None else bonds.fit
