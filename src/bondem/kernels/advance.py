@@ -8,6 +8,7 @@ from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.contact_pass import contact_loads, outdated
 from bondem.kernels.element_pass import open_step, open_step_serial
 from bondem.kernels.grip_pass import place_walls
+from bondem.kernels.press_pass import press
 from bondem.kernels.sample import kinetic_energies, sample
 from bondem.kernels.sweep import all_forces
 from bondem.kernels.walls import WORK as WALL_WORK
@@ -49,10 +50,11 @@ def guard(motion, work, contacts, budget):
 
 
 @kernel(parallel=False)
-def move_holds(t, body):
-    """Bring walls that hold cells to time t, where there are any."""
+def move_holds(t, schedules, body):
+    """Bring walls that hold cells, and tractions on them, to time t, where there are any."""
     if body is not None:  # decided when compiled
         place_walls(t, body.grips)
+        press(t, schedules, body.presses, body.cells.given)
 
 
 @kernel(parallel=False)
@@ -103,7 +105,7 @@ def advance(span, scheme, run, law, contacts, added, strain, records):
         looked = now % GUARD_INTERVAL == 0 or done == span.steps
         paused = sampled or looked
         set_boundary(t, dt, False, schedules, rows, elements.pose, bonds, added, strain)
-        move_holds(t, body)
+        move_holds(t, schedules, body)
         all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, not paused)
         if looked:
             turned, lost, broken = rotation_guard(elements.pose, bonds)

@@ -1,6 +1,5 @@
 """Energy of the facets and cells of a body, and of the walls that hold some of them."""
 
-import numpy as np
 
 from bondem._compile import kernel
 from bondem.kernels.bond_pass import branch
@@ -12,7 +11,7 @@ from bondem.laws.cell_energy import facet_energy, swellings
 def cell_energies(pose, rest, bonds, cells, grips):
     """Normal (with dilatation), shear, bending and twisting energy of all facets and cells [J]."""
     normal = slip = bend = twist = 0.0
-    swelling = np.zeros(len(cells.weight))
+    swelling = cells.given.copy()
     swell_grips(pose, rest, grips, swelling)
     normal += grip_energy(pose, rest, grips)
     for k in range(bonds.m):

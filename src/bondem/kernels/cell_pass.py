@@ -56,7 +56,7 @@ def swell(pose, bonds, cells, first, last):
 def stress_cells(pose, cells, first, last):
     """Stresses of the cells first … last from their V θ, which is left at zero."""
     for p in range(first, last):
-        pose[p, STRESS] = cells.weight[p] * cells.swelling[p]
+        pose[p, STRESS] = cells.weight[p] * (cells.swelling[p] + cells.given[p])
         cells.swelling[p] = 0.0
 
 

@@ -11,6 +11,7 @@ from bondem.kernels.element_pass import collect_parts, move, move_held
 from bondem.kernels.grip_pass import hand_on, swell_grips
 from bondem.kernels.incremental import incremental_loads
 from bondem.kernels.non_local import non_local_loads, settle_stress
+from bondem.kernels.press_pass import book_presses
 
 
 @kernel(parallel=False)
@@ -82,11 +83,14 @@ def swell_body(elements, bonds, body, cut, rows):
     """Stresses of all cells now, and what walls that hold some of them do."""
     pose, rest, cells, grips = elements.pose, elements.rest, body.cells, body.grips
     swell_grips(pose, rest, grips, cells.swelling)
+    book_presses(pose, body.presses, rows.work)
     if len(cut.domain) == 2:
         swell(pose, bonds, cells, 0, len(bonds.i))
         stress_cells(pose, cells, 0, len(pose))
     else:
         swell_domains(pose, bonds, cells, cut)
+    book_presses(pose, body.presses, rows.work)
+    body.presses.came[:] = 0.0
     if len(grips.cell) > 0:
         hand_on(pose, rest, grips, rows)
 

@@ -84,7 +84,7 @@ class Alike(NamedTuple):
 
 
 class CellTable(NamedTuple):
-    """The facets and cells of a body, m facets in the order of the bonds and n cells; kernels write `swelling`."""
+    """The facets and cells of a body, m facets in the order of the bonds and n cells; kernels write the last two."""
 
     k: np.ndarray  #: [N/m], (m,)
     lever_i: np.ndarray  #: from the centre of i to the facet [m], (3, m)
@@ -95,7 +95,8 @@ class CellTable(NamedTuple):
     H: np.ndarray  #: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], (6, m)
     weight: np.ndarray  #: λ / V of each cell [Pa/m³], (n,)
     to_i: np.ndarray  #: where a facet adds to its cell i: there, or for the other domain, uint32, (m,)
-    swelling: np.ndarray  #: V θ [m³], (n + …,)
+    given: np.ndarray  #: part of V θ from tractions on free facets [m³], (n,)
+    swelling: np.ndarray  #: the rest of V θ [m³], (n + …,)
 
 
 class LaggedTable(NamedTuple):
@@ -136,11 +137,22 @@ class GripTable(NamedTuple):
     load: np.ndarray  #: force and torque on the cell [N, N·m], (g, 6)
 
 
+class PressTable(NamedTuple):
+    """Loads on free facets, l of them (`bondem.kernels.press_pass`); kernels write the last two."""
+
+    value: np.ndarray  #: what each adds to V θ of the cells at full load [m³], (l, n)
+    schedule: np.ndarray  #: (l,)
+    place: int  #: in the list of works
+    factor: np.ndarray  #: present factors, (l,)
+    came: np.ndarray  #: by how much they changed in this step, (l,)
+
+
 class Body(NamedTuple):
     """What only bodies of cells have; not flat, so it stays outside of threads."""
 
     cells: CellTable
     grips: GripTable
+    presses: PressTable
 
 
 class StepCut(NamedTuple):

@@ -5,7 +5,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.labtests.gauge_length import rigid_motion
 from bondem.model.model import Model
-from bondem.observe.cell_forces import loads_on_facets
+from bondem.observe.facet_loads import loads_on_facets
 from bondem.observe.surface import surface_displacement
 from bondem.solve.static import StaticResult
 from bondem.specimen.lattice import Lattice

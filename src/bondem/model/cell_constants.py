@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bondem._types import Floats, PerBond, PerBond3, PerElement
+from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement
 from bondem.errors import InputError
 from bondem.kernels.tables import CellTable
 from bondem.laws.bond import BondStiffness
@@ -39,6 +39,8 @@ class CellConstants:
         grips: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, by which a traction opens it [m/Pa], shape (k,).
         way: M⁻¹n along its free axes: the stress of the cell opens it by -softness · stress · way [-], shape (k, 3).
+        free_cell: of each free facet, user's order, shape (k,).
+        pressed: what tractions on its free facets add to V θ of each cell [m³], shape (n,).
     """
 
     k: PerBond
@@ -55,6 +57,8 @@ class CellConstants:
     grips: Grips
     softness: Floats
     way: Floats
+    free_cell: Ints
+    pressed: PerElement
 
     @classmethod
     def of(cls, body: Lattice, bond: CellAssignment, holds: Holds) -> "CellConstants":
@@ -101,7 +105,14 @@ class CellConstants:
             grips=_grips(cells, holds, G, n_free, rotation),
             softness=free.depth / (2.0 * G[free.cell]),
             way=open_axes * n_free,
+            free_cell=free.cell,
+            pressed=np.zeros(len(cells.volume)),
         )
+
+    def pressed_by(self, force: Floats) -> PerElement:
+        """What forces on free facets [N], (k, 3), add to V θ of their cells: Σ (d / 2 G) F·M⁻¹n [m³], (n,)."""
+        opened = self.softness * (self.way * force).sum(axis=1)
+        return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed))
 
     def ordered(self, layout: Layout) -> "CellConstants":
         """The same in the kernels' order."""
@@ -123,6 +134,8 @@ class CellConstants:
             grips=self.grips,
             softness=self.softness,
             way=self.way,
+            free_cell=self.free_cell,
+            pressed=self.pressed[element],
         )
 
     def stretched(self, strain: PerBond) -> "CellConstants":
@@ -150,7 +163,7 @@ class CellConstants:
             lever_i=columns(self.lever_i), lever_j=columns(self.lever_j),
             share_i=columns(self.share_i), share_j=columns(self.share_j), normal=columns(self.normal),
             H=columns(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]),
-            weight=self.weight, to_i=with_twins(to_i),
+            weight=self.weight, to_i=with_twins(to_i), given=self.pressed.copy(),
             swelling=np.zeros(max(len(self.weight), int(to_i.max(initial=0)) + 1)),
         )  # fmt: skip
 

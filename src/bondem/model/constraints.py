@@ -6,12 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import shown
-from bondem._types import Floats, Ints, PerBond, PerElement
+from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import InputError
 from bondem.kernels.tables import Rows, Schedules
 from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
+from bondem.model.cell_constants import CellConstants
 from bondem.model.layout import Layout
-from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
+from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
 from bondem.model.schedules import Schedule
 from bondem.specimen.lattice import Lattice
 
@@ -34,6 +35,7 @@ class Constraints:
             acceleration [m/s²], (b, 3), and schedule, (b,).
         strain_part: stress-free strain of each bond, shape (g, m); strain_schedule: (g,).
         weight: mass of each element that is connected, else 0 [kg], shape (n,).
+        press_value: what tractions on free facets add to V θ of each cell [m³], (l, n); press_schedule: (l,).
         holding: whether walls hold facets of cells.
     """
 
@@ -57,7 +59,9 @@ class Constraints:
     strain_part: Floats
     strain_schedule: np.ndarray
     weight: PerElement
-    holding: bool = False
+    press_value: Floats
+    press_schedule: np.ndarray
+    holding: bool
 
     @classmethod
     def of(
@@ -66,12 +70,12 @@ class Constraints:
         layout: Layout,
         boundary: Sequence[BoundaryCondition],
         mass: PerElement,
-        gripped: Ints | None = None,
+        cells: CellConstants | None = None,
     ) -> "Constraints":
         """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
 
-        Conditions that hold a wall of a body of cells are left out: see `bondem.model.grips`. Their cells, `gripped`
-        in the user's order, own rows all the same; it is None where there are none.
+        Of a body of `cells`, conditions that hold a wall are left out: see `bondem.model.grips`. Cells that they hold
+        own rows all the same.
 
         Raises:
             InputError: a degree of freedom held or driven twice by different conditions.
@@ -84,6 +88,7 @@ class Constraints:
         schedules: list[Schedule] = []
         drives: list[tuple[np.ndarray, int, int, bool]] = []
         loads: list[tuple[np.ndarray, int, Floats]] = []
+        presses: list[tuple[PerElement, int]] = []
         dashpots = np.zeros((n, 6))
         bodies: list[tuple[np.ndarray, tuple[float, float, float], int]] = []
         strains: list[tuple[PerBond, int]] = []
@@ -106,6 +111,8 @@ class Constraints:
                     chosen, nodal = condition.nodal(lattice)
                     chosen = layout.rank[chosen]
                     loads.append((chosen, len(schedules), nodal))
+                    if cells is not None and is_face(condition.region):
+                        presses.append((_pressed(condition, lattice, cells)[layout.order], len(schedules)))
                     schedules.append(condition.schedule)
                 case Absorbing():
                     chosen, viscous = condition.dashpots(lattice)
@@ -126,8 +133,8 @@ class Constraints:
         if (fixed.astype(bool) & driven).any():
             raise InputError("an element is both fixed and driven in one component; subtract the regions")
         fixed |= driven.astype(np.uint8)
-        if gripped is not None:
-            owns[layout.rank[gripped]] = True
+        if cells is not None:
+            owns[layout.rank[cells.grips.cell]] = True
         element = np.flatnonzero(owns)
         row_of = np.full(n, -1, dtype=np.int64)
         row_of[element] = np.arange(len(element))
@@ -156,7 +163,9 @@ class Constraints:
             strain_part=np.array([part for part, _ in strains], dtype=float).reshape(len(strains), m),
             strain_schedule=np.array([s for _, s in strains], dtype=np.int64),
             weight=np.where(lattice.connected, mass, 0.0)[layout.order],
-            holding=gripped is not None,
+            press_value=np.array([value for value, _ in presses], dtype=float).reshape(len(presses), n),
+            press_schedule=np.array([s for _, s in presses], dtype=np.int64),
+            holding=cells is not None and len(cells.grips.cell) > 0,
         )
 
     @property
@@ -189,6 +198,10 @@ class Constraints:
         """Stress-free strain of each bond at the end of all schedules [-], internal order, shape (m,)."""
         return self._final(self.strain_schedule) @ self.strain_part
 
+    def final_press(self) -> PerElement:
+        """What tractions add to V θ of each cell at the end of all schedules [m³], internal order, shape (n,)."""
+        return self._final(self.press_schedule) @ self.press_value
+
     def _final(self, schedules: np.ndarray) -> Floats:
         return self.values[self.start[schedules + 1] - 1]
 
@@ -198,7 +211,7 @@ class Constraints:
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
         walls = strain + (1 if len(self.strain_part) else 0)
-        return body, strain, walls, walls + (1 if self.holding else 0)
+        return body, strain, walls, walls + (1 if self.holding or len(self.press_schedule) else 0)
 
     def final_motion(self, n: int) -> Floats:
         """Prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).
@@ -217,6 +230,14 @@ class Constraints:
         held = np.zeros((n, 6), dtype=bool)
         held[self.element] = self.fixed.astype(bool)
         return held
+
+
+def _pressed(condition: Load | Pressure, body: Lattice, cells: CellConstants) -> PerElement:
+    """What the tractions of a load on a face add to V θ of each cell [m³], user's order, (n,)."""
+    force = np.zeros((len(cells.softness), 3))
+    numbers, values = condition.on_facets(body)
+    force[numbers] = values
+    return cells.pressed_by(force)
 
 
 def _joined(parts: list[Floats]) -> Floats:

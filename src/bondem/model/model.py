@@ -168,14 +168,18 @@ class Model:
         table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()))
         return ContactModel.of(self.lattice, self.layout, self.contact, table)
 
+    @property
+    def pressed(self) -> PerElement:
+        """What tractions on the facets of a body add to V θ of each cell in the end [m³], user's order, (n,)."""
+        return self.constraints.final_press()[self.layout.rank]
+
     @cached_property
     def constraints(self) -> Constraints:
         """Boundary conditions resolved to elements."""
-        boundary, gripped = self.boundary, None
+        boundary = self.boundary
         if self._cells is not None:
             boundary = [one for one in boundary if not (isinstance(one, Fix | Drive) and holds_wall(one))]
-            gripped = self._cells.grips.cell if len(self._cells.grips.cell) else None
-        return Constraints.of(self.lattice, self.layout, boundary, self.mass, gripped)
+        return Constraints.of(self.lattice, self.layout, boundary, self.mass, self._cells)
 
     @property
     def _as_cells(self) -> bool:

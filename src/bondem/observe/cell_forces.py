@@ -10,13 +10,12 @@ from bondem._checks import shown
 from bondem._types import Floats, PerBond3, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.grip_pass import place_walls
-from bondem.model.boundary import Load
 from bondem.model.cell_constants import body_of
-from bondem.model.loads import Pressure, is_face
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.energy import stress_free_gap
+from bondem.observe.facet_loads import loads_on_facets
 
 
 class SmallMotion(Protocol):
@@ -83,7 +82,7 @@ def _small(model: Model, result: SmallMotion) -> CellForces:
     body, constants = model.lattice, model.cell_constants
     grips, slip = constants.grips, stress_free_gap(model, model.constraints.final_strain())
     found = CellStrain.of(
-        body, constants, result.displacement, result.rotation, slip=slip, wall=grips.motion
+        body, constants, result.displacement, result.rotation, slip=slip, wall=grips.motion, pressed=model.pressed
     )
     stress = found.stress(constants)
     _, cells = body_of(body)
@@ -115,6 +114,7 @@ def _turned(model: Model, state: State) -> CellForces:
     swelling = np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
     swelling += np.bincount(j, weights=whole * (share_j * gap).sum(axis=1), minlength=n)
     swelling += np.bincount(grips.cell, weights=(grips.share * opened).sum(axis=1), minlength=n)
+    swelling += constants.pressed_by(loads_on_facets(model, state.time))
     stress = constants.weight * swelling
     force = constants.k[:, None] * gap + stress[i, None] * share_i + stress[j, None] * share_j
     free = cells.free
@@ -133,15 +133,3 @@ def _walls(model: Model, time: float) -> Floats:
     grips = model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0)
     place_walls(time, grips)
     return grips.wall
-
-
-def loads_on_facets(model: Model, time: float | None = None) -> Floats:
-    """Forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end."""
-    _, cells = body_of(model.lattice)
-    force = np.zeros((len(cells.free.cell), 3))
-    for condition in model.boundary:
-        if isinstance(condition, Pressure) or (isinstance(condition, Load) and is_face(condition.region)):
-            numbers, values = condition.on_facets(model.lattice)
-            schedule = condition.schedule
-            force[numbers] += (schedule.final if time is None else schedule.at(time)) * values
-    return force

@@ -18,7 +18,7 @@ class CellStrain:
         turn: θ_j - θ_i [rad], (m, 3).
         held: of the facets that walls hold, along the held axes [m], (g, 3).
         rotation: of the elements [rad], (n, 3).
-        swelling: V θ of each cell, free facets closed [m³], (n,).
+        swelling: V θ of each cell, but for what its own stress opens of free facets [m³], (n,).
     """
 
     gap: Floats
@@ -37,6 +37,7 @@ class CellStrain:
         *,
         slip: Floats | None = None,
         wall: Floats | None = None,
+        pressed: PerElement | None = None,
     ) -> "CellStrain":
         """The deformation under displacements [m] and rotations [rad], (n, 3) each.
 
@@ -47,6 +48,7 @@ class CellStrain:
             slip: what every facet opens besides [m], (m, 3): by a macroscopic strain in a periodic cell, or less
                 what it opens without stress.
             wall: displacement of walls that hold facets [m], (g, 3); none when None.
+            pressed: what tractions on free facets add to V θ [m³], (n,); none when None.
         """
         i, j = body.pairs.T
         gap = (
@@ -58,6 +60,8 @@ class CellStrain:
         n = len(body.particles)
         swelling = np.bincount(i, weights=(constants.share_i * gap).sum(axis=1), minlength=n)
         swelling += np.bincount(j, weights=(constants.share_j * gap).sum(axis=1), minlength=n)
+        if pressed is not None:
+            swelling += pressed
         grips = constants.grips
         held = grips.gap(displacement, rotation, wall)
         swelling += np.bincount(grips.cell, weights=(grips.share * held).sum(axis=1), minlength=n)

@@ -13,6 +13,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.bond_strain import BondStrain
 from bondem.observe.cell_strain import CellStrain
+from bondem.observe.facet_loads import loads_on_facets
 
 
 @dataclass(frozen=True)
@@ -66,16 +67,22 @@ def _cell_energy(
     body, constants = model.lattice, model.cell_constants
     grips = constants.grips
     slip = stress_free_gap(model, strain)
-    found = CellStrain.of(body, constants, displacement, rotation, slip=slip, wall=grips.motion)
-    facets, _ = body_of(body)
+    pressed = model.pressed
+    found = CellStrain.of(body, constants, displacement, rotation, slip=slip, wall=grips.motion, pressed=pressed)
+    facets, cells = body_of(body)
+    # ½ V λ θ² is the potential of cells and loads; less the work of the loads on the openings of their facets
+    force = loads_on_facets(model)
+    opened = constants.softness / cells.free.area @ (force**2).sum(axis=1)
+    opened -= 2.0 * found.stress(constants) @ pressed
     normal = (found.gap * facets.normal).sum(axis=1)
     turned = (found.turn * facets.normal).sum(axis=1)
     along = np.einsum("ma,mab,mb->m", facets.normal, constants.H, facets.normal) * turned**2
     whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
     own = rotation[grips.cell]
     gripped = (grips.k[:, None] * found.held**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
+    stretched = (constants.k * normal**2).sum() + (constants.weight * found.swelling**2).sum()
     return EnergyParts(
-        normal=0.5 * float((constants.k * normal**2).sum() + (constants.weight * found.swelling**2).sum() + gripped),
+        normal=0.5 * float(stretched + gripped + opened),
         shear=0.5 * float((constants.k * ((found.gap**2).sum(axis=1) - normal**2)).sum()),
         bending=0.5 * float((whole - along).sum()),
         twisting=0.5 * float(along.sum()),
@@ -94,7 +101,8 @@ def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
 def elastic_energy(model: Model, state: State, *, wall: Floats | None = None) -> EnergyParts:
     """Energy of a state under the total formulation, at any rotation.
 
-    Walls that hold cells are where `wall` [m], (g, 3), says, or else where the time of the state has brought them.
+    Walls that hold cells, and tractions on them, are where the time of the state has brought them; or walls where
+    `wall` [m], (g, 3), says, and tractions as the model's own cells have them.
     """
     bonds = model.bonds.rows(model.layout, model.period, state.integrity)
     if model.cells is None:
@@ -105,4 +113,7 @@ def elastic_energy(model: Model, state: State, *, wall: Floats | None = None) ->
         place_walls(state.time, grips)
     else:
         grips.wall[:] = wall
-    return EnergyParts(*cell_energies(state.pose, state.rest, bonds, constants.rows(layout.i), grips))
+    cells = constants.rows(layout.i)
+    if wall is None:
+        cells.given[:] = model.cell_constants.pressed_by(loads_on_facets(model, state.time))[layout.order]
+    return EnergyParts(*cell_energies(state.pose, state.rest, bonds, cells, grips))

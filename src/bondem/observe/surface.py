@@ -28,7 +28,9 @@ def surface_displacement(
     instance("surface_displacement", "model", model, Model, "bd.Model(...)")
     _, cells = body_of(model.lattice)
     constants, free = model.cell_constants, cells.free
-    found = CellStrain.of(model.lattice, constants, displacement, rotation, wall=constants.grips.motion)
+    pressed = None if traction is None else constants.pressed_by(free.area[:, None] * traction)
+    wall = constants.grips.motion
+    found = CellStrain.of(model.lattice, constants, displacement, rotation, wall=wall, pressed=pressed)
     arm = free.centroid - cells.centroid[free.cell]
     rigid = displacement[free.cell] + np.cross(rotation[free.cell], arm)
     pull = -found.stress(constants)[free.cell, None] * constants.way

@@ -6,7 +6,7 @@ from scipy.sparse import bsr_array
 from bondem._types import Floats
 from bondem.kernels.cell_pass import STRESS, facet_loads, stress_cells, swell
 from bondem.kernels.grip_pass import grip_loads, swell_grips
-from bondem.kernels.tables import Body, Bonds, lines
+from bondem.kernels.tables import Body, Bonds, PressTable, lines
 from bondem.laws.rotations import rotate
 from bondem.model.bond_table import with_twins
 from bondem.model.cell_constants import CellConstants
@@ -18,7 +18,9 @@ def body_tables(model: Model, integrity: Floats) -> tuple[Bonds, Body]:
     layout, cells = model.layout, _cells(model)
     grips = cells.grips.table(layout, model.constraints.row_of, 0)
     grips.wall[:] = cells.grips.motion
-    return model.bonds.rows(layout, model.period, integrity), Body(cells.rows(layout.i), grips)
+    # tractions are those of the constants, and do not change
+    none = PressTable(np.zeros((0, len(layout.order))), np.zeros(0, dtype=np.int64), 0, np.zeros(0), np.zeros(0))
+    return model.bonds.rows(layout, model.period, integrity), Body(cells.rows(layout.i), grips, none)
 
 
 def _cells(model: Model) -> CellConstants:

@@ -9,6 +9,7 @@ from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance
 from bondem.kernels.boundary import set_boundary
 from bondem.kernels.contact_pass import contact_loads
 from bondem.kernels.grip_pass import give, grip_loads, place_walls
+from bondem.kernels.press_pass import press
 from bondem.kernels.sample import sample
 from bondem.kernels.sweep import all_forces
 from bondem.kernels.tables import (
@@ -19,6 +20,7 @@ from bondem.kernels.tables import (
     ContactTable,
     Elements,
     Gauges,
+    PressTable,
     Run,
     Span,
 )
@@ -87,7 +89,11 @@ class CpuLoop:
         if model.cells is not None:
             strained = model.cells.stretched(state.eigenstrain)
             grips = strained.grips.table(layout, held.row_of, held.works[2])
-            self._body = Body(strained.rows(blocks.swelling_places(layout)), grips)
+            presses = PressTable(
+                value=held.press_value, schedule=held.press_schedule, place=held.works[2],
+                factor=np.zeros(len(held.press_schedule)), came=np.zeros(len(held.press_schedule)),
+            )  # fmt: skip
+            self._body = Body(strained.rows(blocks.swelling_places(layout)), grips, presses)
         contact = None if self._contacts is None else self._contacts.arrays.load
         self._added = added(model, terms, state, contact, blocks.rows)
         self._strain = changing_strain(model, state)
@@ -106,6 +112,9 @@ class CpuLoop:
         t = self._origin + self.state.step * dt
         pose, bonds = run.elements.pose, run.bonds
         set_boundary(t, dt, True, run.schedules, run.rows, pose, bonds, self._added, self._strain)
+        if self._body is not None:
+            press(t, run.schedules, self._body.presses, self._body.cells.given)
+            self._body.presses.came[:] = 0.0
         if self._body is not None and len(self._body.grips.cell):
             place_walls(t, self._body.grips)
             self._body.grips.came[:] = 0.0

@@ -93,7 +93,8 @@ def strained(model: Model, share: float) -> Model:
     twin.__dict__["bonds"] = model.bonds.stretched(strain)
     if model.cells is not None:
         grips = replace(model.cells.grips, motion=share * model.cells.grips.motion)
-        twin.__dict__["cells"] = replace(model.cells.stretched(strain), grips=grips)
+        pressed = share * model.constraints.final_press()
+        twin.__dict__["cells"] = replace(model.cells.stretched(strain), grips=grips, pressed=pressed)
     return twin
 
 

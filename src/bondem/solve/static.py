@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import instance
-from bondem._types import Floats, PerBond, PerElement3, PerElement6
+from bondem._types import Floats, PerBond, PerElement, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.observe.cell_strain import CellStrain
@@ -128,7 +128,12 @@ class Statics:
 
     @one_blas_thread
     def response(
-        self, load: PerElement6, *, guess: PerElement6 | None = None, rtol: float = 1e-10
+        self,
+        load: PerElement6,
+        *,
+        facets: Floats | None = None,
+        guess: PerElement6 | None = None,
+        rtol: float = 1e-10,
     ) -> PerElement6:
         """Displacements and rotations [m, rad] under other nodal forces and moments [N, N·m], (n, 6) each.
 
@@ -136,6 +141,7 @@ class Statics:
 
         Args:
             load: user's order.
+            facets: which of it acts on free facets of a body of cells [N], (k, 3).
             guess: where an iteration starts.
             rtol: when it ends, residual over load.
         """
@@ -145,6 +151,8 @@ class Statics:
         if self._lagged is not None:
             return self._lagged.settle(load.reshape(-1, 6)[rank]).motion
         assert self._solver is not None
+        if facets is not None:
+            load = load + _of_swelling(self.model, self.model.cell_constants.pressed_by(facets))[order].ravel()
         start = None if guess is None else guess[order].ravel()
         return self._solver.solve(load, guess=start, rtol=rtol)[0].reshape(-1, 6)[rank]
 
@@ -177,7 +185,8 @@ def strain_load(model: Model, strain: PerBond) -> Floats:
     if model.cells is not None:
         body, still = model.lattice, np.zeros((len(layout.order), 3))
         constants, slip = model.cell_constants, stress_free_gap(model, strain)
-        found = CellStrain.of(body, constants, still, still, slip=slip, wall=constants.grips.motion)
+        wall = constants.grips.motion
+        found = CellStrain.of(body, constants, still, still, slip=slip, wall=wall, pressed=model.pressed)
         return found.nodal(body, constants)[layout.order].ravel()
     push = bonds.kn * bonds.length * strain * bonds.direction
     load = np.zeros((len(layout.order), 6))
@@ -187,12 +196,21 @@ def strain_load(model: Model, strain: PerBond) -> Floats:
     return load.ravel()
 
 
+def _of_swelling(model: Model, pressed: PerElement) -> PerElement6:
+    """Forces of cells at rest that swell by V θ [m³], (n,), on the elements [N, N·m], (n, 6), user's order."""
+    still = np.zeros((len(pressed), 3))
+    wall = np.zeros_like(model.cell_constants.grips.motion)
+    found = CellStrain.of(model.lattice, model.cell_constants, still, still, wall=wall, pressed=pressed)
+    return found.nodal(model.lattice, model.cell_constants)
+
+
 def of_walls(model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> PerElement6 | float:
     """Force and torque of the walls that hold facets on their cells [N, N·m], (n, 6); 0 of beams."""
     if model.cells is None:
         return 0.0
     constants, slip = model.cell_constants, stress_free_gap(model, strain)
-    found = CellStrain.of(model.lattice, constants, displacement, rotation, slip=slip, wall=constants.grips.motion)
+    wall, pressed = constants.grips.motion, model.pressed
+    found = CellStrain.of(model.lattice, constants, displacement, rotation, slip=slip, wall=wall, pressed=pressed)
     return found.of_walls(len(displacement), constants)
 
 

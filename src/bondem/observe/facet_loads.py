@@ -1,0 +1,21 @@
+"""What loads do on the facets that cells have on the surface."""
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.model.boundary import Load
+from bondem.model.cell_constants import body_of
+from bondem.model.loads import Pressure, is_face
+from bondem.model.model import Model
+
+
+def loads_on_facets(model: Model, time: float | None = None) -> Floats:
+    """Forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end."""
+    _, cells = body_of(model.lattice)
+    force = np.zeros((len(cells.free.cell), 3))
+    for condition in model.boundary:
+        if isinstance(condition, Pressure) or (isinstance(condition, Load) and is_face(condition.region)):
+            numbers, values = condition.on_facets(model.lattice)
+            schedule = condition.schedule
+            force[numbers] += (schedule.final if time is None else schedule.at(time)) * values
+    return force
