@@ -50,7 +50,7 @@ def content(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Ve
 
 
 @dataclass(frozen=True, eq=False)
-class Cells:
+class GridCells:
     """Cells of one size that need not be halved further.
 
     Attributes:
@@ -70,7 +70,7 @@ class Cells:
     last: bool
 
 
-def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Vector) -> Iterator[Cells]:
+def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Vector) -> Iterator[GridCells]:
     """The cells that make up a box, from the largest to the smallest; arguments as of `content`."""
     axes = np.flatnonzero(upper > lower)
     count = np.ones(3, dtype=int)
@@ -86,10 +86,10 @@ def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper
         size, half = float(np.prod(edge[axes])), 0.5 * float(np.linalg.norm(edge))
         if level == halvings:
             width = size ** (1.0 / len(axes))
-            yield Cells(centre, edge, size, d, np.clip(0.5 + d / width, 0.0, 1.0), True)
+            yield GridCells(centre, edge, size, d, np.clip(0.5 + d / width, 0.0, 1.0), True)
             return
         cut = np.abs(d) < half + finest
-        yield Cells(centre[~cut], edge, size, d[~cut], (d[~cut] > 0.0).astype(float), False)
+        yield GridCells(centre[~cut], edge, size, d[~cut], (d[~cut] > 0.0).astype(float), False)
         index, edge = _halved(index[cut], axes), 0.5 * edge
 
 
