@@ -149,7 +149,7 @@ def _grouped(pieces: Solids, cell: Ints, inner: Ints, position: PerElement3) -> 
     """Group the faces `inner` of pieces by the plane between cells, or between pieces of one, that they lie in."""
     n, tag, own = len(position), pieces.tag[inner], cell[inner]
     split = tag <= SPLIT
-    number = (SPLIT - tag) // 2
+    number = np.unique(np.where(split, (SPLIT - tag) // 2, 0), return_inverse=True)[1]
     low = np.where(split, own, np.minimum(own, tag))
     high = np.where(split, n + number, np.maximum(own, tag))
     forth = np.where(split, (SPLIT - tag) % 2 == 0, own < tag)

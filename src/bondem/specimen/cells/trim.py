@@ -29,8 +29,8 @@ from bondem.specimen.cells.polygon import (
 from bondem.specimen.cells.solids import SPLIT, Solids
 from bondem.specimen.cells.walls import WallTree
 
-# What polygons of a piece are: its faces, and the wall triangles within it.
-_FACE, _WALL = np.int64(0), np.int64(1)
+#: What polygons of a piece are: its faces, and the wall triangles within it.
+FACE, _WALL = np.int64(0), np.int64(1)
 
 
 @kernel(parallel=False)
@@ -71,7 +71,7 @@ def _whole(solids, s, x, walls, tolerance, pile, found, work, other):
         size = solids.corner[f + 1] - solids.corner[f]
         copy(solids.vertex, solids.corner[f], size, work, ROW)
         a, b, c, d = solids.plane[f, 0], solids.plane[f, 1], solids.plane[f, 2], solids.plane[f, 3]
-        pile = put(pile, polygons, corners, _FACE, solids.tag[f], a, b, c, d, work, size)
+        pile = put(pile, polygons, corners, FACE, solids.tag[f], a, b, c, d, work, size)
         polygons, corners = polygons + 1, corners + size
     listed, found = _near(solids.vertex, solids.corner[first], solids.corner[last], x, walls, found)
     for w in range(listed):
@@ -109,7 +109,7 @@ def _largest(pile, polygons):
 
 
 @kernel(parallel=False)
-def _lid(pile, polygons, a, b, c, d, tolerance, work, other):
+def section(pile, polygons, a, b, c, d, tolerance, work, other):
     """The section of a piece by a plane, in `work`; its number of corners."""
     far = 0.0
     for p in range(polygons):
@@ -118,7 +118,7 @@ def _lid(pile, polygons, a, b, c, d, tolerance, work, other):
     square(a, b, c, d, 1.01 * math.sqrt(far), work)
     size = SQUARE
     for p in range(polygons):
-        if pile.what[p, KIND] == _FACE:
+        if pile.what[p, KIND] == FACE:
             low, high = height(pile.vertex, pile.what[p, START], pile.what[p, SIZE], a, b, c, d)
             if low <= tolerance and high >= -tolerance:
                 e, f, g, h = pile.plane[p, 0], pile.plane[p, 1], pile.plane[p, 2], pile.plane[p, 3]
@@ -128,7 +128,7 @@ def _lid(pile, polygons, a, b, c, d, tolerance, work, other):
 
 
 @kernel(parallel=False)
-def _half(piece, polygons, split, a, b, c, d, tolerance, stack, on, corners, work):
+def lower_part(piece, polygons, split, a, b, c, d, tolerance, stack, on, corners, work):
     """Put the part of a piece below a plane on a stack, without its new face; `split` is the wall that splits."""
     for p in range(polygons):
         kind, start, size = piece.what[p, KIND], piece.what[p, START], piece.what[p, SIZE]
@@ -184,29 +184,29 @@ def _pieces(solids, position, walls, tolerance) -> Any:
             if wall < 0:
                 out_cell, out_face = roomy_list(out_cell, out_solids + 1), roomy_list(out_face, out_solids + 2)
                 for p in range(count):
-                    if piece.what[p, KIND] == _FACE:
+                    if piece.what[p, KIND] == FACE:
                         size = piece.what[p, SIZE]
                         copy(piece.vertex, piece.what[p, START], size, work, ROW)
                         a, b, c, d = piece.plane[p, 0], piece.plane[p, 1], piece.plane[p, 2], piece.plane[p, 3]
-                        done = put(done, faces, corners, _FACE, piece.what[p, TAG], a, b, c, d, work, size)
+                        done = put(done, faces, corners, FACE, piece.what[p, TAG], a, b, c, d, work, size)
                         faces, corners = faces + 1, corners + size
                 out_cell[out_solids] = solids.cell[s]
                 out_solids += 1
                 out_face[out_solids] = faces
                 continue
             a, b, c, d = piece.plane[wall, 0], piece.plane[wall, 1], piece.plane[wall, 2], piece.plane[wall, 3]
-            size = _lid(piece, count, a, b, c, d, tolerance, lid, other)
+            size = section(piece, count, a, b, c, d, tolerance, lid, other)
             for side in range(2):
                 if side == 1:
                     a, b, c, d = -a, -b, -c, -d
                     reverse(lid, size)
                 begin = on
-                stack, on, top = _half(
+                stack, on, top = lower_part(
                     piece, count, wall, a, b, c, d, tolerance, stack, on, top, work
                 )
                 if size > 0:
                     tag = SPLIT - 2 * splits - side
-                    stack = put(stack, on, top, _FACE, tag, a, b, c, d, lid, size)
+                    stack = put(stack, on, top, FACE, tag, a, b, c, d, lid, size)
                     on, top = on + 1, top + size
                 if on > begin:
                     below = roomy_list(below, waiting + 1)
