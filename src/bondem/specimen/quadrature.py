@@ -50,8 +50,8 @@ def content(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Ve
 
 
 @dataclass(frozen=True, eq=False)
-class Cubes:
-    """Cubes of one size that need not be halved further.
+class GridCells:
+    """Cells of one size that need not be halved further.
 
     Attributes:
         centre: [m], (k, 3).
@@ -70,11 +70,11 @@ class Cubes:
     last: bool
 
 
-def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Vector) -> Iterator[Cubes]:
+def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Vector) -> Iterator[GridCells]:
     """The cells that make up a box, from the largest to the smallest; arguments as of `content`."""
     axes = np.flatnonzero(upper > lower)
     count = np.ones(3, dtype=int)
-    # Cubes a little off a cube are as good; the box is filled exactly, so that its own walls are too.
+    # Cells a little off a cube are as good; the box is filled exactly, so that its own walls are too.
     count[axes] = np.maximum(1, np.ceil(_CELLS * (upper - lower)[axes] / (upper - lower).max())).astype(int)
     edge = (upper - lower) / count
     index = np.indices(tuple(map(int, count))).reshape(3, -1).T
@@ -86,10 +86,10 @@ def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper
         size, half = float(np.prod(edge[axes])), 0.5 * float(np.linalg.norm(edge))
         if level == halvings:
             width = size ** (1.0 / len(axes))
-            yield Cubes(centre, edge, size, d, np.clip(0.5 + d / width, 0.0, 1.0), True)
+            yield GridCells(centre, edge, size, d, np.clip(0.5 + d / width, 0.0, 1.0), True)
             return
         cut = np.abs(d) < half + finest
-        yield Cubes(centre[~cut], edge, size, d[~cut], (d[~cut] > 0.0).astype(float), False)
+        yield GridCells(centre[~cut], edge, size, d[~cut], (d[~cut] > 0.0).astype(float), False)
         index, edge = _halved(index[cut], axes), 0.5 * edge
 
 

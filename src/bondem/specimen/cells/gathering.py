@@ -53,11 +53,7 @@ def together(parts: list[Polygons]) -> Polygons:
 
 
 def _merged(polygons: Polygons, key: Ints) -> Polygons:
-    """One polygon for each run of equal keys, (p,), of sorted polygons.
-
-    Areas are added as vectors A n, and the products A n·c are kept, too: so the volumes of the cones over the facets
-    of a cell still add up to its own where polygons of several planes become one facet.
-    """
+    """One polygon for each run of equal keys, (p,), of sorted polygons, those of a run lying in one plane."""
     start = np.flatnonzero(np.diff(key, prepend=key[:1] - 1))
     if len(start) == len(key):
         return polygons
@@ -70,8 +66,6 @@ def _merged(polygons: Polygons, key: Ints) -> Polygons:
     centroid = np.add.reduceat(weight * polygons.centroid, start) / total[:, None]
     off = polygons.centroid - centroid[run]
     moment = polygons.moment + weight[:, :, None] * off[:, :, None] * off[:, None, :]
-    height = np.add.reduceat((weight * polygons.normal * off).sum(axis=1), start) / np.where(size > 0.0, size, 1.0)
-    centroid += height[:, None] * normal
     return Polygons(polygons.a[start], polygons.b[start], size, normal, centroid, np.add.reduceat(moment, start))
 
 

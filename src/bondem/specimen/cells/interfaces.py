@@ -11,8 +11,11 @@ import numpy as np
 from bondem._compile import kernel
 from bondem._types import Floats, Ints, PerElement3
 from bondem.specimen.cells.pile import KIND, SIZE, START, TAG, new_pile, put
-from bondem.specimen.cells.polygon import MOST_CORNERS, area, clip, copy
+from bondem.specimen.cells.polygon import MOST_CORNERS, ROW, area, clip, copy
 from bondem.specimen.cells.solids import SPLIT, Solids, polygon_measures, ranges
+
+# What is on the other side of a free patch, as a number that is no literal: see ROW.
+_NOTHING = np.int64(-1)
 
 
 class _Groups(NamedTuple):
@@ -64,38 +67,38 @@ def _part(rest, count, solids, of_face, g, x, y, z, tolerance, f, done, patches,
         x, y, z: from the centre that `rest` is measured from to that of the piece [m].
         f: the face that they are of; -1 if what lies in face g is not wanted.
     """
-    q, left, kept, rows = of_face[g], new_pile(8, 64), 0, 0
+    q, left, kept, rows = of_face[g], new_pile(8, 64), ROW, ROW
     for p in range(count):
         start, whole = rest.what[p, START], rest.what[p, SIZE]
-        copy(rest.vertex, start, whole, work, 0)
+        copy(rest.vertex, start, whole, work, ROW)
         size = whole
         for h in range(solids.face[q], solids.face[q + 1]):
             if h != g:
                 a, b, c, d = solids.plane[h, 0], solids.plane[h, 1], solids.plane[h, 2], solids.plane[h, 3]
-                size = clip(work, 0, size, other, a, b, c, d + a * x + b * y + c * z)
-                copy(other, 0, size, work, 0)
+                size = clip(work, ROW, size, other, a, b, c, d + a * x + b * y + c * z)
+                copy(other, ROW, size, work, ROW)
                 if size == 0:
                     break
-        if size == 0 or area(work, 0, size) <= tolerance:
-            copy(rest.vertex, start, whole, work, 0)
-            left = put(left, kept, rows, 0, 0, 0.0, 0.0, 0.0, 0.0, work, whole)
+        if size == 0 or area(work, ROW, size) <= tolerance:
+            copy(rest.vertex, start, whole, work, ROW)
+            left = put(left, kept, rows, ROW, ROW, 0.0, 0.0, 0.0, 0.0, work, whole)
             kept, rows = kept + 1, rows + whole
             continue
         if f >= 0:
             done = put(done, patches, corners, f, g, 0.0, 0.0, 0.0, 0.0, work, size)
             patches, corners = patches + 1, corners + size
-        copy(rest.vertex, start, whole, work, 0)
+        copy(rest.vertex, start, whole, work, ROW)
         size = whole
         for h in range(solids.face[q], solids.face[q + 1]):
             if h != g:
                 a, b, c, d = solids.plane[h, 0], solids.plane[h, 1], solids.plane[h, 2], solids.plane[h, 3]
                 d += a * x + b * y + c * z
-                out = clip(work, 0, size, other, -a, -b, -c, -d)
-                if out > 0 and area(other, 0, out) > tolerance:
-                    left = put(left, kept, rows, 0, 0, 0.0, 0.0, 0.0, 0.0, other, out)
+                out = clip(work, ROW, size, other, -a, -b, -c, -d)
+                if out > 0 and area(other, ROW, out) > tolerance:
+                    left = put(left, kept, rows, ROW, ROW, 0.0, 0.0, 0.0, 0.0, other, out)
                     kept, rows = kept + 1, rows + out
-                size = clip(work, 0, size, other, a, b, c, d)
-                copy(other, 0, size, work, 0)
+                size = clip(work, ROW, size, other, a, b, c, d)
+                copy(other, ROW, size, work, ROW)
     return left, kept, done, patches, corners
 
 
@@ -109,18 +112,19 @@ def _side(solids, of_face, groups, g, sign, tolerance, done, patches, corners, w
     for k in range(first[g], first[g + 1]):
         f = mine[k]
         size = solids.corner[f + 1] - solids.corner[f]
-        copy(solids.vertex, solids.corner[f], size, work, 0)
-        rest, count = put(new_pile(8, 64), 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, work, size), 1
+        copy(solids.vertex, solids.corner[f], size, work, ROW)
+        rest, count = put(new_pile(8, 64), ROW, ROW, ROW, ROW, 0.0, 0.0, 0.0, 0.0, work, size), np.int64(1)
+        wanted = f if sign > 0 else _NOTHING
         for h in range(second[g], second[g + 1]):
             rest, count, done, patches, corners = _part(
-                rest, count, solids, of_face, theirs[h], x, y, z, tolerance, f if sign > 0 else -1, done, patches,
-                corners, work, other,
+                rest, count, solids, of_face, theirs[h], x, y, z, tolerance, wanted, done, patches, corners, work,
+                other,
             )  # fmt: skip
         for p in range(count):
             size = rest.what[p, SIZE]
-            copy(rest.vertex, rest.what[p, START], size, work, 0)
-            if area(work, 0, size) > tolerance:
-                done = put(done, patches, corners, f, -1, 0.0, 0.0, 0.0, 0.0, work, size)
+            copy(rest.vertex, rest.what[p, START], size, work, ROW)
+            if area(work, ROW, size) > tolerance:
+                done = put(done, patches, corners, f, _NOTHING, 0.0, 0.0, 0.0, 0.0, work, size)
                 patches, corners = patches + 1, corners + size
     return done, patches, corners
 
@@ -128,7 +132,7 @@ def _side(solids, of_face, groups, g, sign, tolerance, done, patches, corners, w
 @kernel(parallel=False)
 def _match(solids, of_face, groups, tolerance):
     """Patches of all groups: the face, that on the other side or -1, where corners begin, and corners."""
-    done, patches, corners = new_pile(1024, 8192), 0, 0
+    done, patches, corners = new_pile(1024, 8192), ROW, ROW
     work, other = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
     for g in range(groups.first.size - 1):
         for sign in (1, -1):
@@ -145,7 +149,7 @@ def _grouped(pieces: Solids, cell: Ints, inner: Ints, position: PerElement3) -> 
     """Group the faces `inner` of pieces by the plane between cells, or between pieces of one, that they lie in."""
     n, tag, own = len(position), pieces.tag[inner], cell[inner]
     split = tag <= SPLIT
-    number = (SPLIT - tag) // 2
+    number = np.unique(np.where(split, (SPLIT - tag) // 2, 0), return_inverse=True)[1]
     low = np.where(split, own, np.minimum(own, tag))
     high = np.where(split, n + number, np.maximum(own, tag))
     forth = np.where(split, (SPLIT - tag) % 2 == 0, own < tag)

@@ -15,7 +15,7 @@ from scipy.spatial import KDTree
 from bondem._compile import kernel
 from bondem._types import Floats, Ints, Vector
 from bondem.errors import InputError
-from bondem.specimen.cells.polygon import MOST_CORNERS, clip, copy, height, plane_square, roomy, roomy_list
+from bondem.specimen.cells.polygon import MOST_CORNERS, ROW, SQUARE, clip, copy, height, roomy, roomy_list, square
 from bondem.specimen.cells.solids import BOX, LOCAL, Solids
 from bondem.specimen.particles import Particles
 
@@ -175,16 +175,16 @@ def _begin(centres, i, half, room):
         plane[f, 3] = min(wall, half)
         room.tag[f] = BOX - f if wall <= half else LOCAL
     for f in range(6):
-        plane_square(plane[f, 0], plane[f, 1], plane[f, 2], plane[f, 3], 2.0 * half, room.work)
-        left = 4
+        square(plane[f, 0], plane[f, 1], plane[f, 2], plane[f, 3], 2.0 * half, room.work)
+        left = SQUARE
         for g in range(6):
             if g // 2 != f // 2:
                 a, b, c, d = plane[g, 0], plane[g, 1], plane[g, 2], plane[g, 3]
-                left = clip(room.work, 0, left, room.other, a, b, c, d)
-                copy(room.other, 0, left, room.work, 0)
+                left = clip(room.work, ROW, left, room.other, a, b, c, d)
+                copy(room.other, ROW, left, room.work, ROW)
         room.size[f] = left
-        copy(room.work, 0, left, room.vertex, f * MOST_CORNERS)
-    return 6
+        copy(room.work, ROW, left, room.vertex, f * MOST_CORNERS)
+    return np.int64(6)
 
 
 @kernel(parallel=False)
@@ -196,19 +196,19 @@ def _cut(room, faces, a, b, c, d, behind, farthest, tolerance):
         deepest = max(deepest, height(vertex, f * MOST_CORNERS, size[f], a, b, c, d)[1])
     if deepest <= tolerance:
         return -1
-    plane_square(a, b, c, d, 1.01 * farthest, other)
-    lid, kept = 4, 0
+    square(a, b, c, d, 1.01 * farthest, other)
+    lid, kept = SQUARE, 0
     for f in range(faces):
         here, there = f * MOST_CORNERS, kept * MOST_CORNERS
         low, high = height(vertex, here, size[f], a, b, c, d)
         if low <= tolerance and high >= -tolerance:  # also what meets the plane at an edge bounds the new face
-            lid = clip(other, 0, lid, work, plane[f, 0], plane[f, 1], plane[f, 2], plane[f, 3])
-            copy(work, 0, lid, other, 0)
+            lid = clip(other, ROW, lid, work, plane[f, 0], plane[f, 1], plane[f, 2], plane[f, 3])
+            copy(work, ROW, lid, other, ROW)
         if high > 0.0:
             left = clip(vertex, here, size[f], work, a, b, c, d)
             if left == 0:
                 continue
-            copy(work, 0, left, vertex, there)
+            copy(work, ROW, left, vertex, there)
             size[kept] = left
         elif kept < f:
             copy(vertex, here, size[f], vertex, there)
@@ -220,7 +220,7 @@ def _cut(room, faces, a, b, c, d, behind, farthest, tolerance):
     if lid > 0:
         plane[kept, 0], plane[kept, 1], plane[kept, 2], plane[kept, 3] = a, b, c, d
         tag[kept], size[kept] = behind, lid
-        copy(other, 0, lid, vertex, kept * MOST_CORNERS)
+        copy(other, ROW, lid, vertex, kept * MOST_CORNERS)
         kept += 1
     return kept if kept >= 4 else 0
 

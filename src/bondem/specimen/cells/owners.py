@@ -1,67 +1,123 @@
 """Which element each piece of the cut cells belongs to.
 
 A wall may part a cell: a slot thinner than the cell, the other side of a notch. What hangs together with the centre
-is the cell; the rest goes to the neighbour it has most in common with, so that no facet reaches through a slot.
+is the cell. The rest is divided anew, by the same rule, among the elements whose cells it hangs together with: so no
+facet reaches through a slot, and every facet lies in the radical plane of its two elements.
 """
+
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from bondem._types import Floats, Ints, PerElement3
+from bondem._types import Floats, Ints, Mask, PerElement3
 from bondem.errors import InputError
-from bondem.specimen.cells.interfaces import Patches
-from bondem.specimen.cells.solids import Bulk
+from bondem.specimen.cells.divide import divided
+from bondem.specimen.cells.interfaces import Patches, patches
+from bondem.specimen.cells.solids import Bulk, Solids, bulk, joined
+
+# Parts of less volume, over that of a cell, that hang together with nothing are rounding.
+_NOTHING = 1e-9
+# Rounds of dividing: parts beyond parts, as in the windings of a labyrinth.
+_ROUNDS = 100
 
 
-def owners(cell: Ints, measures: Bulk, found: Patches, position: PerElement3) -> Ints:
-    """The element that each piece belongs to, shape (p,).
+@dataclass(frozen=True, eq=False)
+class Owned:
+    """Pieces, and whose they are.
+
+    Attributes:
+        pieces: p of them.
+        measures: their volumes and moments.
+        found: where they meet.
+        owner: the element that each belongs to, shape (p,).
+    """
+
+    pieces: Solids
+    measures: Bulk
+    found: Patches
+    owner: Ints
+
+
+def owned(pieces: Solids, measures: Bulk, found: Patches, sphere: Floats, width: float, sliver: float) -> Owned:
+    """Give every piece to an element; those without are divided first.
 
     Args:
-        cell: the element that each piece was cut off, shape (p,).
+        pieces: of cut cells, inside the shape.
         measures: volumes of the pieces.
         found: where they meet.
-        position: centres [m], shape (n, 3).
+        sphere: centres and radii [m], shape (n, 4).
+        width: usual width of a cell [m].
+        sliver: patches of less area are left out [m²].
 
     Raises:
         InputError: a part of the shape hangs together with no element.
     """
-    count = len(cell)
+    owner = np.where(_with_centre(pieces.cell, measures, found), pieces.cell, -1)
+    for _ in range(_ROUNDS):
+        if (owner >= 0).all():
+            break
+        lone, near, start = _claims(owner, found)
+        if not len(lone):
+            lost = np.flatnonzero(owner < 0)
+            _refuse_lost(pieces, measures, lost, sphere[:, :3], width)
+            owner[lost] = pieces.cell[lost]
+            break
+        parts, theirs = divided(pieces.chosen(lone), sphere, near, start, 1e-12 * width)
+        kept = np.setdiff1d(np.arange(pieces.number), lone)
+        pieces, owner = joined([pieces.chosen(kept), parts]), np.concatenate([owner[kept], theirs])
+        measures = bulk(pieces)
+        found = patches(pieces, sphere[:, :3], sliver)
+    return Owned(pieces, measures, found, owner)
+
+
+def _with_centre(cell: Ints, measures: Bulk, found: Patches) -> Mask:
+    """Whether pieces hang together with the one that holds, or is nearest to, the centre of their cell, (p,)."""
     a, b = found.piece, found.other
     same = (b >= 0) & (cell[a] == cell[b])
-    graph = coo_matrix((np.ones(int(same.sum()), dtype=np.int8), (a[same], b[same])), shape=(count, count))
-    parts, part = connected_components(graph, directed=False)
-    owner = np.full(parts, -1)
-    # the piece that holds the centre, or lies nearest to it; of two that touch it the larger
+    part = _parts(a[same], b[same], len(cell))
+    # of two pieces that touch the centre the larger
     order = np.lexsort((-measures.volume, np.maximum(measures.beyond, 0.0), cell))
     first = order[np.unique(cell[order], return_index=True)[1]]
-    owner[part[first]] = cell[first]
-    while (owner < 0).any():
-        wanting, giver, area = _claims(part, owner, found)
-        if not len(wanting):
-            lost = np.flatnonzero(owner[part] < 0)
-            middle = position[cell[lost[0]]] + measures.first[lost[0]] / measures.volume[lost[0]]
-            raise InputError(
-                f"{measures.volume[lost].sum():.3g} m³ of the shape, at {tuple(map(float, middle.round(9)))} m, hangs"
-                " together with no element; put elements there, or cut it off"
-            )
-        claim, inverse = np.unique(np.column_stack([wanting, giver]), axis=0, return_inverse=True)
-        shared = np.bincount(inverse.ravel(), weights=area)
-        best = np.lexsort((shared, claim[:, 0]))
-        last = np.append(claim[best[1:], 0] != claim[best[:-1], 0], True)
-        owner[claim[best[last], 0]] = claim[best[last], 1]
-    return owner[part]
+    return np.isin(part, part[first])
 
 
-def _claims(part: Ints, owner: Ints, found: Patches) -> tuple[Ints, Ints, Floats]:
-    """Parts without owner, elements next to them, and the area they share [m²], a row for each patch."""
-    a, b = part[found.piece], part[found.other]
-    two = found.other >= 0
+def _parts(a: Ints, b: Ints, count: int) -> Ints:
+    graph = coo_matrix((np.ones(len(a), dtype=np.int8), (a, b)), shape=(count, count))
+    return connected_components(graph, directed=False)[1]
+
+
+def _claims(owner: Ints, found: Patches) -> tuple[Ints, Ints, Ints]:
+    """Pieces without owner that hang together, whatever cells they are of, with some elements, and these.
+
+    Returns:
+        Pieces, shape (k,), the elements of all of them, and where those of each begin, shape (k + 1,).
+    """
+    a, b = found.piece, found.other
+    two = b >= 0
+    both = two & (owner[a] < 0) & (owner[b] < 0)
+    part = _parts(a[both], b[both], len(owner))
     plain = (found.element >= 0) & (owner[a] < 0)
     forth = two & (owner[a] < 0) & (owner[b] >= 0)
     back = two & (owner[b] < 0) & (owner[a] >= 0)
-    return (
-        np.concatenate([a[plain], a[forth], b[back]]),
+    claim = np.unique(np.column_stack([
+        np.concatenate([part[a[plain]], part[a[forth]], part[b[back]]]),
         np.concatenate([found.element[plain], owner[b[forth]], owner[a[back]]]),
-        np.concatenate([found.area[plain], found.area[forth], found.area[back]]),
-    )
+    ]), axis=0)  # fmt: skip
+    lone = np.flatnonzero((owner < 0) & np.isin(part, claim[:, 0]))
+    low, high = (np.searchsorted(claim[:, 0], part[lone], side=side) for side in ("left", "right"))
+    start = np.append(0, np.cumsum(high - low))
+    rows = np.arange(start[-1]) + np.repeat(low - start[:-1], high - low)
+    return lone, np.ascontiguousarray(claim[rows, 1]), start
+
+
+def _refuse_lost(pieces: Solids, measures: Bulk, lost: Ints, position: PerElement3, width: float) -> None:
+    volume = float(measures.volume[lost].sum())
+    if volume > _NOTHING * width**3:
+        worst = lost[np.argmax(measures.volume[lost])]
+        middle = position[pieces.cell[worst]] + measures.middle[worst]
+        raise InputError(
+            f"{volume:.3g} m³ of the shape, at {tuple(map(float, middle.round(9)))} m, hang together with no element;"
+            " put elements there, or cut it off"
+        )

@@ -9,6 +9,9 @@ from bondem._compile import kernel
 
 #: Most corners of one polygon; a buffer that `clip` writes to has at least as many rows.
 MOST_CORNERS = 512
+#: The first row, and the corners of a triangle and of a square. Plain numbers in their place would make a variant of
+#: each function that they are handed to, compiled for this number alone.
+ROW, TRIANGLE, SQUARE = np.int64(0), np.int64(3), np.int64(4)
 
 
 @kernel(parallel=False)
@@ -48,7 +51,7 @@ def clip(source, start, size, target, a, b, c, d):
 
 
 @kernel(parallel=False)
-def plane_square(a, b, c, d, half, target):
+def square(a, b, c, d, half, target):
     """Write a square of half-width `half` on the plane a x + b y + c z = d, about the foot of the origin."""
     if abs(a) < 0.6:
         ux, uy, uz = 0.0, c, -b
@@ -98,7 +101,7 @@ def copy(source, start, size, target, at):
 
 
 @kernel(parallel=False)
-def turn(source, size):
+def reverse(source, size):
     """Reverse the corners of the polygon in the first rows: it faces the other way then."""
     for k in range(size // 2):
         for c in range(3):

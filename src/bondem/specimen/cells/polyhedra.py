@@ -45,14 +45,15 @@ def polyhedra(lattice: Lattice) -> Polyhedra:
     instance("polyhedra", "lattice", lattice, Lattice, 'a body, from bd.connect(..., method="laguerre")')
     if lattice.cells is None:
         raise InputError('polyhedra: the lattice has no cells; make it with bd.connect(..., method="laguerre")')
-    cut = tessellation(lattice.particles, outlines=True)
-    position, plain, found = cut.centres.position, cut.outlines, cut.found
+    made = tessellation(lattice.particles, outlines=True)
+    position, plain = made.centres.position, made.outlines
+    found, owner = made.cut.found, made.cut.owner
     own = plain.cell[plain.of_face]
     behind = np.maximum(plain.tag, -1)
-    kept = np.flatnonzero((behind < 0) | ~cut.is_cut[np.maximum(behind, 0)])
+    kept = np.flatnonzero((behind < 0) | ~made.is_cut[np.maximum(behind, 0)])
     corners, begin = ranges(plain.corner, kept)
-    a = cut.owner[found.piece]
-    b = np.where(found.other >= 0, cut.owner[found.other], found.element)
+    a = owner[found.piece]
+    b = np.where(found.other >= 0, owner[found.other], found.element)
     outer = np.flatnonzero(a != b)
     back = outer[b[outer] >= 0]
     forth, size_forth = ranges(found.corner, outer)

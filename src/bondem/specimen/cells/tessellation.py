@@ -10,9 +10,9 @@ from bondem._compile import current_threads
 from bondem._types import Floats, Ints, Mask, Pairs, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.specimen.cells.gathering import Polygons, facets, free_facets, together
-from bondem.specimen.cells.interfaces import Patches, patches
+from bondem.specimen.cells.interfaces import patches
 from bondem.specimen.cells.laguerre import Bins, bins, plain_cells, usual_reach
-from bondem.specimen.cells.owners import owners
+from bondem.specimen.cells.owners import Owned, owned
 from bondem.specimen.cells.solids import LOCAL, Bulk, Solids, bulk, joined, polygon_measures
 from bondem.specimen.cells.tables import Cells, Facets
 from bondem.specimen.cells.trim import trimmed
@@ -44,10 +44,7 @@ class Tessellation:
         faces: polygons of the whole cells, between elements those of the lower number only.
         whole: elements whose cells are whole, shape (w,).
         whole_bulk: volumes and moments of these.
-        pieces: the pieces of all others, inside the shape.
-        piece_bulk: volumes and moments of these.
-        found: where pieces meet.
-        owner: the element that each piece belongs to, shape (p,).
+        cut: the pieces of all others, inside the shape.
         is_cut: whether the cell of an element is cut by walls, shape (n,).
         outlines: the whole cells as solids, if they were asked for; else none.
     """
@@ -56,10 +53,7 @@ class Tessellation:
     faces: Polygons
     whole: Ints
     whole_bulk: Bulk
-    pieces: Solids
-    piece_bulk: Bulk
-    found: Patches
-    owner: Ints
+    cut: Owned
     is_cut: Mask
     outlines: Solids
 
@@ -197,7 +191,8 @@ def tessellation(
         pieces = joined([pieces.chosen(kept), *(batch.pieces for batch in more)])
         measures = _joined_bulk([measures.chosen(kept), *(batch.piece_bulk for batch in more)])
         ended = np.concatenate([np.setdiff1d(ended, early), *(batch.ended for batch in more)])
-    owner = owners(pieces.cell, measures, found, centres.position)
+    sphere = np.column_stack([centres.position, centres.radius])
+    all_pieces = owned(pieces, measures, found, sphere, centres.reach, sliver)
     is_cut = np.zeros(n, dtype=bool)
     is_cut[pieces.cell] = True
     faces = together([batch.faces for batch in made])
@@ -205,7 +200,7 @@ def tessellation(
     faces = faces.chosen(((faces.b < 0) | ~is_cut[np.maximum(faces.b, 0)]) & (faces.area > sliver))
     return Tessellation(
         centres, faces, np.concatenate([batch.whole for batch in made]),
-        _joined_bulk([batch.whole_bulk for batch in made]), pieces, measures, found, owner, is_cut,
+        _joined_bulk([batch.whole_bulk for batch in made]), all_pieces, is_cut,
         joined([batch.plain for batch in made]),
     )  # fmt: skip
 
@@ -232,16 +227,16 @@ def tessellate(
             or a part of the shape without elements.
     """
     told = progress or (lambda share: None)
-    cut = tessellation(particles, lambda share: told(0.9 * share))
-    found, position = cut.found, cut.centres.position
-    a = cut.owner[found.piece]
-    b = np.where(found.other >= 0, cut.owner[found.other], found.element)
+    made = tessellation(particles, lambda share: told(0.9 * share))
+    found, owner = made.cut.found, made.cut.owner
+    a = owner[found.piece]
+    b = np.where(found.other >= 0, owner[found.other], found.element)
     shared = Polygons(a, b, found.area, found.normal, found.centroid, found.moment)
-    every = together([cut.faces, shared.chosen(a != b)])
+    every = together([made.faces, shared.chosen(a != b)])
     pairs, between = facets(particles, every.chosen(every.b >= 0).facing())
     _check_depths(pairs, between)
-    free = free_facets(particles.envelope, position, cut.centres.reach, every.chosen(every.b < 0))
-    volume, centroid, inertia = _solid_tables(cut)
+    free = free_facets(particles.envelope, made.centres.position, made.centres.reach, every.chosen(every.b < 0))
+    volume, centroid, inertia = _solid_tables(made)
     _check_volume(particles.envelope, float(volume.sum()))
     told(1.0)
     return pairs, between, Cells(volume, centroid, inertia, free)
@@ -258,9 +253,8 @@ def _check_depths(pairs: Pairs, between: Facets) -> None:
     if bad.size:
         i, j = map(int, pairs[bad[0]])
         raise InputError(
-            f"the facet of elements {i} and {j} does not lie between their centres ({bad.size} such facets): walls"
-            " less than an element apart gave one of them what lies beyond the other; take more elements, or leave"
-            " out the narrow slots of the shape"
+            f"the facet of elements {i} and {j} does not lie between their centres ({bad.size} such facets): one sphere"
+            " holds most of the other; remove the smaller one, or make radii more alike"
         )
 
 
@@ -274,20 +268,20 @@ def _check_volume(shape: Shape, volume: float) -> None:
         )
 
 
-def _solid_tables(cut: Tessellation) -> tuple[PerElement, PerElement3, Floats]:
+def _solid_tables(made: Tessellation) -> tuple[PerElement, PerElement3, Floats]:
     """Volumes [m³], (n,), centroids [m], (n, 3), and inertia about them at density 1 [m⁵], (n, 3, 3)."""
-    x, n = cut.centres.position, len(cut.centres.position)
+    x, n = made.centres.position, len(made.centres.position)
     volume, first, second = np.zeros(n), np.zeros((n, 3)), np.zeros((n, 3, 3))
-    volume[cut.whole], first[cut.whole] = cut.whole_bulk.volume, cut.whole_bulk.first
-    second[cut.whole] = cut.whole_bulk.second
-    part, owner = cut.piece_bulk, cut.owner
-    shift = x[cut.pieces.cell] - x[owner]
+    volume[made.whole], first[made.whole] = made.whole_bulk.volume, made.whole_bulk.first
+    second[made.whole] = made.whole_bulk.second
+    part, owner = made.cut.measures, made.cut.owner
+    shift = x[made.cut.pieces.cell] - x[owner]
     moved = part.volume[:, None] * shift
     np.add.at(volume, owner, part.volume)
     np.add.at(first, owner, part.first + moved)
     cross = part.first[:, :, None] * shift[:, None, :]
     np.add.at(second, owner, part.second + cross + cross.transpose(0, 2, 1) + moved[:, :, None] * shift[:, None, :])
-    empty = np.flatnonzero(volume <= 1e-12 * cut.centres.reach**3)
+    empty = np.flatnonzero(volume <= 1e-12 * made.centres.reach**3)
     if empty.size:
         raise InputError(
             f"the cell of element {empty[0]} has no volume ({empty.size} such cells): larger spheres swallow it, or"

@@ -14,20 +14,23 @@ from bondem._types import PerElement3
 from bondem.specimen.cells.pile import KIND, SIZE, START, TAG, Pile, new_pile, put
 from bondem.specimen.cells.polygon import (
     MOST_CORNERS,
+    ROW,
+    SQUARE,
+    TRIANGLE,
     area,
     clip,
     copy,
     height,
-    plane_square,
+    reverse,
     roomy,
     roomy_list,
-    turn,
+    square,
 )
 from bondem.specimen.cells.solids import SPLIT, Solids
 from bondem.specimen.cells.walls import WallTree
 
-# What polygons of a piece are: its faces, and the wall triangles within it.
-_FACE, _WALL = 0, 1
+#: What polygons of a piece are: its faces, and the wall triangles within it.
+FACE, _WALL = np.int64(0), np.int64(1)
 
 
 @kernel(parallel=False)
@@ -63,24 +66,24 @@ def _near(vertex, begin, end, x, walls, found):
 @kernel(parallel=False)
 def _whole(solids, s, x, walls, tolerance, pile, found, work, other):
     """Put a cell on the empty pile, and all that walls have within it; returns the pile and what is on it."""
-    polygons, corners, first, last = 0, 0, solids.face[s], solids.face[s + 1]
+    polygons, corners, first, last = ROW, ROW, solids.face[s], solids.face[s + 1]
     for f in range(first, last):
         size = solids.corner[f + 1] - solids.corner[f]
-        copy(solids.vertex, solids.corner[f], size, work, 0)
+        copy(solids.vertex, solids.corner[f], size, work, ROW)
         a, b, c, d = solids.plane[f, 0], solids.plane[f, 1], solids.plane[f, 2], solids.plane[f, 3]
-        pile = put(pile, polygons, corners, _FACE, solids.tag[f], a, b, c, d, work, size)
+        pile = put(pile, polygons, corners, FACE, solids.tag[f], a, b, c, d, work, size)
         polygons, corners = polygons + 1, corners + size
     listed, found = _near(solids.vertex, solids.corner[first], solids.corner[last], x, walls, found)
     for w in range(listed):
-        t, size = found[w], 3
+        t, size = found[w], TRIANGLE
         for k in range(3):
             for q in range(3):
                 work[k, q] = walls.corner[t, k, q] - x[q]
         for f in range(first, last):
             # what lies in a face of the cell splits nothing
             a, b, c, d = solids.plane[f, 0], solids.plane[f, 1], solids.plane[f, 2], solids.plane[f, 3] - tolerance
-            size = clip(work, 0, size, other, a, b, c, d)
-            copy(other, 0, size, work, 0)
+            size = clip(work, ROW, size, other, a, b, c, d)
+            copy(other, ROW, size, work, ROW)
             if size == 0:
                 break
         if size > 0:
@@ -106,26 +109,26 @@ def _largest(pile, polygons):
 
 
 @kernel(parallel=False)
-def _lid(pile, polygons, a, b, c, d, tolerance, work, other):
+def section(pile, polygons, a, b, c, d, tolerance, work, other):
     """The section of a piece by a plane, in `work`; its number of corners."""
     far = 0.0
     for p in range(polygons):
         for v in range(pile.what[p, START], pile.what[p, START] + pile.what[p, SIZE]):
             far = max(far, pile.vertex[v, 0] ** 2 + pile.vertex[v, 1] ** 2 + pile.vertex[v, 2] ** 2)
-    plane_square(a, b, c, d, 1.01 * math.sqrt(far), work)
-    size = 4
+    square(a, b, c, d, 1.01 * math.sqrt(far), work)
+    size = SQUARE
     for p in range(polygons):
-        if pile.what[p, KIND] == _FACE:
+        if pile.what[p, KIND] == FACE:
             low, high = height(pile.vertex, pile.what[p, START], pile.what[p, SIZE], a, b, c, d)
             if low <= tolerance and high >= -tolerance:
                 e, f, g, h = pile.plane[p, 0], pile.plane[p, 1], pile.plane[p, 2], pile.plane[p, 3]
-                size = clip(work, 0, size, other, e, f, g, h)
-                copy(other, 0, size, work, 0)
+                size = clip(work, ROW, size, other, e, f, g, h)
+                copy(other, ROW, size, work, ROW)
     return size
 
 
 @kernel(parallel=False)
-def _half(piece, polygons, split, a, b, c, d, tolerance, stack, on, corners, work):
+def lower_part(piece, polygons, split, a, b, c, d, tolerance, stack, on, corners, work):
     """Put the part of a piece below a plane on a stack, without its new face; `split` is the wall that splits."""
     for p in range(polygons):
         kind, start, size = piece.what[p, KIND], piece.what[p, START], piece.what[p, SIZE]
@@ -150,7 +153,7 @@ def _taken(stack, first, on, piece):
         for q in range(4):
             piece.what[p, q], piece.plane[p, q] = stack.what[first + p, q], stack.plane[first + p, q]
         piece.what[p, START] -= begin
-    copy(stack.vertex, begin, end - begin, piece.vertex, 0)
+    copy(stack.vertex, begin, end - begin, piece.vertex, ROW)
     return piece
 
 
@@ -162,7 +165,7 @@ def _pieces(solids, position, walls, tolerance) -> Any:
         What `Solids` has.
     """
     out_cell, out_face, out_solids = np.empty(64, np.int64), np.zeros(65, np.int64), 0
-    done, faces, corners = new_pile(1024, 8192), 0, 0
+    done, faces, corners = new_pile(1024, 8192), ROW, ROW
     stack, piece = new_pile(256, 2048), new_pile(256, 2048)
     below = np.empty(64, np.int64)  # where each piece on the stack begins
     found, lid = np.empty(64, np.int64), np.empty((MOST_CORNERS, 3))
@@ -181,29 +184,29 @@ def _pieces(solids, position, walls, tolerance) -> Any:
             if wall < 0:
                 out_cell, out_face = roomy_list(out_cell, out_solids + 1), roomy_list(out_face, out_solids + 2)
                 for p in range(count):
-                    if piece.what[p, KIND] == _FACE:
+                    if piece.what[p, KIND] == FACE:
                         size = piece.what[p, SIZE]
-                        copy(piece.vertex, piece.what[p, START], size, work, 0)
+                        copy(piece.vertex, piece.what[p, START], size, work, ROW)
                         a, b, c, d = piece.plane[p, 0], piece.plane[p, 1], piece.plane[p, 2], piece.plane[p, 3]
-                        done = put(done, faces, corners, 0, piece.what[p, TAG], a, b, c, d, work, size)
+                        done = put(done, faces, corners, FACE, piece.what[p, TAG], a, b, c, d, work, size)
                         faces, corners = faces + 1, corners + size
                 out_cell[out_solids] = solids.cell[s]
                 out_solids += 1
                 out_face[out_solids] = faces
                 continue
             a, b, c, d = piece.plane[wall, 0], piece.plane[wall, 1], piece.plane[wall, 2], piece.plane[wall, 3]
-            size = _lid(piece, count, a, b, c, d, tolerance, lid, other)
+            size = section(piece, count, a, b, c, d, tolerance, lid, other)
             for side in range(2):
                 if side == 1:
                     a, b, c, d = -a, -b, -c, -d
-                    turn(lid, size)
+                    reverse(lid, size)
                 begin = on
-                stack, on, top = _half(
+                stack, on, top = lower_part(
                     piece, count, wall, a, b, c, d, tolerance, stack, on, top, work
                 )
                 if size > 0:
                     tag = SPLIT - 2 * splits - side
-                    stack = put(stack, on, top, _FACE, tag, a, b, c, d, lid, size)
+                    stack = put(stack, on, top, FACE, tag, a, b, c, d, lid, size)
                     on, top = on + 1, top + size
                 if on > begin:
                     below = roomy_list(below, waiting + 1)
