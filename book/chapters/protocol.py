@@ -13,7 +13,7 @@ from validation.studies.protocol import METHODS, TESTS
 #: Four packings of each kind are its default; a packing by shear compaction takes half an hour.
 PROTOCOL = replace(
     study("protocol", {"protocol_errors": "protocol_errors"}),
-    command="python -m validation protocol --packings 2 --out BUILD/protocol", takes="50 min",
+    command="python -m validation protocol --out BUILD/protocol", takes="100 min",
 )  # fmt: skip
 MEASUREMENTS = (PROTOCOL,)
 
