@@ -23,4 +23,4 @@ def balanced_forces(
     weighted = share[:, None] * spread
     inertia = (weighted * spread).sum() * np.eye(3) - spread.T @ weighted
     turn = np.linalg.pinv(inertia, rcond=1e-9, hermitian=True) @ wanted
-    return share[:, None] * (force + np.cross(turn, spread))
+    return np.asarray(share[:, None] * (force + np.cross(turn, spread)), dtype=float)

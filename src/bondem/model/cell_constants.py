@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._checks import shown
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement
 from bondem.errors import InputError
 from bondem.kernels.tables import CellTable
@@ -112,7 +113,7 @@ class CellConstants:
     def pressed_by(self, force: Floats) -> PerElement:
         """What forces on free facets [N], (k, 3), add to V θ of their cells: Σ (d / 2 G) F·M⁻¹n [m³], (n,)."""
         opened = self.softness * (self.way * force).sum(axis=1)
-        return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed))
+        return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
     def ordered(self, layout: Layout) -> "CellConstants":
         """The same in the kernels' order."""
@@ -199,6 +200,8 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
     for where, law in bond.items():
         if not isinstance(where, Region):
             raise InputError("CellBond belongs to cells: give {region: law}, not laws between two regions")
+        if not isinstance(law, CellBond):
+            raise InputError(f"all cells of a body need bd.CellBond(...), not {shown(law)} in a part of them")
         chosen = as_region("bond=", where).select(body)
         G[chosen], lame[chosen] = law.G, law.lame
     bare = int(np.isnan(G).sum())
@@ -224,7 +227,7 @@ def _corrections(body: Lattice, facets: Facets, cells: Cells) -> Floats:
             for b in range(a, 3):
                 M[:, a, b] += np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
     M = np.triu(M) + np.swapaxes(np.triu(M, 1), 1, 2)
-    return np.linalg.inv(M / cells.volume[:, None, None])
+    return np.asarray(np.linalg.inv(M / cells.volume[:, None, None]), dtype=float)
 
 
 def _resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:

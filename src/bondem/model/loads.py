@@ -227,7 +227,8 @@ def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Fl
     """Force and torque on the chosen cells [N, N·m], (k, 6), of forces (p, 3) at points (p, 3) of those cells."""
     torque = np.cross(centre - body.centre[chosen][owner], force)
     columns = np.hstack([force, torque]).T
-    return np.stack([np.bincount(owner, weights=column, minlength=len(chosen)) for column in columns], axis=1)
+    parts = [np.bincount(owner, weights=column, minlength=len(chosen)) for column in columns]
+    return np.stack(parts, axis=1).astype(float)
 
 
 def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, Floats, Floats]:

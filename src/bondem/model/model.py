@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import get_args
+from typing import cast, get_args
 
 import numpy as np
 
@@ -115,7 +115,7 @@ class Model:
         if not any(isinstance(law, CellBond) for law in laws):
             return None
         body_of(self.lattice)
-        return CellConstants.of(self.lattice, self.bond, Holds.of(self.lattice, self.boundary))
+        return CellConstants.of(self.lattice, cast(CellAssignment, self.bond), Holds.of(self.lattice, self.boundary))
 
     @cached_property
     def non_local(self) -> NonLocalConstants | None:
@@ -143,7 +143,7 @@ class Model:
             return self._cells.as_bonds(self.lattice), "total"
         if self._non_local is not None:
             return self._non_local.as_bonds(self.lattice), NonLocal.formulation
-        return bond_stiffness(self.lattice, self.bond)
+        return bond_stiffness(self.lattice, cast(BondAssignment | None, self.bond))
 
     @property
     def stiffness(self) -> BondStiffness:

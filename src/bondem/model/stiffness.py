@@ -29,7 +29,8 @@ class Stiffness:
     @property
     def shape(self) -> tuple[int, int]:
         """(6 n, 6 n)."""
-        return self.bonds.shape
+        size = 6 * (len(self.bonds.indptr) - 1)
+        return size, size
 
     @property
     def neighbours(self) -> int:
@@ -53,7 +54,7 @@ class Stiffness:
             return force
         rows, columns = self._rows
         weight = self.weight if motion.ndim == 1 else self.weight[:, None]
-        return force + columns @ (weight * (rows @ motion))
+        return np.asarray(force + columns @ (weight * (rows @ motion)), dtype=float)
 
     def diagonal_blocks(self) -> Floats:
         """Diagonal blocks, (n, 6, 6)."""
@@ -84,7 +85,7 @@ class Stiffness:
         coarse = csc_array((basis.T @ (self.bonds @ basis)).tocsc())
         if self.forms is None:
             return coarse
-        forms = csr_array((self.forms.tocsr() @ basis.tocsr()).tocsr())
+        forms = csr_array(csr_array(self.forms.tocsr()) @ csr_array(basis.tocsr()))
         return csc_array(coarse + forms.T @ (self._weights @ forms))
 
     def tocsc(self) -> csc_array:

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from bondem._checks import shown
 from bondem._types import Floats, PerBond3, PerElement, PerElement3
@@ -16,6 +15,7 @@ from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.energy import stress_free_gap
 from bondem.observe.facet_loads import loads_on_facets
+from bondem.observe.turned import turned
 
 
 class SmallMotion(Protocol):
@@ -102,19 +102,19 @@ def _turned(model: Model, state: State) -> CellForces:
         own = np.empty_like(state.eigenstrain)
         own[model.layout.bond_order] = state.eigenstrain
         constants = constants.stretched(own)
-    turn = Rotation.from_quat(state.orientation[:, [1, 2, 3, 0]])
-    a, b = turn[i].apply(constants.lever_i), turn[j].apply(constants.lever_j)
+    q = state.orientation
+    a, b = turned(q[i], constants.lever_i), turned(q[j], constants.lever_j)
     gap = body.particles.nearest(state.position[j] - state.position[i]) + b - a
-    share_i, share_j = turn[i].apply(constants.share_i), turn[j].apply(constants.share_j)
+    share_i, share_j = turned(q[i], constants.share_i), turned(q[j], constants.share_j)
     grips, n = constants.grips, len(cells.volume)
-    arm = grips.lever if not len(grips.cell) else turn[grips.cell].apply(grips.lever)
+    arm = turned(q[grips.cell], grips.lever)
     came = state.displacement[grips.cell] + arm - grips.lever
     opened = grips.axes * (_walls(model, state.time) - came)
     whole = state.bond_integrity
-    swelling = np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
+    swelling = constants.pressed_by(loads_on_facets(model, state.time))
+    swelling += np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
     swelling += np.bincount(j, weights=whole * (share_j * gap).sum(axis=1), minlength=n)
     swelling += np.bincount(grips.cell, weights=(grips.share * opened).sum(axis=1), minlength=n)
-    swelling += constants.pressed_by(loads_on_facets(model, state.time))
     stress = constants.weight * swelling
     force = constants.k[:, None] * gap + stress[i, None] * share_i + stress[j, None] * share_j
     free = cells.free
@@ -123,7 +123,7 @@ def _turned(model: Model, state: State) -> CellForces:
         force=whole[:, None] * force, arm_i=a, arm_j=b,
         held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
         load=loads_on_facets(model, state.time),
-        load_arm=turn[free.cell].apply(outwards) if len(free.cell) else outwards,
+        load_arm=turned(q[free.cell], outwards),
         stress=stress,
     )  # fmt: skip
 

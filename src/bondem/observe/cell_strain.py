@@ -58,10 +58,9 @@ class CellStrain:
         if slip is not None:
             gap = gap + slip
         n = len(body.particles)
-        swelling = np.bincount(i, weights=(constants.share_i * gap).sum(axis=1), minlength=n)
+        swelling = np.zeros(n) if pressed is None else pressed.copy()
+        swelling += np.bincount(i, weights=(constants.share_i * gap).sum(axis=1), minlength=n)
         swelling += np.bincount(j, weights=(constants.share_j * gap).sum(axis=1), minlength=n)
-        if pressed is not None:
-            swelling += pressed
         grips = constants.grips
         held = grips.gap(displacement, rotation, wall)
         swelling += np.bincount(grips.cell, weights=(grips.share * held).sum(axis=1), minlength=n)
@@ -93,7 +92,8 @@ class CellStrain:
         """What the walls do to the elements that they hold [N, N·m], (n, 6)."""
         grips = constants.grips
         values = grips.nodal(self.held, self.rotation, self.stress(constants))
-        return np.stack([np.bincount(grips.cell, weights=column, minlength=n) for column in values.T], axis=1)
+        parts = [np.bincount(grips.cell, weights=column, minlength=n) for column in values.T]
+        return np.stack(parts, axis=1).astype(float)
 
     def work(self, other: "CellStrain", constants: CellConstants) -> float:
         """What the stresses of one deformation do on another, twice the energy where both are the same [J]."""

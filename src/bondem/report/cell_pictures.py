@@ -66,7 +66,7 @@ def draw_cells(
     paths: list[Floats] = []
     fills: list[Floats] = []
     for k, tint in zip(seen, face, strict=True):
-        corners = np.arange(solid.start[k], solid.start[k + 1])
+        corners = np.arange(int(solid.start[k]), int(solid.start[k + 1]))
         paths.append(placed[np.append(corners, corners[0]), :2])
         fills.append(np.append(tint, 1.0))
         for a in corners[outlined[corners]]:  # drawn with their polygon, so that nearer ones hide both
