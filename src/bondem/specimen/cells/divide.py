@@ -30,7 +30,7 @@ def _plane(sphere, x, a, b):
 
 @kernel(parallel=False)
 def _share(solids, s, sphere, near, own, tolerance, pile, spare, lid, work):
-    """What of solid s is nearer to `own` than to the others of `near`: a pile, its faces, corners, another pile."""
+    """What of solid s is nearer to `own` than to others of `near`: a pile, its faces and corners, another pile."""
     x = sphere[solids.cell[s]]
     faces, corners = ROW, ROW
     for f in range(solids.face[s], solids.face[s + 1]):

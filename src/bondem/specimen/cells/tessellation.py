@@ -253,8 +253,8 @@ def _check_depths(pairs: Pairs, between: Facets) -> None:
     if bad.size:
         i, j = map(int, pairs[bad[0]])
         raise InputError(
-            f"the facet of elements {i} and {j} does not lie between their centres ({bad.size} of them): one sphere"
-            " holds most of the other; remove the smaller one, or make radii more alike"
+            f"the facet of elements {i} and {j} does not lie between their centres ({bad.size} such facets): one"
+            " sphere holds most of the other; remove the smaller one, or make radii more alike"
         )
 
 
