@@ -15,7 +15,7 @@ from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.energy import stress_free_gap
 from bondem.observe.facet_loads import loads_on_facets
-from bondem.observe.turned import turned
+from bondem.observe.turned_vectors import turned_vectors
 
 
 class SmallMotion(Protocol):
@@ -103,11 +103,11 @@ def _turned(model: Model, state: State) -> CellForces:
         own[model.layout.bond_order] = state.eigenstrain
         constants = constants.stretched(own)
     q = state.orientation
-    a, b = turned(q[i], constants.lever_i), turned(q[j], constants.lever_j)
+    a, b = turned_vectors(q[i], constants.lever_i), turned_vectors(q[j], constants.lever_j)
     gap = body.particles.nearest(state.position[j] - state.position[i]) + b - a
-    share_i, share_j = turned(q[i], constants.share_i), turned(q[j], constants.share_j)
+    share_i, share_j = turned_vectors(q[i], constants.share_i), turned_vectors(q[j], constants.share_j)
     grips, n = constants.grips, len(cells.volume)
-    arm = turned(q[grips.cell], grips.lever)
+    arm = turned_vectors(q[grips.cell], grips.lever)
     came = state.displacement[grips.cell] + arm - grips.lever
     opened = grips.axes * (_walls(model, state.time) - came)
     whole = state.bond_integrity
@@ -123,7 +123,7 @@ def _turned(model: Model, state: State) -> CellForces:
         force=whole[:, None] * force, arm_i=a, arm_j=b,
         held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
         load=loads_on_facets(model, state.time),
-        load_arm=turned(q[free.cell], outwards),
+        load_arm=turned_vectors(q[free.cell], outwards),
         stress=stress,
     )  # fmt: skip
 

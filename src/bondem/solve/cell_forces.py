@@ -10,7 +10,7 @@ from bondem.kernels.tables import Body, Bonds, PressTable, lines
 from bondem.model.bond_table import with_twins
 from bondem.model.cell_constants import CellConstants
 from bondem.model.model import Model
-from bondem.observe.turned import turned
+from bondem.observe.turned_vectors import turned_vectors
 
 
 def body_tables(model: Model, integrity: Floats) -> tuple[Bonds, Body]:
@@ -68,13 +68,13 @@ def current_forms(model: Model, pose: Floats, pattern: bsr_array) -> bsr_array:
     """V θ of each cell under unit motions from the present pose [m², m³], 1×6 blocks, (n, 6 n)."""
     layout, cells = model.layout, _cells(model)
     i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
-    a, b = turned(pose[i, 4:], cells.lever_i), turned(pose[j, 4:], cells.lever_j)
+    a, b = turned_vectors(pose[i, 4:], cells.lever_i), turned_vectors(pose[j, 4:], cells.lever_j)
     gap = model.lattice.particles.nearest(pose[j, :3] - pose[i, :3]) + b - a
     start, inward = pattern.indptr, np.diff(layout.in_start)
     diagonal, place = start[:-1] + inward, np.arange(len(i))
     forms = np.zeros((len(pattern.indices), 1, 6))
     for end, lever, share, sign, other, far in (
-        (i, a, turned(pose[i, 4:], cells.share_i), -1.0, j, b), (j, b, turned(pose[j, 4:], cells.share_j), 1.0, i, a)
+        (i, a, turned_vectors(pose[i, 4:], cells.share_i), -1.0, j, b), (j, b, turned_vectors(pose[j, 4:], cells.share_j), 1.0, i, a)
     ):  # fmt: skip
         own = sign * np.hstack([share, np.cross(lever, share)])
         own[:, 3:] += np.cross(share, gap)
@@ -87,7 +87,7 @@ def current_forms(model: Model, pose: Floats, pattern: bsr_array) -> bsr_array:
             forms[diagonal[leaving] + 1 + place - layout.out_start[leaving], 0] = towards[layout.out_bond]
     grips = cells.grips
     held = layout.rank[grips.cell]
-    lever = turned(pose[held, 4:], grips.lever)
+    lever = turned_vectors(pose[held, 4:], grips.lever)
     np.add.at(forms[:, 0], diagonal[held], -np.hstack([grips.share, np.cross(lever, grips.share)]))
     return bsr_array((forms, pattern.indices, start), shape=(len(pose), 6 * len(pose)))
 
@@ -96,7 +96,7 @@ def grip_blocks(model: Model, pose: Floats) -> tuple[np.ndarray, Floats]:
     """Cells that walls hold, and what the walls add to their diagonal blocks in the present pose, (g,), (g, 6, 6)."""
     order, grips = model.layout.order, _cells(model).grips
     held = model.layout.rank[grips.cell]
-    arm = turned(pose[held, 4:], grips.lever)
+    arm = turned_vectors(pose[held, 4:], grips.lever)
     moved = pose[held, :3] + arm - model.lattice.centre[order][held] - grips.lever
     force = grips.k[:, None] * grips.axes * (grips.motion - moved) + pose[held, STRESS, None] * grips.share
     own, _ = grips.blocks(arm)
