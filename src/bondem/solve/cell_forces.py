@@ -74,8 +74,9 @@ def current_forms(model: Model, pose: Floats, pattern: bsr_array) -> bsr_array:
     diagonal, place = start[:-1] + inward, np.arange(len(i))
     forms = np.zeros((len(pattern.indices), 1, 6))
     for end, lever, share, sign, other, far in (
-        (i, a, turned_vectors(pose[i, 4:], cells.share_i), -1.0, j, b), (j, b, turned_vectors(pose[j, 4:], cells.share_j), 1.0, i, a)
-    ):  # fmt: skip
+        (i, a, turned_vectors(pose[i, 4:], cells.share_i), -1.0, j, b),
+        (j, b, turned_vectors(pose[j, 4:], cells.share_j), 1.0, i, a),
+    ):
         own = sign * np.hstack([share, np.cross(lever, share)])
         own[:, 3:] += np.cross(share, gap)
         np.add.at(forms[:, 0], diagonal[end], own)
