@@ -60,6 +60,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "BondDamping": {"eta": 0.1, "beta": 0.0},
     "Box": {"size": (1.0, 1.0, 1.0)},
     "Cell": {"size": (1.0, 1.0, 1.0)},
+    "CellBond": {"E": 1e9, "nu": 0.2, "facet_rotation": "bending"},
     "Constant": {"value": 1.0},
     "ContactBond": BEAM | {"kappa": 1.0},
     "Cylinder": {"radius": 1.0, "length": 2.0},
@@ -86,6 +87,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "Particles": {"position": GRID, "radius": 0.5, "period": None, "shape": None},
     "Plan": {"duration": 1e-3, "dt": 1e-5, "scheme": bd.VelocityVerlet(), "damping": None, "gauges": {}, "every": 10,
              "save_every": 0, "until": (), "safety": 0.9},
+    "NonLocal": {"E": 1e9, "nu": 0.2, "lever": "facet", "areas": "facet", "volume": "cell", "limited": True},
     "PlaneWall": {"point": (0.0, 0.0, 0.0), "normal": (1.0, 0.0, 0.0), "motion": None, "friction": 0.1},
     "Pressure": {"region": FACE, "pressure": 1e5, "schedule": bd.Constant(1.0)},
     "Ramp": {"start": 0.0, "end": 1.0, "duration": 1.0, "begin": 0.0},
@@ -134,7 +136,8 @@ ELSEWHERE = {
     "write_vtkhdf", "Everything", "VelocityVerlet", "BondLaw", "Event", "Region", "Schedule", "Scheme", "Shape",
     "SizeLaw", "BondGeometry", "BondStiffness", "BondStrain", "BulkModuli", "Calibration", "Callback", "Checkpoint",
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
-    "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial",
+    "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial", "Cells",
+    "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
 }  # fmt: skip
 # Runs on purpose: what is possible there takes as long as was asked for.
 LONG = {("solve_explicit", "duration"), ("solve_explicit", "dt"), ("solve_explicit", "safety"),
