@@ -109,7 +109,7 @@ def force_gyration(model: Model, solution: StaticResult) -> Floats:
     the mean over its cells, each weighted with its mean axial stress times its volume.
     """
     lattice = model.lattice
-    if lattice.cells is not None:
+    if model.cells is not None:
         return _stress_gyration(model, solution)
     i, j = lattice.pairs.T
     position = lattice.particles.position

@@ -27,12 +27,15 @@ def surface_displacement(
     """
     instance("surface_displacement", "model", model, Model, "bd.Model(...)")
     _, cells = body_of(model.lattice)
-    constants, free = model.cell_constants, cells.free
+    free = cells.free
+    arm = free.centroid - cells.centroid[free.cell]
+    rigid = displacement[free.cell] + np.cross(rotation[free.cell], arm)
+    if model.cells is None:  # another law of a body, whose facets do not open
+        return rigid
+    constants = model.cell_constants
     pressed = None if traction is None else constants.pressed_by(free.area[:, None] * traction)
     wall = constants.grips.motion
     found = CellStrain.of(model.lattice, constants, displacement, rotation, wall=wall, pressed=pressed)
-    arm = free.centroid - cells.centroid[free.cell]
-    rigid = displacement[free.cell] + np.cross(rotation[free.cell], arm)
     pull = -found.stress(constants)[free.cell, None] * constants.way
     if traction is not None:
         pull = pull + traction
