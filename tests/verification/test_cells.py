@@ -153,8 +153,10 @@ def test_a_facet_lies_in_the_radical_plane_and_its_moment_is_about_its_centroid(
     lattice = body("box")
     facets, r = lattice.facets, lattice.particles.radius
     i, j = lattice.pairs.T
-    np.testing.assert_allclose(facets.normal, lattice.branch / lattice.length[:, None], atol=1e-12)
-    np.testing.assert_allclose(facets.span, lattice.length, rtol=1e-12)
+    apart = lattice.particles.separation(i, j)  # of the generators: elements are at the centres of mass
+    length = np.linalg.norm(apart, axis=1)
+    np.testing.assert_allclose(facets.normal, apart / length[:, None], atol=1e-12)
+    np.testing.assert_allclose(facets.span, length, rtol=1e-12)
     np.testing.assert_allclose(facets.depth_i**2 - r[i] ** 2, facets.depth_j**2 - r[j] ** 2, atol=1e-12)
     assert (lattice.pairs[:, 0] < lattice.pairs[:, 1]).all()
     np.testing.assert_allclose(np.einsum("mij,mj->mi", facets.moment, facets.normal), 0.0, atol=1e-15)
@@ -203,7 +205,7 @@ def test_no_facet_passes_a_slot_thinner_than_a_cell(width):
     # a cell whose centre is on one side has nothing on the other
     far = (x[:, 1] > 1.1) & (np.abs(x[:, 0] - 1.0) > width / 2)
     assert ((cells.centroid[far, 0] - 1.0) * (x[far, 0] - 1.0) > 0.0).all()
-    np.testing.assert_allclose(facets.span, lattice.length, rtol=1e-9)
+    np.testing.assert_allclose(facets.span, np.linalg.norm(x[j] - x[i], axis=1), rtol=1e-9)
     assert np.minimum(facets.depth_i, facets.depth_j).min() > 0.2 * lattice.particles.mean_radius
 
 
