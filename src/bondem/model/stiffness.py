@@ -62,12 +62,13 @@ class Stiffness:
         row = np.repeat(np.arange(n), np.diff(self.bonds.indptr))
         blocks = self.bonds.data[self.bonds.indices == row]
         if self.forms is None:
-            return blocks
+            return np.asarray(blocks, dtype=float)
         form = self.forms.data[:, 0]
         weighted = np.repeat(self.weight, np.diff(self.forms.indptr))[:, None] * form
         order = np.argsort(self.forms.indices, kind="stable")
         start = np.searchsorted(self.forms.indices[order], np.arange(n))
-        return blocks + np.add.reduceat(weighted[order][:, :, None] * form[order][:, None, :], start)
+        squares = np.add.reduceat(weighted[order][:, :, None] * form[order][:, None, :], start)
+        return np.asarray(blocks + squares, dtype=float)
 
     def scaled(self, root: Floats) -> "Stiffness":
         """Sᵀ K S with blocks `root` S of each element, (n, 6, 6)."""
