@@ -1,10 +1,16 @@
 """Energy of the facets and cells of a body, and of the walls that hold some of them."""
 
 
-from bondem._compile import kernel
+from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import branch
 from bondem.kernels.grip_pass import grip_energy, swell_grips
 from bondem.laws.cell_energy import facet_energy, swellings
+
+
+@device
+def lever(columns, pitch, k):
+    """Lever k from its columns of whole numbers [m]."""
+    return pitch[0] * columns[0, k], pitch[1] * columns[1, k], pitch[2] * columns[2, k]
 
 
 @kernel(parallel=False)
@@ -18,8 +24,7 @@ def cell_energies(pose, rest, bonds, cells, grips):
         i, j = bonds.i[k], bonds.j[k]
         d = branch(pose, i, j, bonds.period)
         p, q = (pose[i, 4], pose[i, 5], pose[i, 6], pose[i, 7]), (pose[j, 4], pose[j, 5], pose[j, 6], pose[j, 7])
-        a = cells.lever_i[0, k], cells.lever_i[1, k], cells.lever_i[2, k]
-        b = cells.lever_j[0, k], cells.lever_j[1, k], cells.lever_j[2, k]
+        a, b = lever(cells.lever_i, cells.pitch, k), lever(cells.lever_j, cells.pitch, k)
         u = cells.share_i[0, k], cells.share_i[1, k], cells.share_i[2, k]
         v = cells.share_j[0, k], cells.share_j[1, k], cells.share_j[2, k]
         n = cells.normal[0, k], cells.normal[1, k], cells.normal[2, k]

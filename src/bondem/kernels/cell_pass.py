@@ -7,7 +7,7 @@ cuts.
 
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import ahead, apart, group, groups
-from bondem.kernels.lane_memory import add_loads, add_numbers, places, row, side
+from bondem.kernels.lane_memory import add_loads, add_numbers, places, row, side, widened
 from bondem.laws.cell_energy import facet_force, swellings
 
 # Column of a row of the pose that holds λ θ of a cell [Pa].
@@ -21,7 +21,13 @@ def _three(table):
 
 @device
 def _triple(columns, k):
-    return side(columns[0], k), side(columns[1], k), side(columns[2], k)
+    return widened(columns[0], k), widened(columns[1], k), widened(columns[2], k)
+
+
+@device
+def _lever(columns, pitch, k):
+    x, y, z = _triple(columns, k)
+    return pitch[0] * x, pitch[1] * y, pitch[2] * z
 
 
 @device
@@ -38,7 +44,7 @@ def _times(s, a):
 def swell(pose, bonds, cells, first, last):
     """Add what the facets first … last do to V θ of their cells, in `cells.swelling`."""
     lever_i, lever_j = _three(cells.lever_i), _three(cells.lever_j)
-    share_i, share_j = _three(cells.share_i), _three(cells.share_j)
+    share_i, share_j, pitch = _three(cells.share_i), _three(cells.share_j), _three(cells.pitch)
     for g in range(groups(first, last)):
         k, known = group(first, last, g)
         ahead(bonds, pose, k, last)
@@ -47,7 +53,7 @@ def swell(pose, bonds, cells, first, last):
         s = side(bonds.integrity, k)
         one, other = swellings(
             apart(a, b, bonds.period), _orientation(a), _orientation(b),
-            _triple(lever_i, k), _triple(lever_j, k), _triple(share_i, k), _triple(share_j, k),
+            _lever(lever_i, pitch, k), _lever(lever_j, pitch, k), _triple(share_i, k), _triple(share_j, k),
         )  # fmt: skip
         add_numbers(cells.swelling, places(cells.to_i, k), j, s * one, s * other, known)
 
@@ -74,7 +80,7 @@ def gather_swelling(cells, shared, part):
 def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
     """Add force and torques of the facets first … last to the rows of their two cells in `sums`."""
     lever_i, lever_j = _three(cells.lever_i), _three(cells.lever_j)
-    share_i, share_j = _three(cells.share_i), _three(cells.share_j)
+    share_i, share_j, pitch = _three(cells.share_i), _three(cells.share_j), _three(cells.pitch)
     bend, mixed = _three(cells.H), _three(cells.H[3:])
     for g in range(groups(first, last)):
         k, known = group(first, last, g)
@@ -82,12 +88,12 @@ def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
         a, b = row(pose, places(bonds.i, k)), row(pose, places(bonds.j, k))
         s = side(bonds.integrity, k)
         H = (
-            s * side(bend[0], k), s * side(bend[1], k), s * side(bend[2], k),
-            s * side(mixed[0], k), s * side(mixed[1], k), s * side(mixed[2], k),
+            s * widened(bend[0], k), s * widened(bend[1], k), s * widened(bend[2], k),
+            s * widened(mixed[0], k), s * widened(mixed[1], k), s * widened(mixed[2], k),
         )  # fmt: skip
         force, on_i, on_j = facet_force(
             apart(a, b, bonds.period), _orientation(a), _orientation(b),
-            _triple(lever_i, k), _triple(lever_j, k), _triple(share_i, k), _triple(share_j, k),
+            _lever(lever_i, pitch, k), _lever(lever_j, pitch, k), _triple(share_i, k), _triple(share_j, k),
             s * side(cells.k, k), H, s * a[STRESS], s * b[STRESS],
         )  # fmt: skip
         add_loads(sums, places(row_i, k), places(row_j, k), force, on_i, on_j, known)

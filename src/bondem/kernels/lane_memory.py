@@ -14,7 +14,7 @@ from bondem.kernels.lanes import WIDTH, instruction, lanes, shuffled, vector
 
 __all__ = [
     "add_loads", "add_numbers", "clear_row", "entry", "places", "places_below", "places_in", "prefetch", "put_entry",
-    "put_row", "put_side", "row", "side",
+    "put_row", "put_side", "row", "side", "widened",
 ]  # fmt: skip
 
 _COLUMNS = 8
@@ -228,6 +228,21 @@ def side(typingctx, column, k):
 
     def generate(context, builder, sig, args):
         return builder.load(_address(context, builder, sig.args[0], args[0], args[1], vector), align=8)
+
+    return lanes(column, types.uint64), generate
+
+
+@instruction
+def widened(typingctx, column, k):
+    """Numbers k … k + WIDTH of an array of float32 or int32, as lanes."""
+    kinds = {types.float32: (ir.FloatType(), "fpext"), types.int32: (_INDEX, "sitofp")}
+    if not (isinstance(column, types.Array) and column.dtype in kinds and column.layout == "C"):
+        return None
+    narrow, word = kinds[column.dtype]
+
+    def generate(context, builder, sig, args):
+        pointer = _address(context, builder, sig.args[0], args[0], args[1], ir.VectorType(narrow, WIDTH))
+        return getattr(builder, word)(builder.load(pointer, align=4), vector)
 
     return lanes(column, types.uint64), generate
 

@@ -87,12 +87,13 @@ class CellTable(NamedTuple):
     """The facets and cells of a body, m facets in the order of the bonds and n cells; kernels write the last two."""
 
     k: np.ndarray  #: [N/m], (m,)
-    lever_i: np.ndarray  #: from the centre of i to the facet [m], (3, m)
+    pitch: np.ndarray  #: unit of the levers along x, y, z [m], (3,)
+    lever_i: np.ndarray  #: from the centre of i to the facet [pitch], int32, (3, m)
     lever_j: np.ndarray
-    share_i: np.ndarray  #: A w M⁻¹n of both sides [m²], (3, m)
+    share_i: np.ndarray  #: A w M⁻¹n of both sides [m²], float32, (3, m)
     share_j: np.ndarray
     normal: np.ndarray  #: from i to j [-], (3, m)
-    H: np.ndarray  #: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], (6, m)
+    H: np.ndarray  #: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], float32, (6, m)
     weight: np.ndarray  #: λ / V of each cell [Pa/m³], (n,)
     to_i: np.ndarray  #: where a facet adds to its cell i: there, or for the other domain, uint32, (m,)
     given: np.ndarray  #: part of V θ from tractions on free facets [m³], (n,)

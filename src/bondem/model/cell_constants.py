@@ -14,6 +14,7 @@ from bondem.laws.cell_bond import CellBond
 from bondem.model.bond_table import with_twins, with_zeros
 from bondem.model.grips import Grips, Holds
 from bondem.model.layout import Layout
+from bondem.specimen.cells.raster import LEVER_BITS, on_raster, pitch
 from bondem.specimen.cells.tables import Cells, Facets
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region, as_region
@@ -27,6 +28,9 @@ class CellConstants:
 
     The levers begin at the centre of mass of a cell, which is where an element is; every other length is that of the
     tessellation's own centres. A body needs no other difference: the gap of a facet is that of its two faces.
+
+    Shares and H are numbers of single precision and levers multiples of `pitch`: what follows from them is exact, and
+    kernels read half as much.
 
     Attributes:
         k: 2 G A / L, of halves in series where materials meet [N/m], shape (m,).
@@ -42,6 +46,7 @@ class CellConstants:
         way: M⁻¹n along its free axes: the stress of the cell opens it by -softness · stress · way [-], shape (k, 3).
         free_cell: of each free facet, user's order, shape (k,).
         pressed: what tractions on its free facets add to V θ of each cell [m³], shape (n,).
+        pitch: levers are whole multiples of it along x, y, z [m], shape (3,).
     """
 
     k: PerBond
@@ -60,6 +65,7 @@ class CellConstants:
     way: Floats
     free_cell: Ints
     pressed: PerElement
+    pitch: Floats
 
     @classmethod
     def of(cls, body: Lattice, bond: CellAssignment, holds: Holds) -> "CellConstants":
@@ -91,13 +97,16 @@ class CellConstants:
         soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
         slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
         arm = facets.centroid - cells.centroid[i]
+        other = arm - body.branch
+        grid = pitch(float(max(np.abs(arm).max(), np.abs(other).max())), body.particles.period, LEVER_BITS)
+        arm = on_raster(arm, grid)
         return cls(
             k=k,
             lever_i=arm,
             lever_j=arm - body.branch,
-            H=_resistance(facets.moment, normal, k / area, rotation),
-            share_i=(area * w_i)[:, None] * n_i,
-            share_j=(area * w_j)[:, None] * n_j,
+            H=_single(_resistance(facets.moment, normal, k / area, rotation)),
+            share_i=_single((area * w_i)[:, None] * n_i),
+            share_j=_single((area * w_j)[:, None] * n_j),
             volume=cells.volume,
             weight=lame / slack / cells.volume,
             normal=normal,
@@ -108,6 +117,7 @@ class CellConstants:
             way=open_axes * n_free,
             free_cell=free.cell,
             pressed=np.zeros(len(cells.volume)),
+            pitch=grid,
         )
 
     def pressed_by(self, force: Floats) -> PerElement:
@@ -137,6 +147,7 @@ class CellConstants:
             way=self.way,
             free_cell=self.free_cell,
             pressed=self.pressed[element],
+            pitch=self.pitch,
         )
 
     def stretched(self, strain: PerBond) -> "CellConstants":
@@ -156,14 +167,17 @@ class CellConstants:
         Args:
             to_i: where each facet adds to its cell i, uint32, (m,): cell i, or a place behind all cells.
         """
-        def columns(each: Floats) -> Floats:
-            return np.ascontiguousarray(with_zeros(each.T))
+        def columns(each: Floats, kind: type) -> np.ndarray:
+            return np.ascontiguousarray(with_zeros(each.T.astype(kind)))
+
+        def whole(lever: Floats) -> np.ndarray:
+            return columns(np.rint(lever / self.pitch), np.int32)
 
         return CellTable(
-            k=with_zeros(self.k),
-            lever_i=columns(self.lever_i), lever_j=columns(self.lever_j),
-            share_i=columns(self.share_i), share_j=columns(self.share_j), normal=columns(self.normal),
-            H=columns(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]),
+            k=with_zeros(self.k), pitch=self.pitch, lever_i=whole(self.lever_i), lever_j=whole(self.lever_j),
+            share_i=columns(self.share_i, np.float32), share_j=columns(self.share_j, np.float32),
+            normal=columns(self.normal, np.float64),
+            H=columns(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]], np.float32),
             weight=self.weight, to_i=with_twins(to_i), given=self.pressed.copy(),
             swelling=np.zeros(max(len(self.weight), int(to_i.max(initial=0)) + 1)),
         )  # fmt: skip
@@ -189,6 +203,11 @@ def body_of(lattice: Lattice) -> tuple[Facets, Cells]:
             "CellBond needs a body cut into cells: connect particles with bd.connect(particles, method='laguerre')"
         )
     return lattice.facets, lattice.cells
+
+
+def _single(values: Floats) -> Floats:
+    """The nearest numbers of single precision."""
+    return values.astype(np.float32).astype(float)
 
 
 def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str]:

@@ -13,6 +13,7 @@ from bondem.specimen.cells.gathering import Polygons, facets, free_facets, toget
 from bondem.specimen.cells.interfaces import patches
 from bondem.specimen.cells.laguerre import Bins, bins, plain_cells, usual_reach
 from bondem.specimen.cells.owners import Owned, owned
+from bondem.specimen.cells.raster import CENTRE_BITS, on_raster, pitch
 from bondem.specimen.cells.solids import LOCAL, Bulk, Solids, bulk, joined, polygon_measures
 from bondem.specimen.cells.tables import Cells, Facets
 from bondem.specimen.cells.trim import trimmed
@@ -239,7 +240,8 @@ def tessellate(
     volume, centroid, inertia = _solid_tables(made)
     _check_volume(particles.envelope, float(volume.sum()))
     told(1.0)
-    return pairs, between, Cells(volume, centroid, inertia, free)
+    grid = pitch(made.centres.reach, particles.period, CENTRE_BITS)
+    return pairs, between, Cells(volume, freeze(on_raster(centroid, grid)), inertia, free)
 
 
 def cell_centroids(particles: Particles) -> PerElement3:

@@ -1,0 +1,28 @@
+"""Grids that centres of mass lie on, so that levers between them and the facets are whole numbers.
+
+What a body does at rest depends on differences of lengths that cancel. On a grid they cancel to the last bit, and
+levers fit into 32 bits: the loops of a step read half as much.
+"""
+
+import numpy as np
+
+from bondem._types import Floats, PerElement3
+
+# Lengths up to the given one are so many times the pitch: of levers, which are 32 bits with their sign; of centres,
+# coarser, so that the grid of the levers holds theirs.
+LEVER_BITS, CENTRE_BITS = 30, 28
+
+
+def pitch(length: float, period: Floats | None, bits: int) -> Floats:
+    """The finest grid that counts `length` [m] in that many bits: its pitch along x, y and z [m], shape (3,).
+
+    Pitches are powers of two, or edges of the periodic cell over powers of two, so that of two grids the finer one
+    has all points of the coarser one.
+    """
+    whole = np.ones(3) if period is None else np.asarray(period, dtype=float)
+    return np.asarray(whole * 2.0 ** (np.ceil(np.log2(length / whole)) - bits), dtype=float)
+
+
+def on_raster(position: PerElement3, pitch: Floats) -> PerElement3:
+    """Positions [m], (n, 3), at the nearest points of a grid."""
+    return np.asarray(np.rint(position / pitch) * pitch, dtype=float)
