@@ -315,3 +315,14 @@ def test_even_centres_follow_from_the_seed():
     for option in ({"spread": 0.25}, {"sizes": bd.Uniform(0.1)}, {"volume_fraction": 0.5}, {"jamming": True}):
         with pytest.raises(bd.errors.InputError, match="leave out spread="):
             bd.pack(shape, count=150, method="even", **option)
+
+
+def test_walls_of_a_re_entrant_corner_belong_to_no_face():
+    shape = bd.Box((40.0, 10.0, 3.0)) | bd.Box((40.0, 3.0, 10.0))
+    body = bd.connect(bd.pack(shape, count=600, method="even", seed=1), method="laguerre")
+    free = body.cells.free
+    area = dict(zip(shape.faces, np.bincount(free.face + 1, weights=free.area)[1:], strict=True))
+    assert area == pytest.approx(
+        {"x_min": 51.0, "x_max": 51.0, "y_min": 400.0, "y_max": 120.0, "z_min": 400.0, "z_max": 120.0}, rel=1e-9
+    )
+    assert free.area[free.face < 0].sum() == pytest.approx(2 * 40.0 * 7.0, rel=1e-9)

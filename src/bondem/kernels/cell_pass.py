@@ -40,6 +40,14 @@ def _times(s, a):
     return s * a[0], s * a[1], s * a[2]
 
 
+@device
+def _away(a, b, period):
+    """From centres a to centres b [m], over the nearest periodic images where there are any."""
+    if period[3] == 0.0 and period[4] == 0.0 and period[5] == 0.0:
+        return b[0] - a[0], b[1] - a[1], b[2] - a[2]
+    return apart(a, b, period)
+
+
 @kernel(parallel=False)
 def swell(pose, bonds, cells, first, last):
     """Add what the facets first … last do to V θ of their cells, in `cells.swelling`."""
@@ -52,7 +60,7 @@ def swell(pose, bonds, cells, first, last):
         a, b = row(pose, places(bonds.i, k)), row(pose, j)
         s = side(bonds.integrity, k)
         one, other = swellings(
-            apart(a, b, bonds.period), _orientation(a), _orientation(b),
+            _away(a, b, bonds.period), _orientation(a), _orientation(b),
             _lever(lever_i, pitch, k), _lever(lever_j, pitch, k), _triple(share_i, k), _triple(share_j, k),
         )  # fmt: skip
         add_numbers(cells.swelling, places(cells.to_i, k), j, s * one, s * other, known)
@@ -92,7 +100,7 @@ def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
             s * widened(mixed[0], k), s * widened(mixed[1], k), s * widened(mixed[2], k),
         )  # fmt: skip
         force, on_i, on_j = facet_force(
-            apart(a, b, bonds.period), _orientation(a), _orientation(b),
+            _away(a, b, bonds.period), _orientation(a), _orientation(b),
             _lever(lever_i, pitch, k), _lever(lever_j, pitch, k), _triple(share_i, k), _triple(share_j, k),
             s * side(cells.k, k), H, s * a[STRESS], s * b[STRESS],
         )  # fmt: skip

@@ -17,7 +17,6 @@ change under rigid motion.
 """
 
 from bondem._compile import device
-from bondem.laws.rotations import rotate
 
 
 @device
@@ -35,7 +34,14 @@ def scalar(a, b):
 @device
 def turned_by(q, a):
     """Triple a turned by the unit quaternion q."""
-    return rotate(q[0], q[1], q[2], q[3], a[0], a[1], a[2])
+    x, y, z = q[1] + q[1], q[2] + q[2], q[3] + q[3]
+    t = y * a[2] - z * a[1], z * a[0] - x * a[2], x * a[1] - y * a[0]
+    # sums of products one after the other, each a fused multiply-add
+    return (
+        a[0] + q[0] * t[0] + q[2] * t[2] - q[3] * t[1],
+        a[1] + q[0] * t[1] + q[3] * t[0] - q[1] * t[2],
+        a[2] + q[0] * t[2] + q[1] * t[1] - q[2] * t[0],
+    )
 
 
 @device

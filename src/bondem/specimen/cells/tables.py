@@ -45,7 +45,7 @@ class FreeFacets:
         centroid: [m], shape (k, 3).
         moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (k, 3, 3).
         depth: distance of the cell's centre from their plane, positive inside [m], shape (k,).
-        face: number of their face in `Shape.faces`, shape (k,).
+        face: number of their face in `Shape.faces`, or -1 of walls that belong to none, shape (k,).
     """
 
     cell: Ints
