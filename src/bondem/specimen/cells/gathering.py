@@ -105,9 +105,9 @@ def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Pol
 
 
 def _faces(shape: Shape, centroid: Floats, normal: Floats, inside: float) -> Ints:
-    """Numbers of the faces that points on walls lie on, or -1: near to them, and their depth grows away from the wall.
+    """Numbers of the faces that points on walls lie on: near to them, and their depth grows away from the wall.
 
-    Walls of a notch or of a re-entrant corner may belong to no face of the shape.
+    Walls of a notch or of a re-entrant corner may belong to no face of the shape: theirs is -1.
     """
     # across a wall the depth of another face does not grow: that misses by `inside` at least
     least, number = np.full(len(centroid), 0.9 * inside), np.full(len(centroid), -1)
