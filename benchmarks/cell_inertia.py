@@ -30,7 +30,7 @@ COUNT = 12
 
 def _crossed(arm: np.ndarray) -> np.ndarray:
     """Matrices X with X θ = θ × arm, (n, 3, 3)."""
-    return -np.cross(arm[:, None], np.eye(3))
+    return np.cross(arm[:, None], np.eye(3))  # row a is arm × e_a, and e_a · (θ × arm) = θ · (arm × e_a)
 
 
 def masses(body: bd.Lattice) -> dict[str, np.ndarray]:
