@@ -18,6 +18,7 @@ _WAVES = {"P": (BLUE, "s"), "S": (GREEN, "^"), "Rayleigh": (ORANGE, "o")}
 _SHAPES = ("cube", "beam", "plate", "cylinder", "l_beam", "bracket", "holed_plate")
 #: Bodies of fewer elements are not shown.
 _LEAST = 2500
+_LEVELS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0)
 
 
 def kept(name: str) -> dict[str, Any]:
@@ -56,16 +57,23 @@ def dispersion(path: Path) -> None:
 
 def convergence(path: Path) -> None:
     """Errors against the number of elements: free frequencies, the stress at a hole, and the hottest cell."""
-    with sheet(path, 11.0, 3.9, 1, 3) as (_, (tones, hole, peak)):
+    with sheet(path, 11.0, 4.6, 1, 3) as (_, (tones, hole, peak)):
         _tones(tones)
         found = kept("cell_hole")
         _hole(hole, found["rows"])
         _peak(peak, found)
         for axis in (tones, hole, peak):
+            axis.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)
+        for axis, counts in ((tones, (500, 2500, 10_000, 40_000)), (hole, (2500, 10_000, 40_000))):
             axis.set_xscale("log")
-            axis.legend(fontsize=7)
-        for axis in (tones, hole):
             axis.set_yscale("log")
+            lower, upper = axis.get_ylim()
+            levels = [level for level in _LEVELS if lower <= level <= upper]
+            axis.set_yticks(levels, [f"{level:g}" for level in levels])
+            axis.set_xticks(counts, [f"{count:,}".replace(",", " ") for count in counts])
+            axis.set_xticks([], minor=True)
+            axis.set_yticks([], minor=True)
+            axis.set_xlim(0.8 * counts[0], 1.25 * counts[-1])
             axis.set_xlabel("elements")
             axis.set_ylabel("error [%]")
 
@@ -105,18 +113,17 @@ def _peak(axis: Any, found: dict[str, Any]) -> None:
     """The hottest cell, what finite elements have on the same cells, and their peak at the rim."""
     for nu, fill in ((0.2, "full"), (0.4, "none")):
         mine = [one for one in found["rows"] if one["nu"] == nu]
-        x = [one["radius"] for one in mine]
+        x = [1.0 / one["radius"] for one in mine]
         axis.plot(x, [one["hottest_wanted"] for one in mine], "s", color=GREY, ms=6, fillstyle=fill,
                   label="finite elements, mean over cells" if nu == 0.2 else None)  # fmt: skip
         axis.plot(x, [one["hottest"] for one in mine], "o", color=ORANGE, ms=4, fillstyle=fill,
                   label="cells" if nu == 0.2 else None)  # fmt: skip
-        axis.axhline(found["peaks"][str(nu)]["largest"], color=INK, lw=0.9, ls="-" if nu == 0.2 else "--",
-                     label=f"peak at the rim, ν = {nu}")  # fmt: skip
-    axis.set_xlabel("radius of the hole [elements]")
-    axis.set_ylabel("hottest cell: stress over that of the end [-]")
-    axis.set_xticks([3, 5, 8, 12], ["3", "5", "8", "12"])
-    axis.set_xticks([], minor=True)
-    axis.set_title("the peak, and the hottest cell")
+        axis.plot(0.0, found["peaks"][str(nu)]["largest"], "D", color=INK, ms=6, fillstyle=fill, clip_on=False,
+                  label="continuum, at the rim" if nu == 0.2 else None)  # fmt: skip
+    axis.set_xlim(0.0, None)
+    axis.set_xlabel("edge of an element over radius of the hole [-]")
+    axis.set_ylabel("stress over that of the end [-]")
+    axis.set_title("the hottest cell and the peak")
 
 
 def main() -> None:

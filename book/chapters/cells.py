@@ -102,8 +102,7 @@ def _rayleigh() -> Section:
         before=(
             f"On the free surface of a slab between smooth walls, seeds {seeds}, at least two lengths of the wave"
             f" below it; against the root of the Rayleigh function. Judged are waves of {LONG_RAYLEIGH:.0f} elements"
-            " or more. The length of the time step adds up to"
-            f" {100 * max(one['step'] for one in found if one['elements'] > LONG_RAYLEIGH - 0.1):.2f} % to these."
+            " or more."
         ),
         rows=tuple(rows),
     )
