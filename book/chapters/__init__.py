@@ -7,6 +7,7 @@ from book.chapters import (
     andre_tables,
     any_specimen,
     calibration,
+    cells,
     chen_components,
     chen_tables,
     cost,
@@ -22,8 +23,8 @@ from book.results import Measurement
 from book.small import PACKINGS
 
 _FILES = (
-    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, packings, parameters,
-    dynamic_tests, surface, formulations, dynamics, cost,
+    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, packings,
+    parameters, dynamic_tests, surface, formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}

@@ -1,0 +1,199 @@
+"""Bodies of cells: E, ν, waves, bodies of other shapes and the stress at a hole, with nothing calibrated."""
+
+from typing import Any
+
+from book.chapter import Chapter, Figure, Section
+from book.forms import PERCENT, PLAIN, SIGNED, Form
+from book.results import Measurement
+from book.row import Row
+from book.tolerances import AtMost, Tolerance
+
+MODULI = Measurement("cell_moduli", "python benchmarks/cell_moduli.py")
+WAVES = Measurement("cell_waves", "python benchmarks/cell_waves.py")
+RAYLEIGH = Measurement("cell_rayleigh", "python benchmarks/cell_rayleigh.py", "10 min")
+HOLE = Measurement("cell_hole", "python benchmarks/cell_hole.py", "40 min")
+INERTIA = Measurement("cell_inertia", "python benchmarks/cell_inertia.py", "10 min")
+BODIES = Measurement("cell_bodies", "python benchmarks/cell_bodies.py")
+MEASUREMENTS = (MODULI, WAVES, RAYLEIGH, HOLE, INERTIA, BODIES)
+
+#: What is asked for [-].
+E_LIMIT, NU_LIMIT, WAVE_LIMIT, RAYLEIGH_LIMIT, HOLE_LIMIT = 3e-3, 2e-3, 5e-3, 1e-2, 5e-2
+#: Waves of so many elements or more are judged.
+LONG, LONG_RAYLEIGH = 20.0, 10.0
+#: Bodies of so many elements or more are shown; those of FINE have a limit of their own.
+COARSE, FINE, FINE_LIMIT = 10_000, 40_000, 5e-3
+_QUANTITIES = {
+    "E": ["E"], "frequencies": [f"f{k}" for k in range(1, 7)],
+    "tension, bending and torsion, clamped": ["tension", "bending", "torsion"],
+}  # fmt: skip
+DIFFERENCE = Form(style="+.5f")
+RATIO = Form(style=".3f")
+
+
+def chapter() -> Chapter:
+    """The chapter."""
+    return Chapter(
+        name="cells",
+        title="Bodies of cells: E, ν, waves and stresses as put in",
+        summary=(
+            "`bd.CellBond(E, nu)` takes the material's constants; nothing is calibrated. Every packing that was tried"
+            " is in the tables. What the law is, and where its limits are: [cell_law.md](cell_law.md)."
+        ),
+        sections=(_moduli(), _waves(), _rayleigh(), *_bodies(), _hole(), _inertia()),
+    )
+
+
+def _moduli() -> Section:
+    rows = []
+    found = MODULI.at("rows")
+    for nu in sorted({one["nu"] for one in found}):
+        mine = [one for one in found if one["nu"] == nu]
+        for part, words in (("bulk", "periodic cell"), ("bar", "bar, 8 cells across")):
+            where = f"{words}, ν = {PLAIN.bare(nu)}"
+            rows += [
+                Row(case=f"{where}: error of E", form=Form("%", 1e-2, "+.3f"), tolerance=AtMost(E_LIMIT),
+                    ours=MODULI.of(*(one[part]["E"] - 1.0 for one in mine))),
+                Row(case=f"{where}: ν less that put in", form=DIFFERENCE, tolerance=AtMost(NU_LIMIT),
+                    ours=MODULI.of(*(one[part]["nu"] - nu for one in mine))),
+            ]  # fmt: skip
+    seeds = len({one["seed"] for one in found})
+    return Section(
+        title="E and ν",
+        before=f"{_spaced(MODULI.at('count'))} elements, seeds 1 to {seeds}; from the least to the largest.",
+        rows=tuple(rows),
+    )
+
+
+def _waves() -> Section:
+    rows = [
+        Row(case=f"{one['wave']}, ν = {one['nu']:g}, {one['elements']:.1f} elements a wave: error of the celerity",
+            form=SIGNED, ours=WAVES.of(one["ratio"] - 1.0), tolerance=_if(one["elements"] > LONG - 0.1, WAVE_LIMIT))
+        for one in WAVES.at("rows")
+    ]  # fmt: skip
+    return Section(
+        title="Plane waves in the infinite medium",
+        before=(
+            f"One packing of {_spaced(WAVES.at('count'))} elements, seed {WAVES.at('seed')}; judged are waves of"
+            f" {LONG:.0f} elements or more."
+        ),
+        rows=tuple(rows),
+        figures=(Figure("cell_dispersion.png", "Celerity of P, S and Rayleigh waves over their length"),),
+    )
+
+
+def _rayleigh() -> Section:
+    found, rows = RAYLEIGH.at("rows"), []
+    for count in sorted({one["count"] for one in found}):
+        for nu in sorted({one["nu"] for one in found}):
+            mine = [one for one in found if (one["count"], one["nu"]) == (count, nu)]
+            length = sorted({round(one["elements"], 6) for one in mine}, reverse=True)
+            long = [one for one in length if one > LONG_RAYLEIGH - 0.1]
+            for group in [long] + [[one] for one in length if one not in long]:
+                ends = dict.fromkeys((f"{min(group):.1f}", f"{max(group):.1f}"))
+                errors = [one["ratio"] - 1.0 for one in mine if round(one["elements"], 6) in group]
+                rows.append(
+                    Row(case=f"{_spaced(count)} elements, ν = {nu:g}, {'–'.join(ends)} elements a wave: error of the"
+                        " celerity", form=SIGNED, ours=RAYLEIGH.of(*errors),
+                        tolerance=_if(group is long, RAYLEIGH_LIMIT))
+                )  # fmt: skip
+    seeds = " and ".join(str(seed) for seed in sorted({one["seed"] for one in found}))
+    return Section(
+        title="Rayleigh waves",
+        before=(
+            f"On the free surface of a slab between smooth walls, seeds {seeds}, at least two lengths of the wave"
+            f" below it; against the root of the Rayleigh function. Judged are waves of {LONG_RAYLEIGH:.0f} elements"
+            " or more."
+        ),
+        rows=tuple(rows),
+    )
+
+
+def _bodies() -> tuple[Section, ...]:
+    """Bodies of 10 000 elements or more, once they are measured."""
+    cases = [one for one in BODIES.at("cases") if one["count"] >= COARSE]
+    rows = []
+    for count, shape in dict.fromkeys((one["count"], one["shape"]) for one in cases):
+        mine = [one for one in cases if (one["count"], one["shape"]) == (count, shape)]
+        limit = FINE_LIMIT if count >= FINE else mine[0]["limit"]
+        rows.append(
+            Row(case=f"{shape.replace('_', ' ')}, {_spaced(count)} elements, {mine[0]['thickness']:.1f} thick: worst"
+                f" error of {len(mine)} bodies", form=PERCENT, tolerance=_if(limit is not None, limit or 0.0),
+                ours=BODIES.of(max(abs(error) for one in mine for error in one["errors"].values())))
+        )  # fmt: skip
+        for words, keys in _QUANTITIES.items():
+            errors = [one["errors"][key] for one in mine for key in keys if key in one["errors"]]
+            if errors:
+                rows.append(Row(case=f"{shape.replace('_', ' ')}, {_spaced(count)} elements: errors of {words}",
+                                form=SIGNED, ours=BODIES.of(*errors)))  # fmt: skip
+    if not rows:
+        return ()
+    return (
+        Section(
+            title="Seven shapes beside finite elements",
+            before=(
+                "E, ν, free frequencies and what loads do to the clamped body; of ν the difference itself. The limit"
+                " is 1 % where the thinnest part is 8 elements thick or more, 2 % where it is 4, and"
+                f" {100 * FINE_LIMIT:g} % for {_spaced(FINE)} elements."
+            ),
+            rows=tuple(rows),
+        ),
+    )
+
+
+def _hole() -> Section:
+    found, rows = HOLE.at("rows"), []
+    judged = (
+        ("rms", "cells about the hole: rms error of the stress"),
+        ("hot_mean", "hottest hundredth: mean error of the stress along the pull"),
+        ("hottest_error", "hottest cell over the hottest of the finite elements, less one"),
+        ("hot_worst", "hottest hundredth: error of the worst cell"),
+    )
+    signed = ("hot_mean", "hottest_error")
+    for count in sorted({one["count"] for one in found}):
+        for nu in sorted({one["nu"] for one in found}):
+            mine = [one for one in found if (one["count"], one["nu"]) == (count, nu)]
+            where = f"{_spaced(count)} elements, ν = {nu:g}"
+            rows += [
+                Row(case=f"{where}, {words}", form=SIGNED if key in signed else PERCENT, tolerance=AtMost(HOLE_LIMIT),
+                    ours=HOLE.of(*(one[key] for one in mine)))
+                for key, words in judged
+            ]  # fmt: skip
+            rows.append(
+                Row(case=f"{where}, hottest cell over the peak at the rim", form=RATIO,
+                    ours=HOLE.of(*(one["hottest"] / HOLE.at("peaks", str(nu), "largest") for one in mine)))
+            )  # fmt: skip
+    peaks = ", ".join(f"{one['largest']:.2f} for ν = {nu}" for nu, one in HOLE.at("peaks").items())
+    return Section(
+        title="Stress at a hole",
+        before=(
+            "Plate 40 × 20 × 4 mm with a hole of radius 4 mm, pulled between smooth platens; the stress of cells"
+            " against the mean of the finite elements' stress over the same cells, all in parts of the mean stress"
+            f" of the end. The continuum's own peak, at the rim in the middle of the thickness, is {peaks}: a cell"
+            " has the mean over its volume, and comes nearer as it becomes smaller."
+        ),
+        rows=tuple(rows),
+        figures=(Figure("cell_convergence.png", "Errors of frequencies and of the stress at the hole"),),
+    )
+
+
+def _inertia() -> Section:
+    found, rows = INERTIA.at("rows"), []
+    for count in sorted({one["count"] for one in found}):
+        for name in dict.fromkeys(one["inertia"] for one in found):
+            mine = [one for one in found if (one["count"], one["inertia"]) == (count, name)]
+            errors: list[Any] = [error for one in mine for error in one["errors"]]
+            rows.append(Row(case=f"{_spaced(count)} elements, {name}: errors of six frequencies", form=SIGNED,
+                            ours=INERTIA.of(*errors)))  # fmt: skip
+    return Section(
+        title="Which inertia",
+        before="First six free frequencies of a beam 40 × 5 × 5 mm, seeds 1 and 2, ν = 0.2 and 0.4.",
+        rows=tuple(rows),
+    )
+
+
+def _if(judged: bool, limit: float) -> Tolerance | None:
+    return AtMost(limit) if judged else None
+
+
+def _spaced(count: int) -> str:
+    return f"{count:,}".replace(",", " ")
