@@ -1,0 +1,85 @@
+"""Cells of large bodies: time and memory of cutting them, of a static solution, and of an explicit run.
+
+A cylinder is filled with `count` even centres (`bd.pack(method="even")`) and cut; then it is clamped and pulled
+statically, and let go for some steps. Each size is a process of its own, so that its peak of memory is its own; a
+small body beforehand has everything compiled.
+
+Run: python benchmarks/cell_scale.py [--elements 10000 100000] [--threads 2]
+     python benchmarks/cell_scale.py --elements 1000000 --no-static
+It writes benchmarks/results/cell_scale.json, one entry a size; those of other sizes are kept.
+"""
+
+import argparse
+import json
+import resource
+import subprocess
+import sys
+import time
+from typing import Any
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.solve.timestep import critical_step
+from kept import RESULTS, keep, origin
+
+SHAPE = bd.Cylinder(radius=5e-3, length=40e-3)
+SILICA = bd.materials.fused_silica
+#: Steps of the explicit run.
+STEPS = 20
+FILE = RESULTS / "cell_scale.json"
+
+
+def measure(count: int, static: bool) -> dict[str, Any]:
+    """Seconds of each stage, and the peak of memory after it, by stage."""
+    found: dict[str, Any] = {"elements": count}
+    began = time.perf_counter()
+
+    def done(stage: str) -> None:
+        nonlocal began
+        peak = 1024.0 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        found[stage] = {"seconds": time.perf_counter() - began, "peak_bytes": peak}
+        began = time.perf_counter()
+
+    particles = bd.pack(SHAPE, count=count, method="even", seed=1)
+    done("pack")
+    body = bd.connect(particles, method="laguerre")
+    done("cut")
+    found["facets"] = len(body.pairs) / count
+    pull = [bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e3, 0.0, 0.0))]
+    model = bd.Model(body, bd.CellBond(E=SILICA.E, nu=SILICA.nu), SILICA.rho, boundary=pull)
+    if static:
+        bd.solve_static(model)
+        done("static")
+    dt = critical_step(model, bd.VelocityVerlet())
+    done("critical_step")
+    bd.solve_explicit(model, duration=STEPS * 0.9 * dt, dt=0.9 * dt)
+    done(f"explicit_{STEPS}_steps")
+    return found
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--elements", type=int, nargs="+", default=[10_000, 100_000])
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--no-static", action="store_true")
+    parser.add_argument("--one", type=int, help=argparse.SUPPRESS)
+    given = parser.parse_args(arguments)
+    if given.one:
+        with threads(given.threads):
+            measure(2000, static=not given.no_static)
+            print(json.dumps(measure(given.one, static=not given.no_static)))
+        return
+    begun = origin()
+    cases = json.loads(FILE.read_text())["cases"] if FILE.exists() else []
+    for count in given.elements:
+        words = ["--one", str(count), "--threads", str(given.threads), *["--no-static"] * given.no_static]
+        out = subprocess.run([sys.executable, __file__, *words], check=True, capture_output=True, text=True).stdout
+        one = json.loads(out.splitlines()[-1]) | {"threads": given.threads, **begun}
+        stages = {name: value for name, value in one.items() if isinstance(value, dict) and "seconds" in value}
+        print(count, *(f"{k} {v['seconds']:.1f} s, {v['peak_bytes'] / 2**30:.2f} GiB;" for k, v in stages.items()))
+        cases = [other for other in cases if other["elements"] != count] + [one]
+    keep(FILE, begun | {"cases": sorted(cases, key=lambda one: one["elements"])})
+
+
+if __name__ == "__main__":
+    main()
