@@ -326,3 +326,5 @@ def test_walls_of_a_re_entrant_corner_belong_to_no_face():
         {"x_min": 51.0, "x_max": 51.0, "y_min": 400.0, "y_max": 120.0, "z_min": 400.0, "z_max": 120.0}, rel=1e-9
     )
     assert free.area[free.face < 0].sum() == pytest.approx(2 * 40.0 * 7.0, rel=1e-9)
+    middle = (30.0 * 5.0 + 21.0 * 1.5) / 51.0  # of the L: a load acts through it
+    assert bd.Face("x_max").anchor(body) == pytest.approx(np.array([40.0, middle, middle]), rel=1e-9)

@@ -99,7 +99,11 @@ class Face(Region):
         return chosen
 
     def anchor(self, lattice: Lattice) -> Vector:
-        return lattice.particles.envelope.face_centre(self.name)
+        """The centroid of the face [m], (3,): on a body of cells, that of the facets on it."""
+        if lattice.cells is None:
+            return lattice.particles.envelope.face_centre(self.name)
+        free, on = lattice.cells.free, lattice.on_face(self.name)
+        return np.average(free.centroid[on], axis=0, weights=free.area[on])
 
 
 @dataclass(frozen=True)
