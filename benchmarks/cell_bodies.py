@@ -127,7 +127,7 @@ def bodies() -> dict[str, Body]:
         "cylinder": Body(bd.Cylinder(5e-3, 40e-3), _cylinder, 10e-3, loads=BAR),
         "l_beam": Body(
             bd.Box(flange) | bd.Box(web),
-            lambda fine: Continuum.of(angle, cell=1.67e-3 / fine, refined=refined), 3e-3, loads=BAR,
+            lambda fine: Continuum.of(angle, cell=1.11e-3 / fine, refined=refined), 3e-3, loads=BAR,
         ),
         "bracket": Body(
             bd.Surface(ROOT / "examples" / "bracket.stl", unit="mm"),
