@@ -27,6 +27,13 @@ from bondem.laws.damping import BondDamping as BondDamping
 from bondem.laws.damping import LocalDamping as LocalDamping
 from bondem.laws.damping import MassDamping as MassDamping
 from bondem.laws.euler_bernoulli import EulerBernoulli as EulerBernoulli
+from bondem.laws.failure.criterion import Criterion as Criterion
+from bondem.laws.failure.elliptic import Elliptic as Elliptic
+from bondem.laws.failure.linear_sum import LinearSum as LinearSum
+from bondem.laws.failure.mohr_coulomb import MohrCoulomb as MohrCoulomb
+from bondem.laws.failure.peripheral_stress import PeripheralStress as PeripheralStress
+from bondem.laws.failure.scatter import Normal as Normal
+from bondem.laws.failure.scatter import Weibull as Weibull
 from bondem.laws.free_parameter import FreeParameter as FreeParameter
 from bondem.laws.non_local import NonLocal as NonLocal
 from bondem.laws.obermayr import Obermayr as Obermayr
@@ -56,6 +63,8 @@ from bondem.model.walls import PlaneWall as PlaneWall
 from bondem.model.walls import Servo as Servo
 from bondem.model.walls import Wall as Wall
 from bondem.observe.bond_strain import BondStrain as BondStrain
+from bondem.observe.breakage import BrokenBonds as BrokenBonds
+from bondem.observe.breakage import failure_index as failure_index
 from bondem.observe.cell_forces import SmallMotion as SmallMotion
 from bondem.observe.cell_stress import cell_stress as cell_stress
 from bondem.observe.energy import EnergyParts as EnergyParts

@@ -7,8 +7,8 @@ its two ends, in the order of the bonds.
 import numpy as np
 
 from bondem._compile import device, kernel
-from bondem.kernels.lane_memory import add_loads, places, prefetch, row, side
-from bondem.kernels.lanes import WIDTH
+from bondem.kernels.lane_memory import add_loads, places, prefetch, row, side, widened
+from bondem.kernels.lanes import WIDTH, dot, reached
 from bondem.laws.beam_energy import bond_cosines, bond_energy, bond_force
 
 # Bonds ahead of the loop whose first elements are asked for: those of the second ends follow one another.
@@ -80,9 +80,26 @@ def stiffness(bonds, same, k):
     return same.knL * hold, same.AL * hold, same.BL * hold, same.AL * hold, same.ktL * hold
 
 
+@device
+def mark(breaks, k, known, force, on_i, on_j, place):
+    """Write down those of bonds k + known … that reach their bounds, from `place` on; where the next goes."""
+    moments = dot(on_i, on_i) + dot(on_j, on_j)
+    strong = reached(breaks.of_force * dot(force, force) + breaks.of_moment * moments, widened(breaks.limit, k))
+    if strong != 0:
+        for n in range(known, WIDTH):
+            if (strong >> n) & 1:
+                breaks.marked[place] = k + np.uint64(n)
+                place += 1
+    return place
+
+
 @kernel(parallel=False)
-def bond_loads(pose, bonds, same, sums, row_i, row_j, first, last):
-    """Add force and torques of the bonds first … last to the rows of their two ends in `sums`."""
+def bond_loads(pose, bonds, same, sums, row_i, row_j, breaks, first, last):
+    """Add force and torques of the bonds first … last to the rows of their two ends in `sums`.
+
+    Those that bear more than their bounds stand in `breaks.marked` from `first` on, up to what is returned.
+    """
+    place = np.int64(first)
     for g in range(groups(first, last)):
         k, known = group(first, last, g)
         ahead(bonds, pose, k, last)
@@ -94,6 +111,9 @@ def bond_loads(pose, bonds, same, sums, row_i, row_j, first, last):
             side(bonds.X0, k), side(bonds.Y0, k), side(bonds.Z0, k), side(bonds.length, k), kn, A, B, C, kt,
         )  # fmt: skip
         add_loads(sums, places(row_i, k), places(row_j, k), (fx, fy, fz), (ax, ay, az), (bx, by, bz), known)
+        if breaks is not None:  # decided when compiled
+            place = mark(breaks, k, known, (fx, fy, fz), (ax, ay, az), (bx, by, bz), place)
+    return place
 
 
 @kernel(parallel=False)

@@ -31,6 +31,7 @@ from bondem.model.gauges import AnyGauge, Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added, changing_strain
+from bondem.solve.breakage import breaking, keep_broken
 from bondem.solve.neighbour_list import ContactList
 from bondem.solve.plan import Plan
 
@@ -74,11 +75,14 @@ class CpuLoop:
         if len(layout.i) >= SERIAL_BONDS and model.non_local is None:
             domains = min(current_threads(), len(layout.i) // _DOMAIN)
         blocks = Blocks.of(layout, BLOCK, domains, held.row_of >= 0)
+        # elements that wait for breaking bonds keep their sums in rows of their own
+        waiting = 0 if model.breaking is None else len(layout.order)
+        self._breaks = breaking(model.breaking, state, len(blocks.bond) - 1, blocks.rows)
         self._contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
         self._run = Run(
             elements=Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest),
             bonds=bonds.rows(layout, model.period, state.integrity, alike=self._same is not None),
-            cut=blocks.table(),
+            cut=blocks.table(waiting),
             rows=held.rows(state.reaction, state.work),
             schedules=held.schedules,
             gauges=gauge_tables(model, plan),
@@ -95,7 +99,7 @@ class CpuLoop:
             )  # fmt: skip
             self._body = Body(strained.rows(blocks.swelling_places(layout)), grips, presses)
         contact = None if self._contacts is None else self._contacts.arrays.load
-        self._added = added(model, terms, state, contact, blocks.rows)
+        self._added = added(model, terms, state, contact, blocks.rows + waiting)
         self._strain = changing_strain(model, state)
         self._history = with_zeros(state.history) if model.formulation == "incremental" else None
         self._non_local = None
@@ -127,21 +131,23 @@ class CpuLoop:
         records = np.empty((1, self._width))
         sample(
             t, run.elements, bonds, run.rows, run.gauges, self._history, self._body, self._non_local,
-            self._touching, records[0],
+            self._touching, self._breaks, records[0],
         )
         budget = run.budget
         budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
         return records
 
     def _evaluate(self) -> None:
-        """Find the acceleration of the present state."""
+        """Find the acceleration of the present state, in which nothing breaks."""
+        if self._breaks is not None:
+            self._breaks.now[1] = -1.0
         run = self._run
         still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
         if self._touching is not None:
             contact_loads(run.elements, run.bonds.period, 0.0, self._touching)
         all_forces(
             run.elements, run.bonds, self._same, self._history, self._body, self._non_local, run.cut, run.rows,
-            still, self._added, False,
+            still, self._added, self._breaks, False,
         )  # fmt: skip
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
@@ -156,8 +162,9 @@ class CpuLoop:
         while sick == FINE:
             span = Span(state.step + done, steps - done, every, moved)
             gone, new, turned, lost, sick, moved = advance(
-                span, self._scheme, self._run, law, self._touching, self._added, self._strain, records[written:]
-            )
+                span, self._scheme, self._run, law, self._touching, self._added, self._strain, self._breaks,
+                records[written:],
+            )  # fmt: skip
             done, written, wide = done + gone, written + new, max(wide, turned)
             if not moved or self._contacts is None:
                 break
@@ -174,6 +181,8 @@ class CpuLoop:
         """Hand what bonds store to the state, where the kernels had a longer table of them."""
         if self._history is not None and self._history is not self.state.history:
             self.state.history[:] = self._history[:, : self._run.bonds.m]
+        if self._breaks is not None:
+            keep_broken(self._breaks, self._run.bonds.integrity, self.state)
 
 
 def noticeable(model: Model, dt: float) -> float:
