@@ -34,8 +34,8 @@ from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
 SCHEMA = 4
-# From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4 on
-# criteria of failure and what broke.
+# From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
+# on criteria of failure and what broke.
 _OLDEST = 2
 # Schema from which on an array of the state is there.
 _SINCE = {"stress": 3, "broken": 4, "released": 4}

@@ -8,11 +8,9 @@ run pauses, as an element goes on from its stored acceleration in either case.
 
 import math
 
-import numpy as np
-
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import branch
-from bondem.kernels.element_pass import move, move_held, open_one, step_element
+from bondem.kernels.element_pass import move, move_held, open_list
 from bondem.kernels.judging import judge_bond, single_bond
 from bondem.kernels.tables import (
     BROKEN_BOND,
@@ -57,20 +55,23 @@ def part_waiting(sums, added, breaks, element, row_of_sums, first, last, place):
     return front
 
 
-@kernel(parallel=False)
-def move_waiting(elements, sums, rows, scheme, added, breaks, go_on, element, row_of_sums, span):
-    """As `move` and `move_held` do with the elements first … held … last of a list, where some are held back.
+@device
+def lists(sums, added, breaks, element, row_of_sums, span, waiting):
+    """The elements first … held … last of a list as two lists: those that go on, and those that are held back.
 
-    `span` is first, held, last, and the place in `breaks.turn` that is free for them.
+    Each is elements, rows of sums, and where in these it begins, where those that own rows begin, and where it ends.
+    `span` is first, held, last, and the place in `breaks.turn` for them; `waiting` whether any may be held back.
     """
     first, held, last, place = span
-    middle, end = place + held - first, place + last - first
-    free = part_waiting(sums, added, breaks, element, row_of_sums, first, held, place)
-    move(elements, sums, rows, scheme, added, go_on, breaks.turn, breaks.turn_row, place, free)
-    move(elements, sums, rows, scheme, added, False, breaks.turn, breaks.turn_row, free, middle)
-    free = part_waiting(sums, added, breaks, element, row_of_sums, held, last, middle)
-    move_held(elements, sums, rows, scheme, added, go_on, breaks.turn, breaks.turn_row, middle, free)
-    move_held(elements, sums, rows, scheme, added, False, breaks.turn, breaks.turn_row, free, end)
+    whole = element, row_of_sums, first, held, held, last
+    if breaks is not None:
+        if waiting:
+            middle, end = place + held - first, place + last - first
+            free = part_waiting(sums, added, breaks, element, row_of_sums, first, held, place)
+            own = part_waiting(sums, added, breaks, element, row_of_sums, held, last, middle)
+            on = breaks.turn, breaks.turn_row, place, free, middle, own
+            return on, (breaks.turn, breaks.turn_row, free, middle, own, end)
+    return whole, (element, row_of_sums, last, last, last, last)
 
 
 @device
@@ -140,36 +141,44 @@ def _break_bond(elements, bonds, sums, added, breaks, k):
         bonds.hold[k] = 0.0
 
 
-@device
-def go_on_waiting(elements, sums, rows, scheme, added, breaks, go_on, element):
-    """An element that was held back finds its acceleration without what broke, and opens the next step."""
-    if breaks.held[element] == 0:
-        return
-    breaks.held[element] = 0
-    still = StepScheme(0.0, 0.0, 0.0, 0.0, scheme.gamma, scheme.origin)
-    p, s, r = np.uint64(element), np.uint64(breaks.first_row + element), rows.of[element]
-    if r >= 0:
-        step_element(elements, sums, rows, still, added, False, p, s, r)
-    else:
-        step_element(elements, sums, rows, still, added, False, p, s, None)
-    if go_on:
-        open_one(elements, rows, scheme, added, p)
-
-
 @kernel(parallel=False)
-def break_bonds(elements, bonds, cut, rows, scheme, added, breaks, go_on):
-    """Break the bonds that were found in this step, in their order, and let their ends go on."""
+def break_bonds(elements, bonds, cut, rows, added, breaks):
+    """Break the bonds that were found in this step, in their order.
+
+    Returns how many elements have waited for them, and how many of these own no row; they stand in `breaks.turn`.
+    """
     total = 0
     for block in range(len(breaks.count)):
         total += breaks.count[block]
     if total == 0:
-        return
+        return 0, 0
     for block in range(len(breaks.count)):
         for e in range(cut.bond[block], cut.bond[block] + breaks.count[block]):
             _break_bond(elements, bonds, cut.sums, added, breaks, breaks.marked[e])
-    for block in range(len(breaks.count)):
-        for e in range(cut.bond[block], cut.bond[block] + breaks.count[block]):
-            k = breaks.marked[e]
-            go_on_waiting(elements, cut.sums, rows, scheme, added, breaks, go_on, bonds.i[k])
-            go_on_waiting(elements, cut.sums, rows, scheme, added, breaks, go_on, bonds.j[k])
-        breaks.count[block] = 0
+    count = free = 0
+    for own in range(2):
+        for block in range(len(breaks.count)):
+            for e in range(cut.bond[block], cut.bond[block] + breaks.count[block]):
+                k = breaks.marked[e]
+                for end in range(2):
+                    p = bonds.i[k] if end == 0 else bonds.j[k]
+                    if breaks.held[p] != 0 and (rows.of[p] >= 0) == (own == 1):
+                        breaks.held[p] = 0
+                        breaks.turn[count], breaks.turn_row[count] = p, breaks.first_row + p
+                        count += 1
+        if own == 0:
+            free = count
+    breaks.count[:] = 0
+    return count, free
+
+
+@kernel(parallel=False)
+def break_off(elements, bonds, cut, rows, scheme, added, breaks, go_on):
+    """Break bonds; what has waited finds its acceleration without them, and opens the next step if it is to go on."""
+    count, free = break_bonds(elements, bonds, cut, rows, added, breaks)
+    if count > 0:
+        still = StepScheme(0.0, 0.0, 0.0, 0.0, scheme.gamma, scheme.origin)
+        move(elements, cut.sums, rows, still, added, False, breaks.turn, breaks.turn_row, 0, free)
+        move_held(elements, cut.sums, rows, still, added, False, breaks.turn, breaks.turn_row, free, count)
+        if go_on:
+            open_list(elements, rows, scheme, added, breaks.turn, count)

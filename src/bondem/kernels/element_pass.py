@@ -70,7 +70,7 @@ def _row_work(rows, r, half, v, w):
 
 
 @device
-def step_element(elements, sums, rows, scheme, added, go_on, p, s, r):
+def _step(elements, sums, rows, scheme, added, go_on, p, s, r):
     """One element, or many that own no row (r is None), close the step, and open the next if it is to go on."""
     dt, gamma = scheme.dt, scheme.gamma
     load, moving, x = row(sums, s), row(elements.motion, p), row(elements.pose, p)
@@ -129,7 +129,7 @@ def move(elements, sums, rows, scheme, added, go_on, element, row_of_sums, first
         prefetch(elements.pose, later)
         prefetch(elements.motion, later)
         p, s = places_below(element, e, end), places_below(row_of_sums, e, end)
-        step_element(elements, sums, rows, scheme, added, go_on, p, s, None)
+        _step(elements, sums, rows, scheme, added, go_on, p, s, None)
 
 
 @kernel(parallel=False)
@@ -137,11 +137,11 @@ def move_held(elements, sums, rows, scheme, added, go_on, element, row_of_sums, 
     """The same of elements that own rows."""
     for e in range(first, last):
         p = np.uint64(element[e])
-        step_element(elements, sums, rows, scheme, added, go_on, p, np.uint64(row_of_sums[e]), rows.of[p])
+        _step(elements, sums, rows, scheme, added, go_on, p, np.uint64(row_of_sums[e]), rows.of[p])
 
 
 @device
-def open_one(elements, rows, scheme, added, p):
+def _open_one(elements, rows, scheme, added, p):
     """One element opens a step after a pause."""
     acceleration, dt = elements.acceleration, scheme.dt
     a = acceleration[p, 0], acceleration[p, 1], acceleration[p, 2]
@@ -163,7 +163,14 @@ def open_one(elements, rows, scheme, added, p):
 
 def _open(elements, rows, scheme, added):
     for p in prange(len(elements.pose)):
-        open_one(elements, rows, scheme, added, np.uint64(p))
+        _open_one(elements, rows, scheme, added, np.uint64(p))
+
+
+@kernel(parallel=False)
+def open_list(elements, rows, scheme, added, element, count):
+    """The first `count` elements of a list open a step, as after a pause."""
+    for e in range(count):
+        _open_one(elements, rows, scheme, added, np.uint64(element[e]))
 
 
 open_step = kernel(parallel=True)(_open)

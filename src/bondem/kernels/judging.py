@@ -21,7 +21,7 @@ from bondem.laws.rotations import rotate
 
 @device
 def judged(kind, load, s):
-    """Index of a criterion, which breaks at 1, and what breaks it; the numbers are those of the criteria's classes."""
+    """Index of a criterion, which breaks at 1, and what breaks it; its number is that of its class."""
     if kind == 0:
         return peripheral_index(load, s)
     if kind == 1:

@@ -5,7 +5,7 @@ See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 
 from bondem._compile import kernel, prange
 from bondem.kernels.bond_pass import bond_loads
-from bondem.kernels.breaking import break_bonds, move_waiting
+from bondem.kernels.breaking import break_off, lists
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
@@ -14,23 +14,6 @@ from bondem.kernels.incremental import incremental_loads
 from bondem.kernels.judging import judge_block
 from bondem.kernels.non_local import non_local_loads, settle_stress
 from bondem.kernels.press_pass import book_presses
-
-
-@kernel(parallel=False)
-def move_list(elements, sums, rows, scheme, added, breaks, go_on, element, row_of_sums, span):
-    """The elements first … last of a list, with complete sums; those that own rows are the last, from `held` on.
-
-    `span` is first, held, last, a place for the list where some of them wait for bonds that break, and whether any
-    may.
-    """
-    first, held, last, place, waiting = span
-    if breaks is not None:  # decided when compiled
-        if waiting:
-            part = first, held, last, place
-            move_waiting(elements, sums, rows, scheme, added, breaks, go_on, element, row_of_sums, part)
-            return
-    move(elements, sums, rows, scheme, added, go_on, element, row_of_sums, first, held)
-    move_held(elements, sums, rows, scheme, added, go_on, element, row_of_sums, held, last)
 
 
 @kernel(parallel=False)
@@ -56,8 +39,12 @@ def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, a
         else:
             incremental_loads(elements, bonds, history, scheme.dt, cut.sums, cut.row_i, cut.row_j, k0, k1)
         damp_bonds(added, elements, bonds, cut.row_i, cut.row_j, k0, k1)
-        span = cut.move[b], cut.held[b], cut.move[b + 1], cut.move[b], waiting > 0
-        move_list(elements, cut.sums, rows, scheme, added, breaks, go_on, cut.ready, cut.ready_row, span)
+        span = cut.move[b], cut.held[b], cut.move[b + 1], cut.move[b]
+        both = lists(cut.sums, added, breaks, cut.ready, cut.ready_row, span, waiting > 0)
+        for n in range(2):
+            element, row, e0, e1, e2, e3 = both[0] if n == 0 else both[1]
+            move(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e0, e1)
+            move_held(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e2, e3)
 
 
 @kernel(parallel=False)
@@ -69,8 +56,12 @@ def sweep_shared(elements, cut, rows, scheme, added, breaks, go_on, first, last)
     waiting = False
     if breaks is not None:
         waiting = breaks.count.sum() > 0
-    span = first, held, last, len(cut.ready) + first, waiting
-    move_list(elements, cut.sums, rows, scheme, added, breaks, go_on, cut.shared, cut.shared_row, span)
+    span = first, held, last, len(cut.ready) + first
+    both = lists(cut.sums, added, breaks, cut.shared, cut.shared_row, span, waiting)
+    for n in range(2):
+        element, row, e0, e1, e2, e3 = both[0] if n == 0 else both[1]
+        move(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e0, e1)
+        move_held(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e2, e3)
 
 
 @kernel(parallel=True)
@@ -140,6 +131,6 @@ def all_forces(elements, bonds, same, history, body, non_local, cut, rows, schem
     else:
         sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, breaks, go_on)
     if breaks is not None:
-        break_bonds(elements, bonds, cut, rows, scheme, added, breaks, go_on)
+        break_off(elements, bonds, cut, rows, scheme, added, breaks, go_on)
     if non_local is not None:  # which is on one thread always
         settle_stress(non_local)

@@ -19,6 +19,7 @@ from bondem.kernels.tables import (
 )
 from bondem.laws.failure.criterion import MODES
 from bondem.model.model import Model
+from bondem.model.origin import difference
 from bondem.model.state import State
 
 
@@ -33,7 +34,7 @@ class BrokenBonds:
         step: shape (e,).
         bond: user's number, shape (e,).
         mode: "tension", "shear", "bending" or "twisting", shape (e,).
-        gap: by how much it was longer than at rest; of a facet how far its faces were apart along the normal [m], (e,).
+        gap: by how much it was longer than at rest; of a facet how far it was open along its normal [m], (e,).
         energy: released [J], shape (e,).
         position: of the contact point, or of the middle of the facet [m], shape (e, 3).
     """
@@ -79,6 +80,9 @@ def failure_index(model: Model, state: State) -> PerBond:
     """
     instance("failure_index", "model", model, Model, "bd.Model(...)")
     instance("failure_index", "state", state, State, "the state of a run, or model.state()")
+    other = difference(state.model, model)
+    if other:
+        raise InputError(f"failure_index: the state belongs to another {other}; give one of this model")
     table = model.breaking
     if table is None:
         raise InputError("failure_index needs a criterion: give the model failure=bd.PeripheralStress(...)")

@@ -42,7 +42,7 @@ class LinearSum(Criterion):
     def __post_init__(self) -> None:
         super().__post_init__()
         for name, unit in (("force", "N"), ("shear", "N"), ("bending", "N·m"), ("twisting", "N·m")):
-            number("LinearSum", name, getattr(self, name), unit=unit, above=0.0, advice=f"a positive number in {unit}")
+            number("LinearSum", name, getattr(self, name), unit=unit, above=0.0, advice=f"a positive {unit}")
 
     def coefficients(self, joint: Joint, factor: PerBond) -> Floats:
         return columns(*(1.0 / (s * factor) for s in (self.force, self.shear, self.bending, self.twisting)))
