@@ -81,10 +81,9 @@ def stiffness(bonds, same, k):
 
 
 @device
-def mark(breaks, k, known, force, on_i, on_j, place):
-    """Write down those of bonds k + known … that reach their bounds, from `place` on; where the next goes."""
-    moments = dot(on_i, on_i) + dot(on_j, on_j)
-    strong = reached(breaks.of_force * dot(force, force) + breaks.of_moment * moments, widened(breaks.limit, k))
+def mark(breaks, k, known, size, place):
+    """Write down those of bonds k + known … whose size reaches its bound, from `place` on; where the next goes."""
+    strong = reached(size, widened(breaks.limit, k))
     if strong != 0:
         for n in range(known, WIDTH):
             if (strong >> n) & 1:
@@ -112,7 +111,9 @@ def bond_loads(pose, bonds, same, sums, row_i, row_j, breaks, first, last):
         )  # fmt: skip
         add_loads(sums, places(row_i, k), places(row_j, k), (fx, fy, fz), (ax, ay, az), (bx, by, bz), known)
         if breaks is not None:  # decided when compiled
-            place = mark(breaks, k, known, (fx, fy, fz), (ax, ay, az), (bx, by, bz), place)
+            moments = dot((ax, ay, az), (ax, ay, az)) + dot((bx, by, bz), (bx, by, bz))
+            size = breaks.of_force * dot((fx, fy, fz), (fx, fy, fz)) + breaks.of_moment * moments
+            place = mark(breaks, k, known, size, place)
     return place
 
 

@@ -75,14 +75,15 @@ def lists(sums, added, breaks, element, row_of_sums, span, waiting):
 
 
 @device
-def _take_off(sums, row, sign, force, torque):
+def take_off(sums, row, sign, turning, force, torque):
+    """Take a force and a torque, times numbers, off a row of sums."""
     for d in range(3):
         sums[row, d] -= sign * force[d]
-        sums[row, 4 + d] -= torque[d]
+        sums[row, 4 + d] -= turning * torque[d]
 
 
 @device
-def _take_dashpot(elements, bonds, added, first_row, k, d):
+def take_dashpot(elements, bonds, added, first_row, k, d):
     """Take the dashpot of a bond off the sums of its ends."""
     a, b, motion, s = bonds.i[k], bonds.j[k], elements.motion, bonds.integrity[k]
     fx, fy, fz, ax, ay, az, bx, by, bz = dashpot_force(
@@ -91,12 +92,13 @@ def _take_dashpot(elements, bonds, added, first_row, k, d):
         motion[a, 4], motion[a, 5], motion[a, 6], motion[b, 4], motion[b, 5], motion[b, 6], added.share[k],
         s * added.dashpot[0, k], s * added.dashpot[1, k], s * added.dashpot[2, k], s * added.dashpot[3, k],
     )  # fmt: skip
-    _take_off(added.dashed, first_row + a, -1.0, (fx, fy, fz), (ax, ay, az))
-    _take_off(added.dashed, first_row + b, 1.0, (fx, fy, fz), (bx, by, bz))
+    take_off(added.dashed, first_row + a, -1.0, 1.0, (fx, fy, fz), (ax, ay, az))
+    take_off(added.dashed, first_row + b, 1.0, 1.0, (fx, fy, fz), (bx, by, bz))
 
 
 @device
-def _log(breaks, k, mode, gap, energy, place):
+def log_break(breaks, k, mode, gap, energy, place):
+    """Write down what broke."""
     row = breaks.log[breaks.logged[0]]
     row[BROKEN_TIME], row[BROKEN_STEP], row[BROKEN_BOND], row[BROKEN_MODE] = breaks.now[0], breaks.now[1], k, mode
     row[BROKEN_GAP], row[BROKEN_ENERGY] = gap, energy
@@ -127,45 +129,40 @@ def _break_bond(elements, bonds, sums, added, breaks, k):
     a, b = bonds.i[k], bonds.j[k]
     _, mode = judge_bond(pose, bonds, breaks, k)
     d, force, on_i, on_j = single_bond(pose, bonds, k)
-    _take_off(sums, first_row + a, -1.0, force, on_i)
-    _take_off(sums, first_row + b, 1.0, force, on_j)
+    take_off(sums, first_row + a, -1.0, 1.0, force, on_i)
+    take_off(sums, first_row + b, 1.0, 1.0, force, on_j)
     if added is not None:
         if len(added.dashed) > 0:
-            _take_dashpot(elements, bonds, added, first_row, k, d)
+            take_dashpot(elements, bonds, added, first_row, k, d)
     gap = math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - bonds.length[k]
     share = bonds.lever[k] / bonds.length[k]
     place = pose[a, 0] + share * d[0], pose[a, 1] + share * d[1], pose[a, 2] + share * d[2]
-    _log(breaks, k, mode, gap, stored_energy(pose, bonds, k), place)
+    log_break(breaks, k, mode, gap, stored_energy(pose, bonds, k), place)
     bonds.integrity[k] = 0.0
     if len(bonds.hold) > 0:
         bonds.hold[k] = 0.0
 
 
 @kernel(parallel=False)
-def break_bonds(elements, bonds, cut, rows, added, breaks):
-    """Break the bonds that were found in this step, in their order.
+def break_bonds(elements, bonds, sums, added, breaks):
+    """Break the bonds that were found in this step, in their order."""
+    for block in range(len(breaks.count)):
+        for e in range(breaks.begin[block], breaks.begin[block] + breaks.count[block]):
+            _break_bond(elements, bonds, sums, added, breaks, breaks.marked[e])
 
-    Returns how many elements have waited for them, and how many of these own no row; they stand in `breaks.turn`.
-    """
-    total = 0
-    for block in range(len(breaks.count)):
-        total += breaks.count[block]
-    if total == 0:
+
+@kernel(parallel=False)
+def list_waiting(rows, breaks):
+    """Put all that wait into `breaks.turn`, those that own rows last; how many, and how many own none."""
+    if breaks.count.sum() == 0:
         return 0, 0
-    for block in range(len(breaks.count)):
-        for e in range(cut.bond[block], cut.bond[block] + breaks.count[block]):
-            _break_bond(elements, bonds, cut.sums, added, breaks, breaks.marked[e])
     count = free = 0
     for own in range(2):
-        for block in range(len(breaks.count)):
-            for e in range(cut.bond[block], cut.bond[block] + breaks.count[block]):
-                k = breaks.marked[e]
-                for end in range(2):
-                    p = bonds.i[k] if end == 0 else bonds.j[k]
-                    if breaks.held[p] != 0 and (rows.of[p] >= 0) == (own == 1):
-                        breaks.held[p] = 0
-                        breaks.turn[count], breaks.turn_row[count] = p, breaks.first_row + p
-                        count += 1
+        for p in range(len(breaks.held)):
+            if breaks.held[p] != 0 and (rows.of[p] >= 0) == (own == 1):
+                breaks.held[p] = 0
+                breaks.turn[count], breaks.turn_row[count] = p, breaks.first_row + p
+                count += 1
         if own == 0:
             free = count
     breaks.count[:] = 0
@@ -173,12 +170,12 @@ def break_bonds(elements, bonds, cut, rows, added, breaks):
 
 
 @kernel(parallel=False)
-def break_off(elements, bonds, cut, rows, scheme, added, breaks, go_on):
-    """Break bonds; what has waited finds its acceleration without them, and opens the next step if it is to go on."""
-    count, free = break_bonds(elements, bonds, cut, rows, added, breaks)
+def let_go(elements, sums, rows, scheme, added, breaks, go_on):
+    """What has waited finds its acceleration without what broke, and opens the next step if it is to go on."""
+    count, free = list_waiting(rows, breaks)
     if count > 0:
         still = StepScheme(0.0, 0.0, 0.0, 0.0, scheme.gamma, scheme.origin)
-        move(elements, cut.sums, rows, still, added, False, breaks.turn, breaks.turn_row, 0, free)
-        move_held(elements, cut.sums, rows, still, added, False, breaks.turn, breaks.turn_row, free, count)
+        move(elements, sums, rows, still, added, False, breaks.turn, breaks.turn_row, 0, free)
+        move_held(elements, sums, rows, still, added, False, breaks.turn, breaks.turn_row, free, count)
         if go_on:
             open_list(elements, rows, scheme, added, breaks.turn, count)

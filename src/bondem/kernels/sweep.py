@@ -5,10 +5,11 @@ See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 
 from bondem._compile import kernel, prange
 from bondem.kernels.bond_pass import bond_loads
-from bondem.kernels.breaking import break_off, lists
+from bondem.kernels.breaking import break_bonds, let_go, lists
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
+from bondem.kernels.facet_breaking import break_facets, judge_facets
 from bondem.kernels.grip_pass import hand_on, swell_grips
 from bondem.kernels.incremental import incremental_loads
 from bondem.kernels.judging import judge_block
@@ -26,6 +27,8 @@ def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, a
     """
     first, last, go_on = part
     waiting = 0
+    if cells is not None and breaks is not None:
+        waiting = breaks.count.sum()  # facets are judged before
     for b in range(first, last):
         k0, k1 = cut.bond[b], cut.bond[b + 1]
         if cells is not None:  # decided when compiled
@@ -64,8 +67,17 @@ def sweep_shared(elements, cut, rows, scheme, added, breaks, go_on, first, last)
         move_held(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e2, e3)
 
 
+@kernel(parallel=False)
+def swell_domain(pose, bonds, cells, breaks, cut, d):
+    """What the facets of a domain do to V θ of their cells, and which are to be judged."""
+    first, last = cut.bond[cut.domain[d]], cut.bond[cut.domain[d + 1]]
+    place = swell(pose, bonds, cells, breaks, first, last)
+    if breaks is not None:  # decided when compiled
+        breaks.count[d] = place - first
+
+
 @kernel(parallel=True)
-def swell_domains(pose, bonds, cells, cut):
+def swell_domains(pose, bonds, cells, breaks, cut):
     """Stresses of all cells now, each domain on a thread of its own."""
     count, n = len(cut.domain) - 1, len(pose)
     for both in range(2):
@@ -73,7 +85,7 @@ def swell_domains(pose, bonds, cells, cut):
             gather_swelling(cells, cut.shared, cut.part)
         for d in prange(count):
             if both == 0:
-                swell(pose, bonds, cells, cut.bond[cut.domain[d]], cut.bond[cut.domain[d + 1]])
+                swell_domain(pose, bonds, cells, breaks, cut, d)
             else:
                 stress_cells(pose, cells, n * d // count, n * (d + 1) // count)
 
@@ -96,20 +108,22 @@ def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, s
 
 
 @kernel(parallel=False)
-def swell_body(elements, bonds, body, cut, rows):
-    """Stresses of all cells now, and what walls that hold some of them do."""
+def swell_body(elements, bonds, body, cut, rows, breaks):
+    """Stresses of all cells now, what walls that hold some of them do, and which facets break."""
     pose, rest, cells, grips = elements.pose, elements.rest, body.cells, body.grips
     swell_grips(pose, rest, grips, cells.swelling)
     book_presses(pose, body.presses, rows.work)
     if len(cut.domain) == 2:
-        swell(pose, bonds, cells, 0, len(bonds.i))
+        swell_domain(pose, bonds, cells, breaks, cut, 0)
         stress_cells(pose, cells, 0, len(pose))
     else:
-        swell_domains(pose, bonds, cells, cut)
+        swell_domains(pose, bonds, cells, breaks, cut)
     book_presses(pose, body.presses, rows.work)
     body.presses.came[:] = 0.0
     if len(grips.cell) > 0:
         hand_on(pose, rest, grips, rows)
+    if breaks is not None:
+        judge_facets(pose, bonds, cells, breaks)
 
 
 @kernel(parallel=False)
@@ -126,11 +140,15 @@ def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, schem
 def all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, breaks, go_on):
     """A step over everything, on one thread or on as many as there are domains."""
     if body is not None:  # decided when compiled
-        swell_body(elements, bonds, body, cut, rows)
+        swell_body(elements, bonds, body, cut, rows, breaks)
         sweep_all(elements, bonds, same, history, body.cells, None, cut, rows, scheme, added, breaks, go_on)
+        if breaks is not None:
+            break_facets(elements, bonds, body, cut.sums, rows, added, breaks)
     else:
         sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, breaks, go_on)
+        if breaks is not None:
+            break_bonds(elements, bonds, cut.sums, added, breaks)
     if breaks is not None:
-        break_off(elements, bonds, cut, rows, scheme, added, breaks, go_on)
+        let_go(elements, cut.sums, rows, scheme, added, breaks, go_on)
     if non_local is not None:  # which is on one thread always
         settle_stress(non_local)

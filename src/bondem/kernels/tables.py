@@ -291,14 +291,22 @@ class Breaks(NamedTuple):
     of_moment: float  #: [1/(N·m)²]
     now: np.ndarray  #: time [s] and step that bonds break at; a step below 0 where none is to, (2,)
     marked: np.ndarray  #: bonds beyond the bound, then those that break, from the first bond of each block on, (m,)
-    count: np.ndarray  #: how many break in each block, (b,)
-    held: np.ndarray  #: 1 for elements that wait at the end of the step, uint8, (n,)
+    begin: np.ndarray  #: the first bond of each block, or of each domain of facets, (b,)
+    count: np.ndarray  #: how many of these are marked, or break, (b,)
+    held: np.ndarray  #: not 0 for elements that wait at the end of the step, uint8, (n,)
     turn: np.ndarray  #: elements of a block, those that wait last, uint32, (n,)
     turn_row: np.ndarray  #: rows of their sums, uint32, (n,)
     first_row: int  #: where the rows begin that keep the sums of those that wait, one an element
     log: np.ndarray  #: what broke in this call (`BROKEN_…`), (m, 9)
     logged: np.ndarray  #: how many of it, (1,)
     released: np.ndarray  #: energy released since the start of the run [J], (1,)
+    # of bodies of cells; else empty
+    weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
+    slack_i: np.ndarray  #: what 1 / weight of cell i gains where a facet breaks [m³/Pa], (m,)
+    slack_j: np.ndarray
+    in_start: np.ndarray  #: facets of each cell, as `Adjacency` has them
+    out_start: np.ndarray
+    out_bond: np.ndarray
 
 
 class ContactTable(NamedTuple):

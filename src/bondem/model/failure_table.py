@@ -17,6 +17,8 @@ from bondem.specimen.lattice import Lattice
 
 # What rounding may take off a bound.
 _ROUNDING = 1e-6
+# Share of the bound of facets at which they are looked at: it is held against stresses of cells a step ago.
+_MARGIN = 0.75
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +69,7 @@ class FailureTable:
         # a |F| + b |M| <= √((a/force)² + (b/moment)²) √(force² |F|² + moment² |M|²)
         with np.errstate(divide="ignore"):
             share = (a / force) ** 2 + np.where(b > 0.0, (b / moment) ** 2, 0.0)
-        limit = (1.0 - _ROUNDING) / share
+        limit = (1.0 - _ROUNDING if facets is None else _MARGIN) / share
         station = np.full(len(area) if facets is None else len(facets.area), -1.0)
         if at_contact:
             station = stiffness.lever / lattice.length

@@ -7,6 +7,8 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, Ints, PerBond
 from bondem.errors import InputError
+from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.facet_breaking import facet_indices
 from bondem.kernels.judging import bond_indices
 from bondem.kernels.tables import (
     BROKEN_BOND,
@@ -21,6 +23,7 @@ from bondem.laws.failure.criterion import MODES
 from bondem.model.model import Model
 from bondem.model.origin import difference
 from bondem.model.state import State
+from bondem.observe.cell_forces import CellForces
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +72,7 @@ def failure_index(model: Model, state: State) -> PerBond:
     """How near each bond is to breaking: the index of the model's criterion, 1 where it breaks, 0 of broken bonds.
 
     Args:
-        model: with a criterion of failure, of beam bonds.
+        model: with a criterion of failure.
         state: of this model, at any rotation.
 
     Returns:
@@ -86,8 +89,16 @@ def failure_index(model: Model, state: State) -> PerBond:
     table = model.breaking
     if table is None:
         raise InputError("failure_index needs a criterion: give the model failure=bd.PeripheralStress(...)")
-    bonds = model.bonds.stretched(state.eigenstrain).rows(model.layout, model.period, state.integrity)
-    found = bond_indices(state.pose, bonds, table.kind, table.coefficient, table.station)
+    layout = model.layout
+    bonds = model.bonds.stretched(state.eigenstrain).rows(layout, model.period, state.integrity)
+    if model.cells is None:
+        found = bond_indices(state.pose, bonds, table.kind, table.coefficient, table.station)
+    else:
+        found = np.empty(bonds.m)
+        pose = state.pose.copy()
+        pose[:, STRESS] = CellForces.of(model, state).stress[layout.order]
+        cells = model.cells.stretched(state.eigenstrain).rows(layout.i)
+        facet_indices(pose, bonds, cells, table.kind, table.coefficient, found)
     own = np.empty_like(found)
-    own[model.layout.bond_order] = found
+    own[layout.bond_order] = found
     return own

@@ -8,6 +8,7 @@ from bondem.kernels import tables
 from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance
 from bondem.kernels.boundary import set_boundary
 from bondem.kernels.contact_pass import contact_loads
+from bondem.kernels.facet_breaking import weigh_all
 from bondem.kernels.grip_pass import give, grip_loads, place_walls
 from bondem.kernels.press_pass import press
 from bondem.kernels.sample import sample
@@ -77,7 +78,7 @@ class CpuLoop:
         blocks = Blocks.of(layout, BLOCK, domains, held.row_of >= 0)
         # elements that wait for breaking bonds keep their sums in rows of their own
         waiting = 0 if model.breaking is None else len(layout.order)
-        self._breaks = breaking(model.breaking, state, len(blocks.bond) - 1, blocks.rows)
+        self._breaks = breaking(model, state, blocks)
         self._contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
         self._run = Run(
             elements=Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest),
@@ -91,13 +92,15 @@ class CpuLoop:
         self._still = noticeable(model, dt)
         self._body = None
         if model.cells is not None:
-            strained = model.cells.stretched(state.eigenstrain)
+            strained = model.cells.stretched(state.eigenstrain).damaged(state.integrity, layout.i, layout.j)
             grips = strained.grips.table(layout, held.row_of, held.works[2])
             presses = PressTable(
                 value=held.press_value, schedule=held.press_schedule, place=held.works[2],
                 factor=np.zeros(len(held.press_schedule)), came=np.zeros(len(held.press_schedule)),
             )  # fmt: skip
             self._body = Body(strained.rows(blocks.swelling_places(layout)), grips, presses)
+            if self._breaks is not None:  # as they are weighed anew where a facet breaks, to the bit
+                weigh_all(self._run.bonds, self._body.cells, self._breaks)
         contact = None if self._contacts is None else self._contacts.arrays.load
         self._added = added(model, terms, state, contact, blocks.rows + waiting)
         self._strain = changing_strain(model, state)
