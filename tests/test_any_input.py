@@ -118,6 +118,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "connect": {"particles": SPHERES, "tolerance": None, "reach": 1.1},
     "fabric": {"lattice": LATTICE},
     "failure_index": {"model": BREAKING, "state": BREAKING.state()},
+    "fragments": {"lattice": LATTICE, "state": BREAKING.state()},
     "pack": {"shape": BOX, "count": 40, "spread": 0.2, "sizes": None, "method": "quench", "seed": 1,
              "coordination_number": None, "volume_fraction": 0.5, "jamming": False},
     "radial_distribution": {"particles": Later(lambda: BAR.made().particles), "reach": 2.0, "bins": 10},
@@ -147,7 +148,7 @@ ELSEWHERE = {
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
     "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
-    "BrokenBonds", "Criterion",
+    "BrokenBonds", "Criterion", "Fragments",
 }  # fmt: skip
 # Runs on purpose: what is possible there takes as long as was asked for.
 LONG = {("solve_explicit", "duration"), ("solve_explicit", "dt"), ("solve_explicit", "safety"),

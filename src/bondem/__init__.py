@@ -26,6 +26,7 @@ _PUBLIC = {
     "bondem.specimen.radial_distribution": ("RadialDistribution", "radial_distribution"),
     "bondem.packing": ("pack",),
     "bondem.packing.sizes": ("Lognormal", "Sieve", "SizeLaw", "Uniform"),
+    "bondem.fracture.fragments": ("Fragments", "fragments"),
     "bondem.laws.bond": ("BondGeometry", "BondLaw", "BondStiffness"),
     "bondem.laws.cell_bond": ("CellBond",),
     "bondem.laws.contact": ("LinearContact",),

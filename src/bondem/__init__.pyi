@@ -6,6 +6,8 @@ from bondem.calibration.elastic import calibrate as calibrate
 from bondem.calibration.response import Response as Response
 from bondem.calibration.response import Slope as Slope
 from bondem.calibration.uncertainty import Sample as Sample
+from bondem.fracture.fragments import Fragments as Fragments
+from bondem.fracture.fragments import fragments as fragments
 from bondem.io.importing import read_lattice as read_lattice
 from bondem.io.importing import read_particles as read_particles
 from bondem.io.particles_file import load_particles as load_particles
