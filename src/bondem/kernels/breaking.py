@@ -108,7 +108,7 @@ def log_break(breaks, k, mode, gap, energy, place):
     breaks.released[0] += energy
 
 
-@device
+@kernel(parallel=False)
 def stored_energy(pose, bonds, k):
     """Energy of one bond of the total formulation [J]."""
     a, b = bonds.i[k], bonds.j[k]

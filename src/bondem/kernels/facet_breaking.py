@@ -3,6 +3,8 @@
 With a facet its two cells change their stress, and with these all their other facets their force. So the neighbours
 of both cells wait for it too (`bondem.kernels.breaking`). Facets are judged between the two passes over them, when
 stresses are known and nobody has moved.
+
+What is called from several places here is compiled once for all of them (`kernel`), as it runs for few facets.
 """
 
 import math
@@ -48,7 +50,7 @@ def _resistance(cells, s, k):
     return s * H[0, k], s * H[1, k], s * H[2, k], s * H[3, k], s * H[4, k], s * H[5, k]
 
 
-@device
+@kernel(parallel=False)
 def single_facet(pose, bonds, cells, k):
     """Force on j and torques on i and j of a facet [N, N·m], with the stresses of its cells known."""
     d, p, q, a, b, u, v = _frame(pose, bonds, cells, k)
@@ -69,7 +71,7 @@ def present_normal(pose, bonds, cells, k):
     return n[0] / l, n[1] / l, n[2] / l
 
 
-@device
+@kernel(parallel=False)
 def judge_facet(pose, bonds, cells, kind, coefficient, k):
     """Index and mode of a facet: a criterion sees its normal force, tension positive, and its shear force."""
     force, _, _ = single_facet(pose, bonds, cells, k)
@@ -123,7 +125,7 @@ def judge_facets(pose, bonds, cells, breaks):
         breaks.count[d] = count
 
 
-@device
+@kernel(parallel=False)
 def weigh(bonds, cells, breaks, p):
     """λ / V of a cell with the facets that it has left: those that broke open until they bear nothing."""
     inward = outward = 0.0
@@ -160,8 +162,8 @@ def _swelling(pose, rest, bonds, body, breaks, p):
     return total
 
 
-@device
-def _dilated(pose, rest, bonds, body, breaks, p):
+@kernel(parallel=False)
+def dilated(pose, rest, bonds, body, breaks, p):
     """Energy of dilatation of a cell [J]; its stress is brought up to date."""
     total = _swelling(pose, rest, bonds, body, breaks, p)
     pose[p, STRESS] = body.cells.weight[p] * total
@@ -202,13 +204,13 @@ def _break_facet(elements, bonds, body, added, breaks, k):
     s = bonds.integrity[k]
     part = facet_energy(d, p, q, a, b, _column(cells.normal, k), cells.k[k], _resistance(cells, 1.0, k))
     energy = s * (part[0] + part[1] + part[2] + part[3])
-    energy += _dilated(pose, elements.rest, bonds, body, breaks, i)
-    energy += _dilated(pose, elements.rest, bonds, body, breaks, j)
+    energy += dilated(pose, elements.rest, bonds, body, breaks, i)
+    energy += dilated(pose, elements.rest, bonds, body, breaks, j)
     bonds.integrity[k] = 0.0
     weigh(bonds, cells, breaks, i)
     weigh(bonds, cells, breaks, j)
-    energy -= _dilated(pose, elements.rest, bonds, body, breaks, i)
-    energy -= _dilated(pose, elements.rest, bonds, body, breaks, j)
+    energy -= dilated(pose, elements.rest, bonds, body, breaks, i)
+    energy -= dilated(pose, elements.rest, bonds, body, breaks, j)
     arm = turned_by(p, a)
     gap = scalar(opened(d, arm, turned_by(q, b)), present_normal(pose, bonds, cells, k))
     log_break(breaks, k, mode, gap, energy, (pose[i, 0] + arm[0], pose[i, 1] + arm[1], pose[i, 2] + arm[2]))

@@ -3,6 +3,8 @@
 A loop over bonds marks those whose forces reach a bound; they are judged here one by one, at the end of their block,
 before any of their ends has moved. Bonds that break hold both their ends back: these close the step with the whole
 force, and do not open the next (`bondem.kernels.breaking`).
+
+What is called from several places is compiled once for all of them (`kernel`), as it runs for few bonds.
 """
 
 import math
@@ -48,7 +50,7 @@ def _across(a, e):
     return math.sqrt(_along(c, c))
 
 
-@device
+@kernel(parallel=False)
 def single_bond(pose, bonds, k):
     """Branch [m], force on j and torques on i and j [N, N·m] of one bond of the total formulation."""
     a, b = bonds.i[k], bonds.j[k]
@@ -70,7 +72,7 @@ def _angle(pose, p, e, bonds, k):
     return math.atan2(_across(q, e), _along(q, e))
 
 
-@device
+@kernel(parallel=False)
 def index_of(pose, bonds, kind, coefficient, station, k):
     """Index and mode of one bond.
 

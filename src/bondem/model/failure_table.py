@@ -12,6 +12,7 @@ from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion, Joint
 from bondem.laws.non_local import NonLocal
+from bondem.model.cell_constants import body_of
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
 
@@ -43,7 +44,7 @@ class FailureTable:
 
     @classmethod
     def of(
-        cls, lattice: Lattice, layout: Layout, criterion: Criterion, stiffness: BondStiffness, at_contact: bool
+        cls, lattice: Lattice, layout: Layout, criterion: Criterion, stiffness: BondStiffness | None, at_contact: bool
     ) -> "FailureTable":
         """The table of a lattice.
 
@@ -51,11 +52,11 @@ class FailureTable:
             lattice: bonds or facets.
             layout: their order in the kernels.
             criterion: when they break.
-            stiffness: of the bonds, user's order.
+            stiffness: of the bonds, user's order; None for facets of cells.
             at_contact: whether moments count at the contact point.
         """
-        facets = lattice.facets
-        if facets is not None:
+        if stiffness is None:
+            facets, _ = body_of(lattice)
             joint = Joint(facets.area, facets.span, facets.area * facets.span, None)
         else:
             area = np.pi * stiffness.radius**2
@@ -69,9 +70,9 @@ class FailureTable:
         # a |F| + b |M| <= √((a/force)² + (b/moment)²) √(force² |F|² + moment² |M|²)
         with np.errstate(divide="ignore"):
             share = (a / force) ** 2 + np.where(b > 0.0, (b / moment) ** 2, 0.0)
-        limit = (1.0 - _ROUNDING if facets is None else _MARGIN) / share
-        station = np.full(len(area) if facets is None else len(facets.area), -1.0)
-        if at_contact:
+        limit = (_MARGIN if stiffness is None else 1.0 - _ROUNDING) / share
+        station = np.full(len(order), -1.0)
+        if at_contact and stiffness is not None:
             station = stiffness.lever / lattice.length
             station = np.where(flipped, 1.0 - station[order], station[order])
         return cls(

@@ -180,7 +180,8 @@ class Model:
         if self.failure is None:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
-        return FailureTable.of(self.lattice, self.layout, self.failure, self.stiffness, at_contact)
+        beams = self.stiffness if self._cells is None else None
+        return FailureTable.of(self.lattice, self.layout, self.failure, beams, at_contact)
 
     @property
     def pressed(self) -> PerElement:
