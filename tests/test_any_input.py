@@ -41,6 +41,7 @@ LATTICE = bd.connect(SPHERES, reach=1.1)
 LAW = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6)
 ENDS = (bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e3, 0.0, 0.0)))
 MODEL = bd.Model(LATTICE, LAW, 1000.0, ENDS)
+BREAKING = bd.Model(LATTICE, LAW, 1000.0, ENDS, failure=bd.PeripheralStress(tension=1e6, shear=1e6))
 OTHER = bd.Model(bd.connect(bd.Particles(GRID[:18], 0.5), reach=1.1), LAW, 900.0, ENDS)
 BAR = Later(lambda: bd.connect(bd.pack(bd.Cylinder(0.5, 3.0), count=400, seed=2)))
 CELL = Later(lambda: bd.connect(bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=200, seed=2)))
@@ -69,6 +70,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "Drive": {"region": FACE, "x": 1e-6, "vy": bd.Ramp(0.0, 1.0, 1.0)},
     "Driven": {"x": 1e-6, "vy": bd.Ramp(0.0, 1.0, 1.0)},
     "Eigenstrain": {"strain": 1e-4, "region": EVERYTHING, "schedule": bd.Constant(1.0)},
+    "Elliptic": {"elongation": 0.01, "rotation": 0.1, "scatter": None},
     "EulerBernoulli": BEAM | {"radius": None},
     "Face": {"name": "x_min", "depth": 0.02},
     "Fix": {"region": FACE, "translation": "xyz", "rotation": "xyz"},
@@ -76,18 +78,23 @@ USUAL: dict[str, dict[str, Any]] = {
     "Index": {"elements": [0, 1], "size": 4},
     "Lattice": {"particles": SPHERES, "pairs": [[0, 1], [1, 2]]},
     "LinearContact": {"E": 1e9, "friction": 0.1, "kappa": 2.0, "damping": 0.1, "stress_free": True},
+    "LinearSum": {"force": 1.0, "shear": 1.0, "bending": 1e-3, "twisting": 1e-3, "scatter": None},
     "Load": {"region": FACE, "force": (1.0, 0.0, 0.0), "moment": (0.0, 1.0, 0.0), "schedule": bd.Constant(1.0)},
     "LocalDamping": {"gamma": 0.1},
     "Lognormal": {"cv": 0.2, "cut": 2.0},
     "MassDamping": {"alpha": 1.0},
     "Material": {"name": "glass", "E": 70e9, "nu": 0.2, "rho": 2500.0, "source": "book"},
-    "Model": {"lattice": LATTICE, "bond": LAW, "density": 1000.0, "boundary": ENDS, "contact": None, "walls": ()},
+    "Model": {"lattice": LATTICE, "bond": LAW, "density": 1000.0, "boundary": ENDS, "contact": None, "walls": (),
+              "failure": None},
+    "MohrCoulomb": {"tension": 1e6, "cohesion": 1e6, "friction_angle": 0.6, "scatter": None},
+    "Normal": {"deviation": 0.1, "seed": 1},
     "Obermayr": BEAM | {"alpha_s": 0.9},
     "ParallelBond": BEAM | {"kappa": 1.0},
     "Particles": {"position": GRID, "radius": 0.5, "period": None, "shape": None},
     "Plan": {"duration": 1e-3, "dt": 1e-5, "scheme": bd.VelocityVerlet(), "damping": None, "gauges": {}, "every": 10,
              "save_every": 0, "until": (), "safety": 0.9},
     "NonLocal": {"E": 1e9, "nu": 0.2, "lever": "facet", "areas": "facet", "volume": "cell", "limited": True},
+    "PeripheralStress": {"tension": 1e6, "shear": 1e6, "beta": 1.0, "scatter": None},
     "PlaneWall": {"point": (0.0, 0.0, 0.0), "normal": (1.0, 0.0, 0.0), "motion": None, "friction": 0.1},
     "Pressure": {"region": FACE, "pressure": 1e5, "schedule": bd.Constant(1.0)},
     "Ramp": {"start": 0.0, "end": 1.0, "duration": 1.0, "begin": 0.0},
@@ -101,6 +108,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "TchamwaWielgosz": {"phi": 1.1},
     "Timoshenko": BEAM | {"radius": None},
     "Uniform": {"spread": 0.2},
+    "Weibull": {"modulus": 8.0, "volume": 1e-6, "seed": 1},
     "WallGauge": {"wall": 0, "quantity": "force"},
     "Within": {"shape": BALL},
     "bulk_moduli": {"lattice": CELL, "law": LAW, "guess": None},
@@ -109,6 +117,8 @@ USUAL: dict[str, dict[str, Any]] = {
     "carve": {"lattice": LATTICE, "shape": BALL},
     "connect": {"particles": SPHERES, "tolerance": None, "reach": 1.1},
     "fabric": {"lattice": LATTICE},
+    "failure_index": {"model": BREAKING, "state": BREAKING.state()},
+    "fragments": {"lattice": LATTICE, "state": BREAKING.state()},
     "pack": {"shape": BOX, "count": 40, "spread": 0.2, "sizes": None, "method": "quench", "seed": 1,
              "coordination_number": None, "volume_fraction": 0.5, "jamming": False},
     "radial_distribution": {"particles": Later(lambda: BAR.made().particles), "reach": 2.0, "bins": 10},
@@ -138,6 +148,7 @@ ELSEWHERE = {
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
     "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
+    "BrokenBonds", "Criterion", "Fragments",
 }  # fmt: skip
 # Runs on purpose: what is possible there takes as long as was asked for.
 LONG = {("solve_explicit", "duration"), ("solve_explicit", "dt"), ("solve_explicit", "safety"),

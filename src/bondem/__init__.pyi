@@ -6,6 +6,8 @@ from bondem.calibration.elastic import calibrate as calibrate
 from bondem.calibration.response import Response as Response
 from bondem.calibration.response import Slope as Slope
 from bondem.calibration.uncertainty import Sample as Sample
+from bondem.fracture.fragments import Fragments as Fragments
+from bondem.fracture.fragments import fragments as fragments
 from bondem.io.importing import read_lattice as read_lattice
 from bondem.io.importing import read_particles as read_particles
 from bondem.io.particles_file import load_particles as load_particles
@@ -27,6 +29,13 @@ from bondem.laws.damping import BondDamping as BondDamping
 from bondem.laws.damping import LocalDamping as LocalDamping
 from bondem.laws.damping import MassDamping as MassDamping
 from bondem.laws.euler_bernoulli import EulerBernoulli as EulerBernoulli
+from bondem.laws.failure.criterion import Criterion as Criterion
+from bondem.laws.failure.elliptic import Elliptic as Elliptic
+from bondem.laws.failure.linear_sum import LinearSum as LinearSum
+from bondem.laws.failure.mohr_coulomb import MohrCoulomb as MohrCoulomb
+from bondem.laws.failure.peripheral_stress import PeripheralStress as PeripheralStress
+from bondem.laws.failure.scatter import Normal as Normal
+from bondem.laws.failure.scatter import Weibull as Weibull
 from bondem.laws.free_parameter import FreeParameter as FreeParameter
 from bondem.laws.non_local import NonLocal as NonLocal
 from bondem.laws.obermayr import Obermayr as Obermayr
@@ -56,6 +65,8 @@ from bondem.model.walls import PlaneWall as PlaneWall
 from bondem.model.walls import Servo as Servo
 from bondem.model.walls import Wall as Wall
 from bondem.observe.bond_strain import BondStrain as BondStrain
+from bondem.observe.breakage import BrokenBonds as BrokenBonds
+from bondem.observe.breakage import failure_index as failure_index
 from bondem.observe.cell_forces import SmallMotion as SmallMotion
 from bondem.observe.cell_stress import cell_stress as cell_stress
 from bondem.observe.energy import EnergyParts as EnergyParts

@@ -63,7 +63,7 @@ LANES = _lanes()
 
 def _source_hash() -> str:
     digest = hashlib.sha256(f"{numba.__version__} {LANES}".encode())
-    sources = [Path(__file__), *sorted(_PACKAGE.glob("laws/*.py")), *sorted(_PACKAGE.glob("kernels/*.py")),
+    sources = [Path(__file__), *sorted(_PACKAGE.glob("laws/**/*.py")), *sorted(_PACKAGE.glob("kernels/*.py")),
                *sorted(_PACKAGE.glob("specimen/cells/*.py"))]  # fmt: skip
     for source in sources:
         digest.update(source.read_bytes())

@@ -15,7 +15,8 @@ STUB = ROOT / "src/bondem/__init__.pyi"
 
 # Arrays in the kernels' order, which a model keeps for solvers: not for users.
 INTERNAL = {
-    "BondTable", "CellConstants", "Constraints", "ContactModel", "Layout", "NonLocalConstants", "Origin"
+    "BondTable", "CellConstants", "Constraints", "ContactModel", "FailureTable", "Joint", "Layout",
+    "NonLocalConstants", "Origin",
 }  # fmt: skip
 
 

@@ -54,7 +54,7 @@ def forces(model, state):
     """Force and torque of the facets on each cell, internal order, (n, 6)."""
     cells, bonds = model.cells.rows(model.layout.i), model.bonds.rows(model.layout, model.period, state.integrity)
     sums = lines(len(state.pose))
-    swell(state.pose, bonds, cells, 0, len(bonds.i))
+    swell(state.pose, bonds, cells, None, 0, len(bonds.i))
     stress_cells(state.pose, cells, 0, len(state.pose))
     facet_loads(state.pose, bonds, cells, sums, bonds.i, bonds.j, 0, len(bonds.i))
     return sums[:, [0, 1, 2, 4, 5, 6]].copy()

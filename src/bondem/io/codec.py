@@ -15,6 +15,8 @@ from bondem.errors import RunFileError
 from bondem.laws.catalogue import CELL_LAWS, LAWS
 from bondem.laws.contact import LinearContact
 from bondem.laws.damping import BondDamping, LocalDamping, MassDamping
+from bondem.laws.failure.catalogue import CRITERIA
+from bondem.laws.failure.scatter import Normal, Weibull
 from bondem.laws.non_local import NonLocal
 from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge, WallGauge
@@ -32,7 +34,7 @@ from bondem.specimen.surface import Surface
 _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
-        *LAWS.values(), *CELL_LAWS.values(), NonLocal,
+        *LAWS.values(), *CELL_LAWS.values(), NonLocal, *CRITERIA.values(), Weibull, Normal,
         LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
         LinearContact, PlaneWall, CylinderWall, Driven, Servo,
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,

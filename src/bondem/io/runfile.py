@@ -5,7 +5,7 @@
     /bonds           pairs (m, 2)
     /facets, /cells  of a body, see `bondem.io.bodies`
     /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale
-    /history         records (s, 12 + 3 g); attribute gauges
+    /history         records (s, 13 + 3 g); attribute gauges
 
 What is derived (order, stiffnesses) is not kept but made again, by the same code. The file is
 written aside and moved into place, so that a kill leaves the checkpoint before.
@@ -25,7 +25,7 @@ from bondem.errors import RunFileError
 from bondem.io.atomic import replacing, require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
-from bondem.kernels.tables import NON_LOCAL
+from bondem.kernels.tables import FRACTURE, NON_LOCAL
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.history import History
@@ -33,9 +33,12 @@ from bondem.solve.plan import Plan
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 3
-# From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells.
+SCHEMA = 4
+# From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
+# on criteria of failure and what broke.
 _OLDEST = 2
+# Schema from which on an array of the state is there.
+_SINCE = {"stress": 3, "broken": 4, "released": 4}
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +82,7 @@ class RunFile:
                 "boundary": encode(tuple(model.boundary)),
                 "contact": encode(model.contact),
                 "walls": encode(tuple(model.walls)),
+                "failure": encode(model.failure),
                 "shape": encode(model.lattice.particles.shape),
             }),
         }  # fmt: skip
@@ -167,10 +171,11 @@ def _checkpoint(file: h5py.File, schema: int) -> Checkpoint:
         boundary=made_of["boundary"],
         contact=made_of["contact"],
         walls=made_of["walls"],
+        failure=made_of.get("failure"),
     )
     state = State(model)
     for name in State.ARRAYS:
-        if name == "stress" and schema < 3:
+        if schema < _SINCE.get(name, 0):
             continue
         values = np.ascontiguousarray(_array(file, f"state/{name}"))
         wanted = getattr(state, name).shape
@@ -182,5 +187,7 @@ def _checkpoint(file: h5py.File, schema: int) -> Checkpoint:
     records = _array(file, "history/records")
     if schema < 3:
         records = np.insert(records, NON_LOCAL, 0.0, axis=1)
+    if schema < 4:
+        records = np.insert(records, FRACTURE, 0.0, axis=1)
     history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
     return Checkpoint(model, decode(_json(file, "plan")), state, history)

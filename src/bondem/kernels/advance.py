@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._compile import kernel
+from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import rotation_guard
 from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.contact_pass import contact_loads, outdated
@@ -57,12 +57,19 @@ def move_holds(t, schedules, body):
         press(t, schedules, body.presses, body.cells.given)
 
 
+@device
+def set_clock(breaks, t, step):
+    """Tell bonds that break when they do, where there are any."""
+    if breaks is not None:
+        breaks.now[0], breaks.now[1] = t, step
+
+
 @kernel(parallel=False)
-def advance(span, scheme, run, law, contacts, added, strain, records):
+def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
 
     `law` is what forces come from: what all bonds share, what bonds store, the tables of a body of cells and of the
-    non-local law, each or None.
+    non-local law, each or None. `breaks` says when bonds break, or is None where none do.
 
     The acceleration is that of the present state on entry and on return. Between samples the end of one step and the
     start of the next are fused into one pass over the elements. The two passes go block by block, and an element
@@ -106,7 +113,8 @@ def advance(span, scheme, run, law, contacts, added, strain, records):
         paused = sampled or looked
         set_boundary(t, dt, False, schedules, rows, elements.pose, bonds, added, strain)
         move_holds(t, schedules, body)
-        all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, not paused)
+        set_clock(breaks, t, now)
+        all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, breaks, not paused)
         if looked:
             turned, lost, broken = rotation_guard(elements.pose, bonds)
             wide = max(wide, turned)
@@ -114,6 +122,7 @@ def advance(span, scheme, run, law, contacts, added, strain, records):
             if lost > 0 or sick != FINE:
                 break
         if sampled:
-            sample(t, elements, bonds, rows, run.gauges, history, body, non_local, contacts, records[written])
+            record = records[written]
+            sample(t, elements, bonds, rows, run.gauges, history, body, non_local, contacts, breaks, record)
             written += 1
     return done, written, wide, lost, sick, False

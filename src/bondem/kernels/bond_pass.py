@@ -7,8 +7,8 @@ its two ends, in the order of the bonds.
 import numpy as np
 
 from bondem._compile import device, kernel
-from bondem.kernels.lane_memory import add_loads, places, prefetch, row, side
-from bondem.kernels.lanes import WIDTH
+from bondem.kernels.lane_memory import add_loads, places, prefetch, row, side, widened
+from bondem.kernels.lanes import WIDTH, dot, reached
 from bondem.laws.beam_energy import bond_cosines, bond_energy, bond_force
 
 # Bonds ahead of the loop whose first elements are asked for: those of the second ends follow one another.
@@ -80,9 +80,25 @@ def stiffness(bonds, same, k):
     return same.knL * hold, same.AL * hold, same.BL * hold, same.AL * hold, same.ktL * hold
 
 
+@device
+def mark(breaks, k, known, size, place):
+    """Write down those of bonds k + known … whose size reaches its bound, from `place` on; where the next goes."""
+    strong = reached(size, widened(breaks.limit, k))
+    if strong != 0:
+        for n in range(known, WIDTH):
+            if (strong >> n) & 1:
+                breaks.marked[place] = k + np.uint64(n)
+                place += 1
+    return place
+
+
 @kernel(parallel=False)
-def bond_loads(pose, bonds, same, sums, row_i, row_j, first, last):
-    """Add force and torques of the bonds first … last to the rows of their two ends in `sums`."""
+def bond_loads(pose, bonds, same, sums, row_i, row_j, breaks, first, last):
+    """Add force and torques of the bonds first … last to the rows of their two ends in `sums`.
+
+    Those that bear more than their bounds stand in `breaks.marked` from `first` on, up to what is returned.
+    """
+    place = np.int64(first)
     for g in range(groups(first, last)):
         k, known = group(first, last, g)
         ahead(bonds, pose, k, last)
@@ -94,6 +110,11 @@ def bond_loads(pose, bonds, same, sums, row_i, row_j, first, last):
             side(bonds.X0, k), side(bonds.Y0, k), side(bonds.Z0, k), side(bonds.length, k), kn, A, B, C, kt,
         )  # fmt: skip
         add_loads(sums, places(row_i, k), places(row_j, k), (fx, fy, fz), (ax, ay, az), (bx, by, bz), known)
+        if breaks is not None:  # decided when compiled
+            moments = dot((ax, ay, az), (ax, ay, az)) + dot((bx, by, bz), (bx, by, bz))
+            size = breaks.of_force * dot((fx, fy, fz), (fx, fy, fz)) + breaks.of_moment * moments
+            place = mark(breaks, k, known, size, place)
+    return place
 
 
 @kernel(parallel=False)

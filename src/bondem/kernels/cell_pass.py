@@ -5,10 +5,13 @@ rest. Loops take WIDTH facets at a time; what they add to a cell is added in the
 cuts.
 """
 
+import numpy as np
+
 from bondem._compile import device, kernel
-from bondem.kernels.bond_pass import ahead, apart, group, groups
+from bondem.kernels.bond_pass import ahead, apart, group, groups, mark
 from bondem.kernels.lane_memory import add_loads, add_numbers, places, row, side, widened
-from bondem.laws.cell_energy import facet_force, swellings
+from bondem.kernels.lanes import dot
+from bondem.laws.cell_energy import facet_force, pulled, swellings
 
 # Column of a row of the pose that holds λ θ of a cell [Pa].
 STRESS = 3
@@ -49,8 +52,13 @@ def _away(a, b, period):
 
 
 @kernel(parallel=False)
-def swell(pose, bonds, cells, first, last):
-    """Add what the facets first … last do to V θ of their cells, in `cells.swelling`."""
+def swell(pose, bonds, cells, breaks, first, last):
+    """Add what the facets first … last do to V θ of their cells, in `cells.swelling`.
+
+    Those that bear more than their bounds stand in `breaks.marked` from `first` on, up to what is returned: they
+    are looked at with the stresses of the step before.
+    """
+    place = np.int64(first)
     lever_i, lever_j = _three(cells.lever_i), _three(cells.lever_j)
     share_i, share_j, pitch = _three(cells.share_i), _three(cells.share_j), _three(cells.pitch)
     for g in range(groups(first, last)):
@@ -64,6 +72,14 @@ def swell(pose, bonds, cells, first, last):
             _lever(lever_i, pitch, k), _lever(lever_j, pitch, k), _triple(share_i, k), _triple(share_j, k),
         )  # fmt: skip
         add_numbers(cells.swelling, places(cells.to_i, k), j, s * one, s * other, known)
+        if breaks is not None:  # decided when compiled
+            f = pulled(
+                apart(a, b, bonds.period), _orientation(a), _orientation(b), _lever(lever_i, pitch, k),
+                _lever(lever_j, pitch, k), _triple(share_i, k), _triple(share_j, k), side(cells.k, k),
+                a[STRESS], b[STRESS],
+            )  # fmt: skip
+            place = mark(breaks, k, known, (s * s) * (breaks.of_force * dot(f, f)), place)
+    return place
 
 
 @kernel(parallel=False)

@@ -103,7 +103,7 @@ def relax_bonds(pose, bonds, same, relaxation, first, steps):
     """
     ratio = np.inf
     for step in range(first, first + steps):
-        bond_loads(pose, bonds, same, relaxation.sums, bonds.i, bonds.j, 0, len(bonds.i))
+        bond_loads(pose, bonds, same, relaxation.sums, bonds.i, bonds.j, None, 0, len(bonds.i))
         share = _share(relaxation, step)
         ratio, power, mass = _balance(relaxation, share)
         if step >= relaxation.ramp and ratio <= relaxation.tolerance:

@@ -166,6 +166,13 @@ def _open(elements, rows, scheme, added):
         _open_one(elements, rows, scheme, added, np.uint64(p))
 
 
+@kernel(parallel=False)
+def open_list(elements, rows, scheme, added, element, count):
+    """The first `count` elements of a list open a step, as after a pause."""
+    for e in range(count):
+        _open_one(elements, rows, scheme, added, np.uint64(element[e]))
+
+
 open_step = kernel(parallel=True)(_open)
 open_step_serial = kernel(parallel=False)(_open)
 

@@ -56,33 +56,44 @@ def _gap(pose, rest, grips, g):
     ), arm
 
 
+@device
+def grip_swelling(pose, rest, grips, g):
+    """What a wall does to V θ of the cell that it holds [m³]."""
+    gap, _ = _gap(pose, rest, grips, g)
+    return scalar((grips.share[g, 0], grips.share[g, 1], grips.share[g, 2]), gap)
+
+
 @kernel(parallel=False)
 def swell_grips(pose, rest, grips, swelling):
     """Add what the walls do to V θ of the cells that they hold."""
     for g in range(len(grips.cell)):
-        gap, _ = _gap(pose, rest, grips, g)
-        share = grips.share[g, 0], grips.share[g, 1], grips.share[g, 2]
-        swelling[grips.cell[g]] += scalar(share, gap)
+        swelling[grips.cell[g]] += grip_swelling(pose, rest, grips, g)
+
+
+@device
+def grip_load(pose, rest, grips, g):
+    """Force and torque of a wall on its cell, into its row, with the stress of the cell known."""
+    p = grips.cell[g]
+    gap, arm = _gap(pose, rest, grips, g)
+    stress, k = pose[p, STRESS], grips.k[g]
+    f = (
+        k * gap[0] + stress * grips.share[g, 0],
+        k * gap[1] + stress * grips.share[g, 1],
+        k * gap[2] + stress * grips.share[g, 2],
+    )
+    v = pose[p, 5], pose[p, 6], pose[p, 7]
+    h = resisted_turn(grips.H[g], v)
+    turn, about = cross(v, h), cross(arm, f)
+    for d in range(3):
+        grips.load[g, d] = f[d]
+        grips.load[g, 3 + d] = about[d] - 2.0 * (pose[p, 4] * h[d] + turn[d])
 
 
 @kernel(parallel=False)
 def grip_loads(pose, rest, grips):
     """Force and torque of the walls on their cells, one row a grip, with the stresses of the cells known."""
     for g in range(len(grips.cell)):
-        p = grips.cell[g]
-        gap, arm = _gap(pose, rest, grips, g)
-        stress, k = pose[p, STRESS], grips.k[g]
-        f = (
-            k * gap[0] + stress * grips.share[g, 0],
-            k * gap[1] + stress * grips.share[g, 1],
-            k * gap[2] + stress * grips.share[g, 2],
-        )
-        v = pose[p, 5], pose[p, 6], pose[p, 7]
-        h = resisted_turn(grips.H[g], v)
-        turn, about = cross(v, h), cross(arm, f)
-        for d in range(3):
-            grips.load[g, d] = f[d]
-            grips.load[g, 3 + d] = about[d] - 2.0 * (pose[p, 4] * h[d] + turn[d])
+        grip_load(pose, rest, grips, g)
 
 
 @kernel(parallel=False)

@@ -25,8 +25,8 @@ from bondem._compile import LANES as WIDTH
 from bondem._compile import device
 
 __all__ = [
-    "WIDTH", "LanesType", "all_below", "dot", "fused", "instruction", "lane", "lanes", "put_lane", "shuffled", "sign",
-    "vector", "zero_of",
+    "WIDTH", "LanesType", "all_below", "dot", "fused", "instruction", "lane", "lanes", "put_lane", "reached",
+    "shuffled", "sign", "vector", "zero_of",
 ]  # fmt: skip
 
 # type checkers know numba's decorators for something else
@@ -156,6 +156,19 @@ def all_below(typingctx, value, limit):
         return builder.icmp_unsigned("==", below, ir.Constant(bits, 2**WIDTH - 1))
 
     return types.boolean(value, types.float64), generate
+
+
+@instruction
+def reached(typingctx, value, limit):
+    """Which of many reach the limits of each, as bits, the first the lowest."""
+    if not (value is lanes and limit is lanes):
+        return None
+
+    def generate(context, builder, sig, args):
+        bits = builder.bitcast(builder.fcmp_ordered(">=", *args), ir.IntType(WIDTH))
+        return builder.zext(bits, ir.IntType(64))
+
+    return types.int64(value, limit), generate
 
 
 @instruction

@@ -15,6 +15,7 @@ from bondem.kernels.tables import (
     CONTACT,
     DAMPED,
     FIXED_COLUMNS,
+    FRACTURE,
     FRICTION,
     INVERSE_INERTIA,
     INVERSE_MASS,
@@ -87,7 +88,7 @@ def energies(elements, bonds, work, history, body, non_local, record):
     record[TRANSLATION], record[ROTATION] = translation, rotation
     record[NORMAL], record[SHEAR], record[BENDING], record[TWISTING] = parts
     record[CONTACT], record[WORK], record[LOSS], record[FRICTION] = 0.0, total, damped, rubbed
-    record[NON_LOCAL] = taken
+    record[NON_LOCAL], record[FRACTURE] = taken, 0.0
 
 
 @kernel(parallel=False)
@@ -146,10 +147,12 @@ def gauged(elements, rows, gauges, record):
 
 
 @kernel(parallel=False)
-def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts, record):
+def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts, breaks, record):
     """One row of the history."""
     record[TIME] = t
     energies(elements, bonds, rows.work, history, body, non_local, record)
     if contacts is not None:
         of_contacts(elements.pose, bonds.period, contacts, gauges, record)
+    if breaks is not None:
+        record[FRACTURE] = breaks.released[0]
     gauged(elements, rows, gauges, record)

@@ -5,50 +5,79 @@ See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 
 from bondem._compile import kernel, prange
 from bondem.kernels.bond_pass import bond_loads
+from bondem.kernels.breaking import break_bonds, let_go, lists
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
+from bondem.kernels.facet_breaking import break_facets, judge_facets
 from bondem.kernels.grip_pass import hand_on, swell_grips
 from bondem.kernels.incremental import incremental_loads
+from bondem.kernels.judging import judge_block
 from bondem.kernels.non_local import non_local_loads, settle_stress
 from bondem.kernels.press_pass import book_presses
 
 
 @kernel(parallel=False)
-def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, blocks):
-    """The blocks first … last, a pair: bonds, sums, and the elements whose sums are complete.
+def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, part):
+    """A part of the step: bonds, sums, and the elements whose sums are complete.
 
     `history` is what bonds store in the incremental formulation, (6, m), or None; `cells` are facets and cells, whose
-    stresses are known, or None; `non_local` is the table of the non-local law, or None.
+    stresses are known, or None; `non_local` is the table of the non-local law, or None; `breaks` says when bonds
+    break, or is None. `part` is the blocks first … last, and whether elements open the next step.
     """
-    for b in range(blocks[0], blocks[1]):
+    first, last, go_on = part
+    waiting = 0
+    if cells is not None and breaks is not None:
+        waiting = breaks.count.sum()  # facets are judged before
+    for b in range(first, last):
         k0, k1 = cut.bond[b], cut.bond[b + 1]
         if cells is not None:  # decided when compiled
             facet_loads(elements.pose, bonds, cells, cut.sums, cut.row_i, cut.row_j, k0, k1)
         elif non_local is not None:
             non_local_loads(elements.pose, bonds, non_local, scheme.dt, cut.sums, cut.row_i, cut.row_j, k0, k1)
         elif history is None:
-            bond_loads(elements.pose, bonds, same, cut.sums, cut.row_i, cut.row_j, k0, k1)
+            place = bond_loads(elements.pose, bonds, same, cut.sums, cut.row_i, cut.row_j, breaks, k0, k1)
+            if breaks is not None:
+                waiting += judge_block(elements.pose, bonds, breaks, b, k0, place)
         else:
             incremental_loads(elements, bonds, history, scheme.dt, cut.sums, cut.row_i, cut.row_j, k0, k1)
         damp_bonds(added, elements, bonds, cut.row_i, cut.row_j, k0, k1)
-        e0, e1, e2 = cut.move[b], cut.held[b], cut.move[b + 1]
-        move(elements, cut.sums, rows, scheme, added, go_on, cut.ready, cut.ready_row, e0, e1)
-        move_held(elements, cut.sums, rows, scheme, added, go_on, cut.ready, cut.ready_row, e1, e2)
+        span = cut.move[b], cut.held[b], cut.move[b + 1], cut.move[b]
+        both = lists(cut.sums, added, breaks, cut.ready, cut.ready_row, span, waiting > 0)
+        for n in range(2):
+            element, row, e0, e1, e2, e3 = both[0] if n == 0 else both[1]
+            move(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e0, e1)
+            move_held(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e2, e3)
 
 
 @kernel(parallel=False)
-def sweep_shared(elements, cut, rows, scheme, added, go_on, first, last):
+def sweep_shared(elements, cut, rows, scheme, added, breaks, go_on, first, last):
     """The shared elements first … last, when the bonds of all domains are done; those that own rows are the last."""
     collect_parts(cut.sums, cut.shared_row, cut.parts, cut.part, first, last)
     collect_dashpots(added, cut, first, last)
     held = min(max(cut.shared_held, first), last)
-    move(elements, cut.sums, rows, scheme, added, go_on, cut.shared, cut.shared_row, first, held)
-    move_held(elements, cut.sums, rows, scheme, added, go_on, cut.shared, cut.shared_row, held, last)
+    waiting = False
+    if breaks is not None:
+        waiting = breaks.count.sum() > 0
+    span = first, held, last, len(cut.ready) + first
+    both = lists(cut.sums, added, breaks, cut.shared, cut.shared_row, span, waiting)
+    for n in range(2):
+        element, row, e0, e1, e2, e3 = both[0] if n == 0 else both[1]
+        move(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e0, e1)
+        move_held(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e2, e3)
+
+
+@kernel(parallel=False)
+def swell_domain(pose, bonds, cells, breaks, cut, d):
+    """What the facets of a domain do to V θ of their cells, and which are to be judged."""
+    first, last = cut.bond[cut.domain[d]], cut.bond[cut.domain[d + 1]]
+    place = swell(pose, bonds, cells, breaks, first, last)
+    if breaks is not None:  # decided when compiled
+        breaks.count[d] = place - first
 
 
 @kernel(parallel=True)
-def swell_domains(pose, bonds, cells, cut):
+def swell_domains(pose, bonds, cells, breaks, cut):
     """Stresses of all cells now, each domain on a thread of its own."""
     count, n = len(cut.domain) - 1, len(pose)
     for both in range(2):
@@ -56,13 +85,13 @@ def swell_domains(pose, bonds, cells, cut):
             gather_swelling(cells, cut.shared, cut.part)
         for d in prange(count):
             if both == 0:
-                swell(pose, bonds, cells, cut.bond[cut.domain[d]], cut.bond[cut.domain[d + 1]])
+                swell_domain(pose, bonds, cells, breaks, cut, d)
             else:
                 stress_cells(pose, cells, n * d // count, n * (d + 1) // count)
 
 
 @kernel(parallel=True)
-def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on):
+def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, go_on):
     """Forces of all bonds now, and what elements do with them: close the step, and open the next or not.
 
     Each domain is on a thread of its own; then each thread takes a part of the elements they share.
@@ -71,47 +100,55 @@ def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, s
     for both in range(2):  # one launch in the code, as everything in it is compiled for each
         for d in prange(count):
             if both == 0:
-                blocks = cut.domain[d], cut.domain[d + 1]
-                sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, blocks)
+                part = cut.domain[d], cut.domain[d + 1], go_on
+                sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, part)
             else:
                 first, last = shared * d // count, shared * (d + 1) // count
-                sweep_shared(elements, cut, rows, scheme, added, go_on, first, last)
+                sweep_shared(elements, cut, rows, scheme, added, breaks, go_on, first, last)
 
 
 @kernel(parallel=False)
-def swell_body(elements, bonds, body, cut, rows):
-    """Stresses of all cells now, and what walls that hold some of them do."""
+def swell_body(elements, bonds, body, cut, rows, breaks):
+    """Stresses of all cells now, what walls that hold some of them do, and which facets break."""
     pose, rest, cells, grips = elements.pose, elements.rest, body.cells, body.grips
     swell_grips(pose, rest, grips, cells.swelling)
     book_presses(pose, body.presses, rows.work)
     if len(cut.domain) == 2:
-        swell(pose, bonds, cells, 0, len(bonds.i))
+        swell_domain(pose, bonds, cells, breaks, cut, 0)
         stress_cells(pose, cells, 0, len(pose))
     else:
-        swell_domains(pose, bonds, cells, cut)
+        swell_domains(pose, bonds, cells, breaks, cut)
     book_presses(pose, body.presses, rows.work)
     body.presses.came[:] = 0.0
     if len(grips.cell) > 0:
         hand_on(pose, rest, grips, rows)
+    if breaks is not None:
+        judge_facets(pose, bonds, cells, breaks)
 
 
 @kernel(parallel=False)
-def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on):
+def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, go_on):
     """Forces of all bonds or facets, and what elements do with them."""
     if len(cut.domain) == 2:
-        blocks = 0, len(cut.move) - 1
-        sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on, blocks)
+        part = 0, len(cut.move) - 1, go_on
+        sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, part)
     else:
-        sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, go_on)
+        sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, go_on)
 
 
 @kernel(parallel=False)
-def all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, go_on):
+def all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, breaks, go_on):
     """A step over everything, on one thread or on as many as there are domains."""
     if body is not None:  # decided when compiled
-        swell_body(elements, bonds, body, cut, rows)
-        sweep_all(elements, bonds, same, history, body.cells, None, cut, rows, scheme, added, go_on)
+        swell_body(elements, bonds, body, cut, rows, breaks)
+        sweep_all(elements, bonds, same, history, body.cells, None, cut, rows, scheme, added, breaks, go_on)
+        if breaks is not None:
+            break_facets(elements, bonds, body, cut.sums, rows, added, breaks)
     else:
-        sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, go_on)
+        sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, breaks, go_on)
+        if breaks is not None:
+            break_bonds(elements, bonds, cut.sums, added, breaks)
+    if breaks is not None:
+        let_go(elements, cut.sums, rows, scheme, added, breaks, go_on)
     if non_local is not None:  # which is on one thread always
         settle_stress(non_local)

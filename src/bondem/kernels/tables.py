@@ -22,8 +22,12 @@ DAMPED, POWER, RUBBED = range(3)
 # Columns of a record before the gauges.
 (
     TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, NON_LOCAL,
-    FIXED_COLUMNS,
-) = range(13)  # fmt: skip
+    FRACTURE, FIXED_COLUMNS,
+) = range(14)  # fmt: skip
+
+# Columns of a breakage: time [s], step, bond, mode, gap [m], energy released [J], where [m].
+BROKEN_TIME, BROKEN_STEP, BROKEN_BOND, BROKEN_MODE, BROKEN_GAP, BROKEN_ENERGY, BROKEN_PLACE = range(7)
+BROKEN_COLUMNS = 9
 
 # What a gauge reads of elements, and from WALL_DISPLACEMENT on of a wall.
 (
@@ -274,6 +278,35 @@ class Strain(NamedTuple):
     lever: np.ndarray  #: a [m], (e,)
     factor: np.ndarray  #: rows: present factors, those to come, energy by factor [J] a step ago and now, (4, g)
     place: int  #: in the list of works
+
+
+class Breaks(NamedTuple):
+    """When bonds break, m of them, in b blocks, and what is kept of those that do; n elements (`kernels.judging`)."""
+
+    kind: int  #: number of the criterion
+    coefficient: np.ndarray  #: what judges each bond, (m, 4)
+    station: np.ndarray  #: where its moment counts, from i over its length; below 0 the larger of both ends, (m,)
+    limit: np.ndarray  #: of the bound of each bond, float32, (m,)
+    of_force: float  #: the bound is of_force |F|² + of_moment |M|² [1/N²]
+    of_moment: float  #: [1/(N·m)²]
+    now: np.ndarray  #: time [s] and step that bonds break at; a step below 0 where none is to, (2,)
+    marked: np.ndarray  #: bonds beyond the bound, then those that break, from the first bond of each block on, (m,)
+    begin: np.ndarray  #: the first bond of each block, or of each domain of facets, (b,)
+    count: np.ndarray  #: how many of these are marked, or break, (b,)
+    held: np.ndarray  #: not 0 for elements that wait at the end of the step, uint8, (n,)
+    turn: np.ndarray  #: elements of a block, those that wait last, uint32, (n,)
+    turn_row: np.ndarray  #: rows of their sums, uint32, (n,)
+    first_row: int  #: where the rows begin that keep the sums of those that wait, one an element
+    log: np.ndarray  #: what broke in this call (`BROKEN_…`), (m, 9)
+    logged: np.ndarray  #: how many of it, (1,)
+    released: np.ndarray  #: energy released since the start of the run [J], (1,)
+    # of bodies of cells; else empty
+    weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
+    slack_i: np.ndarray  #: what 1 / weight of cell i gains where a facet breaks [m³/Pa], (m,)
+    slack_j: np.ndarray
+    in_start: np.ndarray  #: facets of each cell, as `Adjacency` has them
+    out_start: np.ndarray
+    out_bond: np.ndarray
 
 
 class ContactTable(NamedTuple):

@@ -90,6 +90,8 @@ class BondLaw(ABC):
         title: what people call such bonds (of the class).
         free: the parameter that calibration varies (of the class).
         moments: whether bonds resist bending and twisting (of the class).
+        moments_at_contact: whether the moment that may break a bond is that at its contact point, and not the larger
+            one of its ends (of the class).
 
     Raises:
         InputError: a value outside its physical range, or both or neither of the two radii.
@@ -98,6 +100,7 @@ class BondLaw(ABC):
     title: ClassVar[str]
     free: ClassVar[FreeParameter] = RADIUS_RATIO
     moments: ClassVar[bool] = True
+    moments_at_contact: ClassVar[bool] = False
 
     E: float
     nu: float

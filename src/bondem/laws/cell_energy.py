@@ -58,6 +58,17 @@ def swellings(d, p, q, lever_i, lever_j, share_i, share_j):
 
 
 @device
+def pulled(d, p, q, lever_i, lever_j, share_i, share_j, k, stress_i, stress_j):
+    """Force of a facet on its cell i [N]; arguments as of `facet_force`."""
+    gap = opened(d, turned_by(p, lever_i), turned_by(q, lever_j))
+    gi, gj = turned_by(p, share_i), turned_by(q, share_j)
+    return (
+        k * gap[0] + (stress_i * gi[0] + stress_j * gj[0]), k * gap[1] + (stress_i * gi[1] + stress_j * gj[1]),
+        k * gap[2] + (stress_i * gi[2] + stress_j * gj[2]),
+    )  # fmt: skip
+
+
+@device
 def relative(p, q):
     """The rotation p* q: its scalar, its vector in the frame of the reference, and its vector in space."""
     plain = (

@@ -28,6 +28,8 @@ class ParallelBond(BondLaw):
         held_out=(4.0,),
     )  # fmt: skip
 
+    moments_at_contact: ClassVar[bool] = True
+
     kappa: float | None = None
 
     def __post_init__(self) -> None:

@@ -110,13 +110,13 @@ class Blocks:
             parts=rows,
         )
 
-    def table(self) -> StepCut:
-        """The cut as kernels take it, with sums at zero."""
+    def table(self, more: int = 0) -> StepCut:
+        """The cut as kernels take it, with sums at zero and `more` rows behind them."""
         return StepCut(
             domain=self.domain, bond=self.bond, move=self.move, held=self.held, ready=self.ready,
             ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,
             shared_row=self.shared_row, shared_held=self.shared_held, part=self.part, parts=self.parts,
-            sums=lines(self.rows),
+            sums=lines(self.rows + more),
         )  # fmt: skip
 
     def swelling_places(self, layout: Layout) -> np.ndarray:

@@ -40,6 +40,7 @@ class CellConstants:
         volume: V [m³], shape (n,).
         weight: λ_p / V_p, by which V_p θ_p becomes the stress λ_p θ_p [Pa/m³], shape (n,).
         normal: of the facets, from i to j [-], shape (m, 3).
+        slack_i, slack_j: what 1 / weight of each side gains where the facet breaks, A d |M⁻¹n|² / 2G [m³/Pa], (m,).
         G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
         grips: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, by which a traction opens it [m/Pa], shape (k,).
@@ -58,6 +59,8 @@ class CellConstants:
     volume: PerElement
     weight: PerElement
     normal: PerBond3
+    slack_i: PerBond
+    slack_j: PerBond
     G: PerElement
     lame: PerElement
     grips: Grips
@@ -110,6 +113,8 @@ class CellConstants:
             volume=cells.volume,
             weight=lame / slack / cells.volume,
             normal=normal,
+            slack_i=area * half_i * (n_i**2).sum(axis=1),
+            slack_j=area * half_j * (n_j**2).sum(axis=1),
             G=G,
             lame=lame,
             grips=_grips(cells, holds, G, n_free, rotation),
@@ -140,6 +145,8 @@ class CellConstants:
             volume=self.volume[element],
             weight=self.weight[element],
             normal=np.where(back, -self.normal[bond], self.normal[bond]),
+            slack_i=np.where(layout.flipped, self.slack_j[bond], self.slack_i[bond]),
+            slack_j=np.where(layout.flipped, self.slack_i[bond], self.slack_j[bond]),
             G=self.G[element],
             lame=self.lame[element],
             grips=self.grips,
@@ -161,6 +168,19 @@ class CellConstants:
         stretch = 1.0 + strain[:, None]
         return replace(self, lever_i=self.lever_i * stretch, lever_j=self.lever_j * stretch)
 
+    def damaged(self, integrity: PerBond, i: Ints, j: Ints) -> "CellConstants":
+        """The same with facets of some integrity s: of what they lack, 1 - s, they are free facets of both cells.
+
+        Args:
+            integrity: of the facets, shape (m,); their cells are i and j.
+            i, j: (m,).
+        """
+        if (integrity == 1.0).all():
+            return self
+        n, open_share = len(self.weight), 1.0 - integrity
+        slack = np.bincount(j, open_share * self.slack_j, n) + np.bincount(i, open_share * self.slack_i, n)
+        return replace(self, weight=self.weight / (1.0 + self.weight * slack))
+
     def rows(self, to_i: np.ndarray) -> CellTable:
         """The constants as kernels take them, in the kernels' order.
 
@@ -178,7 +198,7 @@ class CellConstants:
             share_i=columns(self.share_i, np.float32), share_j=columns(self.share_j, np.float32),
             normal=columns(self.normal, np.float64),
             H=columns(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]], np.float32),
-            weight=self.weight, to_i=with_twins(to_i), given=self.pressed.copy(),
+            weight=self.weight.copy(), to_i=with_twins(to_i), given=self.pressed.copy(),
             swelling=np.zeros(max(len(self.weight), int(to_i.max(initial=0)) + 1)),
         )  # fmt: skip
 

@@ -13,6 +13,7 @@ from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.contact import LinearContact
+from bondem.laws.failure.criterion import Criterion
 from bondem.laws.non_local import NonLocal
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.model.bond_table import BondTable
@@ -20,6 +21,7 @@ from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.cell_constants import CellAssignment, CellConstants, body_of
 from bondem.model.constraints import Constraints
 from bondem.model.contacts import ContactModel
+from bondem.model.failure_table import FailureTable, check_failure
 from bondem.model.grips import Holds, holds_wall
 from bondem.model.layout import Layout
 from bondem.model.non_local_constants import NonLocalConstants
@@ -46,6 +48,8 @@ class Model:
         boundary: what is fixed, driven, loaded, absorbed or strained; one condition or several.
         contact: law of the contacts between elements that no intact bond joins, and with walls; None for none.
         walls: rigid planes and cylinders; they need a `contact` law.
+        failure: when bonds or facets break, such as `bd.PeripheralStress(...)`; None for never. Bonds break in
+            explicit runs only.
 
     Raises:
         InputError: a density that is not positive, boundary conditions that contradict each other, or masses and
@@ -59,6 +63,7 @@ class Model:
     boundary: Sequence[BoundaryCondition] = field(default=())
     contact: LinearContact | None = None
     walls: Sequence[Wall] = field(default=())
+    failure: Criterion | None = None
 
     def __post_init__(self) -> None:
         instance("Model", "lattice", self.lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
@@ -78,6 +83,7 @@ class Model:
         if isinstance(self.bond, BondLaw) and self.bond.radius is not None:
             question_bond_radius(self.bond.radius, self.lattice.particles.mean_radius)
         self._check_strain()
+        self.breaking  # noqa: B018  as is the criterion of failure
 
     def _check_magnitudes(self) -> None:
         with np.errstate(all="ignore"):
@@ -168,6 +174,15 @@ class Model:
         table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()))
         return ContactModel.of(self.lattice, self.layout, self.contact, table)
 
+    @cached_property
+    def breaking(self) -> FailureTable | None:
+        """When bonds break, in the kernels' order, or None."""
+        if self.failure is None:
+            return None
+        at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
+        beams = self.stiffness if self._cells is None else None
+        return FailureTable.of(self.lattice, self.layout, self.failure, beams, at_contact)
+
     @property
     def pressed(self) -> PerElement:
         """What tractions on the facets of a body add to V θ of each cell in the end [m³], user's order, (n,)."""
@@ -209,10 +224,10 @@ class Model:
     def with_boundary(self, boundary: Sequence[BoundaryCondition]) -> "Model":
         """The same bonds and masses under other boundary conditions (nothing is computed twice)."""
         other = Model.__new__(Model)
-        for name in ("lattice", "bond", "density", "contact", "walls"):
+        for name in ("lattice", "bond", "density", "contact", "walls", "failure"):
             object.__setattr__(other, name, getattr(self, name))
         object.__setattr__(other, "boundary", _conditions(boundary))
-        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia")
+        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia", "breaking")
         for name in kept if self._cells is not None else (*kept, "_cells"):
             other.__dict__[name] = getattr(self, name)
         other.constraints  # noqa: B018  regions are checked now

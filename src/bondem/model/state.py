@@ -8,7 +8,7 @@ from bondem._checks import array, shown
 from bondem._types import Floats, Pairs, PerBond, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.non_local import STORED, TAKEN
-from bondem.kernels.tables import lines
+from bondem.kernels.tables import BROKEN_COLUMNS, lines
 from bondem.kernels.walls import COLUMNS, FORCE, WORK
 from bondem.model.origin import Origin, difference
 from bondem.model.walls import Wall
@@ -42,6 +42,9 @@ class State:
         wall_touching: internal element and wall of each contact with a wall, shape (b, 2).
         wall_stretch: the same of these, shape (b, 6).
         walls: where the walls are, how they move, what presses on them (`bondem.kernels.walls`), shape (w, 14).
+        broken: what broke, in time: time [s], step, internal bond, mode, gap at breakage [m], energy released [J] and
+            where [m]; shape (e, 9).
+        released: energy that breaking bonds have released since the start [J], shape (1,).
         step: steps done.
         time: [s].
         stale: whether the acceleration must be found anew before the next step.
@@ -76,17 +79,19 @@ class State:
         self.wall_touching = np.zeros((0, 2), dtype=np.int64)
         self.wall_stretch = np.zeros((0, 6))
         self.walls = np.zeros((len(model.walls), COLUMNS))
+        self.broken = np.zeros((0, BROKEN_COLUMNS))
+        self.released = np.zeros(1)
         self.step = 0
         self.time = 0.0
         self.stale = True
 
     ARRAYS = (
         "pose", "motion", "acceleration", "integrity", "history", "stress", "eigenstrain", "reaction", "work", "loss",
-        "touching", "stretch", "wall_touching", "wall_stretch", "walls",
+        "touching", "stretch", "wall_touching", "wall_stretch", "walls", "broken", "released",
     )  # fmt: skip
 
-    # Those with as many rows as there are contacts.
-    GROWING = ("touching", "stretch", "wall_touching", "wall_stretch")
+    # Those with as many rows as there are contacts, or broken bonds.
+    GROWING = ("touching", "stretch", "wall_touching", "wall_stretch", "broken")
 
     def copy(self) -> "State":
         """An independent copy."""
@@ -122,6 +127,7 @@ class State:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
         self._take_walls(model.walls)
         self.walls[:, WORK] = 0.0
+        self.released = np.zeros(1)
         self.model, self.layout = model, model.layout
         self.step = 0
         self.stale = True

@@ -111,6 +111,7 @@ def _turned(model: Model, state: State) -> CellForces:
     came = state.displacement[grips.cell] + arm - grips.lever
     opened = grips.axes * (_walls(model, state.time) - came)
     whole = state.bond_integrity
+    constants = constants.damaged(whole, i, j)
     swelling = constants.pressed_by(loads_on_facets(model, state.time))
     swelling += np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
     swelling += np.bincount(j, weights=whole * (share_j * gap).sum(axis=1), minlength=n)

@@ -113,7 +113,7 @@ def elastic_energy(model: Model, state: State, *, wall: Floats | None = None) ->
         place_walls(state.time, grips)
     else:
         grips.wall[:] = wall
-    cells = constants.rows(layout.i)
+    cells = constants.damaged(state.integrity, layout.i, layout.j).rows(layout.i)
     if wall is None:
         cells.given[:] = model.cell_constants.pressed_by(loads_on_facets(model, state.time))[layout.order]
     return EnergyParts(*cell_energies(state.pose, state.rest, bonds, cells, grips))

@@ -31,7 +31,7 @@ def _cells(model: Model) -> CellConstants:
 def body_loads(pose: Floats, rest: Floats, bonds: Bonds, body: Body, sums: Floats) -> None:
     """Add force and torque of facets and walls on all cells to `sums`, (n, 8), which holds zeros."""
     cells, grips = body.cells, body.grips
-    swell(pose, bonds, cells, 0, len(bonds.i))
+    swell(pose, bonds, cells, None, 0, len(bonds.i))
     swell_grips(pose, rest, grips, cells.swelling)
     stress_cells(pose, cells, 0, len(pose))
     facet_loads(pose, bonds, cells, sums, bonds.i, bonds.j, 0, len(bonds.i))

@@ -64,6 +64,8 @@ class System:
                 "contacts and walls act in explicit runs only; leave contact= and walls= out of the model, and hold"
                 " or load faces with bd.Fix and bd.Load"
             )
+        if model.failure is not None:
+            raise InputError("bonds break in explicit runs only; leave failure= out of the model")
         if len(model.lattice.pairs) == 0:
             raise InputError("elements without bonds have no stiffness; bond them, or use solve_explicit")
         lattice, order = model.lattice, model.layout.order

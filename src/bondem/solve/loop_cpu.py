@@ -8,6 +8,7 @@ from bondem.kernels import tables
 from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance
 from bondem.kernels.boundary import set_boundary
 from bondem.kernels.contact_pass import contact_loads
+from bondem.kernels.facet_breaking import weigh_all
 from bondem.kernels.grip_pass import give, grip_loads, place_walls
 from bondem.kernels.press_pass import press
 from bondem.kernels.sample import sample
@@ -31,6 +32,7 @@ from bondem.model.gauges import AnyGauge, Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added, changing_strain
+from bondem.solve.breakage import breaking, keep_broken
 from bondem.solve.neighbour_list import ContactList
 from bondem.solve.plan import Plan
 
@@ -74,11 +76,14 @@ class CpuLoop:
         if len(layout.i) >= SERIAL_BONDS and model.non_local is None:
             domains = min(current_threads(), len(layout.i) // _DOMAIN)
         blocks = Blocks.of(layout, BLOCK, domains, held.row_of >= 0)
+        # elements that wait for breaking bonds keep their sums in rows of their own
+        waiting = 0 if model.breaking is None else len(layout.order)
+        self._breaks = breaking(model, state, blocks)
         self._contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
         self._run = Run(
             elements=Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest),
             bonds=bonds.rows(layout, model.period, state.integrity, alike=self._same is not None),
-            cut=blocks.table(),
+            cut=blocks.table(waiting),
             rows=held.rows(state.reaction, state.work),
             schedules=held.schedules,
             gauges=gauge_tables(model, plan),
@@ -87,15 +92,17 @@ class CpuLoop:
         self._still = noticeable(model, dt)
         self._body = None
         if model.cells is not None:
-            strained = model.cells.stretched(state.eigenstrain)
+            strained = model.cells.stretched(state.eigenstrain).damaged(state.integrity, layout.i, layout.j)
             grips = strained.grips.table(layout, held.row_of, held.works[2])
             presses = PressTable(
                 value=held.press_value, schedule=held.press_schedule, place=held.works[2],
                 factor=np.zeros(len(held.press_schedule)), came=np.zeros(len(held.press_schedule)),
             )  # fmt: skip
             self._body = Body(strained.rows(blocks.swelling_places(layout)), grips, presses)
+            if self._breaks is not None:  # as they are weighed anew where a facet breaks, to the bit
+                weigh_all(self._run.bonds, self._body.cells, self._breaks)
         contact = None if self._contacts is None else self._contacts.arrays.load
-        self._added = added(model, terms, state, contact, blocks.rows)
+        self._added = added(model, terms, state, contact, blocks.rows + waiting)
         self._strain = changing_strain(model, state)
         self._history = with_zeros(state.history) if model.formulation == "incremental" else None
         self._non_local = None
@@ -127,21 +134,23 @@ class CpuLoop:
         records = np.empty((1, self._width))
         sample(
             t, run.elements, bonds, run.rows, run.gauges, self._history, self._body, self._non_local,
-            self._touching, records[0],
+            self._touching, self._breaks, records[0],
         )
         budget = run.budget
         budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
         return records
 
     def _evaluate(self) -> None:
-        """Find the acceleration of the present state."""
+        """Find the acceleration of the present state, in which nothing breaks."""
+        if self._breaks is not None:
+            self._breaks.now[1] = -1.0
         run = self._run
         still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
         if self._touching is not None:
             contact_loads(run.elements, run.bonds.period, 0.0, self._touching)
         all_forces(
             run.elements, run.bonds, self._same, self._history, self._body, self._non_local, run.cut, run.rows,
-            still, self._added, False,
+            still, self._added, self._breaks, False,
         )  # fmt: skip
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
@@ -156,8 +165,9 @@ class CpuLoop:
         while sick == FINE:
             span = Span(state.step + done, steps - done, every, moved)
             gone, new, turned, lost, sick, moved = advance(
-                span, self._scheme, self._run, law, self._touching, self._added, self._strain, records[written:]
-            )
+                span, self._scheme, self._run, law, self._touching, self._added, self._strain, self._breaks,
+                records[written:],
+            )  # fmt: skip
             done, written, wide = done + gone, written + new, max(wide, turned)
             if not moved or self._contacts is None:
                 break
@@ -174,6 +184,8 @@ class CpuLoop:
         """Hand what bonds store to the state, where the kernels had a longer table of them."""
         if self._history is not None and self._history is not self.state.history:
             self.state.history[:] = self._history[:, : self._run.bonds.m]
+        if self._breaks is not None:
+            keep_broken(self._breaks, self._run.bonds.integrity, self.state)
 
 
 def noticeable(model: Model, dt: float) -> float:

@@ -202,6 +202,7 @@ def require_runnable(model: Model, plan: Plan) -> None:
     """
     lacking = {
         "contacts and walls": model.contact is not None,
+        "bonds that break": model.failure is not None,
         "the incremental formulation": model.formulation != "total",
         "a boundary condition other than Fix, Drive and Load": any(
             not isinstance(condition, Fix | Drive | Load) for condition in model.boundary

@@ -165,7 +165,7 @@ def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
     bonds = model.bonds.rows(model.layout, model.period, np.ones(m))._replace(i=with_twins(i), j=with_twins(j))
     loads = lines(2 * m)  # every bond adds to two rows of its own
     own = np.arange(m, dtype=np.uint32)
-    bond_loads(pose, bonds, None, loads, with_twins(own), with_twins(own + np.uint32(m)), 0, len(bonds.i))
+    bond_loads(pose, bonds, None, loads, with_twins(own), with_twins(own + np.uint32(m)), None, 0, len(bonds.i))
     columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
     return columns[:, :m], columns[:, m:]
 

@@ -12,6 +12,7 @@ from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.model.gauges import AnyGauge, Gauge, WallGauge
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.observe.breakage import BrokenBonds
 from bondem.solve.events import Event
 from bondem.solve.history import History
 from bondem.solve.schemes import Scheme, VelocityVerlet
@@ -113,6 +114,11 @@ class ExplicitResult(Solution):
     history: History
     dt: float
     message: str
+
+    @property
+    def events(self) -> BrokenBonds:
+        """What broke, in time."""
+        return BrokenBonds.of(self.state)
 
     @property
     def steps(self) -> int:

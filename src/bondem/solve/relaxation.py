@@ -45,6 +45,8 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     count("solve_relaxed", "most", most, least=1)
     if model.contact is not None:
         raise InputError("contacts and walls act in explicit runs only; use solve_explicit with damping instead")
+    if model.failure is not None:
+        raise InputError("bonds break in explicit runs only; leave failure= out of the model")
     if model.non_local is not None:
         raise InputError("solve_relaxed follows a potential, which the non-local law has not: use solve_static")
     if model.cells is not None:

@@ -82,7 +82,7 @@ def stiffest(
         if body is not None:
             body_loads(pose, rest, bonds, body, sums)
         else:
-            bond_loads(pose, bonds, same, sums, bonds.i, bonds.j, 0, len(bonds.i))
+            bond_loads(pose, bonds, same, sums, bonds.i, bonds.j, None, 0, len(bonds.i))
         forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
         sums[:] = 0.0
         return forces

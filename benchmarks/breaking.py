@@ -1,0 +1,78 @@
+"""What a criterion of failure costs where nothing breaks: steps with and without it, interleaved.
+
+python benchmarks/breaking.py [--elements 10000] [--repeat 15] [--threads 1] [--cells] [--out FILE]
+
+The strength is far above what the bonds bear, and the motion is a random one. Times are of the processor on one
+thread, which other processes disturb less, and of the wall on more.
+"""
+
+import argparse
+import time
+from pathlib import Path
+
+import numpy as np
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.solve.loop_cpu import CpuLoop
+from bondem.solve.plan import Plan
+from bondem.solve.timestep import critical_step
+from kept import RESULTS, keep, origin
+from tiled import specimen
+
+
+def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
+    if cells:
+        box = bd.pack(bd.Box(size=(2e-2, 1e-2, 1e-2)), count=elements, method="even", seed=1)
+        lattice, law = bd.connect(box, method="laguerre"), bd.CellBond(E=72.5e9, nu=0.17)
+    else:
+        lattice, law = specimen(elements, largest=elements), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+    criteria: dict[str, bd.Criterion | None] = {
+        "elastic": None, "MohrCoulomb": bd.MohrCoulomb(tension=1e15, cohesion=1e15, friction_angle=0.6)
+    }  # fmt: skip
+    if not cells:
+        criteria["PeripheralStress"] = bd.PeripheralStress(tension=1e15, shear=1e15)
+    found = {}
+    for name, failure in criteria.items():
+        model = bd.Model(lattice, law, 2500.0, failure=failure)
+        dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+        state = model.state()
+        state.set_motion(velocity=1e-3 * np.random.default_rng(0).standard_normal((len(lattice.particles), 3)))
+        found[name] = CpuLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
+        found[name].run(3)
+    return found, len(lattice.pairs)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--elements", type=int, default=10_000)
+    parser.add_argument("--repeat", type=int, default=15)
+    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--cells", action="store_true")
+    parser.add_argument("--out", type=Path, default=None)
+    options = parser.parse_args()
+    clock = time.process_time if options.threads == 1 else time.perf_counter
+    with threads(options.threads):
+        found, bonds = loops(options.elements, options.cells)
+        steps = max(20, 4_000_000 // bonds)
+        times: dict[str, list[float]] = {name: [] for name in found}
+        for _ in range(options.repeat):
+            for name, loop in found.items():
+                begin = clock()
+                loop.run(steps)
+                times[name].append((clock() - begin) / steps / bonds * 1e9)
+    elastic = np.array(times["elastic"])
+    result = {**origin(), "elements": options.elements, "bonds": bonds, "threads": options.threads}
+    for name, each in times.items():
+        row = {
+            "least_ns": min(each), "median_ns": float(np.median(each)),
+            "ratio_of_least": float(min(each) / elastic.min()),
+            "median_ratio": float(np.median(np.array(each) / elastic)),
+        }  # fmt: skip
+        result[name] = row
+        print(name, {key: round(value, 3) for key, value in row.items()})
+    keep(options.out or RESULTS / f"breaking{'_cells' if options.cells else ''}.json", result)
+
+
+if __name__ == "__main__":
+    main()

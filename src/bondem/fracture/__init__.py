@@ -1,0 +1,1 @@
+"""What fracture leaves: pieces. Arrays in, arrays out."""

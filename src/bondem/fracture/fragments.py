@@ -1,0 +1,83 @@
+"""The pieces into which a specimen has broken."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from bondem._checks import instance
+from bondem._types import Floats, Ints
+from bondem.errors import InputError
+from bondem.model.state import State
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True, eq=False)
+class Fragments:
+    """Elements that unbroken bonds join, f pieces, the heaviest first; an element without bonds is a piece too.
+
+    Attributes:
+        label: piece of each element, user's order, shape (n,).
+        size: elements of each piece, shape (f,).
+        mass: [kg], shape (f,).
+        position: centre of mass [m], shape (f, 3).
+        velocity: of the centre of mass [m/s], shape (f, 3).
+        spin: angular velocity of a rigid body with the angular momentum of the piece [rad/s], shape (f, 3); NaN in a
+            periodic cell, where a piece may go on in the next image.
+    """
+
+    label: Ints
+    size: Ints
+    mass: Floats
+    position: Floats
+    velocity: Floats
+    spin: Floats
+
+    def __len__(self) -> int:
+        return len(self.size)
+
+
+def fragments(lattice: Lattice, state: State) -> Fragments:
+    """The pieces of a state.
+
+    Args:
+        lattice: what it is a state of.
+        state: of an explicit run, such as `run.state`.
+
+    Raises:
+        InputError: a state of another lattice.
+    """
+    instance("fragments", "lattice", lattice, Lattice, "the lattice of the model")
+    instance("fragments", "state", state, State, "the state of a run, or model.state()")
+    n, whole = len(lattice.particles), state.bond_integrity > 0.0
+    if len(state.pose) != n or len(whole) != len(lattice.pairs):
+        raise InputError(f"fragments: the state has {len(state.pose)} elements and other bonds; give its own lattice")
+    i, j = lattice.pairs[whole].T
+    _, found = connected_components(coo_array((np.ones(len(i), dtype=bool), (i, j)), shape=(n, n)), directed=False)
+    rank = state.layout.rank
+    mass, inertia = 1.0 / state.motion[rank, 3], 1.0 / state.motion[rank, 7]
+    heavy = np.bincount(found, mass)
+    order = np.argsort(-heavy, kind="stable")
+    place = np.empty_like(order)
+    place[order] = np.arange(len(order))
+    label = place[found]
+    total = heavy[order]
+    position = _sums(label, mass[:, None] * state.position) / total[:, None]
+    velocity = _sums(label, mass[:, None] * state.velocity) / total[:, None]
+    arm, fast = state.position - position[label], state.velocity - velocity[label]
+    momentum = _sums(label, mass[:, None] * np.cross(arm, fast) + inertia[:, None] * state.angular_velocity)
+    square = mass * (arm**2).sum(axis=1) + inertia
+    resistance = square[:, None, None] * np.eye(3) - mass[:, None, None] * arm[:, :, None] * arm[:, None, :]
+    tensor = _sums(label, resistance.reshape(n, 9)).reshape(-1, 3, 3)
+    spin = np.linalg.solve(tensor, momentum[:, :, None])[:, :, 0]
+    if lattice.particles.period is not None:
+        spin = np.full_like(spin, np.nan)
+    return Fragments(
+        label=label, size=np.bincount(label), mass=total, position=position, velocity=velocity, spin=spin
+    )
+
+
+def _sums(label: Ints, values: Floats) -> Floats:
+    """Sums of the rows of each piece."""
+    return np.column_stack([np.bincount(label, column) for column in values.T])

@@ -1,0 +1,1 @@
+"""Criteria of failure, one a file: parameters, and the scalar function that judges one bond."""

@@ -1,0 +1,11 @@
+"""Every criterion of failure, once, by the name of its class."""
+
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.elliptic import Elliptic
+from bondem.laws.failure.linear_sum import LinearSum
+from bondem.laws.failure.mohr_coulomb import MohrCoulomb
+from bondem.laws.failure.peripheral_stress import PeripheralStress
+
+CRITERIA: dict[str, type[Criterion]] = {
+    criterion.__name__: criterion for criterion in (PeripheralStress, MohrCoulomb, LinearSum, Elliptic)
+}

@@ -1,0 +1,97 @@
+"""What all criteria of failure share: what they know of a bond, and how they are judged.
+
+A criterion is data too. For each bond it gives four coefficients, by which a `@device` function of its own makes an
+index of what the bond bears; the bond breaks where the index reaches 1. That function is called for few bonds only:
+those whose force and moments reach a bound, which the loop over all bonds looks at and which no criterion changes.
+"""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Floats, PerBond
+from bondem.laws.bond import BondStiffness, Section
+from bondem.laws.failure.scatter import Normal, Weibull
+
+#: What broke a bond: the larger part of the index. The number is what states and run files hold.
+INTACT, TENSION, SHEAR, BENDING, TWISTING = range(5)
+MODES = ("intact", "tension", "shear", "bending", "twisting")
+
+# Columns of the coefficients of a bond.
+COEFFICIENTS = 4
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """What a criterion may know of each bond or facet in the reference, shape (m,) each.
+
+    Attributes:
+        area: of the section or facet [m²].
+        length: of the bond [m].
+        volume: area times length [m³], by which strengths scatter.
+        stiffness: of the bond; None of a facet, which has a traction and no section.
+    """
+
+    area: PerBond
+    length: PerBond
+    volume: PerBond
+    stiffness: BondStiffness | None
+
+    @property
+    def section(self) -> Section:
+        """The section of bonds."""
+        return Section(self.beam.radius)
+
+    @property
+    def beam(self) -> BondStiffness:
+        """The stiffness of bonds."""
+        assert self.stiffness is not None
+        return self.stiffness
+
+
+@dataclass(frozen=True, kw_only=True)
+class Criterion(ABC):
+    """When a bond breaks: at once and for good.
+
+    Attributes:
+        scatter: how strengths differ from bond to bond: `bd.Weibull` or `bd.Normal`, or None for the same in all.
+        kind: number of the function that judges (of the class; see `bondem.kernels.judging`).
+        needs_beams: whether it is about beams, and means nothing for facets of cells (of the class).
+    """
+
+    kind: ClassVar[int]
+    needs_beams: ClassVar[bool] = True
+
+    scatter: Weibull | Normal | None = None
+
+    def __post_init__(self) -> None:
+        if self.scatter is not None:
+            wanted = "bd.Weibull(...), bd.Normal(...) or None"
+            instance(type(self).__name__, "scatter", self.scatter, (Weibull, Normal), wanted)
+
+    @abstractmethod
+    def coefficients(self, joint: Joint, factor: PerBond) -> Floats:
+        """What judges each bond, shape (m, 4); strengths are multiplied by `factor`, (m,)."""
+
+    @abstractmethod
+    def bounds(self, joint: Joint, coefficients: Floats) -> tuple[PerBond, PerBond]:
+        """a and b of each bond for which the index reaches 1 only where a |F| + b |M| does too [1/N, 1/(N·m)].
+
+        F is the force of the bond and M the root of the sum of squares of its two torques on the elements' centres.
+        """
+
+    def factors(self, joint: Joint) -> PerBond:
+        """By how much the strength of each bond differs from the parameter, user's order, shape (m,)."""
+        return np.ones_like(joint.area) if self.scatter is None else self.scatter.factors(joint.volume)
+
+
+def columns(*values: PerBond | float) -> Floats:
+    """Coefficients of all bonds, with zeros in columns that a criterion does not use, shape (m, 4)."""
+    shape = np.broadcast(*values).shape
+    table = np.zeros((*shape, COEFFICIENTS))
+    for c, value in enumerate(values):
+        table[:, c] = value
+    return table

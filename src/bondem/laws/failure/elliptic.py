@@ -1,0 +1,67 @@
+"""Elongation and bending of a beam, joined in an ellipse of elongation and angle."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from bondem._checks import number
+from bondem._compile import device
+from bondem._types import Floats, PerBond
+from bondem.laws.failure.criterion import BENDING, TENSION, Criterion, Joint, columns
+
+# Share of a bound of forces at which deformations are looked at: beams turned far are softer than the linear ones
+# that the bound is made of.
+_MARGIN = 0.5
+
+
+@dataclass(frozen=True, kw_only=True)
+class Elliptic(Criterion):
+    """A beam breaks where elongation and bending together reach their limits.
+
+        (ε⁺ / elongation)² + max(|θ_i|, |θ_j|) / rotation ≥ 1
+
+    with ε = (ℓ - L) / L, only where positive, and θ the angle between the beam's axis and that of its end. Bonds
+    without bending stiffness are judged in every step, as no force tells how far they have turned.
+
+    Attributes:
+        elongation: ε at which a straight beam breaks [-].
+        rotation: θ at which a beam that keeps its length breaks [rad].
+
+    Reference: Carmona, Wittel, Kun and Herrmann (2008), eq. (3).
+
+    Raises:
+        InputError: a limit that is not positive.
+    """
+
+    kind: ClassVar[int] = 3
+
+    elongation: float
+    rotation: float
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        number("Elliptic", "elongation", self.elongation, above=0.0)
+        number("Elliptic", "rotation", self.rotation, unit="rad", above=0.0)
+
+    def coefficients(self, joint: Joint, factor: PerBond) -> Floats:
+        return columns(1.0 / (self.elongation * factor), 1.0 / (self.rotation * factor))
+
+    def bounds(self, joint: Joint, coefficients: Floats) -> tuple[PerBond, PerBond]:
+        k, L, s = joint.beam, joint.length, coefficients.T
+        near, far = k.lever, L - k.lever
+        # moments at the centres over the angles of the ends; the softer of the two ways to bend
+        a, b, c = k.ks * near**2 + k.kb, k.ks * near * far - k.kb, k.ks * far**2 + k.kb
+        with np.errstate(divide="ignore", invalid="ignore"):
+            soft = 0.5 * (a + c) - np.sqrt((0.5 * (a - c)) ** 2 + b**2)
+            soft = np.where(soft > 1e-9 * (a + c), soft, 0.0)
+            # (ε / ε_c)² + … ≥ 1 only where ε / ε_c + … ≥ 1
+            return s[0] / (k.kn * L * _MARGIN), s[1] / (soft * _MARGIN)
+
+
+@device
+def elliptic_index(load, s):
+    """Index and mode of a beam of strain load[4] and largest angle load[5]."""
+    stretch = max(load[4], 0.0) * s[0]
+    along, about = stretch * stretch, load[5] * s[1]
+    return along + about, TENSION if along >= about else BENDING

@@ -1,0 +1,66 @@
+"""The linear sum of what a bond bears over what it can bear, as LAMMPS has it."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from bondem._checks import number
+from bondem._compile import device
+from bondem._types import Floats, PerBond
+from bondem.laws.failure.criterion import BENDING, SHEAR, TENSION, TWISTING, Criterion, Joint, columns
+
+
+@dataclass(frozen=True, kw_only=True)
+class LinearSum(Criterion):
+    """A bond breaks where the shares of its strengths sum up to one.
+
+        N / force + |Q| / shear + |M| / bending + |T| / twisting ≥ 1
+
+    Tension positive: pressure strengthens. M is the larger of the moments at both ends for beams, that at the contact
+    point for parallel and contact bonds.
+
+    Attributes:
+        force: largest tensile force alone [N].
+        shear: largest shear force alone [N].
+        bending: largest bending moment alone [N·m].
+        twisting: largest twisting moment alone [N·m].
+
+    Reference: `bond_style bpm/rotational` of LAMMPS, whose moments are those of its own bond law; Wang (2009).
+
+    Raises:
+        InputError: a strength that is not positive.
+    """
+
+    kind: ClassVar[int] = 2
+
+    force: float
+    shear: float
+    bending: float
+    twisting: float
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for name, unit in (("force", "N"), ("shear", "N"), ("bending", "N·m"), ("twisting", "N·m")):
+            number("LinearSum", name, getattr(self, name), unit=unit, above=0.0, advice=f"a positive {unit}")
+
+    def coefficients(self, joint: Joint, factor: PerBond) -> Floats:
+        return columns(*(1.0 / (s * factor) for s in (self.force, self.shear, self.bending, self.twisting)))
+
+    def bounds(self, joint: Joint, coefficients: Floats) -> tuple[PerBond, PerBond]:
+        s = coefficients.T
+        return np.hypot(s[0], s[1]), np.hypot(s[2], s[3])
+
+
+@device
+def linear_index(load, s):
+    """Index and mode of a bond that bears N, Q, M, T."""
+    n, q, m, t = load[0] * s[0], load[1] * s[1], load[2] * s[2], load[3] * s[3]
+    mode, most = TENSION, n
+    if q > most:
+        mode, most = SHEAR, q
+    if m > most:
+        mode, most = BENDING, m
+    if t > most:
+        mode, most = TWISTING, t
+    return n + q + m + t, mode

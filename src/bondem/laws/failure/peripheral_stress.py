@@ -1,0 +1,65 @@
+"""Stress of the outermost fibre of a beam."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from bondem._checks import number
+from bondem._compile import device
+from bondem._types import Floats, PerBond
+from bondem.laws.failure.criterion import SHEAR, TENSION, Criterion, Joint, columns
+
+
+@dataclass(frozen=True, kw_only=True)
+class PeripheralStress(Criterion):
+    """A beam breaks where its outermost fibre reaches the tensile, or its section the shear strength.
+
+        σ = N / A + β |M| r / I ≥ tension        τ = |Q| / A + |T| r / J ≥ shear
+
+    with A = πr², I = πr⁴/4, J = 2I; M is the larger of the moments at both ends for beams, that at the contact point
+    for parallel and contact bonds. Tension positive. Compression alone breaks nothing.
+
+    Attributes:
+        tension: tensile strength [Pa].
+        shear: shear strength [Pa].
+        beta: how much of the bending moment counts, β [-] in [0, 1].
+
+    Reference: Potyondy and Cundall (2004) eq. (19); β is the moment-contribution factor of Potyondy (2011).
+
+    Raises:
+        InputError: a strength that is not positive, or β outside [0, 1].
+    """
+
+    kind: ClassVar[int] = 0
+
+    tension: float
+    shear: float
+    beta: float = 1.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        number("PeripheralStress", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
+        number("PeripheralStress", "shear", self.shear, unit="Pa", above=0.0, advice="a positive strength in Pa")
+        number("PeripheralStress", "beta", self.beta, least=0.0, advice="a share of the moment in [0, 1]")
+        number("PeripheralStress", "1 - beta", 1.0 - self.beta, least=0.0, advice="beta in [0, 1]")
+
+    def coefficients(self, joint: Joint, factor: PerBond) -> Floats:
+        section = joint.section
+        tension, shear = self.tension * factor, self.shear * factor
+        return columns(
+            1.0 / (section.area * tension), self.beta * section.radius / (section.second_moment * tension),
+            1.0 / (section.area * shear), section.radius / (section.polar_moment * shear),
+        )  # fmt: skip
+
+    def bounds(self, joint: Joint, coefficients: Floats) -> tuple[PerBond, PerBond]:
+        s = coefficients.T
+        return np.maximum(s[0], s[2]), np.maximum(s[1], s[3])
+
+
+@device
+def peripheral_index(load, s):
+    """Index and mode of a beam that bears N, Q, M, T."""
+    along = load[0] * s[0] + load[2] * s[1]
+    across = load[1] * s[2] + load[3] * s[3]
+    return (along, TENSION) if along >= across else (across, SHEAR)

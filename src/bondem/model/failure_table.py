@@ -1,0 +1,115 @@
+"""What of a criterion of failure the kernels read: coefficients and bounds of each bond, in their order."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Floats, PerBond
+from bondem.errors import InputError
+from bondem.laws.bond import BondLaw, BondStiffness
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.criterion import Criterion, Joint
+from bondem.laws.non_local import NonLocal
+from bondem.model.cell_constants import body_of
+from bondem.model.layout import Layout
+from bondem.specimen.lattice import Lattice
+
+# What rounding may take off a bound.
+_ROUNDING = 1e-6
+# Share of the bound of facets at which they are looked at: it is held against stresses of cells a step ago.
+_MARGIN = 0.75
+
+
+@dataclass(frozen=True, eq=False)
+class FailureTable:
+    """When each bond breaks, internal order.
+
+    Attributes:
+        kind: number of the criterion.
+        coefficient: what judges each bond, shape (m, 4).
+        station: where along a bond its moment counts, from i over its length; -1 for the larger of both ends, (m,).
+        limit: below which of_force |F|² + of_moment |M|² breaks nothing [-], shape (m,).
+        of_force: [1/N²].
+        of_moment: [1/(N·m)²].
+    """
+
+    kind: int
+    coefficient: Floats
+    station: PerBond
+    limit: PerBond
+    of_force: float
+    of_moment: float
+
+    @classmethod
+    def of(
+        cls, lattice: Lattice, layout: Layout, criterion: Criterion, stiffness: BondStiffness | None, at_contact: bool
+    ) -> "FailureTable":
+        """The table of a lattice.
+
+        Args:
+            lattice: bonds or facets.
+            layout: their order in the kernels.
+            criterion: when they break.
+            stiffness: of the bonds, user's order; None for facets of cells.
+            at_contact: whether moments count at the contact point.
+        """
+        if stiffness is None:
+            facets, _ = body_of(lattice)
+            joint = Joint(facets.area, facets.span, facets.area * facets.span, None)
+        else:
+            area = np.pi * stiffness.radius**2
+            joint = Joint(area, lattice.length, area * lattice.length, stiffness)
+        coefficient = criterion.coefficients(joint, criterion.factors(joint))
+        a, b = criterion.bounds(joint, coefficient)
+        order, flipped = layout.bond_order, layout.flipped
+        # each part of the bound weighs as on an average bond
+        force, bent = _scale(a), np.isfinite(b) & (b > 0.0)
+        moment = _scale(b[bent])
+        # a |F| + b |M| <= √((a/force)² + (b/moment)²) √(force² |F|² + moment² |M|²)
+        with np.errstate(divide="ignore"):
+            share = (a / force) ** 2 + np.where(b > 0.0, (b / moment) ** 2, 0.0)
+        limit = (_MARGIN if stiffness is None else 1.0 - _ROUNDING) / share
+        station = np.full(len(order), -1.0)
+        if at_contact and stiffness is not None:
+            station = stiffness.lever / lattice.length
+            station = np.where(flipped, 1.0 - station[order], station[order])
+        return cls(
+            kind=type(criterion).kind,
+            coefficient=np.ascontiguousarray(coefficient[order]),
+            station=station,
+            limit=limit[order],
+            of_force=force**2,
+            of_moment=moment**2 if bent.any() else 0.0,
+        )
+
+
+def check_failure(failure: object, bond: object, contact: object, formulation: str) -> bool:
+    """Whether moments count at the contact point, of a criterion that this model can have.
+
+    Raises:
+        InputError: no criterion, or one for other bonds, or beside what does not know breaking bonds yet.
+    """
+    found = instance("Model", "failure", failure, Criterion, "a criterion such as bd.PeripheralStress(...), or None")
+    laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
+    name = type(found).__name__
+    if any(isinstance(law, NonLocal) for law in laws):
+        raise InputError("failure= does not know NonLocal bonds yet; use beam bonds or bd.CellBond")
+    if formulation != "total":
+        raise InputError("failure= needs bonds of the total formulation: use formulation='total'")
+    if contact is not None:
+        raise InputError("failure= and contact= together wait for contacts after breakage; leave one of them out")
+    cells = any(isinstance(law, CellBond) for law in laws)
+    if cells and type(found).needs_beams:
+        raise InputError(f"{name} judges beams, and facets of cells are none; use bd.MohrCoulomb(...)")
+    at_contact = {law.moments_at_contact for law in laws if isinstance(law, BondLaw)}
+    if len(at_contact) > 1:
+        raise InputError("failure= counts moments at the ends or at contact points: give bonds of one kind")
+    return True in at_contact
+
+
+def _scale(values: Floats) -> float:
+    """A number that differs from the values as little as any, 1 without values."""
+    there = values[values > 0.0]
+    return float(np.exp(np.log(there).mean())) if len(there) else 1.0

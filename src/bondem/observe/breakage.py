@@ -1,0 +1,104 @@
+"""What broke in a run, and how near to breaking bonds are."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Floats, Ints, PerBond
+from bondem.errors import InputError
+from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.facet_breaking import facet_indices
+from bondem.kernels.judging import bond_indices
+from bondem.kernels.tables import (
+    BROKEN_BOND,
+    BROKEN_ENERGY,
+    BROKEN_GAP,
+    BROKEN_MODE,
+    BROKEN_PLACE,
+    BROKEN_STEP,
+    BROKEN_TIME,
+)
+from bondem.laws.failure.criterion import MODES
+from bondem.model.model import Model
+from bondem.model.origin import difference
+from bondem.model.state import State
+from bondem.observe.cell_forces import CellForces
+
+
+@dataclass(frozen=True, eq=False)
+class BrokenBonds:
+    """Bonds or facets in the order in which they broke; those of one step in the order of the kernels.
+
+    A state that goes on in a second stage brings along what broke before; steps are those of the stage.
+
+    Attributes:
+        time: [s], shape (e,).
+        step: shape (e,).
+        bond: user's number, shape (e,).
+        mode: "tension", "shear", "bending" or "twisting", shape (e,).
+        gap: by how much it was longer than at rest; of a facet how far it was open along its normal [m], (e,).
+        energy: released [J], shape (e,).
+        position: of the contact point, or of the middle of the facet [m], shape (e, 3).
+    """
+
+    time: Floats
+    step: Ints
+    bond: Ints
+    mode: np.ndarray
+    gap: Floats
+    energy: Floats
+    position: Floats
+
+    @classmethod
+    def of(cls, state: State) -> "BrokenBonds":
+        """What broke before a state."""
+        rows = state.broken
+        return cls(
+            time=rows[:, BROKEN_TIME].copy(),
+            step=rows[:, BROKEN_STEP].astype(np.int64),
+            bond=state.layout.bond_order[rows[:, BROKEN_BOND].astype(np.int64)],
+            mode=np.array(MODES)[rows[:, BROKEN_MODE].astype(np.int64)],
+            gap=rows[:, BROKEN_GAP].copy(),
+            energy=rows[:, BROKEN_ENERGY].copy(),
+            position=rows[:, BROKEN_PLACE : BROKEN_PLACE + 3].copy(),
+        )
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+
+def failure_index(model: Model, state: State) -> PerBond:
+    """How near each bond is to breaking: the index of the model's criterion, 1 where it breaks, 0 of broken bonds.
+
+    Args:
+        model: with a criterion of failure.
+        state: of this model, at any rotation.
+
+    Returns:
+        Index [-], user's order, shape (m,).
+
+    Raises:
+        InputError: a model without a criterion, or of another kind.
+    """
+    instance("failure_index", "model", model, Model, "bd.Model(...)")
+    instance("failure_index", "state", state, State, "the state of a run, or model.state()")
+    other = difference(state.model, model)
+    if other:
+        raise InputError(f"failure_index: the state belongs to another {other}; give one of this model")
+    table = model.breaking
+    if table is None:
+        raise InputError("failure_index needs a criterion: give the model failure=bd.PeripheralStress(...)")
+    layout = model.layout
+    bonds = model.bonds.stretched(state.eigenstrain).rows(layout, model.period, state.integrity)
+    if model.cells is None:
+        found = bond_indices(state.pose, bonds, table.kind, table.coefficient, table.station)
+    else:
+        found = np.empty(bonds.m)
+        pose = state.pose.copy()
+        pose[:, STRESS] = CellForces.of(model, state).stress[layout.order]
+        cells = model.cells.stretched(state.eigenstrain).rows(layout.i)
+        facet_indices(pose, bonds, cells, table.kind, table.coefficient, found)
+    own = np.empty_like(found)
+    own[layout.bond_order] = found
+    return own

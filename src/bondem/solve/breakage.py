@@ -1,0 +1,49 @@
+"""Tables of the kernels for bonds that break, and what comes back from them."""
+
+import numpy as np
+
+from bondem.kernels.lanes import WIDTH
+from bondem.kernels.tables import BROKEN_COLUMNS, Breaks
+from bondem.model.blocks import Blocks
+from bondem.model.model import Model
+from bondem.model.state import State
+
+
+def breaking(model: Model, state: State, blocks: Blocks) -> Breaks | None:
+    """What kernels take to break the bonds or facets of a state; None where none break.
+
+    Args:
+        model: with a criterion, or without.
+        state: which of them are broken already.
+        blocks: of the step; elements wait in rows behind those of its sums.
+    """
+    table, cells = model.breaking, model.cells
+    if table is None:
+        return None
+    n, m = len(state.pose), len(state.integrity)
+    # facets are judged between the two passes over them, domain by domain
+    begin = blocks.bond[:-1] if cells is None else blocks.bond[blocks.domain[:-1]]
+    weights = (np.zeros(0),) * 3 if cells is None else (cells.weight, cells.slack_i, cells.slack_j)
+    adjacency = model.layout.adjacency
+    limit = np.full(max(m, WIDTH), np.inf, dtype=np.float32)
+    limit[:m] = table.limit
+    return Breaks(
+        kind=table.kind, coefficient=table.coefficient, station=table.station, limit=limit,
+        of_force=table.of_force, of_moment=table.of_moment, now=np.array([0.0, -1.0]),
+        marked=np.empty(m, dtype=np.int64), begin=begin.astype(np.int64), count=np.zeros(len(begin), dtype=np.int64),
+        held=np.zeros(n, dtype=np.uint8),
+        turn=np.empty(n, dtype=np.uint32), turn_row=np.empty(n, dtype=np.uint32), first_row=blocks.rows,
+        # memory is taken as bonds break
+        log=np.empty((m, BROKEN_COLUMNS)), logged=np.zeros(1, dtype=np.int64), released=state.released,
+        weight=weights[0], slack_i=weights[1], slack_j=weights[2],
+        in_start=adjacency.in_start, out_start=adjacency.out_start, out_bond=adjacency.out_bond,
+    )  # fmt: skip
+
+
+def keep_broken(breaks: Breaks, integrity: np.ndarray, state: State) -> None:
+    """Write what has broken since the last call into the state."""
+    count = int(breaks.logged[0])
+    if count:
+        state.broken = np.concatenate([state.broken, breaks.log[:count]])
+        breaks.logged[0] = 0
+        state.integrity[:] = integrity[: len(state.integrity)]

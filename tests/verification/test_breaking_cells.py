@@ -1,0 +1,146 @@
+"""Facets of cells that break: at the material's own strength, with a ledger that closes and forces that are right."""
+
+import functools
+from pathlib import Path
+
+import numba
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.errors import InputError
+from bondem.model.state import State
+from bondem.observe.energy import elastic_energy
+from bondem.solve.loop_cpu import CpuLoop
+from bondem.solve.plan import Plan
+from bondem.solve.timestep import critical_step
+from tests.recording import Record
+
+E, RHO = 40e9, 2500.0
+FAILURE = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61)
+PULL = (bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, 0.8, 1e-5)))
+
+
+@functools.cache
+def body(count: int) -> bd.Lattice:
+    particles = bd.pack(bd.Box(size=(8e-3, 4e-3, 4e-3)), count=count, method="even", seed=1)
+    return bd.connect(particles, method="laguerre")
+
+
+def model_of(count: int, nu: float = 0.2, failure: bd.Criterion | None = FAILURE, boundary=PULL) -> bd.Model:
+    return bd.Model(body(count), bd.CellBond(E=E, nu=nu), density=RHO, failure=failure, boundary=boundary)
+
+
+def accelerations(model: bd.Model, state: State, dt: float) -> tuple[np.ndarray, np.ndarray]:
+    """Those a state holds, and those found anew."""
+    again = state.copy()
+    again.stale = True
+    CpuLoop(model, Plan(duration=1.0, dt=dt, every=0), again, dt).look()
+    return state.acceleration, again.acceleration
+
+
+def test_a_row_of_cells_bears_its_tensile_strength() -> None:
+    """Facets across a bar: the index is the mean stress over the strength, to rounding."""
+    count, size = 6, 1e-3
+    box = bd.Box(size=(count * size, size, size))
+    x = size * (np.arange(count) + 0.5)
+    particles = bd.Particles(np.stack([x, 0 * x + size / 2, 0 * x + size / 2], axis=1), 0.5 * size, shape=box)
+    row = bd.connect(particles, method="laguerre")
+    assert len(row.pairs) == count - 1
+    law = bd.CellBond(E=E, nu=0.2, facet_rotation="full")  # facets on one axis do not resist its twist else
+    pull = [bd.Load(bd.Face("x_max"), force=(3.0, 0.0, 0.0)), bd.Load(bd.Face("x_min"), force=(-3.0, 0.0, 0.0))]
+    static = bd.solve_static(bd.Model(row, law, density=RHO, boundary=pull))
+    failing = bd.Model(row, law, density=RHO, boundary=pull, failure=FAILURE)
+    state = failing.state()
+    state.set_pose(position=row.centre + static.displacement)
+    np.testing.assert_allclose(bd.failure_index(failing, state), 3.0 / size**2 / 4e6, rtol=1e-9)
+
+
+@pytest.mark.parametrize("nu", [-0.2, 0.0, 0.2, 0.4])
+def test_forces_and_energies_through_breakage(nu: float, one_thread: None) -> None:
+    """Neighbours get the forces a fresh look finds; every facet gives energy, which the potential has lost."""
+    model = model_of(150, nu)
+    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    run = bd.solve_explicit(model, duration=500 * dt, dt=dt, every=1)
+    assert len(run.events) > 30
+    assert (run.events.energy > 0.0).all()
+    assert run.residual < 5e-3
+    stored = run.history
+    parts = sum(stored.energy[part][-1] for part in ("normal", "shear", "bending", "twisting"))
+    assert elastic_energy(model, run.state).total == pytest.approx(parts, rel=1e-10)
+    # just when something has broken
+    step = int(run.events.step[len(run.events) // 2])
+    part = bd.solve_explicit(model, duration=step * dt, dt=dt, every=0)
+    assert part.events.step[-1] == step
+    held, fresh = accelerations(model, part.state, dt)
+    assert np.abs(held - fresh).max() < 1e-10 * np.abs(fresh).max()
+
+
+def test_energy_of_a_facet_is_what_the_potential_loses(one_thread: None) -> None:
+    model = model_of(150)
+    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    first = int(bd.solve_explicit(model, duration=300 * dt, dt=dt, every=0).events.step[0])
+    run = bd.solve_explicit(model, duration=first * dt, dt=dt, every=0)
+    whole = run.state.copy()
+    whole.integrity[:] = 1.0
+    lost = elastic_energy(model, whole).total - elastic_energy(model, run.state).total
+    assert run.events.energy.sum() == pytest.approx(lost, rel=1e-7)
+    index = bd.failure_index(model, whole)
+    assert set(np.flatnonzero(index >= 1.0)) == set(run.events.bond)
+
+
+def test_the_ledger_of_cells_is_second_order(one_thread: None, record: Record) -> None:
+    model = model_of(150)
+    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    missed = []
+    for halvings in range(4):
+        count = 2**halvings
+        run = bd.solve_explicit(model, duration=400 * dt, dt=dt / count, every=count)
+        assert len(run.events) > 30
+        missed.append(np.sqrt((run.history.energy["balance"] ** 2).mean()))
+    order = np.log2(missed[0] / missed[-1]) / 3.0
+    assert order > 1.7
+    record("order", order)
+
+
+def same_bits(first: bd.ExplicitResult, second: bd.ExplicitResult) -> None:
+    for name in State.ARRAYS:
+        np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
+
+
+def test_same_bits_of_cells_after_a_thousand_breaks(tmp_path: Path, record: Record) -> None:
+    if numba.config.NUMBA_NUM_THREADS < 2:
+        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    model = model_of(1200)
+    dt = 0.4 * critical_step(model, bd.VelocityVerlet())
+
+    def run(count: int, every: int, **options) -> bd.ExplicitResult:
+        with threads(count):
+            return bd.solve_explicit(model, duration=600 * dt, dt=dt, every=every, **options)
+
+    whole = run(1, 50)
+    assert len(whole.events) > 1000
+    for count, every in ((2, 50), (1, 7), (2, 1), (2, 0)):
+        same_bits(whole, run(count, every))
+    place = tmp_path / "run.h5"
+
+    class EnoughError(Exception):
+        pass
+
+    def stop(share: float) -> None:
+        if share > 0.6:
+            raise EnoughError
+
+    with pytest.raises(EnoughError):
+        run(2, 50, save_every=97, out=place, progress=stop)
+    assert 0 < len(bd.read_run(place).state.broken) < len(whole.events)
+    resumed = bd.resume(place)
+    same_bits(whole, resumed)
+    np.testing.assert_array_equal(whole.history.records, resumed.history.records)
+    record("same bits", True)
+
+
+def test_beams_are_not_judged_in_cells() -> None:
+    with pytest.raises(InputError, match="facets of cells are none"):
+        model_of(150, failure=bd.PeripheralStress(tension=1e6, shear=1e6))
