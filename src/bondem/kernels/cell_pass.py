@@ -11,7 +11,7 @@ from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import ahead, apart, group, groups, mark
 from bondem.kernels.lane_memory import add_loads, add_numbers, places, row, side, widened
 from bondem.kernels.lanes import dot
-from bondem.laws.cell_energy import facet_force, pulled, swellings
+from bondem.laws.cell_energy import facet_force, facet_pull, swellings
 
 # Column of a row of the pose that holds λ θ of a cell [Pa].
 STRESS = 3
@@ -65,7 +65,7 @@ def swell(pose, bonds, cells, breaks, first, last):
         )  # fmt: skip
         add_numbers(cells.swelling, places(cells.to_i, k), j, s * one, s * other, known)
         if breaks is not None:  # decided when compiled
-            f = pulled(
+            f = facet_pull(
                 apart(a, b, bonds.period), _orientation(a), _orientation(b), _lever(lever_i, pitch, k),
                 _lever(lever_j, pitch, k), _triple(share_i, k), _triple(share_j, k), side(cells.k, k),
                 a[STRESS], b[STRESS],

@@ -52,7 +52,7 @@ def swellings(d, p, q, lever_i, lever_j, share_i, share_j):
 
 
 @device
-def pulled(d, p, q, lever_i, lever_j, share_i, share_j, k, stress_i, stress_j):
+def facet_pull(d, p, q, lever_i, lever_j, share_i, share_j, k, stress_i, stress_j):
     """Force of a facet on its cell i [N]; arguments as of `facet_force`."""
     gap = opened(d, turned_by(p, lever_i), turned_by(q, lever_j))
     gi, gj = turned_by(p, share_i), turned_by(q, share_j)
