@@ -8,10 +8,11 @@ bodies are held and loaded on their faces, as the continuum is; what a load does
 
 Run: python benchmarks/cell_bodies.py [--counts 10000] [--seeds 1 2 3 4 5] [--shapes …] [--nu …] [--out DIR]
      python benchmarks/cell_bodies.py --counts 2500 40000 --seeds 1 2 --nu 0.2 0.4
+     python benchmarks/cell_bodies.py --meshes
      python benchmarks/cell_bodies.py --summary
 Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped; the last command sums
 all of them up in benchmarks/results/cell_bodies.json and cell_bodies.md, with how far the mesh of each body is from a
-finer one, so that one sees what finite elements themselves have not converged to.
+finer one (--meshes), so that one sees what finite elements themselves have not converged to.
 """
 
 import argparse
@@ -249,12 +250,17 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--shapes", nargs="+", default=list(bodies()), choices=list(bodies()))
     parser.add_argument("--nu", type=float, nargs="+", default=sorted(set(MATERIALS.values())))
     parser.add_argument("--out", type=Path, default=Path("out/cell_bodies"))
+    parser.add_argument("--meshes", action="store_true", help="hold the meshes of the continuum against finer ones")
     parser.add_argument("--summary", action="store_true", help="sum up what is in --out")
     given = parser.parse_args(arguments)
     if given.summary:
         sum_up(given.out)
         return
     given.out.mkdir(parents=True, exist_ok=True)
+    if given.meshes:
+        for shape in given.shapes:
+            (given.out / f"meshes-{shape}.json").write_text(json.dumps(meshes(shape, 0.2)))
+        return
     cases = []
     for count, seed, shape, nu in product(given.counts, given.seeds, given.shapes, given.nu):
         file = given.out / f"{shape}-nu{nu:g}-{count}-seed{seed}.json"
@@ -269,12 +275,13 @@ def main(arguments: list[str] | None = None) -> None:
 def sum_up(out: Path) -> None:
     """All cases in a folder as one table, judged."""
     begun = origin()
-    cases = [json.loads(file.read_text()) for file in out.glob("*.json")]
+    cases = [json.loads(file.read_text()) for file in out.glob("*-nu*.json")]
     order = list(bodies())
     cases.sort(key=lambda one: (one["count"], order.index(one["shape"]), one["nu"], one["seed"]))
     judged = [one for one in cases if one["limit"] is not None]
     held = sum(max(map(abs, one["errors"].values())) <= one["limit"] for one in judged)
-    own = {name: meshes(name, 0.2) for name in order}
+    known = {name: out / f"meshes-{name}.json" for name in order}
+    own = {name: json.loads(file.read_text()) for name, file in known.items() if file.exists()}
     text = f"{table(cases)}\n\n{held} of {len(judged)} within their limit\n"
     (RESULTS / "cell_bodies.md").write_text(text, encoding="utf-8")
     keep(RESULTS / "cell_bodies.json", begun | {"within": held, "judged": len(judged), "meshes": own, "cases": cases})

@@ -154,7 +154,8 @@ def test_a_pair_breaks_within_one_increment(criterion: str, way: str, one_thread
     assert stored[step] == 0.0
     assert run.history.energy["fracture"][-1] == run.events.energy[0]
     assert run.events.energy[0] == pytest.approx(stored[step - 1], rel=4.0 / step)
-    assert run.residual < 1e-6
+    # work is a trapezoid in steps of 1/500 of a turn of 0.1 rad, of moments that are not linear in the angle
+    assert run.residual < (0.1 / 500) ** 2
 
 
 def block(count: int, failure: bd.Criterion | None, boundary=(), seed: int = 1) -> bd.Model:
