@@ -236,7 +236,7 @@ def table(cases: list[dict[str, Any]]) -> str:
     for one in cases:
         errors = one["errors"]
         worst = max(abs(value) for value in errors.values())
-        allowed = "–" if one["limit"] is None else f"{100 * one['limit']:.0f}"
+        allowed = "–" if one["limit"] is None else f"{100 * one['limit']:g}"
         cells = [f"{100 * errors[key]:+.2f}" if key in errors else "–" for key in names]
         who = f"| {one['shape']} | {one['nu']:g} | {one['count']} | {one['seed']} | {one['thickness']:.1f} |"
         lines.append(f"{who} {allowed} | {100 * worst:.2f} | " + " | ".join(cells) + " |")
