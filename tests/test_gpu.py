@@ -109,7 +109,7 @@ def test_what_the_device_cannot_do_is_refused() -> None:
 def test_every_option_is_known_to_the_device() -> None:
     """A new field of Model or Plan must be carried out on a device or refused by `bondem.solve.loop_cuda.check`."""
     assert {f.name for f in dataclasses.fields(bd.Model)} == {
-        "lattice", "bond", "density", "boundary", "contact", "walls",
+        "lattice", "bond", "density", "boundary", "contact", "walls", "failure",
     }  # fmt: skip
     assert {f.name for f in dataclasses.fields(Plan)} == {
         "duration", "dt", "scheme", "damping", "gauges", "every", "save_every", "until", "safety",

@@ -33,7 +33,7 @@ def arguments() -> dict[str, tuple]:
     scheme = StepScheme(1e-3, 5e-4, 5e-4, 0.0, 0.0, 0.0)
     ends = cut.sums, cut.row_i, cut.row_j, 0, 2
     return {
-        "bonds": (state.pose, bonds, model.bonds.alike, *ends),
+        "bonds": (state.pose, bonds, model.bonds.alike, *ends[:3], None, *ends[3:]),
         "incremental": (elements, bonds, np.zeros((6, len(bonds.i))), 1e-3, *ends),
         "elements": (elements, cut.sums, rows, scheme, None, True, cut.ready, cut.ready_row, 0, 3),
     }

@@ -80,7 +80,7 @@ def bond_forces(model: bd.Model, pose: np.ndarray) -> np.ndarray:
     bonds = model.bonds.rows(model.layout, model.period, np.ones(m))
     own = np.arange(len(bonds.i), dtype=np.uint32)
     loads = lines(2 * len(own))  # each bond adds to two rows of its own
-    bond_loads(pose, bonds, None, loads, own, own + np.uint32(len(own)), 0, len(own))
+    bond_loads(pose, bonds, None, loads, own, own + np.uint32(len(own)), None, 0, len(own))
     on_i, on_j = loads[:m], loads[len(own) : len(own) + m]
     return np.vstack([on_j[:, :3].T, on_i[:, 4:7].T, on_j[:, 4:7].T])
 

@@ -57,7 +57,7 @@ def fragments(lattice: Lattice, state: State) -> Fragments:
     _, found = connected_components(coo_array((np.ones(len(i), dtype=bool), (i, j)), shape=(n, n)), directed=False)
     rank = state.layout.rank
     mass, inertia = 1.0 / state.motion[rank, 3], 1.0 / state.motion[rank, 7]
-    heavy = np.bincount(found, mass)
+    heavy = np.bincount(found, mass).astype(float)
     order = np.argsort(-heavy, kind="stable")
     place = np.empty_like(order)
     place[order] = np.arange(len(order))
@@ -70,7 +70,7 @@ def fragments(lattice: Lattice, state: State) -> Fragments:
     square = mass * (arm**2).sum(axis=1) + inertia
     resistance = square[:, None, None] * np.eye(3) - mass[:, None, None] * arm[:, :, None] * arm[:, None, :]
     tensor = _sums(label, resistance.reshape(n, 9)).reshape(-1, 3, 3)
-    spin = np.linalg.solve(tensor, momentum[:, :, None])[:, :, 0]
+    spin = np.asarray(np.linalg.solve(tensor, momentum[:, :, None])[:, :, 0], dtype=float)
     if lattice.particles.period is not None:
         spin = np.full_like(spin, np.nan)
     return Fragments(
@@ -80,4 +80,4 @@ def fragments(lattice: Lattice, state: State) -> Fragments:
 
 def _sums(label: Ints, values: Floats) -> Floats:
     """Sums of the rows of each piece."""
-    return np.column_stack([np.bincount(label, column) for column in values.T])
+    return np.column_stack([np.bincount(label, column) for column in values.T]).astype(float)

@@ -146,15 +146,15 @@ def _break_bond(elements, bonds, sums, added, breaks, k):
 @kernel(parallel=False)
 def break_bonds(elements, bonds, sums, added, breaks):
     """Break the bonds that were found in this step, in their order."""
-    for block in range(len(breaks.count)):
-        for e in range(breaks.begin[block], breaks.begin[block] + breaks.count[block]):
+    for block in range(len(breaks.found)):
+        for e in range(breaks.begin[block], breaks.begin[block] + breaks.found[block]):
             _break_bond(elements, bonds, sums, added, breaks, breaks.marked[e])
 
 
 @kernel(parallel=False)
 def list_waiting(rows, breaks):
     """Put all that wait into `breaks.turn`, those that own rows last; how many, and how many own none."""
-    if breaks.count.sum() == 0:
+    if breaks.found.sum() == 0:
         return 0, 0
     count = free = 0
     for own in range(2):
@@ -165,7 +165,7 @@ def list_waiting(rows, breaks):
                 count += 1
         if own == 0:
             free = count
-    breaks.count[:] = 0
+    breaks.found[:] = 0
     return count, free
 
 

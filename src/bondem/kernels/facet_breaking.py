@@ -110,10 +110,10 @@ def _hold(bonds, breaks, p):
 @kernel(parallel=False)
 def judge_facets(pose, bonds, cells, breaks):
     """Of the marked facets keep those that break, and hold back their cells and the neighbours of these."""
-    for d in range(len(breaks.count)):
+    for d in range(len(breaks.found)):
         first, count = breaks.begin[d], 0
         if breaks.now[1] >= 0.0:
-            for e in range(first, first + breaks.count[d]):
+            for e in range(first, first + breaks.found[d]):
                 k = breaks.marked[e]
                 if bonds.integrity[k] <= 0.0:
                     continue
@@ -122,7 +122,7 @@ def judge_facets(pose, bonds, cells, breaks):
                     _hold(bonds, breaks, bonds.i[k])
                     _hold(bonds, breaks, bonds.j[k])
                     count += 1
-        breaks.count[d] = count
+        breaks.found[d] = count
 
 
 @kernel(parallel=False)
@@ -220,8 +220,8 @@ def _break_facet(elements, bonds, body, added, breaks, k):
 def break_facets(elements, bonds, body, sums, rows, added, breaks):
     """Break the facets that were found in this step, in their order, and correct the sums of those that wait."""
     count = 0
-    for d in range(len(breaks.count)):
-        for e in range(breaks.begin[d], breaks.begin[d] + breaks.count[d]):
+    for d in range(len(breaks.found)):
+        for e in range(breaks.begin[d], breaks.begin[d] + breaks.found[d]):
             k = breaks.marked[e]
             for end in range(2):
                 p = bonds.i[k] if end == 0 else bonds.j[k]
@@ -232,8 +232,8 @@ def break_facets(elements, bonds, body, sums, rows, added, breaks):
     if count == 0:
         return
     _exchange(elements, bonds, body, sums, rows, breaks, count, -1.0)
-    for d in range(len(breaks.count)):
-        for e in range(breaks.begin[d], breaks.begin[d] + breaks.count[d]):
+    for d in range(len(breaks.found)):
+        for e in range(breaks.begin[d], breaks.begin[d] + breaks.found[d]):
             _break_facet(elements, bonds, body, added, breaks, breaks.marked[e])
     _exchange(elements, bonds, body, sums, rows, breaks, count, 1.0)
 

@@ -114,7 +114,7 @@ def judge_block(pose, bonds, breaks, block, first, place):
                 breaks.held[bonds.i[k]] = 1
                 breaks.held[bonds.j[k]] = 1
                 count += 1
-    breaks.count[block] = count
+    breaks.found[block] = count
     return count
 
 

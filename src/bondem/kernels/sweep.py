@@ -28,7 +28,7 @@ def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, a
     first, last, go_on = part
     waiting = 0
     if cells is not None and breaks is not None:
-        waiting = breaks.count.sum()  # facets are judged before
+        waiting = breaks.found.sum()  # facets are judged before
     for b in range(first, last):
         k0, k1 = cut.bond[b], cut.bond[b + 1]
         if cells is not None:  # decided when compiled
@@ -58,7 +58,7 @@ def sweep_shared(elements, cut, rows, scheme, added, breaks, go_on, first, last)
     held = min(max(cut.shared_held, first), last)
     waiting = False
     if breaks is not None:
-        waiting = breaks.count.sum() > 0
+        waiting = breaks.found.sum() > 0
     span = first, held, last, len(cut.ready) + first
     both = lists(cut.sums, added, breaks, cut.shared, cut.shared_row, span, waiting)
     for n in range(2):
@@ -73,7 +73,7 @@ def swell_domain(pose, bonds, cells, breaks, cut, d):
     first, last = cut.bond[cut.domain[d]], cut.bond[cut.domain[d + 1]]
     place = swell(pose, bonds, cells, breaks, first, last)
     if breaks is not None:  # decided when compiled
-        breaks.count[d] = place - first
+        breaks.found[d] = place - first
 
 
 @kernel(parallel=True)

@@ -292,7 +292,7 @@ class Breaks(NamedTuple):
     now: np.ndarray  #: time [s] and step that bonds break at; a step below 0 where none is to, (2,)
     marked: np.ndarray  #: bonds beyond the bound, then those that break, from the first bond of each block on, (m,)
     begin: np.ndarray  #: the first bond of each block, or of each domain of facets, (b,)
-    count: np.ndarray  #: how many of these are marked, or break, (b,)
+    found: np.ndarray  #: how many of these are marked, or break, (b,)
     held: np.ndarray  #: not 0 for elements that wait at the end of the step, uint8, (n,)
     turn: np.ndarray  #: elements of a block, those that wait last, uint32, (n,)
     turn_row: np.ndarray  #: rows of their sums, uint32, (n,)

@@ -30,7 +30,7 @@ def breaking(model: Model, state: State, blocks: Blocks) -> Breaks | None:
     return Breaks(
         kind=table.kind, coefficient=table.coefficient, station=table.station, limit=limit,
         of_force=table.of_force, of_moment=table.of_moment, now=np.array([0.0, -1.0]),
-        marked=np.empty(m, dtype=np.int64), begin=begin.astype(np.int64), count=np.zeros(len(begin), dtype=np.int64),
+        marked=np.empty(m, dtype=np.int64), begin=begin.astype(np.int64), found=np.zeros(len(begin), dtype=np.int64),
         held=np.zeros(n, dtype=np.uint8),
         turn=np.empty(n, dtype=np.uint32), turn_row=np.empty(n, dtype=np.uint32), first_row=blocks.rows,
         # memory is taken as bonds break
