@@ -38,6 +38,7 @@ _PUBLIC = {
     "bondem.laws.failure.linear_sum": ("LinearSum",),
     "bondem.laws.failure.mohr_coulomb": ("MohrCoulomb",),
     "bondem.laws.failure.peripheral_stress": ("PeripheralStress",),
+    "bondem.laws.failure.rankine": ("Rankine",),
     "bondem.laws.failure.scatter": ("Normal", "Weibull"),
     "bondem.laws.free_parameter": ("FreeParameter",),
     "bondem.laws.non_local": ("NonLocal",),

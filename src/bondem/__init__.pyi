@@ -34,6 +34,7 @@ from bondem.laws.failure.elliptic import Elliptic as Elliptic
 from bondem.laws.failure.linear_sum import LinearSum as LinearSum
 from bondem.laws.failure.mohr_coulomb import MohrCoulomb as MohrCoulomb
 from bondem.laws.failure.peripheral_stress import PeripheralStress as PeripheralStress
+from bondem.laws.failure.rankine import Rankine as Rankine
 from bondem.laws.failure.scatter import Normal as Normal
 from bondem.laws.failure.scatter import Weibull as Weibull
 from bondem.laws.free_parameter import FreeParameter as FreeParameter

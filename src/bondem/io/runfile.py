@@ -5,7 +5,7 @@
     /bonds           pairs (m, 2)
     /facets, /cells  of a body, see `bondem.io.bodies`
     /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale
-    /history         records (s, 13 + 3 g); attribute gauges
+    /history         records (s, 14 + 3 g); attribute gauges
 
 What is derived (order, stiffnesses) is not kept but made again, by the same code. The file is
 written aside and moved into place, so that a kill leaves the checkpoint before.
@@ -25,7 +25,7 @@ from bondem.errors import RunFileError
 from bondem.io.atomic import replacing, require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
-from bondem.kernels.tables import FRACTURE, NON_LOCAL
+from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.history import History
@@ -33,12 +33,12 @@ from bondem.solve.plan import Plan
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 4
+SCHEMA = 5
 # From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
-# on criteria of failure and what broke.
+# on criteria of failure and what broke; from 5 on cracks that soften and cells that yield.
 _OLDEST = 2
 # Schema from which on an array of the state is there.
-_SINCE = {"stress": 3, "broken": 4, "released": 4}
+_SINCE = {"stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5}
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,5 +189,7 @@ def _checkpoint(file: h5py.File, schema: int) -> Checkpoint:
         records = np.insert(records, NON_LOCAL, 0.0, axis=1)
     if schema < 4:
         records = np.insert(records, FRACTURE, 0.0, axis=1)
+    if schema < 5:
+        records = np.insert(records, PLASTIC, 0.0, axis=1)
     history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
     return Checkpoint(model, decode(_json(file, "plan")), state, history)

@@ -64,6 +64,19 @@ def set_clock(breaks, t, step):
         breaks.now[0], breaks.now[1] = t, step
 
 
+@device
+def _set_crack_clock(cracks, t, step):
+    if cracks is not None:  # decided when compiled
+        cracks.now[0], cracks.now[1] = t, step
+
+
+@kernel(parallel=False)
+def set_body_clock(body, t, step):
+    """The same for cracks of a body of cells."""
+    if body is not None:
+        _set_crack_clock(body.cracks, t, step)
+
+
 @kernel(parallel=False)
 def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
@@ -114,6 +127,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
         set_boundary(t, dt, False, schedules, rows, elements.pose, bonds, added, strain)
         move_holds(t, schedules, body)
         set_clock(breaks, t, now)
+        set_body_clock(body, t, now)
         all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, breaks, not paused)
         if looked:
             turned, lost, broken = rotation_guard(elements.pose, bonds)

@@ -1,21 +1,29 @@
 """Energy of the facets and cells of a body, and of the walls that hold some of them."""
 
-
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import branch
+from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.cracking import with_cracks
 from bondem.kernels.grip_pass import grip_energy, swell_grips
+from bondem.kernels.single_facets import lever
 from bondem.laws.cell_energy import facet_energy, swellings
 
 
 @device
-def lever(columns, pitch, k):
-    """Lever k from its columns of whole numbers [m]."""
-    return pitch[0] * columns[0, k], pitch[1] * columns[1, k], pitch[2] * columns[2, k]
+def _dilated(pose, cells, cracks, swelling, p):
+    """Energy of dilatation of a cell [J]."""
+    W = cells.weight[p]
+    if cracks is None:  # decided when compiled
+        return 0.5 * W * swelling[p] ** 2
+    return 0.5 * pose[p, STRESS] ** 2 / W if W != 0.0 else 0.0
 
 
 @kernel(parallel=False)
-def cell_energies(pose, rest, bonds, cells, grips):
-    """Normal (with dilatation), shear, bending and twisting energy of all facets and cells [J]."""
+def cell_energies(pose, rest, bonds, cells, grips, cracks):
+    """Normal (with dilatation), shear, bending and twisting energy of all facets and cells [J].
+
+    Where facets may crack, the stresses of the cells are those in `pose`, which the forces of this instant belong to.
+    """
     normal = slip = bend = twist = 0.0
     swelling = cells.given.copy()
     swell_grips(pose, rest, grips, swelling)
@@ -39,5 +47,5 @@ def cell_energies(pose, rest, bonds, cells, grips):
         bend += s * part[2]
         twist += s * part[3]
     for p in range(len(swelling)):
-        normal += 0.5 * cells.weight[p] * swelling[p] ** 2
-    return normal, slip, bend, twist
+        normal += _dilated(pose, cells, cracks, swelling, p)
+    return with_cracks(pose, bonds, cells, cracks, (normal, slip, bend, twist))

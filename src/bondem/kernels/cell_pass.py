@@ -9,7 +9,7 @@ import numpy as np
 
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import ahead, apart, group, groups, mark
-from bondem.kernels.lane_memory import add_loads, add_numbers, places, row, side, widened
+from bondem.kernels.lane_memory import add_loads, add_numbers, places, put_side, row, side, widened
 from bondem.kernels.lanes import dot
 from bondem.laws.cell_energy import facet_force, facet_pull, swellings
 
@@ -100,6 +100,14 @@ def gather_swelling(cells, shared, part):
             cells.swelling[q] = 0.0
 
 
+@device
+def _keep(table, k, force, known):
+    """Keep the forces of facets on their cells i, where there is room for them."""
+    if table.shape[1] > 0:
+        for d in range(3):
+            put_side(table[d], k, -force[d], known)
+
+
 @kernel(parallel=False)
 def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
     """Add force and torques of the facets first … last to the rows of their two cells in `sums`."""
@@ -120,4 +128,5 @@ def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
             _lever(lever_i, pitch, k), _lever(lever_j, pitch, k), _triple(share_i, k), _triple(share_j, k),
             s * side(cells.k, k), H, s * a[STRESS], s * b[STRESS],
         )  # fmt: skip
+        _keep(cells.force, k, force, known)
         add_loads(sums, places(row_i, k), places(row_j, k), force, on_i, on_j, known)

@@ -10,65 +10,16 @@ What is called from several places here is compiled once for all of them (`kerne
 import math
 
 from bondem._compile import device, kernel
-from bondem.kernels.bond_pass import branch
 from bondem.kernels.breaking import log_break, take_dashpot, take_off
-from bondem.kernels.cell_energies import lever
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.grip_pass import grip_load, grip_swelling
 from bondem.kernels.judging import judged
 from bondem.kernels.lanes import fused
-from bondem.laws.cell_energy import facet_energy, facet_force, opened, scalar, swellings, turned_by
+from bondem.kernels.single_facets import column, facet_of, facets_of, frame, present_normal, resistance, single_facet
+from bondem.laws.cell_energy import facet_energy, opened, scalar, swellings, turned_by
 
 # What an element waits for: a neighbour, or a facet of its own; and one that is listed.
 _NEAR, _OWN, _LISTED = 1, 2, 3
-
-
-@device
-def _pose(pose, p):
-    return pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7]
-
-
-@device
-def _column(table, k):
-    return table[0, k], table[1, k], table[2, k]
-
-
-@device
-def _frame(pose, bonds, cells, k):
-    """Branch, orientations, levers and shares of a facet."""
-    i, j = bonds.i[k], bonds.j[k]
-    d = branch(pose, i, j, bonds.period)
-    return (
-        d, _pose(pose, i), _pose(pose, j), lever(cells.lever_i, cells.pitch, k), lever(cells.lever_j, cells.pitch, k),
-        _column(cells.share_i, k), _column(cells.share_j, k),
-    )  # fmt: skip
-
-
-@device
-def _resistance(cells, s, k):
-    H = cells.H
-    return s * H[0, k], s * H[1, k], s * H[2, k], s * H[3, k], s * H[4, k], s * H[5, k]
-
-
-@kernel(parallel=False)
-def single_facet(pose, bonds, cells, k):
-    """Force on j and torques on i and j of a facet [N, N·m], with the stresses of its cells known."""
-    d, p, q, a, b, u, v = _frame(pose, bonds, cells, k)
-    s = bonds.integrity[k]
-    return facet_force(
-        d, p, q, a, b, u, v, s * cells.k[k], _resistance(cells, s, k),
-        s * pose[bonds.i[k], STRESS], s * pose[bonds.j[k], STRESS],
-    )  # fmt: skip
-
-
-@device
-def present_normal(pose, bonds, cells, k):
-    """Normal of a facet [-]: that of the reference turned with both cells, in the middle."""
-    n = _column(cells.normal, k)
-    a, b = turned_by(_pose(pose, bonds.i[k]), n), turned_by(_pose(pose, bonds.j[k]), n)
-    n = a[0] + b[0], a[1] + b[1], a[2] + b[2]
-    l = math.sqrt(scalar(n, n))
-    return n[0] / l, n[1] / l, n[2] / l
 
 
 @kernel(parallel=False)
@@ -79,21 +30,6 @@ def judge_facet(pose, bonds, cells, kind, coefficient, k):
     along = -scalar(force, n)
     x, y, z = force[0] + along * n[0], force[1] + along * n[1], force[2] + along * n[2]
     return judged(kind, (along, math.sqrt(x * x + y * y + z * z), 0.0, 0.0, 0.0, 0.0), coefficient)
-
-
-@device
-def facets_of(breaks, p):
-    """How many facets a cell has: first those where it is the second one, then those where it is the first."""
-    return breaks.in_start[p + 1] - breaks.in_start[p] + breaks.out_start[p + 1] - breaks.out_start[p]
-
-
-@device
-def facet_of(breaks, p, e):
-    """Facet e of a cell."""
-    inward = breaks.in_start[p + 1] - breaks.in_start[p]
-    if e < inward:
-        return breaks.in_start[p] + e
-    return breaks.in_start[0] + breaks.out_bond[breaks.out_start[p] + e - inward]
 
 
 @device
@@ -156,7 +92,7 @@ def _swelling(pose, rest, bonds, body, breaks, p):
     for e in range(facets_of(breaks, p)):
         k = facet_of(breaks, p, e)
         if bonds.integrity[k] > 0.0:
-            d, a, b, u, v, x, y = _frame(pose, bonds, cells, k)
+            d, a, b, u, v, x, y = frame(pose, bonds, cells, k)
             one, other = swellings(d, a, b, u, v, x, y)
             total += bonds.integrity[k] * (one if bonds.i[k] == p else other)
     return total
@@ -197,12 +133,12 @@ def _exchange(elements, bonds, body, sums, rows, breaks, count, sign):
 def _break_facet(elements, bonds, body, added, breaks, k):
     pose, cells, i, j = elements.pose, body.cells, bonds.i[k], bonds.j[k]
     _, mode = judge_facet(pose, bonds, cells, breaks.kind, breaks.coefficient[k], k)
-    d, p, q, a, b, _, _ = _frame(pose, bonds, cells, k)
+    d, p, q, a, b, _, _ = frame(pose, bonds, cells, k)
     if added is not None:
         if len(added.dashed) > 0:
             take_dashpot(elements, bonds, added, breaks.first_row, k, d)
     s = bonds.integrity[k]
-    part = facet_energy(d, p, q, a, b, _column(cells.normal, k), cells.k[k], _resistance(cells, 1.0, k))
+    part = facet_energy(d, p, q, a, b, column(cells.normal, k), cells.k[k], resistance(cells, 1.0, k))
     energy = s * (part[0] + part[1] + part[2] + part[3])
     energy += dilated(pose, elements.rest, bonds, body, breaks, i)
     energy += dilated(pose, elements.rest, bonds, body, breaks, j)

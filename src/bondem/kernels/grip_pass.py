@@ -47,8 +47,8 @@ def place_walls(t, grips):
 def _gap(pose, rest, grips, g):
     """δ of a grip, and its lever turned with the cell."""
     p = grips.cell[g]
-    b = grips.lever[g, 0], grips.lever[g, 1], grips.lever[g, 2]
-    arm = turned_by((pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7]), b)
+    b, own = grips.lever[g], (grips.arm[g, 0], grips.arm[g, 1], grips.arm[g, 2])
+    arm = turned_by((pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7]), own)
     return (
         grips.axes[g, 0] * (grips.wall[g, 0] - (pose[p, 0] - rest[p, 0]) - (arm[0] - b[0])),
         grips.axes[g, 1] * (grips.wall[g, 1] - (pose[p, 1] - rest[p, 1]) - (arm[1] - b[1])),

@@ -8,6 +8,7 @@ from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import bond_energies
 from bondem.kernels.cell_energies import cell_energies
 from bondem.kernels.contact_pass import contact_energy
+from bondem.kernels.cracking import dissipated
 from bondem.kernels.incremental import incremental_energies
 from bondem.kernels.non_local import non_local_energies
 from bondem.kernels.tables import (
@@ -28,6 +29,7 @@ from bondem.kernels.tables import (
     OF_ROTATION,
     OF_SPIN,
     OF_VELOCITY,
+    PLASTIC,
     QUATERNION,
     ROTATION,
     RUBBED,
@@ -74,7 +76,7 @@ def energies(elements, bonds, work, history, body, non_local, record):
         damped += elements.loss[p, DAMPED]
         rubbed += elements.loss[p, RUBBED]
     if body is not None:  # decided when compiled
-        parts = cell_energies(elements.pose, elements.rest, bonds, body.cells, body.grips)
+        parts = cell_energies(elements.pose, elements.rest, bonds, body.cells, body.grips, body.cracks)
     elif non_local is not None:
         springs = non_local_energies(elements.pose, bonds, non_local)
         parts = springs[0], springs[1], 0.0, 0.0
@@ -88,7 +90,7 @@ def energies(elements, bonds, work, history, body, non_local, record):
     record[TRANSLATION], record[ROTATION] = translation, rotation
     record[NORMAL], record[SHEAR], record[BENDING], record[TWISTING] = parts
     record[CONTACT], record[WORK], record[LOSS], record[FRICTION] = 0.0, total, damped, rubbed
-    record[NON_LOCAL], record[FRACTURE] = taken, 0.0
+    record[NON_LOCAL], record[FRACTURE], record[PLASTIC] = taken, 0.0, 0.0
 
 
 @kernel(parallel=False)
@@ -146,6 +148,12 @@ def gauged(elements, rows, gauges, record):
             record[FIXED_COLUMNS + 3 * g + d] = value / (last - first) if reduction == MEAN else value
 
 
+@device
+def _of_cracks(cracks, record):
+    if cracks is not None:  # decided when compiled
+        record[FRACTURE], record[PLASTIC] = dissipated(cracks)
+
+
 @kernel(parallel=False)
 def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts, breaks, record):
     """One row of the history."""
@@ -155,4 +163,6 @@ def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts,
         of_contacts(elements.pose, bonds.period, contacts, gauges, record)
     if breaks is not None:
         record[FRACTURE] = breaks.released[0]
+    if body is not None:
+        _of_cracks(body.cracks, record)
     gauged(elements, rows, gauges, record)

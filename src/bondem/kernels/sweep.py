@@ -7,6 +7,7 @@ from bondem._compile import kernel, prange
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.breaking import break_bonds, let_go, lists
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
+from bondem.kernels.cracking import crack_before, crack_between
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
 from bondem.kernels.facet_breaking import break_facets, judge_facets
@@ -111,13 +112,16 @@ def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, s
 def swell_body(elements, bonds, body, cut, rows, breaks):
     """Stresses of all cells now, what walls that hold some of them do, and which facets break."""
     pose, rest, cells, grips = elements.pose, elements.rest, body.cells, body.grips
+    threaded = len(cut.domain) > 2
+    crack_before(elements, bonds, cells, grips, body.cracks, threaded)
     swell_grips(pose, rest, grips, cells.swelling)
     book_presses(pose, body.presses, rows.work)
-    if len(cut.domain) == 2:
+    if not threaded:
         swell_domain(pose, bonds, cells, breaks, cut, 0)
         stress_cells(pose, cells, 0, len(pose))
     else:
         swell_domains(pose, bonds, cells, breaks, cut)
+    crack_between(elements, bonds, cells, body.cracks)
     book_presses(pose, body.presses, rows.work)
     body.presses.came[:] = 0.0
     if len(grips.cell) > 0:

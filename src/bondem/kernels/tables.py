@@ -13,6 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem.kernels.crack_tables import CrackTable
+
 # Columns of a row of the pose, and of the motion.
 QUATERNION = 4
 INVERSE_MASS, SPIN, INVERSE_INERTIA = 3, 4, 7
@@ -22,8 +24,8 @@ DAMPED, POWER, RUBBED = range(3)
 # Columns of a record before the gauges.
 (
     TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, NON_LOCAL,
-    FRACTURE, FIXED_COLUMNS,
-) = range(14)  # fmt: skip
+    FRACTURE, PLASTIC, FIXED_COLUMNS,
+) = range(15)  # fmt: skip
 
 # Columns of a breakage: time [s], step, bond, mode, gap [m], energy released [J], where [m].
 BROKEN_TIME, BROKEN_STEP, BROKEN_BOND, BROKEN_MODE, BROKEN_GAP, BROKEN_ENERGY, BROKEN_PLACE = range(7)
@@ -88,7 +90,7 @@ class Alike(NamedTuple):
 
 
 class CellTable(NamedTuple):
-    """The facets and cells of a body, m facets in the order of the bonds and n cells; kernels write the last two."""
+    """The facets and cells of a body, m facets in the order of the bonds, n cells; kernels write the last three."""
 
     k: np.ndarray  #: [N/m], (m,)
     pitch: np.ndarray  #: unit of the levers along x, y, z [m], (3,)
@@ -102,6 +104,7 @@ class CellTable(NamedTuple):
     to_i: np.ndarray  #: where a facet adds to its cell i: there, or for the other domain, uint32, (m,)
     given: np.ndarray  #: part of V θ from tractions on free facets [m³], (n,)
     swelling: np.ndarray  #: the rest of V θ [m³], (n + …,)
+    force: np.ndarray  #: of each facet on its cell i [N], (3, m) where facets crack, else (3, 0)
 
 
 class LaggedTable(NamedTuple):
@@ -128,6 +131,7 @@ class GripTable(NamedTuple):
     row: np.ndarray  #: of the boundary, that the cell owns, (g,)
     k: np.ndarray  #: [N/m], (g,)
     lever: np.ndarray  #: from the centre of the cell to the facet [m], (g, 3)
+    arm: np.ndarray  #: the same with the plastic strain of the cell [m], (g, 3)
     share: np.ndarray  #: A M⁻¹n along the held axes [m²], (g, 3)
     H: np.ndarray  #: xx, yy, zz, xy, xz, yz [N·m], (g, 6)
     axes: np.ndarray  #: 1 where held, along x, y, z, (g, 3)
@@ -158,6 +162,7 @@ class Body(NamedTuple):
     cells: CellTable
     grips: GripTable
     presses: PressTable
+    cracks: CrackTable | None  #: facets that soften and cells that yield
 
 
 class StepCut(NamedTuple):

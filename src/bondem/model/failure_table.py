@@ -10,7 +10,7 @@ from bondem._types import Floats, PerBond
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion, Joint
+from bondem.laws.failure.criterion import BondCriterion, Criterion, Joint
 from bondem.laws.non_local import NonLocal
 from bondem.model.cell_constants import body_of
 from bondem.model.layout import Layout
@@ -44,7 +44,12 @@ class FailureTable:
 
     @classmethod
     def of(
-        cls, lattice: Lattice, layout: Layout, criterion: Criterion, stiffness: BondStiffness | None, at_contact: bool
+        cls,
+        lattice: Lattice,
+        layout: Layout,
+        criterion: BondCriterion,
+        stiffness: BondStiffness | None,
+        at_contact: bool,
     ) -> "FailureTable":
         """The table of a lattice.
 
@@ -61,7 +66,7 @@ class FailureTable:
         else:
             area = np.pi * stiffness.radius**2
             joint = Joint(area, lattice.length, area * lattice.length, stiffness)
-        coefficient = criterion.coefficients(joint, criterion.factors(joint))
+        coefficient = criterion.coefficients(joint, criterion.factors(joint.volume))
         a, b = criterion.bounds(joint, coefficient)
         order, flipped = layout.bond_order, layout.flipped
         # each part of the bound weighs as on an average bond
@@ -101,8 +106,10 @@ def check_failure(failure: object, bond: object, contact: object, formulation: s
     if contact is not None:
         raise InputError("failure= and contact= together wait for contacts after breakage; leave one of them out")
     cells = any(isinstance(law, CellBond) for law in laws)
-    if cells and type(found).needs_beams:
+    if isinstance(found, BondCriterion) and cells and type(found).needs_beams:
         raise InputError(f"{name} judges beams, and facets of cells are none; use bd.MohrCoulomb(...)")
+    if found.softening is not None and not cells:
+        raise InputError(f"{name} with softening or stresses of the material is for bodies of cells: use bd.CellBond")
     at_contact = {law.moments_at_contact for law in laws if isinstance(law, BondLaw)}
     if len(at_contact) > 1:
         raise InputError("failure= counts moments at the ends or at contact points: give bonds of one kind")

@@ -152,7 +152,8 @@ class Grips:
         cell, count, holds = layout.rank[self.cell], len(self.cell), self.holds
         tables = [schedule.table for schedule in holds.drives]
         return GripTable(
-            cell=cell, row=row_of[cell], k=self.k, lever=self.lever, share=self.share,
+            cell=cell, row=row_of[cell], k=self.k, lever=self.lever, arm=self.lever.copy(),
+            share=self.share,
             H=np.ascontiguousarray(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]), axes=self.axes, drive=holds.drive,
             rate=np.array(holds.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),
             values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),

@@ -13,7 +13,7 @@ from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.contact import LinearContact
-from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.criterion import BondCriterion, Criterion
 from bondem.laws.non_local import NonLocal
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.model.bond_table import BondTable
@@ -25,6 +25,7 @@ from bondem.model.failure_table import FailureTable, check_failure
 from bondem.model.grips import Holds, holds_wall
 from bondem.model.layout import Layout
 from bondem.model.non_local_constants import NonLocalConstants
+from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 from bondem.model.walls import Wall, WallTable, check_walls
 from bondem.specimen.lattice import Lattice
@@ -180,8 +181,18 @@ class Model:
         if self.failure is None:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
+        if not isinstance(self.failure, BondCriterion) or self.softening is not None:
+            return None
         beams = self.stiffness if self._cells is None else None
         return FailureTable.of(self.lattice, self.layout, self.failure, beams, at_contact)
+
+    @cached_property
+    def softening(self) -> SofteningTable | None:
+        """How facets crack and cells yield, in the kernels' order, or None."""
+        found = None if self.failure is None else self.failure.softening
+        if self.failure is None or found is None or self.cells is None:
+            return None
+        return SofteningTable.of(self.lattice, self.layout, self.cells, found, self.failure.factors)
 
     @property
     def pressed(self) -> PerElement:
@@ -227,7 +238,7 @@ class Model:
         for name in ("lattice", "bond", "density", "contact", "walls", "failure"):
             object.__setattr__(other, name, getattr(self, name))
         object.__setattr__(other, "boundary", _conditions(boundary))
-        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia", "breaking")
+        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia", "breaking", "softening")
         for name in kept if self._cells is not None else (*kept, "_cells"):
             other.__dict__[name] = getattr(self, name)
         other.constraints  # noqa: B018  regions are checked now

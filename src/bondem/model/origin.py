@@ -13,6 +13,7 @@ from bondem.model.boundary import BoundaryCondition
 from bondem.model.constraints import Constraints
 from bondem.model.layout import Layout
 from bondem.model.non_local_constants import NonLocalConstants
+from bondem.model.softening_table import SofteningTable
 from bondem.model.walls import Wall
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
@@ -35,6 +36,8 @@ class Origin(Protocol):
     def formulation(self) -> str: ...
     @cached_property
     def non_local(self) -> NonLocalConstants | None: ...
+    @cached_property
+    def softening(self) -> SofteningTable | None: ...
     @property
     def boundary(self) -> Sequence[BoundaryCondition]: ...
     @cached_property

@@ -7,6 +7,7 @@ import numpy as np
 from bondem._checks import array, shown
 from bondem._types import Floats, Pairs, PerBond, PerElement3
 from bondem.errors import InputError
+from bondem.kernels.crack_tables import CRACK_COLUMNS, HEAT, PLASTIC_COLUMNS
 from bondem.kernels.non_local import STORED, TAKEN
 from bondem.kernels.tables import BROKEN_COLUMNS, lines
 from bondem.kernels.walls import COLUMNS, FORCE, WORK
@@ -45,6 +46,9 @@ class State:
         broken: what broke, in time: time [s], step, internal bond, mode, gap at breakage [m], energy released [J] and
             where [m]; shape (e, 9).
         released: energy that breaking bonds have released since the start [J], shape (1,).
+        cracks: facets that have begun to crack, in time (`bondem.kernels.crack_tables`), shape (c, 12).
+        plastic: plastic strain of cells, and what goes with it (as above), shape (n, 14), or (0, 14) where none yield.
+        facet_force: of each facet on its cell i [N], of a body whose facets may crack, shape (3, m), else (3, 0).
         step: steps done.
         time: [s].
         stale: whether the acceleration must be found anew before the next step.
@@ -81,6 +85,10 @@ class State:
         self.walls = np.zeros((len(model.walls), COLUMNS))
         self.broken = np.zeros((0, BROKEN_COLUMNS))
         self.released = np.zeros(1)
+        soft = model.softening
+        self.cracks = np.zeros((0, CRACK_COLUMNS))
+        self.plastic = np.zeros((n if soft is not None and soft.slip is not None else 0, PLASTIC_COLUMNS))
+        self.facet_force = np.zeros((3, 0 if soft is None else m))
         self.step = 0
         self.time = 0.0
         self.stale = True
@@ -88,10 +96,11 @@ class State:
     ARRAYS = (
         "pose", "motion", "acceleration", "integrity", "history", "stress", "eigenstrain", "reaction", "work", "loss",
         "touching", "stretch", "wall_touching", "wall_stretch", "walls", "broken", "released",
+        "cracks", "plastic", "facet_force",
     )  # fmt: skip
 
     # Those with as many rows as there are contacts, or broken bonds.
-    GROWING = ("touching", "stretch", "wall_touching", "wall_stretch", "broken")
+    GROWING = ("touching", "stretch", "wall_touching", "wall_stretch", "broken", "cracks")
 
     def copy(self) -> "State":
         """An independent copy."""
@@ -128,9 +137,27 @@ class State:
         self._take_walls(model.walls)
         self.walls[:, WORK] = 0.0
         self.released = np.zeros(1)
+        self._take_damage(model)
         self.model, self.layout = model, model.layout
         self.step = 0
         self.stale = True
+
+    def _take_damage(self, model: Origin) -> None:
+        """Go on with cracks and plastic strains, or begin to have them.
+
+        Raises:
+            InputError: a model whose criterion does not know what there is.
+        """
+        soft, fresh = model.softening, State(model)
+        if soft is None and (len(self.cracks) or self.plastic.any()):
+            raise InputError("the state has cracks or plastic strains: give the model a criterion that softens too")
+        if self.facet_force.shape != fresh.facet_force.shape:
+            self.facet_force = fresh.facet_force
+        if self.plastic.shape != fresh.plastic.shape:
+            if self.plastic.any():
+                raise InputError("the state has cells that yielded: give the model a criterion by which cells yield")
+            self.plastic = fresh.plastic
+        self.plastic[:, HEAT] = 0.0
 
     def _take_walls(self, walls: Sequence[Wall]) -> None:
         """Carry displacement and contacts of the walls that go on, known by where they are defined."""

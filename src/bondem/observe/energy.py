@@ -116,4 +116,4 @@ def elastic_energy(model: Model, state: State, *, wall: Floats | None = None) ->
     cells = constants.damaged(state.integrity, layout.i, layout.j).rows(layout.i)
     if wall is None:
         cells.given[:] = model.cell_constants.pressed_by(loads_on_facets(model, state.time))[layout.order]
-    return EnergyParts(*cell_energies(state.pose, state.rest, bonds, cells, grips))
+    return EnergyParts(*cell_energies(state.pose, state.rest, bonds, cells, grips, None))

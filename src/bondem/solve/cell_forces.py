@@ -20,7 +20,7 @@ def body_tables(model: Model, integrity: Floats) -> tuple[Bonds, Body]:
     grips.wall[:] = cells.grips.motion
     # tractions are those of the constants, and do not change
     none = PressTable(np.zeros((0, len(layout.order))), np.zeros(0, dtype=np.int64), 0, np.zeros(0), np.zeros(0))
-    return model.bonds.rows(layout, model.period, integrity), Body(cells.rows(layout.i), grips, none)
+    return model.bonds.rows(layout, model.period, integrity), Body(cells.rows(layout.i), grips, none, None)
 
 
 def _cells(model: Model) -> CellConstants:

@@ -9,7 +9,7 @@ from bondem.errors import InputError
 from bondem.kernels.tables import FIXED_COLUMNS
 
 _STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
-_ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "fracture")
+_ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "fracture", "plastic")
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,7 +17,7 @@ class History:
     """Records in time; `history["name"]` is a gauge, (s, 3).
 
     Attributes:
-        records: columns time [s], twelve energies [J], three components a gauge, shape (s, 13 + 3 g).
+        records: columns time [s], thirteen energies [J], three components a gauge, shape (s, 14 + 3 g).
         gauges: names of the gauges, in the order of their columns.
     """
 
@@ -52,14 +52,16 @@ class History:
         """Ledger [J], each (s,): kinetic "translation", "rotation"; elastic "normal", "shear", "bending",
         "twisting", and of "contact"; "work" of loads, drives and walls; "loss" to damping and dashpots; that to
         "friction"; "non-local work" that the extra forces of `NonLocal` have taken up, which no potential holds;
-        "fracture" that bonds released when they broke; and "balance", which should vanish.
+        "fracture" that bonds and facets released as they broke or softened; "plastic" that cells dissipated as they
+        yielded; and "balance", which should vanish.
 
-        balance = kinetic + elastic + loss + friction + non-local work + fracture - work - its value in the first
-        record.
+        balance = kinetic + elastic + loss + friction + non-local work + fracture + plastic - work - its value in the
+        first record.
         """
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
         held = sum(ledger[name] for name in _STORED) - ledger["work"]
         held = held + ledger["loss"] + ledger["friction"] + ledger["non-local work"] + ledger["fracture"]
+        held = held + ledger["plastic"]
         return ledger | {"balance": held - held[:1]}
 
     @property

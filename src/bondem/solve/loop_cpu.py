@@ -8,6 +8,7 @@ from bondem.kernels import tables
 from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance
 from bondem.kernels.boundary import set_boundary
 from bondem.kernels.contact_pass import contact_loads
+from bondem.kernels.crack_tables import FACET
 from bondem.kernels.facet_breaking import weigh_all
 from bondem.kernels.grip_pass import give, grip_loads, place_walls
 from bondem.kernels.press_pass import press
@@ -33,6 +34,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added, changing_strain
 from bondem.solve.breakage import breaking, keep_broken
+from bondem.solve.cracks import crack_table, keep_cracks, take_up
 from bondem.solve.neighbour_list import ContactList
 from bondem.solve.plan import Plan
 
@@ -79,10 +81,15 @@ class CpuLoop:
         # elements that wait for breaking bonds keep their sums in rows of their own
         waiting = 0 if model.breaking is None else len(layout.order)
         self._breaks = breaking(model, state, blocks)
+        cracked = np.zeros(len(layout.i), dtype=bool)
+        cracked[state.cracks[:, FACET].astype(np.int64)] = True
         self._contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
         self._run = Run(
             elements=Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest),
-            bonds=bonds.rows(layout, model.period, state.integrity, alike=self._same is not None),
+            # facets that crack are no part of the loop over facets
+            bonds=bonds.rows(
+                layout, model.period, np.where(cracked, 0.0, state.integrity), alike=self._same is not None
+            ),
             cut=blocks.table(waiting),
             rows=held.rows(state.reaction, state.work),
             schedules=held.schedules,
@@ -90,18 +97,29 @@ class CpuLoop:
             budget=np.zeros(2),  # as `kernels.advance.guard` has it
         )
         self._still = noticeable(model, dt)
-        self._body = None
+        self._body, self._cracks = None, None
         if model.cells is not None:
-            strained = model.cells.stretched(state.eigenstrain).damaged(state.integrity, layout.i, layout.j)
+            strained = model.cells.stretched(state.eigenstrain)
+            forces = None
+            if model.softening is None:
+                strained = strained.damaged(state.integrity, layout.i, layout.j)
+            else:
+                forces = with_zeros(state.facet_force)
             grips = strained.grips.table(layout, held.row_of, held.works[2])
             presses = PressTable(
                 value=held.press_value, schedule=held.press_schedule, place=held.works[2],
                 factor=np.zeros(len(held.press_schedule)), came=np.zeros(len(held.press_schedule)),
             )  # fmt: skip
-            self._body = Body(strained.rows(blocks.swelling_places(layout)), grips, presses)
+            table = strained.rows(blocks.swelling_places(layout), forces=forces)
+            self._cracks = crack_table(model, state, table, grips)
+            self._body = Body(table, grips, presses, self._cracks)
+            if self._cracks is not None:
+                take_up(self._run.bonds, table, grips, self._cracks)
             if self._breaks is not None:  # as they are weighed anew where a facet breaks, to the bit
                 weigh_all(self._run.bonds, self._body.cells, self._breaks)
         contact = None if self._contacts is None else self._contacts.arrays.load
+        if self._cracks is not None:
+            contact = self._cracks.load
         self._added = added(model, terms, state, contact, blocks.rows + waiting)
         self._strain = changing_strain(model, state)
         self._history = with_zeros(state.history) if model.formulation == "incremental" else None
@@ -144,6 +162,8 @@ class CpuLoop:
         """Find the acceleration of the present state, in which nothing breaks."""
         if self._breaks is not None:
             self._breaks.now[1] = -1.0
+        if self._cracks is not None:
+            self._cracks.now[1] = -1.0
         run = self._run
         still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
         if self._touching is not None:
@@ -186,6 +206,8 @@ class CpuLoop:
             self.state.history[:] = self._history[:, : self._run.bonds.m]
         if self._breaks is not None:
             keep_broken(self._breaks, self._run.bonds.integrity, self.state)
+        if self._cracks is not None:
+            keep_cracks(self._cracks, self.state)
 
 
 def noticeable(model: Model, dt: float) -> float:

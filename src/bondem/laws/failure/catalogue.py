@@ -5,7 +5,8 @@ from bondem.laws.failure.elliptic import Elliptic
 from bondem.laws.failure.linear_sum import LinearSum
 from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.laws.failure.peripheral_stress import PeripheralStress
+from bondem.laws.failure.rankine import Rankine
 
 CRITERIA: dict[str, type[Criterion]] = {
-    criterion.__name__: criterion for criterion in (PeripheralStress, MohrCoulomb, LinearSum, Elliptic)
+    criterion.__name__: criterion for criterion in (PeripheralStress, MohrCoulomb, LinearSum, Elliptic, Rankine)
 }

@@ -15,6 +15,7 @@ from bondem._checks import instance
 from bondem._types import Floats, PerBond
 from bondem.laws.bond import BondStiffness, Section
 from bondem.laws.failure.scatter import Normal, Weibull
+from bondem.laws.failure.softening import Softening
 
 #: What broke a bond: the larger part of the index. The number is what states and run files hold.
 INTACT, TENSION, SHEAR, BENDING, TWISTING = range(5)
@@ -54,16 +55,11 @@ class Joint:
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(ABC):
-    """When a bond breaks: at once and for good.
+    """When and how bonds or cells fail.
 
     Attributes:
         scatter: how strengths differ from bond to bond: `bd.Weibull` or `bd.Normal`, or None for the same in all.
-        kind: number of the function that judges (of the class; see `bondem.kernels.judging`).
-        needs_beams: whether it is about beams, and means nothing for facets of cells (of the class).
     """
-
-    kind: ClassVar[int]
-    needs_beams: ClassVar[bool] = True
 
     scatter: Weibull | Normal | None = None
 
@@ -71,6 +67,32 @@ class Criterion(ABC):
         if self.scatter is not None:
             wanted = "bd.Weibull(...), bd.Normal(...) or None"
             instance(type(self).__name__, "scatter", self.scatter, (Weibull, Normal), wanted)
+
+    @property
+    @abstractmethod
+    def softening(self) -> Softening | None:
+        """What cracks and cells that yield need of it; None of a criterion that breaks single bonds."""
+
+    def factors(self, volume: PerBond) -> PerBond:
+        """By how much strengths differ from the parameter, of bonds or facets of a volume [m³], (m,), user's order."""
+        return np.ones_like(volume) if self.scatter is None else self.scatter.factors(volume)
+
+
+@dataclass(frozen=True, kw_only=True)
+class BondCriterion(Criterion):
+    """When a single bond or facet breaks: at once and for good.
+
+    Attributes:
+        kind: number of the function that judges (of the class; see `bondem.kernels.judging`).
+        needs_beams: whether it is about beams, and means nothing for facets of cells (of the class).
+    """
+
+    kind: ClassVar[int]
+    needs_beams: ClassVar[bool] = True
+
+    @property
+    def softening(self) -> Softening | None:
+        return None
 
     @abstractmethod
     def coefficients(self, joint: Joint, factor: PerBond) -> Floats:
@@ -82,10 +104,6 @@ class Criterion(ABC):
 
         F is the force of the bond and M the root of the sum of squares of its two torques on the elements' centres.
         """
-
-    def factors(self, joint: Joint) -> PerBond:
-        """By how much the strength of each bond differs from the parameter, user's order, shape (m,)."""
-        return np.ones_like(joint.area) if self.scatter is None else self.scatter.factors(joint.volume)
 
 
 def columns(*values: PerBond | float) -> Floats:

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._checks import number
 from bondem._compile import device
 from bondem._types import Floats, PerBond
-from bondem.laws.failure.criterion import BENDING, TENSION, Criterion, Joint, columns
+from bondem.laws.failure.criterion import BENDING, TENSION, BondCriterion, Joint, columns
 
 # Share of a bound of forces at which deformations are looked at: beams turned far are softer than the linear ones
 # that the bound is made of.
@@ -16,7 +16,7 @@ _MARGIN = 0.5
 
 
 @dataclass(frozen=True, kw_only=True)
-class Elliptic(Criterion):
+class Elliptic(BondCriterion):
     """A beam breaks where elongation and bending together reach their limits.
 
         (ε⁺ / elongation)² + max(|θ_i|, |θ_j|) / rotation ≥ 1

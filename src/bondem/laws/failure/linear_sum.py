@@ -8,11 +8,11 @@ import numpy as np
 from bondem._checks import number
 from bondem._compile import device
 from bondem._types import Floats, PerBond
-from bondem.laws.failure.criterion import BENDING, SHEAR, TENSION, TWISTING, Criterion, Joint, columns
+from bondem.laws.failure.criterion import BENDING, SHEAR, TENSION, TWISTING, BondCriterion, Joint, columns
 
 
 @dataclass(frozen=True, kw_only=True)
-class LinearSum(Criterion):
+class LinearSum(BondCriterion):
     """A bond breaks where the shares of its strengths sum up to one.
 
         N / force + |Q| / shear + |M| / bending + |T| / twisting ≥ 1

@@ -9,11 +9,13 @@ import numpy as np
 from bondem._checks import number
 from bondem._compile import device
 from bondem._types import Floats, PerBond
-from bondem.laws.failure.criterion import SHEAR, TENSION, Criterion, Joint, columns
+from bondem.errors import InputError
+from bondem.laws.failure.criterion import SHEAR, TENSION, BondCriterion, Joint, columns
+from bondem.laws.failure.softening import Slip, Softening
 
 
 @dataclass(frozen=True, kw_only=True)
-class MohrCoulomb(Criterion):
+class MohrCoulomb(BondCriterion):
     """A bond or facet breaks where its traction reaches the tensile strength or slips against cohesion and friction.
 
         t_n ≥ tension        |t_s| + t_n tan φ ≥ c
@@ -21,13 +23,25 @@ class MohrCoulomb(Criterion):
     The traction is force over area, of a beam N/A and Q/A; moments do not count. Tension positive, so that pressure
     (t_n < 0) strengthens. Where tension > c / tan φ, the cohesion alone limits the traction.
 
+    With a fracture energy it is that of the material, for bodies of cells: facets crack where the largest principal
+    stress reaches the tensile strength, as of `bd.Rankine`, and cells yield where
+
+        (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ r c cos φ
+
+    on their mean stress; the cohesion falls (r from 1 to 0) as slip dissipates the fracture energy of shear, and
+    friction stays. Facets of a cell without cohesion break.
+
     Attributes:
         tension: tensile strength [Pa].
         cohesion: c [Pa].
         friction_angle: φ [rad], in [0, π/2).
+        fracture_energy: G_f of tension [J/m²]; None for bonds or facets that break at once, by their traction.
+        fracture_energy_shear: G_II of slip [J/m²], inf for a cohesion that stays; 10 G_f unless given.
+        dilatancy: ψ [rad], in [0, φ].
 
     Raises:
-        InputError: a strength that is not positive, or an angle outside [0, π/2).
+        InputError: a strength that is not positive, or an angle outside [0, π/2),
+            a fracture energy that is not positive, or one of shear or a dilatancy without that of tension.
     """
 
     kind: ClassVar[int] = 1
@@ -36,6 +50,9 @@ class MohrCoulomb(Criterion):
     tension: float
     cohesion: float
     friction_angle: float
+    fracture_energy: float | None = None
+    fracture_energy_shear: float | None = None
+    dilatancy: float = 0.0
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -44,6 +61,31 @@ class MohrCoulomb(Criterion):
         number(
             "MohrCoulomb", "friction_angle", self.friction_angle, unit="rad", least=0.0, below=0.5 * math.pi,
             advice="an angle in [0, π/2) rad",
+        )  # fmt: skip
+        number("MohrCoulomb", "dilatancy", self.dilatancy, unit="rad", least=0.0, advice="an angle in [0, φ] rad")
+        number("MohrCoulomb", "friction_angle - dilatancy", self.friction_angle - self.dilatancy, least=0.0)
+        energy = "a positive energy in J/m²"
+        if self.fracture_energy is not None:
+            number("MohrCoulomb", "fracture_energy", self.fracture_energy, unit="J/m²", above=0.0, advice=energy)
+        elif self.fracture_energy_shear is not None or self.dilatancy != 0.0:
+            raise InputError(
+                "MohrCoulomb: fracture_energy_shear and dilatancy are of cells that yield; give fracture_energy too"
+            )
+        if self.fracture_energy_shear is not None and self.fracture_energy_shear != math.inf:
+            number("MohrCoulomb", "fracture_energy_shear", self.fracture_energy_shear, above=0.0, advice=energy)
+
+    @property
+    def softening(self) -> Softening | None:
+        if self.fracture_energy is None:
+            return None
+        shear = self.fracture_energy_shear
+        slip = Slip(
+            cohesion=self.cohesion, friction_angle=self.friction_angle, dilatancy=self.dilatancy,
+            fracture_energy=10.0 * self.fracture_energy if shear is None else shear,
+        )  # fmt: skip
+        return Softening(
+            tension=self.tension, fracture_energy=self.fracture_energy, friction=math.tan(self.friction_angle),
+            slip=slip,
         )  # fmt: skip
 
     def coefficients(self, joint: Joint, factor: PerBond) -> Floats:

@@ -8,11 +8,11 @@ import numpy as np
 from bondem._checks import number
 from bondem._compile import device
 from bondem._types import Floats, PerBond
-from bondem.laws.failure.criterion import SHEAR, TENSION, Criterion, Joint, columns
+from bondem.laws.failure.criterion import SHEAR, TENSION, BondCriterion, Joint, columns
 
 
 @dataclass(frozen=True, kw_only=True)
-class PeripheralStress(Criterion):
+class PeripheralStress(BondCriterion):
     """A beam breaks where its outermost fibre reaches the tensile, or its section the shear strength.
 
         σ = N / A + β |M| r / I ≥ tension        τ = |Q| / A + |T| r / J ≥ shear

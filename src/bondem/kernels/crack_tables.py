@@ -1,0 +1,64 @@
+"""The tables of facets that soften and cells that yield, as kernels take them."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+# Columns of a cracked facet: which, traction it began at [Pa], slip in the frame of cell i [m], -∂U/∂s now [J],
+# whether its faces have parted, integrity a step ago, friction force a step ago in space [N], energy dissipated [J].
+FACET, ONSET, SLIP, RATE, PARTED, BEFORE, RUB, SPENT = 0, 1, 2, 5, 6, 7, 8, 11
+CRACK_COLUMNS = 12
+# Columns of a cell that yields: plastic strain in its own frame xx, yy, zz, xy, xz, yz, Σ Δγ, the last increment of
+# the strain in space, energy dissipated [J].
+STRAIN, GAMMA, INCREMENT, HEAT = 0, 6, 7, 13
+PLASTIC_COLUMNS = 14
+# Columns of what is known of a crack in a step: gap [m], normal, shares of both sides [m²].
+GAP, NORMAL, SHARE_I, SHARE_J = 0, 3, 6, 9
+GEOMETRY_COLUMNS = 12
+
+
+class CrackTable(NamedTuple):
+    """Facets that soften and cells that yield; m facets, n cells. From `now` on kernels write."""
+
+    strength: np.ndarray  #: f_t of each facet [Pa], (m,)
+    last: np.ndarray  #: k u / A where nothing is left of it, 0 where it breaks at once [Pa], (m,)
+    area: np.ndarray  #: [m²], (m,)
+    part: np.ndarray  #: w_i: part of cell i in the compliance, (m,)
+    friction: float  #: μ
+    hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
+    volume: np.ndarray  #: [m³], (n,)
+    weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
+    slack_i: np.ndarray  #: what 1 / weight of cell i gains where the facet parts [m³/Pa], (m,)
+    slack_j: np.ndarray
+    in_start: np.ndarray  #: facets of each cell, as `Adjacency` has them
+    out_start: np.ndarray
+    out_bond: np.ndarray
+    yielding: bool  #: whether cells yield
+    cohesion: np.ndarray  #: c cos φ of each cell [Pa], (n,)
+    sine: float  #: sin φ
+    dilation: float  #: sin ψ
+    fade: np.ndarray  #: V^(1/3) c / 2 G_II: share of the cohesion lost by Δγ of 1, (n,)
+    G: np.ndarray  #: [Pa], (n,)
+    base_i: np.ndarray  #: levers without plastic strain, int32, (3, m) or (3, 0)
+    base_j: np.ndarray
+    base_grip: np.ndarray  #: the same of walls [m], (g, 3)
+    now: np.ndarray  #: time [s] and step; a step below 0 where nothing is to change, (2,)
+    integrity: np.ndarray  #: 1 whole … 0 broken, (m,)
+    listed: np.ndarray  #: whether a facet is cracked, uint8, (m,)
+    onset: np.ndarray  #: 1 for facets that begin to crack, 2 for those of a cell without cohesion, uint8, (m,)
+    row: np.ndarray  #: cracked facets in the order in which they began, (m, 12)
+    sizes: np.ndarray  #: how many cracked facets, how many cells that have some, rows logged, (3,)
+    geometry: np.ndarray  #: (m, 12)
+    cell: np.ndarray  #: cells with cracked facets, (n,)
+    head: np.ndarray  #: first crack of a cell, or -1, (n,)
+    after_i: np.ndarray  #: next crack of cell i of a crack, or -1, (m,)
+    after_j: np.ndarray
+    base: np.ndarray  #: V θ of cells with cracks but for these [m³], (n,)
+    force: np.ndarray  #: force of each whole facet on its cell i in the last step [N], (3, m)
+    pull: np.ndarray  #: the same of each crack, (m, 3)
+    load: np.ndarray  #: force and torque of all cracks on each cell [N, N·m], (n, 6)
+    tensor: np.ndarray  #: mean stress of each cell in the last step, in space [Pa], (n, 6)
+    hotter: np.ndarray  #: whether the facets of a cell are looked at, uint8, (n,)
+    plastic: np.ndarray  #: of cells, (n, 14) or (0, 14)
+    log: np.ndarray  #: what broke in this call (`BROKEN_…`), (m, 9)
+    released: np.ndarray  #: energy that cracks have dissipated since the start of the run [J], (1,)

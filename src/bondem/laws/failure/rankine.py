@@ -1,0 +1,46 @@
+"""The largest principal stress of the material, whatever the direction of facets."""
+
+from dataclasses import dataclass
+
+from bondem._checks import number
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.softening import Softening
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rankine(Criterion):
+    """Facets of cells crack in tension where the largest principal stress reaches the strength.
+
+        σ1(σ*) ≥ tension,     σ* = σ̄ + Δ⊗n + n⊗Δ - (Δ·n) n⊗n,     Δ = t - σ̄ n
+
+    with σ̄ the mean stress of the two cells and t the traction of the facet, which is pulled (t·n > 0): σ* is the mean
+    tensor made to agree with that traction. A crack softens linearly in its opening, from the traction that the
+    facet has then to the opening 2 G_f / f_t, so that it dissipates G_f per area of the crack whatever way its facets
+    zigzag. Without a fracture energy it breaks at once. Bodies of cells only.
+
+    Attributes:
+        tension: f_t [Pa].
+        fracture_energy: G_f [J/m²]; None is brittle.
+        friction: μ on the faces of closed cracks [-].
+
+    Raises:
+        InputError: a strength or energy that is not positive, or a negative friction.
+    """
+
+    tension: float
+    fracture_energy: float | None = None
+    friction: float = 0.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        number("Rankine", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
+        if self.fracture_energy is not None:
+            number("Rankine", "fracture_energy", self.fracture_energy, unit="J/m²", above=0.0,
+                   advice="a positive energy in J/m², or None for brittle facets")  # fmt: skip
+        number("Rankine", "friction", self.friction, least=0.0, advice="a coefficient of zero or more")
+
+    @property
+    def softening(self) -> Softening:
+        return Softening(
+            tension=self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slip=None
+        )

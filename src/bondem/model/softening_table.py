@@ -1,0 +1,101 @@
+"""What kernels read of facets that soften and cells that yield, in their order."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import PerBond, PerElement
+from bondem.errors import InputError
+from bondem.laws.failure.softening import Slip, Softening
+from bondem.model.cell_constants import CellConstants, body_of
+from bondem.model.layout import Layout
+from bondem.specimen.lattice import Lattice
+
+# Share of its strength at which the facets of a cell are looked at: the stress of a pair of cells agrees with the
+# traction of their facet, which may be above that of both.
+_MARGIN = 0.7
+# Opening where nothing is left of a facet that is too long for its fracture energy, over that at its strength.
+_SNAP = 1.05
+
+
+@dataclass(frozen=True, eq=False)
+class SofteningTable:
+    """Facets that soften and cells that yield; internal order.
+
+    Attributes:
+        strength: f_t of each facet [Pa], (m,).
+        last: k u / A at the opening where nothing is left [Pa], 0 where facets break at once, (m,).
+        area: [m²], (m,).
+        part: part of cell i in the compliance of a facet [-], (m,).
+        hot: largest principal stress of a cell from which its facets are looked at [Pa].
+        friction: μ [-].
+        slip: how cells yield, or None.
+        fade: share of its cohesion that a cell loses by a slip of 1, (n,).
+    """
+
+    strength: PerBond
+    last: PerBond
+    area: PerBond
+    part: PerBond
+    hot: float
+    friction: float
+    slip: Slip | None
+    fade: PerElement
+
+    @classmethod
+    def of(
+        cls,
+        body: Lattice,
+        layout: Layout,
+        cells: CellConstants,
+        softening: Softening,
+        factors: Callable[[PerBond], PerBond],
+    ) -> "SofteningTable":
+        """The table of a body.
+
+        Args:
+            body: facets and cells.
+            layout: their order in the kernels.
+            cells: constants of the law, in that order.
+            softening: how they fail.
+            factors: strengths over the parameter, of facets of a volume [m³], user's order.
+
+        Raises:
+            InputError: elements that are too long for the fracture energy.
+        """
+        facets, _ = body_of(body)
+        order = layout.bond_order
+        factor = factors(facets.area * facets.span)[order]
+        area, strength = facets.area[order], softening.tension * factor
+        last = np.zeros(len(area))
+        if softening.fracture_energy > 0.0:
+            _check_length(facets.span[order], cells, layout, softening)
+            # the opening 2 G_f / f_t, as the traction that it takes from a whole facet
+            last = cells.k / area * 2.0 * softening.fracture_energy / strength
+            last = np.maximum(last, _SNAP * strength)
+        depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])
+        other = np.where(layout.flipped, facets.depth_i[order], facets.depth_j[order])
+        soft_i, soft_j = depth / cells.G[layout.i], other / cells.G[layout.j]
+        fade = np.zeros(len(cells.volume))
+        if softening.slip is not None and math.isfinite(softening.slip.fracture_energy):
+            fade = np.cbrt(cells.volume) * softening.slip.cohesion / (2.0 * softening.slip.fracture_energy)
+        return cls(
+            strength=strength, last=last, area=area, part=soft_i / (soft_i + soft_j),
+            hot=_MARGIN * float(strength.min(initial=softening.tension)), friction=softening.friction,
+            slip=softening.slip, fade=fade,
+        )  # fmt: skip
+
+
+def _check_length(span: PerBond, cells: CellConstants, layout: Layout, softening: Softening) -> None:
+    """Refuse elements that snap back: longer than 2 E G_f / f_t²."""
+    i = layout.i
+    E = cells.G[i] * (3.0 * cells.lame[i] + 2.0 * cells.G[i]) / (cells.lame[i] + cells.G[i])
+    longest = 2.0 * E * softening.fracture_energy / softening.tension**2
+    if np.median(span / longest) > 1.0:
+        raise InputError(
+            f"elements {np.median(span):.3g} m long release more energy than fracture_energy="
+            f"{softening.fracture_energy:g} J/m² takes up: they snap back above 2 E G_f / f_t² ="
+            f" {np.median(longest):.3g} m; use smaller elements, or fracture_energy=None for brittle facets"
+        )

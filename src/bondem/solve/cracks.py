@@ -1,0 +1,71 @@
+"""Tables of the kernels for facets that crack and cells that yield, and what comes back from them."""
+
+import math
+
+import numpy as np
+
+from bondem.kernels.cell_tensors import stretch_body
+from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GEOMETRY_COLUMNS, CrackTable
+from bondem.kernels.cracking import link_cracks
+from bondem.kernels.tables import BROKEN_COLUMNS, Bonds, CellTable, GripTable
+from bondem.model.model import Model
+from bondem.model.state import State
+
+
+def crack_table(model: Model, state: State, cells: CellTable | None, grips: GripTable) -> CrackTable | None:
+    """What kernels take to let the facets of a state crack and its cells yield; None where none do.
+
+    Args:
+        model: with a criterion that softens, or without.
+        state: what has cracked and yielded so far.
+        cells: facets and cells; they keep their forces in `state.facet_force`.
+        grips: walls that hold some of them.
+    """
+    table, constants = model.softening, model.cells
+    if table is None or constants is None or cells is None:
+        return None
+    n, m = len(state.pose), len(state.integrity)
+    row = np.zeros((m, CRACK_COLUMNS))  # memory is taken as facets crack
+    count = len(state.cracks)
+    row[:count] = state.cracks
+    facet = state.cracks[:, FACET].astype(np.int64)
+    pull = np.zeros((m, 3))
+    pull[:count] = state.facet_force[:, facet].T
+    adjacency, slip = model.layout.adjacency, table.slip
+    angle = 0.0 if slip is None else slip.friction_angle
+    bare = np.zeros((3, 0), dtype=np.int32)
+    return CrackTable(
+        strength=table.strength, last=table.last, area=table.area, part=table.part, friction=table.friction,
+        hot=table.hot, volume=constants.volume, weight=constants.weight, slack_i=constants.slack_i,
+        slack_j=constants.slack_j, in_start=adjacency.in_start, out_start=adjacency.out_start,
+        out_bond=adjacency.out_bond, yielding=slip is not None,
+        cohesion=np.full(n, 0.0 if slip is None else slip.cohesion * math.cos(angle)), sine=math.sin(angle),
+        dilation=0.0 if slip is None else math.sin(slip.dilatancy), fade=table.fade, G=constants.G,
+        base_i=bare if slip is None else cells.lever_i.copy(), base_j=bare if slip is None else cells.lever_j.copy(),
+        base_grip=grips.lever.copy(), now=np.array([0.0, -1.0]), integrity=state.integrity,
+        listed=np.zeros(m, dtype=np.uint8), onset=np.zeros(m, dtype=np.uint8), row=row,
+        sizes=np.array([count, 0, 0], dtype=np.int64), geometry=np.zeros((m, GEOMETRY_COLUMNS)),
+        cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
+        after_i=np.full(m, -1, dtype=np.int64), after_j=np.full(m, -1, dtype=np.int64), base=np.zeros(n),
+        force=cells.force, pull=pull, load=np.zeros((n, 6)), tensor=np.zeros((n, 6)),
+        hotter=np.zeros(n, dtype=np.uint8), plastic=state.plastic, log=np.empty((m, BROKEN_COLUMNS)),
+        released=state.released,
+    )  # fmt: skip
+
+
+def take_up(bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable) -> None:
+    """Go on with cracks and plastic strains as a run begins: lists, weights and levers."""
+    link_cracks(bonds, cells, cracks)
+    stretch_body(bonds, cells, grips, cracks)
+
+
+def keep_cracks(cracks: CrackTable, state: State) -> None:
+    """Write what has cracked and broken since the last call into the state."""
+    count, logged = int(cracks.sizes[0]), int(cracks.sizes[2])
+    state.cracks = cracks.row[:count].copy()
+    facet = state.cracks[:, FACET].astype(np.int64)
+    state.facet_force[:] = cracks.force[:, : state.facet_force.shape[1]]
+    state.facet_force[:, facet] = cracks.pull[:count].T
+    if logged:
+        state.broken = np.concatenate([state.broken, cracks.log[:logged]])
+        cracks.sizes[2] = 0
