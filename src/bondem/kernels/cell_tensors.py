@@ -8,7 +8,7 @@ pauses. σ = sym Σ b⊗f / V over all facets, in space. Each cell is on its own
 import numpy as np
 
 from bondem._compile import device, kernel, prange
-from bondem.kernels.crack_tables import GAMMA, HEAT, INCREMENT, STRAIN
+from bondem.kernels.crack_tables import DEFORMATION, GAMMA, HEAT, INCREMENT
 from bondem.kernels.single_facets import column, facet_of, facets_of, lever, orientation
 from bondem.laws.cell_energy import scalar, turned_by
 from bondem.laws.plasticity import below, flow, invariants, largest_at_most, principal, yield_bound
@@ -100,22 +100,31 @@ def _work(s, plastic, p):
     )  # fmt: skip
 
 
+@device
+def _deformed(plastic, p, b):
+    """P b: a lever of a cell with its plastic deformation."""
+    D = plastic[p]
+    return (
+        b[0] + (D[0] * b[0] + D[1] * b[1] + D[2] * b[2]),
+        b[1] + (D[3] * b[0] + D[4] * b[1] + D[5] * b[2]),
+        b[2] + (D[6] * b[0] + D[7] * b[1] + D[8] * b[2]),
+    )
+
+
 @kernel(parallel=False)
 def stretch_cell(bonds, cells, cracks, p):
-    """Levers of a cell with its plastic strain."""
-    e = cracks.plastic[p]
+    """Levers of a cell with its plastic deformation."""
     for f in range(facets_of(cracks, p)):
         k = facet_of(cracks, p, f)
         own = bonds.i[k] == p
         b = lever(cracks.base_i, cells.pitch, k) if own else lever(cracks.base_j, cells.pitch, k)
-        x = b[0] + (e[0] * b[0] + e[3] * b[1] + e[4] * b[2])
-        y = b[1] + (e[3] * b[0] + e[1] * b[1] + e[5] * b[2])
-        z = b[2] + (e[4] * b[0] + e[5] * b[1] + e[2] * b[2])
-        a, c, d = np.rint(x / cells.pitch[0]), np.rint(y / cells.pitch[1]), np.rint(z / cells.pitch[2])
-        if own:
-            cells.lever_i[0, k], cells.lever_i[1, k], cells.lever_i[2, k] = np.int32(a), np.int32(c), np.int32(d)
-        else:
-            cells.lever_j[0, k], cells.lever_j[1, k], cells.lever_j[2, k] = np.int32(a), np.int32(c), np.int32(d)
+        b = _deformed(cracks.plastic, p, b)
+        for d in range(3):
+            whole = np.int32(np.rint(b[d] / cells.pitch[d]))
+            if own:
+                cells.lever_i[d, k] = whole
+            else:
+                cells.lever_j[d, k] = whole
 
 
 @device
@@ -139,8 +148,8 @@ def _yield_cell(p, pose, bonds, cells, cracks, a, v):
             _add_flow(plastic, p, INCREMENT, up, e1)
             _add_flow(plastic, p, INCREMENT, down, e3)
             back = _back(orientation(pose, p))
-            _add_flow(plastic, p, STRAIN, up, turned_by(back, e1))
-            _add_flow(plastic, p, STRAIN, down, turned_by(back, e3))
+            _deform(plastic, p, up, turned_by(back, e1))
+            _deform(plastic, p, down, turned_by(back, e3))
             plastic[p, GAMMA] += gamma
             plastic[p, HEAT] += 0.5 * V * _work(s, plastic, p)
             stretch_cell(bonds, cells, cracks, p)
@@ -155,6 +164,17 @@ def _add_flow(plastic, p, first, size, e):
     plastic[p, first + 3] += size * e[0] * e[1]
     plastic[p, first + 4] += size * e[0] * e[2]
     plastic[p, first + 5] += size * e[1] * e[2]
+
+
+@device
+def _deform(plastic, p, size, e):
+    """P becomes (1 + size e⊗e) P."""
+    for d in range(3):
+        along = e[d]
+        for c in range(3):
+            along += e[c] * plastic[p, DEFORMATION + 3 * c + d]
+        for c in range(3):
+            plastic[p, DEFORMATION + 3 * c + d] += size * e[c] * along
 
 
 @kernel(parallel=False)
@@ -246,25 +266,25 @@ def _everywhere(pose, bonds, cells, cracks, kind, threaded):
 @kernel(parallel=False)
 def judge_body(pose, bonds, cells, grips, cracks, threaded):
     """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
-    _everywhere(pose, bonds, cells, cracks, 0, threaded)
-    _of_walls(pose, grips, cracks)
-    _everywhere(pose, bonds, cells, cracks, 1, threaded)
-    for g in range(len(grips.cell)):
-        _stretch_grip(grips, cracks, g)
-    if cracks.hotter.max() == 0:
-        return False
-    _everywhere(pose, bonds, cells, cracks, 2, threaded)
+    for kind in range(3):  # one call in the code, as everything in it is compiled for each
+        if kind == 2 and cracks.hotter.max() == 0:
+            return False
+        _everywhere(pose, bonds, cells, cracks, kind, threaded)
+        if kind == 0:
+            _of_walls(pose, grips, cracks)
+        elif kind == 1:
+            for g in range(len(grips.cell)):
+                _stretch_grip(grips, cracks, g)
     return cracks.onset.max() > 0
 
 
 @device
 def _stretch_grip(grips, cracks, g):
-    """Lever of a wall with the plastic strain of its cell."""
+    """Lever of a wall with the plastic deformation of its cell."""
     if cracks.yielding:
-        e, b = cracks.plastic[grips.cell[g]], cracks.base_grip[g]
-        grips.arm[g, 0] = b[0] + (e[0] * b[0] + e[3] * b[1] + e[4] * b[2])
-        grips.arm[g, 1] = b[1] + (e[3] * b[0] + e[1] * b[1] + e[5] * b[2])
-        grips.arm[g, 2] = b[2] + (e[4] * b[0] + e[5] * b[1] + e[2] * b[2])
+        base = cracks.base_grip[g]
+        b = _deformed(cracks.plastic, grips.cell[g], (base[0], base[1], base[2]))
+        grips.arm[g, 0], grips.arm[g, 1], grips.arm[g, 2] = b
 
 
 @kernel(parallel=False)

@@ -8,10 +8,10 @@ import numpy as np
 # whether its faces have parted, integrity a step ago, friction force a step ago in space [N], energy dissipated [J].
 FACET, ONSET, SLIP, RATE, PARTED, BEFORE, RUB, SPENT = 0, 1, 2, 5, 6, 7, 8, 11
 CRACK_COLUMNS = 12
-# Columns of a cell that yields: plastic strain in its own frame xx, yy, zz, xy, xz, yz, Σ Δγ, the last increment of
-# the strain in space, energy dissipated [J].
-STRAIN, GAMMA, INCREMENT, HEAT = 0, 6, 7, 13
-PLASTIC_COLUMNS = 14
+# Columns of a cell that yields: P - 1 of its plastic deformation P in its own frame, row by row, Σ Δγ, the last
+# increment of strain in space xx, yy, zz, xy, xz, yz, energy dissipated [J].
+DEFORMATION, GAMMA, INCREMENT, HEAT = 0, 9, 10, 16
+PLASTIC_COLUMNS = 17
 # Columns of what is known of a crack in a step: gap [m], normal, shares of both sides [m²].
 GAP, NORMAL, SHARE_I, SHARE_J = 0, 3, 6, 9
 GEOMETRY_COLUMNS = 12
@@ -59,6 +59,6 @@ class CrackTable(NamedTuple):
     load: np.ndarray  #: force and torque of all cracks on each cell [N, N·m], (n, 6)
     tensor: np.ndarray  #: mean stress of each cell in the last step, in space [Pa], (n, 6)
     hotter: np.ndarray  #: whether the facets of a cell are looked at, uint8, (n,)
-    plastic: np.ndarray  #: of cells, (n, 14) or (0, 14)
+    plastic: np.ndarray  #: of cells, (n, 17) or (0, 17)
     log: np.ndarray  #: what broke in this call (`BROKEN_…`), (m, 9)
     released: np.ndarray  #: energy that cracks have dissipated since the start of the run [J], (1,)

@@ -12,7 +12,8 @@ import numpy as np
 
 from bondem._compile import device, kernel
 from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.cell_tensors import heat, judge_body, pair_stress
+from bondem.kernels.cell_tensors import heat, judge_body
+from bondem.kernels.crack_list import NEW, begin_cracks, place_normals, put, three, weigh_parted
 from bondem.kernels.crack_tables import (
     BEFORE,
     FACET,
@@ -27,7 +28,7 @@ from bondem.kernels.crack_tables import (
     SLIP,
     SPENT,
 )
-from bondem.kernels.single_facets import column, frame, orientation, present_normal, resistance
+from bondem.kernels.single_facets import frame, orientation, present_normal, resistance
 from bondem.kernels.tables import (
     BROKEN_BOND,
     BROKEN_ENERGY,
@@ -40,7 +41,6 @@ from bondem.kernels.tables import (
 )
 from bondem.laws.cell_energy import cross, opened, relative, resisted_turn, scalar, turned_by
 from bondem.laws.failure.criterion import SHEAR, TENSION
-from bondem.laws.plasticity import principal
 from bondem.laws.softening import (
     crack_couple,
     crack_softness,
@@ -54,91 +54,6 @@ from bondem.laws.softening import (
 
 # By how much an integrity falls in a step at most: what breaks at once does so in ten, and the ledger stays exact.
 _FASTEST = 0.1
-# What stands for the integrity a step ago of a crack that begins: its rate is found first.
-_NEW = 2.0
-# A facet begins at this share of its strength at least.
-_LEAST = 0.02
-
-
-@device
-def _three(row, first):
-    return row[first], row[first + 1], row[first + 2]
-
-
-@device
-def _put(row, first, a):
-    row[first], row[first + 1], row[first + 2] = a[0], a[1], a[2]
-
-
-@device
-def _link(bonds, cracks, c):
-    """Put crack c into the lists of its two cells."""
-    k = np.int64(cracks.row[c, FACET])
-    i, j = bonds.i[k], bonds.j[k]
-    for end in range(2):
-        p = i if end == 0 else j
-        if cracks.head[p] < 0:
-            cracks.cell[cracks.sizes[1]] = p
-            cracks.sizes[1] += 1
-    cracks.after_i[c], cracks.after_j[c] = cracks.head[i], cracks.head[j]
-    cracks.head[i] = cracks.head[j] = c
-    cracks.listed[k] = 1
-    bonds.integrity[k] = 0.0
-
-
-@kernel(parallel=False)
-def begin_cracks(bonds, cracks):
-    """Facets that were marked begin to crack, in their order."""
-    a, v = np.empty((3, 3)), np.empty((3, 3))
-    for k in range(bonds.m):
-        if cracks.onset[k] == 0:
-            continue
-        c = cracks.sizes[0]
-        row, start = cracks.row[c], 0.0
-        if cracks.onset[k] == 1:
-            f, A = column(cracks.force, k), cracks.area[k]
-            _, _, one, _ = principal(pair_stress(cracks.tensor, bonds.i[k], bonds.j[k]), a, v)
-            n = cracks.geometry[c]  # found before
-            slope = abs(scalar(_three(n, NORMAL), (v[0, one], v[1, one], v[2, one])))
-            start = min(math.sqrt(scalar(f, f)) / A, cracks.strength[k] * max(slope, _LEAST))
-        row[:] = 0.0
-        row[FACET], row[ONSET], row[BEFORE] = k, start, _NEW
-        _put(cracks.pull[c], 0, column(cracks.force, k))
-        cracks.sizes[0] += 1
-        _link(bonds, cracks, c)
-        cracks.onset[k] = 0
-
-
-@kernel(parallel=False)
-def place_normals(pose, bonds, cells, cracks):
-    """Normals of facets that are about to crack, where `begin_cracks` looks for them."""
-    c = cracks.sizes[0]
-    for k in range(bonds.m):
-        if cracks.onset[k] != 0:
-            _put(cracks.geometry[c], NORMAL, present_normal(pose, bonds, cells, k))
-            c += 1
-
-
-@kernel(parallel=False)
-def link_cracks(bonds, cells, cracks):
-    """Lists of all cracks, as a run begins."""
-    for c in range(cracks.sizes[0]):
-        _link(bonds, cracks, c)
-    for e in range(cracks.sizes[1]):
-        weigh_parted(bonds, cells, cracks, cracks.cell[e])
-
-
-@kernel(parallel=False)
-def weigh_parted(bonds, cells, cracks, p):
-    """λ / V of a cell whose parted facets are free facets."""
-    slack, c = 0.0, cracks.head[p]
-    while c >= 0:
-        k = np.int64(cracks.row[c, FACET])
-        own = bonds.i[k] == p
-        if cracks.row[c, PARTED] != 0.0:
-            slack += cracks.slack_i[k] if own else cracks.slack_j[k]
-        c = cracks.after_i[c] if own else cracks.after_j[c]
-    cells.weight[p] = cracks.weight[p] / (1.0 + cracks.weight[p] * slack)
 
 
 @kernel(parallel=False)
@@ -150,10 +65,10 @@ def measure_cracks(pose, bonds, cells, cracks):
             continue
         d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
         g = cracks.geometry[c]
-        _put(g, GAP, opened(d, turned_by(p, a), turned_by(q, b)))
-        _put(g, NORMAL, present_normal(pose, bonds, cells, k))
-        _put(g, SHARE_I, turned_by(p, u))
-        _put(g, SHARE_J, turned_by(q, v))
+        put(g, GAP, opened(d, turned_by(p, a), turned_by(q, b)))
+        put(g, NORMAL, present_normal(pose, bonds, cells, k))
+        put(g, SHARE_I, turned_by(p, u))
+        put(g, SHARE_J, turned_by(q, v))
     for e in range(cracks.sizes[1]):
         p = cracks.cell[e]
         cracks.base[p] = pose[p, STRESS] / cells.weight[p] if cells.weight[p] != 0.0 else 0.0
@@ -172,8 +87,8 @@ def relax_cells(pose, bonds, cells, cracks):
                 own = bonds.i[k] == p
                 if cracks.row[c, PARTED] == 0.0:
                     g, s = cracks.geometry[c], cracks.integrity[k]
-                    gap, normal = _three(g, GAP), _three(g, NORMAL)
-                    share = _three(g, SHARE_I) if own else _three(g, SHARE_J)
+                    gap, normal = three(g, GAP), three(g, NORMAL)
+                    share = three(g, SHARE_I) if own else three(g, SHARE_J)
                     part = cracks.part[k] if own else 1.0 - cracks.part[k]
                     opening, along = opening_force(whole_force(cells.k[k], part, gap, share, stress), normal)
                     swelling += crack_swelling(cells.k[k], s, gap, share, opening)
@@ -191,9 +106,9 @@ def _halves(pose, bonds, cells, cracks, c):
     """Facet of a crack, its gap and normal, and F⁺ and pressing force of both halves."""
     k = np.int64(cracks.row[c, FACET])
     g, w = cracks.geometry[c], cracks.part[k]
-    gap, normal = _three(g, GAP), _three(g, NORMAL)
-    one = whole_force(cells.k[k], w, gap, _three(g, SHARE_I), pose[bonds.i[k], STRESS])
-    other = whole_force(cells.k[k], 1.0 - w, gap, _three(g, SHARE_J), pose[bonds.j[k], STRESS])
+    gap, normal = three(g, GAP), three(g, NORMAL)
+    one = whole_force(cells.k[k], w, gap, three(g, SHARE_I), pose[bonds.i[k], STRESS])
+    other = whole_force(cells.k[k], 1.0 - w, gap, three(g, SHARE_J), pose[bonds.j[k], STRESS])
     return k, gap, normal, opening_force(one, normal), opening_force(other, normal)
 
 
@@ -207,7 +122,7 @@ def soften(pose, bonds, cells, cracks):
             continue
         k, gap, normal, (one, press_i), (other, press_j) = _halves(pose, bonds, cells, cracks, c)
         w, s, A = cracks.part[k], cracks.integrity[k], cracks.area[k]
-        if row[BEFORE] == _NEW:
+        if row[BEFORE] == NEW:
             row[BEFORE] = s
             continue
         row[BEFORE] = s
@@ -226,7 +141,7 @@ def soften(pose, bonds, cells, cracks):
             across = plus(gap, -along, normal)
             if along * along > A or scalar(across, across) > A:
                 row[PARTED] = 1.0
-                _put(cracks.pull[c], 0, (0.0, 0.0, 0.0))
+                put(cracks.pull[c], 0, (0.0, 0.0, 0.0))
                 row[RATE] = 0.0
                 weigh_parted(bonds, cells, cracks, bonds.i[k])
                 weigh_parted(bonds, cells, cracks, bonds.j[k])
@@ -288,12 +203,12 @@ def crack_forces(elements, bonds, cells, cracks, change):
         g = cracks.geometry[c]
         along = w * press_i + (1.0 - w) * press_j
         q = orientation(pose, i)
-        slip = turned_by(q, _three(row, SLIP))
+        slip = turned_by(q, three(row, SLIP))
         rub, slip = rubbed(K, s, gap, normal, slip, -cracks.friction * (1.0 - s) * along)
         f = plus(plus(rub, s * w, one), s * (1.0 - w), other)
         f = plus(f, along, normal)
-        ci = _half_couple(K, w, s, gap, _three(g, SHARE_I), pose[i, STRESS], one)
-        cj = _half_couple(K, 1.0 - w, s, gap, _three(g, SHARE_J), pose[j, STRESS], other)
+        ci = _half_couple(K, w, s, gap, three(g, SHARE_I), pose[i, STRESS], one)
+        cj = _half_couple(K, 1.0 - w, s, gap, three(g, SHARE_J), pose[j, STRESS], other)
         n = crack_couple(gap, f, ci, cj)
         bent, h = _bending(pose, bonds, cells, k)
         a = turned_by(q, frame(pose, bonds, cells, k)[3])
@@ -303,7 +218,7 @@ def crack_forces(elements, bonds, cells, cracks, change):
         tj = plus(plus(plus(y, 1.0, cj), 0.5, n), -s, h)
         _add(load, i, 1.0, f, ti)
         _add(load, j, -1.0, f, tj)
-        _put(cracks.pull[c], 0, f)
+        put(cracks.pull[c], 0, f)
         if change:
             _book(elements, bonds, cells, cracks, c, (one, other, rub, slip, bent))
             if s == 0.0 and row[BEFORE] > 0.0:
@@ -331,10 +246,10 @@ def _book(elements, bonds, cells, cracks, c, found):
     cracks.released[0] += lost
     q = elements.pose[i, 4], elements.pose[i, 5], elements.pose[i, 6], elements.pose[i, 7]
     own = turned_by((q[0], -q[1], -q[2], -q[3]), slip)
-    came = plus(slip, -1.0, turned_by(q, _three(row, SLIP)))
-    elements.loss[i, RUBBED] += 0.5 * (scalar(_three(row, RUB), came) + scalar(rub, came))
-    _put(row, SLIP, own)
-    _put(row, RUB, rub)
+    came = plus(slip, -1.0, turned_by(q, three(row, SLIP)))
+    elements.loss[i, RUBBED] += 0.5 * (scalar(three(row, RUB), came) + scalar(rub, came))
+    put(row, SLIP, own)
+    put(row, RUB, rub)
 
 
 @device
@@ -352,7 +267,7 @@ def _crack_energy(pose, bonds, cells, cracks, c):
         along += 0.5 * K / part * (scalar(e, e) - normal_part * normal_part)
         across += 0.5 * s * (1.0 - s) * part / K * scalar(opening, opening)
     bent, _ = _bending(pose, bonds, cells, k)
-    along += (1.0 - s) * _stretched(K, s, _three(cracks.row[c], RUB))
+    along += (1.0 - s) * _stretched(K, s, three(cracks.row[c], RUB))
     return across, along, s * bent
 
 

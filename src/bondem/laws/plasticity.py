@@ -4,7 +4,7 @@
     Δγ = F / 2 G, half of it a step,     Δε = ½ Δγ [(1 + sin ψ) e1⊗e1 - (1 - sin ψ) e3⊗e3]
 
 Stresses and strains: xx, yy, zz, xy, xz, yz; tension positive. The plastic strain is an eigenstrain of the cell: its
-levers are those of a body stretched by it, so that what it dissipates is V σ:Δε exactly.
+levers are P b, P ← (1 + Δε) P, so that what it dissipates is V σ:Δε exactly, at large strain too.
 """
 
 import math

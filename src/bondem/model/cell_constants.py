@@ -200,7 +200,8 @@ class CellConstants:
             normal=columns(self.normal, np.float64),
             H=columns(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]], np.float32),
             weight=self.weight.copy(), to_i=with_twins(to_i), given=self.pressed.copy(),
-            swelling=np.zeros(max(len(self.weight), int(to_i.max(initial=0)) + 1)), force=np.zeros((3, 0)) if forces is None else forces,
+            swelling=np.zeros(max(len(self.weight), int(to_i.max(initial=0)) + 1)),
+            force=np.zeros((3, 0)) if forces is None else forces,
         )  # fmt: skip
 
     def as_bonds(self, body: Lattice) -> BondStiffness:

@@ -181,7 +181,8 @@ class Model:
         if self.failure is None:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
-        if not isinstance(self.failure, BondCriterion) or self.softening is not None:
+        softening = self.softening
+        if softening is not None or not isinstance(self.failure, BondCriterion):
             return None
         beams = self.stiffness if self._cells is None else None
         return FailureTable.of(self.lattice, self.layout, self.failure, beams, at_contact)

@@ -47,7 +47,7 @@ class State:
             where [m]; shape (e, 9).
         released: energy that breaking bonds have released since the start [J], shape (1,).
         cracks: facets that have begun to crack, in time (`bondem.kernels.crack_tables`), shape (c, 12).
-        plastic: plastic strain of cells, and what goes with it (as above), shape (n, 14), or (0, 14) where none yield.
+        plastic: plastic strain of cells and what goes with it (as above), (n, 17), or (0, 17) where none yield.
         facet_force: of each facet on its cell i [N], of a body whose facets may crack, shape (3, m), else (3, 0).
         step: steps done.
         time: [s].

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from bondem.kernels.cell_tensors import stretch_body
+from bondem.kernels.crack_list import link_cracks
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GEOMETRY_COLUMNS, CrackTable
-from bondem.kernels.cracking import link_cracks
 from bondem.kernels.tables import BROKEN_COLUMNS, Bonds, CellTable, GripTable
 from bondem.model.model import Model
 from bondem.model.state import State

@@ -74,7 +74,7 @@ class Criterion(ABC):
         """What cracks and cells that yield need of it; None of a criterion that breaks single bonds."""
 
     def factors(self, volume: PerBond) -> PerBond:
-        """By how much strengths differ from the parameter, of bonds or facets of a volume [m³], (m,), user's order."""
+        """Strengths over the parameter [-], of bonds or facets of a volume [m³], user's order, (m,)."""
         return np.ones_like(volume) if self.scatter is None else self.scatter.factors(volume)
 
 

@@ -1,0 +1,100 @@
+"""The list of cracked facets, in the order in which they began, and the cracks of each cell."""
+
+import math
+
+import numpy as np
+
+from bondem._compile import device, kernel
+from bondem.kernels.cell_tensors import pair_stress
+from bondem.kernels.crack_tables import BEFORE, FACET, NORMAL, ONSET, PARTED
+from bondem.kernels.single_facets import column, present_normal
+from bondem.laws.cell_energy import scalar
+from bondem.laws.plasticity import principal
+
+# What stands for the integrity a step ago of a crack that begins: its rate is found first.
+NEW = 2.0
+# A facet begins at this share of its strength at least.
+_LEAST = 0.02
+
+
+@device
+def three(row, first):
+    """Three numbers of a row, from `first` on."""
+    return row[first], row[first + 1], row[first + 2]
+
+
+@device
+def put(row, first, a):
+    """Write them."""
+    row[first], row[first + 1], row[first + 2] = a[0], a[1], a[2]
+
+
+@device
+def _link(bonds, cracks, c):
+    """Put crack c into the lists of its two cells."""
+    k = np.int64(cracks.row[c, FACET])
+    i, j = bonds.i[k], bonds.j[k]
+    for end in range(2):
+        p = i if end == 0 else j
+        if cracks.head[p] < 0:
+            cracks.cell[cracks.sizes[1]] = p
+            cracks.sizes[1] += 1
+    cracks.after_i[c], cracks.after_j[c] = cracks.head[i], cracks.head[j]
+    cracks.head[i] = cracks.head[j] = c
+    cracks.listed[k] = 1
+    bonds.integrity[k] = 0.0
+
+
+@kernel(parallel=False)
+def begin_cracks(bonds, cracks):
+    """Facets that were marked begin to crack, in their order."""
+    a, v = np.empty((3, 3)), np.empty((3, 3))
+    for k in range(bonds.m):
+        if cracks.onset[k] == 0:
+            continue
+        c = cracks.sizes[0]
+        row, start = cracks.row[c], 0.0
+        if cracks.onset[k] == 1:
+            f, A = column(cracks.force, k), cracks.area[k]
+            _, _, one, _ = principal(pair_stress(cracks.tensor, bonds.i[k], bonds.j[k]), a, v)
+            n = cracks.geometry[c]  # found before
+            slope = abs(scalar(three(n, NORMAL), (v[0, one], v[1, one], v[2, one])))
+            start = min(math.sqrt(scalar(f, f)) / A, cracks.strength[k] * max(slope, _LEAST))
+        row[:] = 0.0
+        row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
+        put(cracks.pull[c], 0, column(cracks.force, k))
+        cracks.sizes[0] += 1
+        _link(bonds, cracks, c)
+        cracks.onset[k] = 0
+
+
+@kernel(parallel=False)
+def place_normals(pose, bonds, cells, cracks):
+    """Normals of facets that are about to crack, where `begin_cracks` looks for them."""
+    c = cracks.sizes[0]
+    for k in range(bonds.m):
+        if cracks.onset[k] != 0:
+            put(cracks.geometry[c], NORMAL, present_normal(pose, bonds, cells, k))
+            c += 1
+
+
+@kernel(parallel=False)
+def link_cracks(bonds, cells, cracks):
+    """Lists of all cracks, as a run begins."""
+    for c in range(cracks.sizes[0]):
+        _link(bonds, cracks, c)
+    for e in range(cracks.sizes[1]):
+        weigh_parted(bonds, cells, cracks, cracks.cell[e])
+
+
+@kernel(parallel=False)
+def weigh_parted(bonds, cells, cracks, p):
+    """λ / V of a cell whose parted facets are free facets."""
+    slack, c = 0.0, cracks.head[p]
+    while c >= 0:
+        k = np.int64(cracks.row[c, FACET])
+        own = bonds.i[k] == p
+        if cracks.row[c, PARTED] != 0.0:
+            slack += cracks.slack_i[k] if own else cracks.slack_j[k]
+        c = cracks.after_i[c] if own else cracks.after_j[c]
+    cells.weight[p] = cracks.weight[p] / (1.0 + cracks.weight[p] * slack)
