@@ -75,9 +75,13 @@ def _tensors(pose, bonds, cells, cracks, first, last):
 
 
 @kernel(parallel=False)
-def _of_walls(pose, grips, cracks):
-    """Add what walls do to the tensors of the cells that they hold."""
+def _of_surface(pose, grips, presses, cracks):
+    """Add what walls and loads do to the tensors of the cells on the surface."""
     tensor = cracks.tensor
+    for l in range(len(cracks.pressed)):
+        for p in range(len(tensor)):
+            for d in range(6):
+                tensor[p, d] += presses.factor[l] * cracks.pressed[l, p, d] / cracks.volume[p]
     for g in range(len(grips.cell)):
         p = grips.cell[g]
         V = cracks.volume[p]
@@ -264,14 +268,15 @@ def _everywhere(pose, bonds, cells, cracks, kind, threaded):
 
 
 @kernel(parallel=False)
-def judge_body(pose, bonds, cells, grips, cracks, threaded):
+def judge_body(pose, bonds, body, cracks, threaded):
     """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
+    cells, grips = body.cells, body.grips
     for kind in range(3):  # one call in the code, as everything in it is compiled for each
         if kind == 2 and cracks.hotter.max() == 0:
             return False
         _everywhere(pose, bonds, cells, cracks, kind, threaded)
         if kind == 0:
-            _of_walls(pose, grips, cracks)
+            _of_surface(pose, grips, body.presses, cracks)
         elif kind == 1:
             for g in range(len(grips.cell)):
                 _stretch_grip(grips, cracks, g)

@@ -41,6 +41,7 @@ class CrackTable(NamedTuple):
     G: np.ndarray  #: [Pa], (n,)
     base_i: np.ndarray  #: levers without plastic strain, int32, (3, m) or (3, 0)
     base_j: np.ndarray
+    pressed: np.ndarray  #: what each load on free facets adds to V σ of the cells at full load [J], (l, n, 6)
     base_grip: np.ndarray  #: the same of walls [m], (g, 3)
     now: np.ndarray  #: time [s] and step; a step below 0 where nothing is to change, (2,)
     integrity: np.ndarray  #: 1 whole … 0 broken, (m,)

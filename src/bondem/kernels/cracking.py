@@ -300,12 +300,12 @@ def dissipated(cracks):
 
 
 @kernel(parallel=False)
-def crack_before(elements, bonds, cells, grips, cracks, threaded):
+def crack_before(elements, bonds, body, cracks, threaded):
     """As a step begins: cells yield, and facets begin to crack."""
     if cracks is not None:  # decided when compiled
         if cracks.now[1] >= 0.0:
-            if judge_body(elements.pose, bonds, cells, grips, cracks, threaded):
-                place_normals(elements.pose, bonds, cells, cracks)
+            if judge_body(elements.pose, bonds, body, cracks, threaded):
+                place_normals(elements.pose, bonds, body.cells, cracks)
                 begin_cracks(bonds, cracks)
 
 

@@ -4,10 +4,14 @@ import math
 
 import numpy as np
 
+from bondem._types import Floats
 from bondem.kernels.cell_tensors import stretch_body
 from bondem.kernels.crack_list import link_cracks
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GEOMETRY_COLUMNS, CrackTable
 from bondem.kernels.tables import BROKEN_COLUMNS, Bonds, CellTable, GripTable
+from bondem.model.boundary import Load
+from bondem.model.cell_constants import body_of
+from bondem.model.loads import Pressure, is_face
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -42,7 +46,7 @@ def crack_table(model: Model, state: State, cells: CellTable | None, grips: Grip
         cohesion=np.full(n, 0.0 if slip is None else slip.cohesion * math.cos(angle)), sine=math.sin(angle),
         dilation=0.0 if slip is None else math.sin(slip.dilatancy), fade=table.fade, G=constants.G,
         base_i=bare if slip is None else cells.lever_i.copy(), base_j=bare if slip is None else cells.lever_j.copy(),
-        base_grip=grips.lever.copy(), now=np.array([0.0, -1.0]), integrity=state.integrity,
+        pressed=_pressed(model), base_grip=grips.lever.copy(), now=np.array([0.0, -1.0]), integrity=state.integrity,
         listed=np.zeros(m, dtype=np.uint8), onset=np.zeros(m, dtype=np.uint8), row=row,
         sizes=np.array([count, 0, 0], dtype=np.int64), geometry=np.zeros((m, GEOMETRY_COLUMNS)),
         cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
@@ -51,6 +55,22 @@ def crack_table(model: Model, state: State, cells: CellTable | None, grips: Grip
         hotter=np.zeros(n, dtype=np.uint8), plastic=state.plastic, log=np.empty((m, BROKEN_COLUMNS)),
         released=state.released,
     )  # fmt: skip
+
+
+def _pressed(model: Model) -> Floats:
+    """b⊗F of each load on free facets, xx, yy, zz, xy, xz, yz, in the order of the kernels' loads [J], (l, n, 6)."""
+    _, cells = body_of(model.lattice)
+    free, found = cells.free, []
+    for condition in model.boundary:
+        if isinstance(condition, Load | Pressure) and is_face(condition.region):
+            numbers, force = condition.on_facets(model.lattice)
+            cell, moment = free.cell[numbers], np.zeros((len(cells.volume), 6))
+            arm = free.centroid[numbers] - cells.centroid[cell]
+            for column, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
+                part = 0.5 * (arm[:, a] * force[:, b] + arm[:, b] * force[:, a])
+                moment[:, column] = np.bincount(cell, part, len(moment))
+            found.append(moment[model.layout.order])
+    return np.array(found).reshape(len(found), len(cells.volume), 6)
 
 
 def take_up(bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable) -> None:

@@ -1,0 +1,48 @@
+"""Direct tension: the tensile strength of a specimen, and the work it takes to tear it apart."""
+
+from collections.abc import Callable
+
+from bondem.errors import InputError
+from bondem.labtests.loading import Loading, StrengthTest, load_to_failure
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.criterion import Criterion
+from bondem.specimen.lattice import Lattice
+
+
+def direct_tension(
+    body: Lattice,
+    law: CellBond,
+    failure: Criterion,
+    *,
+    density: float | None = None,
+    traverses: float = 40.0,
+    progress: Callable[[float], None] | None = None,
+) -> StrengthTest:
+    """Pull a body of cells apart along x, between platens that hold its ends along x only.
+
+    The work over the section is the fracture energy of the specimen, where a single crack takes all of it.
+
+    Args:
+        body: cut into cells.
+        law: its material.
+        failure: `bd.Rankine`, or `bd.MohrCoulomb` with a fracture energy.
+        density: of the material [kg/m³]; no result depends on it.
+        traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
+        progress: called now and then with the share done, 0 … 1.
+
+    Raises:
+        InputError: a lattice without cells, or a criterion that knows no tensile strength.
+        UnstableRunError: the run became unstable.
+    """
+    softening = failure.softening
+    if softening is None:
+        raise InputError(
+            "labtests.direct_tension needs the strength of a material: bd.Rankine, or bd.MohrCoulomb with"
+            " a fracture_energy"
+        )
+    opening = 2.0 * softening.fracture_energy / softening.tension
+    loading = Loading(
+        sign=1.0, expected=softening.tension, reach=1.3 * softening.tension / law.E, opening=1.5 * opening,
+        ending=0.002, pressure=0.0, traverses=traverses,
+    )  # fmt: skip
+    return load_to_failure("direct_tension", body, law, failure, loading, density=density, progress=progress)

@@ -1,0 +1,64 @@
+"""Compression between smooth platens, with a pressure on the sides or without: UCS and triaxial strength."""
+
+import math
+from collections.abc import Callable
+
+from bondem._checks import number
+from bondem.errors import InputError
+from bondem.labtests.loading import Loading, StrengthTest, load_to_failure
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.softening import Slip
+from bondem.specimen.lattice import Lattice
+
+
+def uniaxial_compression(
+    body: Lattice,
+    law: CellBond,
+    failure: Criterion,
+    *,
+    pressure: float = 0.0,
+    density: float | None = None,
+    traverses: float = 40.0,
+    reach: float = 2.0,
+    progress: Callable[[float], None] | None = None,
+) -> StrengthTest:
+    """Compress a body of cells along x between smooth platens, until its stress has fallen to half of the peak.
+
+    Args:
+        body: cut into cells.
+        law: its material.
+        failure: `bd.MohrCoulomb` with a fracture energy.
+        pressure: on the sides, a membrane [Pa]; 0 is uniaxial compression.
+        density: of the material [kg/m³]; no result depends on it.
+        traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
+        reach: strain at which it ends at the latest, over that of the expected peak [-].
+        progress: called now and then with the share done, 0 … 1.
+
+    Returns:
+        The test; `.peak` is positive. With a pressure stress and peak are those of the platens, σ1 of soil mechanics.
+
+    Raises:
+        InputError: a lattice without cells, or a criterion by which cells do not yield.
+        UnstableRunError: the run became unstable.
+    """
+    number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
+    number("labtests.uniaxial_compression", "reach", reach, above=0.0)
+    softening = failure.softening
+    if softening is None or softening.slip is None:
+        raise InputError(
+            "labtests.uniaxial_compression needs the shear strength of a material: bd.MohrCoulomb with a"
+            " fracture_energy"
+        )
+    expected = mohr_coulomb_strength(softening.slip, pressure)
+    loading = Loading(
+        sign=-1.0, expected=expected, reach=reach * expected / law.E, opening=0.0, ending=0.5,
+        pressure=pressure, traverses=traverses,
+    )  # fmt: skip
+    return load_to_failure("uniaxial_compression", body, law, failure, loading, density=density, progress=progress)
+
+
+def mohr_coulomb_strength(slip: Slip, pressure: float = 0.0) -> float:
+    """What a continuum bears under a pressure on its sides: (2 c cos φ + p (1 + sin φ)) / (1 - sin φ) [Pa]."""
+    sine = math.sin(slip.friction_angle)
+    return (2.0 * slip.cohesion * math.cos(slip.friction_angle) + pressure * (1.0 + sine)) / (1.0 - sine)
