@@ -8,7 +8,7 @@ pauses. σ = sym Σ b⊗f / V over all facets, in space. Each cell is on its own
 import numpy as np
 
 from bondem._compile import device, kernel, prange
-from bondem.kernels.crack_tables import DEFORMATION, GAMMA, HEAT, INCREMENT
+from bondem.kernels.crack_tables import DEFORMATION, FACET, GAMMA, HEAT, INCREMENT
 from bondem.kernels.single_facets import column, facet_of, facets_of, lever, orientation
 from bondem.laws.cell_energy import scalar, turned_by
 from bondem.laws.plasticity import below, flow, invariants, largest_at_most, principal, yield_bound
@@ -31,7 +31,7 @@ def _tensor(p, pose, bonds, cells, cracks):
     xx = yy = zz = xy = xz = yz = 0.0
     for e in range(facets_of(cracks, p)):
         k = facet_of(cracks, p, e)
-        if cracks.listed[k] != 0:
+        if cracks.listed[k] == 1:
             continue
         own = bonds.i[k] == p
         f = column(cracks.force, k)
@@ -48,9 +48,11 @@ def _tensor(p, pose, bonds, cells, cracks):
         yz += 0.5 * (b[1] * f[2] + b[2] * f[1])
     c = cracks.head[p]
     while c >= 0:
-        k = np.int64(cracks.row[c, 0])
+        k = np.int64(cracks.row[c, FACET])
         own = bonds.i[k] == p
         f = cracks.pull[c, 0], cracks.pull[c, 1], cracks.pull[c, 2]
+        if cracks.listed[k] != 1:
+            f = 0.0, 0.0, 0.0
         if own:
             b = turned_by(q, lever(cells.lever_i, cells.pitch, k))
         else:
@@ -249,6 +251,7 @@ def _in_parallel(pose, bonds, cells, cracks, portions, kind):
         if kind == 0:
             _tensors(pose, bonds, cells, cracks, first, last)
         elif kind == 1:
+            _book_loads(body.presses, cracks, work)
             _judge_cells(pose, bonds, cells, cracks, first, last)
         else:
             _judge_facets(pose, bonds, cells, cracks, m * d // portions, m * (d + 1) // portions)
@@ -268,7 +271,17 @@ def _everywhere(pose, bonds, cells, cracks, kind, threaded):
 
 
 @kernel(parallel=False)
-def judge_body(pose, bonds, body, cracks, threaded):
+def _book_loads(presses, cracks, work):
+    """Work of loads on free facets that move as their cells yield."""
+    for l in range(len(cracks.pressed)):
+        power = 0.0
+        for p in range(len(cracks.plastic)):
+            power += _work(cracks.pressed[l, p], cracks.plastic, p)
+        work[presses.place] += presses.factor[l] * power
+
+
+@kernel(parallel=False)
+def judge_body(pose, bonds, body, work, cracks, threaded):
     """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
     cells, grips = body.cells, body.grips
     for kind in range(3):  # one call in the code, as everything in it is compiled for each

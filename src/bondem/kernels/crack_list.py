@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._compile import device, kernel
 from bondem.kernels.cell_tensors import pair_stress
-from bondem.kernels.crack_tables import BEFORE, FACET, NORMAL, ONSET, PARTED
+from bondem.kernels.crack_tables import ACTIVE, BEFORE, FACET, NORMAL, ONSET, STATUS
 from bondem.kernels.single_facets import column, present_normal
 from bondem.laws.cell_energy import scalar
 from bondem.laws.plasticity import principal
@@ -30,6 +30,14 @@ def put(row, first, a):
 
 
 @device
+def treat(bonds, cracks, c, k, status):
+    """Treat a crack one by one from now on, or as a facet of its integrity among the others."""
+    cracks.row[c, STATUS] = status
+    cracks.listed[k] = 1 if status == ACTIVE else 2
+    bonds.integrity[k] = 0.0 if status == ACTIVE else cracks.integrity[k]
+
+
+@device
 def _link(bonds, cracks, c):
     """Put crack c into the lists of its two cells."""
     k = np.int64(cracks.row[c, FACET])
@@ -41,8 +49,7 @@ def _link(bonds, cracks, c):
             cracks.sizes[1] += 1
     cracks.after_i[c], cracks.after_j[c] = cracks.head[i], cracks.head[j]
     cracks.head[i] = cracks.head[j] = c
-    cracks.listed[k] = 1
-    bonds.integrity[k] = 0.0
+    treat(bonds, cracks, c, k, cracks.row[c, STATUS])
 
 
 @kernel(parallel=False)
@@ -84,17 +91,17 @@ def link_cracks(bonds, cells, cracks):
     for c in range(cracks.sizes[0]):
         _link(bonds, cracks, c)
     for e in range(cracks.sizes[1]):
-        weigh_parted(bonds, cells, cracks, cracks.cell[e])
+        weigh_cracked(bonds, cells, cracks, cracks.cell[e])
 
 
 @kernel(parallel=False)
-def weigh_parted(bonds, cells, cracks, p):
-    """λ / V of a cell whose parted facets are free facets."""
+def weigh_cracked(bonds, cells, cracks, p):
+    """λ / V of a cell: of what its cracks lack that are not treated one by one, they are free facets."""
     slack, c = 0.0, cracks.head[p]
     while c >= 0:
         k = np.int64(cracks.row[c, FACET])
         own = bonds.i[k] == p
-        if cracks.row[c, PARTED] != 0.0:
-            slack += cracks.slack_i[k] if own else cracks.slack_j[k]
+        if cracks.row[c, STATUS] != ACTIVE:
+            slack += (1.0 - cracks.integrity[k]) * (cracks.slack_i[k] if own else cracks.slack_j[k])
         c = cracks.after_i[c] if own else cracks.after_j[c]
     cells.weight[p] = cracks.weight[p] / (1.0 + cracks.weight[p] * slack)

@@ -5,16 +5,21 @@ from typing import NamedTuple
 import numpy as np
 
 # Columns of a cracked facet: which, traction it began at [Pa], slip in the frame of cell i [m], -∂U/∂s now [J],
-# whether its faces have parted, integrity a step ago, friction force a step ago in space [N], energy dissipated [J].
-FACET, ONSET, SLIP, RATE, PARTED, BEFORE, RUB, SPENT = 0, 1, 2, 5, 6, 7, 8, 11
-CRACK_COLUMNS = 12
+# how it is treated, integrity a step ago, friction force a step ago in space [N], energy dissipated [J], largest
+# |F⁺| [N].
+FACET, ONSET, SLIP, RATE, STATUS, BEFORE, RUB, SPENT, TOP = 0, 1, 2, 5, 6, 7, 8, 11, 12
+CRACK_COLUMNS = 13
+# How cracked facets are treated: one by one; as facets of less stiffness among all others, while they are open and do
+# not soften; and not at all, once their faces no longer face each other.
+ACTIVE, RESTING, PARTED = 0, 1, 2
 # Columns of a cell that yields: P - 1 of its plastic deformation P in its own frame, row by row, Σ Δγ, the last
 # increment of strain in space xx, yy, zz, xy, xz, yz, energy dissipated [J].
 DEFORMATION, GAMMA, INCREMENT, HEAT = 0, 9, 10, 16
 PLASTIC_COLUMNS = 17
-# Columns of what is known of a crack in a step: gap [m], normal, shares of both sides [m²].
-GAP, NORMAL, SHARE_I, SHARE_J = 0, 3, 6, 9
-GEOMETRY_COLUMNS = 12
+# Columns of what is known of a crack in a step: gap [m], normal, shares of both sides [m²], levers of both [m],
+# cosine of the angle between the normals of both sides.
+GAP, NORMAL, SHARE_I, SHARE_J, ARM_I, ARM_J, FACING = 0, 3, 6, 9, 12, 15, 18
+GEOMETRY_COLUMNS = 19
 
 
 class CrackTable(NamedTuple):
@@ -45,11 +50,11 @@ class CrackTable(NamedTuple):
     base_grip: np.ndarray  #: the same of walls [m], (g, 3)
     now: np.ndarray  #: time [s] and step; a step below 0 where nothing is to change, (2,)
     integrity: np.ndarray  #: 1 whole … 0 broken, (m,)
-    listed: np.ndarray  #: whether a facet is cracked, uint8, (m,)
+    listed: np.ndarray  #: 1 for facets that are treated one by one, 2 for other cracks, uint8, (m,)
     onset: np.ndarray  #: 1 for facets that begin to crack, 2 for those of a cell without cohesion, uint8, (m,)
-    row: np.ndarray  #: cracked facets in the order in which they began, (m, 12)
+    row: np.ndarray  #: cracked facets in the order in which they began, (m, 13)
     sizes: np.ndarray  #: how many cracked facets, how many cells that have some, rows logged, (3,)
-    geometry: np.ndarray  #: (m, 12)
+    geometry: np.ndarray  #: (m, 19)
     cell: np.ndarray  #: cells with cracked facets, (n,)
     head: np.ndarray  #: first crack of a cell, or -1, (n,)
     after_i: np.ndarray  #: next crack of cell i of a crack, or -1, (m,)

@@ -113,7 +113,7 @@ def swell_body(elements, bonds, body, cut, rows, breaks):
     """Stresses of all cells now, what walls that hold some of them do, and which facets break."""
     pose, rest, cells, grips = elements.pose, elements.rest, body.cells, body.grips
     threaded = len(cut.domain) > 2
-    crack_before(elements, bonds, body, body.cracks, threaded)
+    crack_before(elements, bonds, body, rows, body.cracks, threaded)
     swell_grips(pose, rest, grips, cells.swelling)
     book_presses(pose, body.presses, rows.work)
     if not threaded:

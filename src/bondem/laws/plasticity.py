@@ -89,7 +89,8 @@ def yield_bound(p, q, sine, strength):
 def flow(high, low, sine, strength, G):
     """Δγ of a step, 0 where a cell does not yield."""
     F = 0.5 * (high - low) + 0.5 * (high + low) * sine - strength
-    return _SHARE * F / (2.0 * G) if F > 0.0 else 0.0
+    # slip takes no more than the shear there is: cohesionless cells under tension do not flow
+    return _SHARE * max(min(F, high - low), 0.0) / (2.0 * G)
 
 
 @device

@@ -46,7 +46,7 @@ class State:
         broken: what broke, in time: time [s], step, internal bond, mode, gap at breakage [m], energy released [J] and
             where [m]; shape (e, 9).
         released: energy that breaking bonds have released since the start [J], shape (1,).
-        cracks: facets that have begun to crack, in time (`bondem.kernels.crack_tables`), shape (c, 12).
+        cracks: facets that have begun to crack, in time (`bondem.kernels.crack_tables`), shape (c, 13).
         plastic: plastic strain of cells and what goes with it (as above), (n, 17), or (0, 17) where none yield.
         facet_force: of each facet on its cell i [N], of a body whose facets may crack, shape (3, m), else (3, 0).
         step: steps done.

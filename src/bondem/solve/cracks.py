@@ -7,7 +7,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.kernels.cell_tensors import stretch_body
 from bondem.kernels.crack_list import link_cracks
-from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GEOMETRY_COLUMNS, CrackTable
+from bondem.kernels.crack_tables import ACTIVE, CRACK_COLUMNS, FACET, GEOMETRY_COLUMNS, STATUS, CrackTable
 from bondem.kernels.tables import BROKEN_COLUMNS, Bonds, CellTable, GripTable
 from bondem.model.boundary import Load
 from bondem.model.cell_constants import body_of
@@ -83,9 +83,9 @@ def keep_cracks(cracks: CrackTable, state: State) -> None:
     """Write what has cracked and broken since the last call into the state."""
     count, logged = int(cracks.sizes[0]), int(cracks.sizes[2])
     state.cracks = cracks.row[:count].copy()
-    facet = state.cracks[:, FACET].astype(np.int64)
     state.facet_force[:] = cracks.force[:, : state.facet_force.shape[1]]
-    state.facet_force[:, facet] = cracks.pull[:count].T
+    one_by_one = np.flatnonzero(state.cracks[:, STATUS] == ACTIVE)
+    state.facet_force[:, state.cracks[one_by_one, FACET].astype(np.int64)] = cracks.pull[one_by_one].T
     if logged:
         state.broken = np.concatenate([state.broken, cracks.log[:logged]])
         cracks.sizes[2] = 0
