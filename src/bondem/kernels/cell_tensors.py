@@ -251,7 +251,6 @@ def _in_parallel(pose, bonds, cells, cracks, portions, kind):
         if kind == 0:
             _tensors(pose, bonds, cells, cracks, first, last)
         elif kind == 1:
-            _book_loads(body.presses, cracks, work)
             _judge_cells(pose, bonds, cells, cracks, first, last)
         else:
             _judge_facets(pose, bonds, cells, cracks, m * d // portions, m * (d + 1) // portions)
@@ -291,6 +290,7 @@ def judge_body(pose, bonds, body, work, cracks, threaded):
         if kind == 0:
             _of_surface(pose, grips, body.presses, cracks)
         elif kind == 1:
+            _book_loads(body.presses, cracks, work)
             for g in range(len(grips.cell)):
                 _stretch_grip(grips, cracks, g)
     return cracks.onset.max() > 0

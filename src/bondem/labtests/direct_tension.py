@@ -15,7 +15,7 @@ def direct_tension(
     failure: Criterion,
     *,
     density: float | None = None,
-    traverses: float = 40.0,
+    traverses: float = 60.0,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:
     """Pull a body of cells apart along x, between platens that hold its ends along x only.

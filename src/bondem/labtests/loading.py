@@ -117,7 +117,7 @@ def load_to_failure(
     sound = math.sqrt(law.E / rho)
     rise = loading.traverses * length / sound  # time until the expected peak
     speed = loading.sign * loading.expected / law.E * length / rise
-    begin = 0.1 * rise
+    begin = 0.2 * rise
     model = Model(body, law, rho, failure=failure, boundary=_platens(body, loading, speed, begin))
     duration = (loading.reach * length + loading.opening) / abs(speed) + 0.5 * begin
     damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length)

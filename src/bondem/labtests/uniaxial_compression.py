@@ -19,7 +19,7 @@ def uniaxial_compression(
     *,
     pressure: float = 0.0,
     density: float | None = None,
-    traverses: float = 40.0,
+    traverses: float = 100.0,
     reach: float = 2.0,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:

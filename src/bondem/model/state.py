@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from bondem._checks import array, shown
-from bondem._types import Floats, Pairs, PerBond, PerElement3
+from bondem._types import Floats, Pairs, PerBond, PerElement, PerElement3
 from bondem.errors import InputError
-from bondem.kernels.crack_tables import CRACK_COLUMNS, HEAT, PLASTIC_COLUMNS
+from bondem.kernels.crack_tables import CRACK_COLUMNS, GAMMA, HEAT, PLASTIC_COLUMNS
 from bondem.kernels.non_local import STORED, TAKEN
 from bondem.kernels.tables import BROKEN_COLUMNS, lines
 from bondem.kernels.walls import COLUMNS, FORCE, WORK
@@ -215,6 +215,13 @@ class State:
         values = np.empty_like(self.integrity)
         values[self.layout.bond_order] = self.integrity
         return values
+
+    @property
+    def slipped(self) -> PerElement:
+        """Σ Δγ of the cells that yield [-], user's order, shape (n,); zeros where none do."""
+        if not len(self.plastic):
+            return np.zeros(len(self.pose))
+        return self._by_user(self.plastic[:, GAMMA])
 
     @property
     def contacts(self) -> Pairs:

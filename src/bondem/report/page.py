@@ -22,6 +22,7 @@ from bondem.report.numbers import measures, percent, signed, signed_percent, wit
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_free_parameter, draw_profiles, draw_tension
+from bondem.report.strength_figures import TITLES, draw_broken, draw_curves
 from bondem.report.summary_figures import draw_errors
 from bondem.specimen.layering import wall_layering
 from bondem.specimen.radial_distribution import radial_distribution
@@ -51,6 +52,10 @@ _CAPTIONS = {
         with the frequency of the mode and those of theory.""",
     "wave": """Impact: one face is pushed at a held velocity; the wave has arrived when the far face, free and so
         twice as fast, passes half of its plateau.""",
+    "strength": """Tests to failure: stress of the platens over the strain between them, every packing, and the
+        strength that was put in.""",
+    "broken": """The first specimen as it broke, its motion exaggerated: cells as polyhedra, coloured by the damage of
+        their facets, or by their plastic slip.""",
     "errors": "All tests at a glance: means over the packings with their scatter, and what is in print (unsigned).",
 }
 
@@ -135,6 +140,9 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         drawings["vibration"] = lambda path: draw_vibration(path, first)
     if "impact" in first.outcomes:
         drawings["wave"] = lambda path: draw_wave(path, first)
+    if any(name in first.outcomes for name in TITLES):
+        drawings["strength"] = lambda path: draw_curves(path, findings)
+        drawings["broken"] = lambda path: draw_broken(path, first)
     if findings.results["tests"]:
         drawings["errors"] = lambda path: draw_errors(path, findings)
     return drawings

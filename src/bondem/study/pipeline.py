@@ -4,8 +4,9 @@ import json
 import time
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.reach import recommend
@@ -18,8 +19,10 @@ from bondem.labtests.celerity import impact
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
 from bondem.labtests.modal import natural_frequencies
 from bondem.labtests.outcome import Outcome
+from bondem.labtests.strengths import strength_outcome
 from bondem.labtests.tension import static_tension, tension_model
 from bondem.labtests.vibration import free_vibration
+from bondem.laws.cell_bond import CellBond
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
@@ -32,6 +35,7 @@ from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import fabric
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
+from bondem.study.failure import STRENGTH_TESTS
 from bondem.study.results import collect
 from bondem.study.study import Study
 
@@ -171,10 +175,21 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell
             outcomes[name] = _STATIC[name](lattice, law, **own, gyration=tension.gyration)
         elif name in _VIBRATION:
             outcomes[name] = _VIBRATION[name](lattice, law, **moving, **shared, gyration=tension.gyration)
+        elif name in STRENGTH_TESTS:
+            outcomes[name] = _to_failure(name, study, lattice, bonds, partial(tell, f"{name}, {stage}"))
         else:
             outcomes[name] = impact(lattice, law, **moving)
     tell(stage, 1.0)
     return replace(specimen, outcomes=outcomes)
+
+
+def _to_failure(
+    name: str, study: Study, body: Lattice, bonds: Bonding, progress: Callable[[float], None]
+) -> Outcome:
+    """A test to failure of a body of cells, which the study has made sure of."""
+    assert study.failure is not None
+    law = cast(CellBond, bonds.law)
+    return strength_outcome(name, body, law, study.failure, density=bonds.density, progress=progress)
 
 
 def pulled(specimen: Examined, bonds: Bonding | None) -> dict[str, Any]:

@@ -12,10 +12,12 @@ from bondem.errors import StudyError
 from bondem.laws.bond import RADIUS_RULES, BondLaw
 from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
 from bondem.laws.cell_bond import FACET_ROTATIONS, CellBond
+from bondem.laws.failure.criterion import Criterion
 from bondem.packing import SEED
 from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
+from bondem.study.failure import STRENGTH_TESTS, read_failure, require_strength
 from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
 from bondem.study.toml_table import TomlTable
 
@@ -71,6 +73,7 @@ class Study:
         material: the continuum to reproduce, or None to pack and check only.
         specimen: what to pack, or which particles to read.
         bond: which bonds and law.
+        failure: how the material fails, in tests to failure; or None.
         packings: number of specimens; packing k uses seed + k.
         calibrating: how many of them, the first ones, the calibration uses.
         tests: names of the tests each packing goes through.
@@ -86,6 +89,7 @@ class Study:
     material: Material | None
     specimen: SpecimenPlan | ImportPlan
     bond: BondPlan = BondPlan()
+    failure: Criterion | None = None
     packings: int = 2
     calibrating: int = 1
     tests: tuple[str, ...] = TESTS
@@ -110,6 +114,7 @@ class Study:
             for key, asked in (("tests", bool(self.tests)), ("output.run_files", self.run_files)):
                 if asked:
                     raise StudyError(f"'{key}' asks for calibrated bonds; give [material], or leave '{key}' out")
+        require_strength(self.tests, self.failure, self.bond.cells is not None)
         if self.specimen.shape is not None:
             self.require_testable(self.specimen.shape)
 
@@ -189,8 +194,11 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
             material=material,
             specimen=specimen,
             bond=bond,
+            failure=read_failure(top.section("failure")) if top.has("failure") else None,
             calibrating=_calibrating(top, bond),
-            tests=top.texts("tests", choices=TESTS, default=TESTS if material is not None and bar else ()),
+            tests=top.texts(
+                "tests", choices=TESTS + STRENGTH_TESTS, default=TESTS if material is not None and bar else ()
+            ),
             **_output(top.section("output")),
             reference=_reference(top.section("reference")) if top.has("reference") else None,
         )

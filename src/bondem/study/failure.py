@@ -1,0 +1,62 @@
+"""The table [failure] of a study: how the material fails."""
+
+from typing import Any
+
+from bondem.errors import InputError, StudyError
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.mohr_coulomb import MohrCoulomb
+from bondem.laws.failure.rankine import Rankine
+from bondem.study.toml_table import TomlTable
+
+#: Tests to failure, and which criterion each needs.
+STRENGTH_TESTS = ("direct_tension", "ucs")
+
+
+def read_failure(table: TomlTable) -> Criterion:
+    """The criterion that a table describes.
+
+    Raises:
+        StudyError: a key that is unknown, missing or out of range.
+    """
+    with table:
+        name = table.text("criterion", choices=(Rankine.__name__, MohrCoulomb.__name__))
+        given: dict[str, Any] = {"tension": table.number("tension", "Pa", above=0.0)}
+        if name == Rankine.__name__:
+            given["fracture_energy"] = table.number("fracture_energy", "J/m²", default=None, above=0.0)
+            given["friction"] = table.number("friction", "-", default=0.0, above=-1e-300)
+            return _made(table, Rankine, given)
+        given["cohesion"] = table.number("cohesion", "Pa", above=0.0)
+        given["friction_angle"] = table.number("friction_angle", "rad")
+        given["fracture_energy"] = table.number("fracture_energy", "J/m²", above=0.0)
+        given["fracture_energy_shear"] = table.number("fracture_energy_shear", "J/m²", default=None, above=0.0)
+        given["dilatancy"] = table.number("dilatancy", "rad", default=0.0)
+        return _made(table, MohrCoulomb, given)
+
+
+def _made(table: TomlTable, kind: type[Criterion], given: dict[str, Any]) -> Criterion:
+    try:
+        return kind(**given)
+    except InputError as error:
+        raise StudyError(f"'{table.name('criterion')}': {error}") from None
+
+
+def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: bool) -> None:
+    """Make sure that tests to failure have a criterion, and that a criterion has a test.
+
+    Raises:
+        StudyError: one without the other, bonds between spheres, or a criterion without shear strength for "ucs".
+    """
+    asked = [name for name in tests if name in STRENGTH_TESTS]
+    if failure is None:
+        if asked:
+            raise StudyError(f"'tests' asks for {asked[0]}; give [failure], or leave it out")
+        return
+    if not asked:
+        raise StudyError(
+            f"[failure] is given, but no test needs it; add one of {', '.join(STRENGTH_TESTS)} to 'tests'"
+        )
+    if not cells:
+        raise StudyError('[failure] is for bodies of cells: set law = "CellBond" in [bond]')
+    softening = failure.softening
+    if "ucs" in asked and (softening is None or softening.slip is None):
+        raise StudyError("'tests' asks for ucs, which needs a shear strength; set criterion = \"MohrCoulomb\"")
