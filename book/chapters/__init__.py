@@ -17,13 +17,14 @@ from book.chapters import (
     packings,
     parameters,
     protocol,
+    strength,
     surface,
 )
 from book.results import Measurement
 from book.small import PACKINGS
 
 _FILES = (
-    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, packings,
+    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, packings,
     parameters, dynamic_tests, surface, formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)

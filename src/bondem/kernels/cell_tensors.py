@@ -133,6 +133,12 @@ def stretch_cell(bonds, cells, cracks, p):
                 cells.lever_j[d, k] = whole
 
 
+@kernel(parallel=False)
+def principal_stresses(s, a, v):
+    """Largest and least principal stress and the columns of v that they point along, compiled once for all uses."""
+    return principal(s, a, v)
+
+
 @device
 def _yield_cell(p, pose, bonds, cells, cracks, a, v):
     """Let a cell yield under its stress; whether its cohesion is gone."""
@@ -146,7 +152,7 @@ def _yield_cell(p, pose, bonds, cells, cracks, a, v):
     strength = kept * cracks.cohesion[p]
     mean, deviator = invariants(s)
     if yield_bound(mean, deviator, cracks.sine, strength) > 0.0:
-        high, low, one, three = principal(s, a, v)
+        high, low, one, three = principal_stresses((s[0], s[1], s[2], s[3], s[4], s[5]), a, v)
         gamma = flow(high, low, cracks.sine, strength, cracks.G[p])
         if gamma > 0.0:
             up, down = 0.5 * gamma * (1.0 + cracks.dilation), -0.5 * gamma * (1.0 - cracks.dilation)

@@ -1,8 +1,11 @@
-"""What one crack bears and stores, once it is measured and the stresses of its cells are known."""
+"""What one crack bears and stores, once it is measured and the stresses of its cells are known.
+
+What is called from several places is compiled once for all of them (`kernel`).
+"""
 
 import numpy as np
 
-from bondem._compile import device
+from bondem._compile import device, kernel
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.crack_list import three
 from bondem.kernels.crack_tables import FACET, GAP, NORMAL, RUB, SHARE_I, SHARE_J
@@ -11,7 +14,7 @@ from bondem.laws.cell_energy import cross, relative, resisted_turn, scalar, turn
 from bondem.laws.softening import opening_force, whole_force
 
 
-@device
+@kernel(parallel=False)
 def halves(pose, bonds, cells, cracks, c):
     """Facet of a crack, its gap and normal, and F⁺ and pressing force of both halves."""
     k = np.int64(cracks.row[c, FACET])
@@ -22,7 +25,7 @@ def halves(pose, bonds, cells, cracks, c):
     return k, gap, normal, opening_force(one, normal), opening_force(other, normal)
 
 
-@device
+@kernel(parallel=False)
 def bending(pose, bonds, cells, k):
     """Energy [J] and torque on cell i [N·m] of the bending of a whole facet."""
     p, q = orientation(pose, bonds.i[k]), orientation(pose, bonds.j[k])
@@ -39,7 +42,7 @@ def stretched(K, s, rub):
     return 0.0 if s >= 1.0 else 0.5 * scalar(rub, rub) / (K * (1.0 - s) ** 2)
 
 
-@device
+@kernel(parallel=False)
 def crack_energy(pose, bonds, cells, cracks, c):
     """Elastic energy of a crack: across, along and of bending [J]."""
     k, gap, normal, (one, _), (other, _) = halves(pose, bonds, cells, cracks, c)

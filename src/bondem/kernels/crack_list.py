@@ -5,11 +5,10 @@ import math
 import numpy as np
 
 from bondem._compile import device, kernel
-from bondem.kernels.cell_tensors import pair_stress
+from bondem.kernels.cell_tensors import pair_stress, principal_stresses
 from bondem.kernels.crack_tables import ACTIVE, BEFORE, FACET, NORMAL, ONSET, STATUS
 from bondem.kernels.single_facets import column, present_normal
 from bondem.laws.cell_energy import scalar
-from bondem.laws.plasticity import principal
 
 # What stands for the integrity a step ago of a crack that begins: its rate is found first.
 NEW = 2.0
@@ -63,7 +62,7 @@ def begin_cracks(bonds, cracks):
         row, start = cracks.row[c], 0.0
         if cracks.onset[k] == 1:
             f, A = column(cracks.force, k), cracks.area[k]
-            _, _, one, _ = principal(pair_stress(cracks.tensor, bonds.i[k], bonds.j[k]), a, v)
+            _, _, one, _ = principal_stresses(pair_stress(cracks.tensor, bonds.i[k], bonds.j[k]), a, v)
             n = cracks.geometry[c]  # found before
             slope = abs(scalar(three(n, NORMAL), (v[0, one], v[1, one], v[2, one])))
             start = min(math.sqrt(scalar(f, f)) / A, cracks.strength[k] * max(slope, _LEAST))

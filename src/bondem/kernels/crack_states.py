@@ -40,7 +40,7 @@ _CALM, _ASLEEP, _GRAZING = 0.98, 0.9, 0.1
 _FACING = 0.7
 
 
-@device
+@kernel(parallel=False)
 def _measure(pose, bonds, cells, cracks, c, k):
     d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
     g, a, b = cracks.geometry[c], turned_by(p, a), turned_by(q, b)

@@ -1,0 +1,109 @@
+"""Tests to failure in Python and in a study: strengths come out as they went in, and what is missing is told."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.errors import InputError, StudyError
+from bondem.laws.failure.mohr_coulomb import MohrCoulomb
+from bondem.study.pipeline import run_study
+from bondem.study.study import parse_study
+
+LAW = bd.CellBond(E=40e9, nu=0.2)
+FAILURE = bd.MohrCoulomb(
+    tension=4e6, cohesion=14.3e6, friction_angle=math.radians(35.0), fracture_energy=20.0, fracture_energy_shear=2000.0
+)
+UCS = 54.94e6  # 2 c cos φ / (1 - sin φ)
+STUDY = {
+    "name": "prism", "packings": 1, "tests": ["direct_tension", "ucs"],
+    "material": {"name": "concrete", "E": 40e9, "nu": 0.2, "rho": 2400.0},
+    "failure": {
+        "criterion": "MohrCoulomb", "tension": "4 MPa", "cohesion": "14.3 MPa", "friction_angle": "35 deg",
+        "fracture_energy": 20.0,
+    },
+    "specimen": {"shape": "box", "size": [20e-3, 10e-3, 10e-3], "count": 250, "method": "even"},
+    "bond": {"law": "CellBond"}, "output": {"figures": True},
+}  # fmt: skip
+
+
+def body(count: int = 250) -> bd.Lattice:
+    particles = bd.pack(bd.Box((20e-3, 10e-3, 10e-3)), count=count, method="even", seed=1)
+    return bd.connect(particles, method="laguerre")
+
+
+def test_a_prism_has_the_tensile_strength_and_fracture_energy_put_in() -> None:
+    test = bd.labtests.direct_tension(body(), LAW, FAILURE)
+    assert test.peak == pytest.approx(4e6, rel=0.05)
+    assert test.work == pytest.approx(20.0, rel=0.08)
+    assert test.E == pytest.approx(40e9, rel=0.01)
+    assert test.residual < 1e-3
+    assert len(bd.fragments(test.state.model.lattice, test.state)) >= 2
+
+
+@pytest.mark.parametrize("pressure", [0.0, 10e6])
+def test_a_prism_has_the_strength_of_a_mohr_coulomb_continuum(pressure: float) -> None:
+    test = bd.labtests.uniaxial_compression(body(), LAW, FAILURE, pressure=pressure, reach=1.5)
+    sine = math.sin(math.radians(35.0))
+    assert test.peak == pytest.approx(UCS + pressure * (1.0 + sine) / (1.0 - sine), rel=0.05)
+    assert test.residual < 2e-3
+    slip = test.state.slipped
+    assert slip.shape == (250,)
+    assert (slip > 0.0).mean() > 0.5
+
+
+def test_nothing_depends_on_the_density_of_a_strength_test() -> None:
+    light, heavy = (bd.labtests.direct_tension(body(60), LAW, FAILURE, density=rho) for rho in (1.0, 9e3))
+    assert heavy.peak == pytest.approx(light.peak, rel=1e-6)
+    np.testing.assert_allclose(heavy.curve[:100], light.curve[:100], rtol=1e-5, atol=1.0)
+
+
+def test_what_a_test_to_failure_needs_is_told() -> None:
+    brittle = MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.6)
+    with pytest.raises(InputError, match="fracture_energy"):
+        bd.labtests.uniaxial_compression(body(60), LAW, brittle)
+    with pytest.raises(InputError, match=r"bd\.Rankine"):
+        bd.labtests.direct_tension(body(60), LAW, brittle)
+    with pytest.raises(InputError, match="method='laguerre'"):
+        spheres = bd.connect(bd.pack(bd.Box((4e-3, 4e-3, 4e-3)), count=300, seed=1))
+        bd.labtests.direct_tension(spheres, LAW, FAILURE)
+    with pytest.raises(InputError, match="pressure"):
+        bd.labtests.uniaxial_compression(body(60), LAW, FAILURE, pressure=-1.0)
+    for wrong in ({"fracture_energy": -1.0}, {"dilatancy": 0.7, "fracture_energy": 1.0}, {"dilatancy": 0.1}):
+        with pytest.raises(InputError, match="MohrCoulomb"):
+            bd.MohrCoulomb(**({"tension": 4e6, "cohesion": 14e6, "friction_angle": 0.6} | wrong))
+    with pytest.raises(InputError, match="Rankine"):
+        bd.Rankine(tension=4e6, friction=-0.1)
+
+
+def test_a_study_tears_and_crushes(tmp_path: Path) -> None:
+    results = run_study(parse_study(STUDY), tmp_path)
+    assert results["tests"]["direct_tension"]["error"] == pytest.approx(0.0, abs=0.05)
+    assert results["tests"]["ucs"]["theory"] == pytest.approx(UCS, rel=1e-3)
+    assert results["tests"]["ucs"]["error"] == pytest.approx(0.0, abs=0.1)
+    assert json.loads((tmp_path / "results.json").read_text()) == results
+    for name in ("strength", "broken"):
+        assert (tmp_path / "figures" / f"{name}.png").stat().st_size > 10_000
+    assert "Tests to failure" in (tmp_path / "report.html").read_text()
+
+
+REFUSED = {
+    "no table": ("give \\[failure\\]", {"failure": None}),
+    "no test": ("no test needs it", {"tests": ["static_tension"]}),
+    "spheres": ("CellBond", {"bond": {}, "specimen": {"shape": "box", "size": [2e-2] * 3, "count": 250}}),
+    "no shear": ("MohrCoulomb", {"failure": {"criterion": "Rankine", "tension": 4e6, "fracture_energy": 20.0}}),
+    "misspelt": ("did you mean 'failure.cohesion'", {"failure": STUDY["failure"] | {"cohesion": 1.0, "cohesio": 1.0}}),
+    "unit": ("failure.tension", {"failure": STUDY["failure"] | {"tension": "4 mm"}}),
+    "angle": ("friction_angle", {"failure": STUDY["failure"] | {"friction_angle": 2.0}}),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_studies_that_cannot_be_are_refused(name: str) -> None:
+    message, changed = REFUSED[name]
+    data = {key: value for key, value in (STUDY | changed).items() if value is not None}
+    with pytest.raises(StudyError, match=message):
+        parse_study(data)
