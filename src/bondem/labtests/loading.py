@@ -41,10 +41,10 @@ class StrengthTest:
     """Result of a test to failure.
 
     Attributes:
-        peak: largest stress [Pa], positive in tension and in compression.
+        peak: largest stress [Pa], positive in tension and in compression; over the section at mid-length.
         E: slope of the curve between a tenth and half of the peak [Pa].
         curve: strain [-] and stress [Pa] of each record, positive along the load, shape (k, 2).
-        work: of the platens over the section, until the end [J/m²].
+        work: of the platens over the section at mid-length, until the end [J/m²].
         asymmetry: largest difference of the forces on both platens over the peak [-]: how far from statics it was.
         kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
         residual: of the energy ledger, over its largest entry [-].
