@@ -30,7 +30,10 @@ def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
     criteria: dict[str, bd.Criterion | None] = {
         "elastic": None, "MohrCoulomb": bd.MohrCoulomb(tension=1e15, cohesion=1e15, friction_angle=0.6)
     }  # fmt: skip
-    if not cells:
+    if cells:  # the stresses of all cells are found, and judged
+        soft = bd.MohrCoulomb(tension=1e15, cohesion=1e15, friction_angle=0.6, fracture_energy=1e18)
+        criteria |= {"Rankine": bd.Rankine(tension=1e15), "MohrCoulomb, softening": soft}
+    else:
         criteria["PeripheralStress"] = bd.PeripheralStress(tension=1e15, shear=1e15)
     found = {}
     for name, failure in criteria.items():

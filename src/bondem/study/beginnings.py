@@ -3,7 +3,7 @@
 from importlib.resources import files
 
 #: The files in `templates/`, by what one calls them; copies of the repository's examples/.
-TEMPLATES = {"silica": "silica.toml", "cells": "silica_cells.toml"}
+TEMPLATES = {"silica": "silica.toml", "cells": "silica_cells.toml", "concrete": "concrete.toml"}
 
 
 def template(name: str, file: str) -> str:
