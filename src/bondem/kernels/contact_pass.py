@@ -38,58 +38,79 @@ def contact_loads(elements, bonds, dt, contacts):
 
 
 @device
-def _overlap_before(d, a, b, dt, reach):
-    """Overlap a step ago of a pair of rows of the motion that is d apart now [m]."""
-    x, y, z = d[0] - dt * (b[0] - a[0]), d[1] - dt * (b[1] - a[1]), d[2] - dt * (b[2] - a[2])
-    return max(reach - math.sqrt(x * x + y * y + z * z), 0.0)
+def _spring(law, kn, part, beta, before, mass):
+    """What `contact_force` takes of springs and dashpots."""
+    ks = law[SOFT] * kn
+    cn, cs = 2.0 * beta * math.sqrt(kn * mass), 2.0 * beta * math.sqrt(ks * mass)
+    return kn, part, ks, law[SOFT] * before, cn, cs
+
+
+@device
+def _put(stretch, output, k, found):
+    """Keep the memory of a contact, and its force; the force."""
+    force, s, p, _, _ = found
+    for d in range(3):
+        stretch[k, d], stretch[k, 3 + d], output[k, d] = s[d], p[d], force[d]
+    return force
+
+
+@device
+def _at_contact(d, v, spin, reach):
+    """Length and direction of a branch d, and the velocity of its second end against the first at the contact.
+
+    The contact point divides the distance as the radii do, so that there is no net moment; `spin` is their angular
+    velocities times the radii, `reach` the sum of these.
+    """
+    length = math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+    n = d[0] / length, d[1] / length, d[2] / length
+    share = length / reach
+    wx, wy, wz = share * spin[0], share * spin[1], share * spin[2]
+    u = (
+        v[0] - (wy * n[2] - wz * n[1]),
+        v[1] - (wz * n[0] - wx * n[2]),
+        v[2] - (wx * n[1] - wy * n[0]),
+    )
+    return length, (n, u)
 
 
 @device
 def _pair_force(pose, motion, c, period, dt, k):
     """Force and memory of a pair, if it touches or has just parted."""
-    a, b, law, stretch, output = c.first[k], c.second[k], c.law, c.stretch, c.output
-    dx, dy, dz = branch(pose, a, b, period)
+    a, b, stretch, output = c.first[k], c.second[k], c.stretch, c.output
+    d = branch(pose, a, b, period)
     ra, rb = c.radius[a], c.radius[b]
     reach = ra + rb + c.gap[k]
-    square = dx * dx + dy * dy + dz * dz
-    if square >= reach * reach and c.touch[k] != TOUCHING:
+    if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] >= reach * reach and c.touch[k] != TOUCHING:
         c.touch[k] = 0
     else:
-        d = math.sqrt(square)
-        overlap = max(reach - d, 0.0)
-        nx, ny, nz = dx / d, dy / d, dz / d
-        # the contact point divides the distance as the radii do: no net moment
-        share = d / (ra + rb)
-        wx = share * (ra * motion[a, 4] + rb * motion[b, 4])
-        wy = share * (ra * motion[a, 5] + rb * motion[b, 5])
-        wz = share * (ra * motion[a, 6] + rb * motion[b, 6])
-        vx = motion[b, 0] - motion[a, 0] - (wy * nz - wz * ny)
-        vy = motion[b, 1] - motion[a, 1] - (wz * nx - wx * nz)
-        vz = motion[b, 2] - motion[a, 2] - (wx * ny - wy * nx)
-        twist = 0.5 * (
-            (motion[a, 4] + motion[b, 4]) * nx
-            + (motion[a, 5] + motion[b, 5]) * ny
-            + (motion[a, 6] + motion[b, 6]) * nz
+        v = motion[b, 0] - motion[a, 0], motion[b, 1] - motion[a, 1], motion[b, 2] - motion[a, 2]
+        spin = (
+            ra * motion[a, 4] + rb * motion[b, 4],
+            ra * motion[a, 5] + rb * motion[b, 5],
+            ra * motion[a, 6] + rb * motion[b, 6],
         )
-        kn, part, beta = pair_spring(law, c.own[k], ra, rb, overlap)
-        ks = law[SOFT] * kn
-        before = ks
+        length, now = _at_contact(d, v, spin, ra + rb)
+        was, last = _at_contact((d[0] - dt * v[0], d[1] - dt * v[1], d[2] - dt * v[2]), v, spin, ra + rb)
+        n, overlap = now[0], max(reach - length, 0.0)
+        twist = 0.5 * (
+            (motion[a, 4] + motion[b, 4]) * n[0]
+            + (motion[a, 5] + motion[b, 5]) * n[1]
+            + (motion[a, 6] + motion[b, 6]) * n[2]
+        )
+        kn, part, beta = pair_spring(c.law, c.own[k], ra, rb, overlap)
+        before = kn
         if part < 1.0:
-            last = _overlap_before((dx, dy, dz), motion[a], motion[b], dt, reach)
-            before = law[SOFT] * pair_spring(law, 0.0, ra, rb, last)[0]
-        mass = 1.0 / (motion[a, 3] + motion[b, 3])
-        fx, fy, fz, s0, s1, s2, p0, p1, p2, damped, rubbed = contact_force(
-            kn, part, ks, before, 2.0 * beta * math.sqrt(kn * mass), 2.0 * beta * math.sqrt(ks * mass), law[FRICTION],
-            overlap, nx, ny, nz, vx, vy, vz, twist, stretch[k, 0], stretch[k, 1], stretch[k, 2],
-            stretch[k, 3], stretch[k, 4], stretch[k, 5], dt,
-        )  # fmt: skip
-        stretch[k, 0], stretch[k, 1], stretch[k, 2] = s0, s1, s2
-        stretch[k, 3], stretch[k, 4], stretch[k, 5] = p0, p1, p2
-        output[k, 0], output[k, 1], output[k, 2] = fx, fy, fz
-        output[k, 3] = -share * (ny * fz - nz * fy)
-        output[k, 4] = -share * (nz * fx - nx * fz)
-        output[k, 5] = -share * (nx * fy - ny * fx)
-        output[k, 6], output[k, 7] = damped, rubbed
+            before = pair_spring(c.law, 0.0, ra, rb, max(reach - was, 0.0))[0]
+        spring = _spring(c.law, kn, part, beta, before, 1.0 / (motion[a, 3] + motion[b, 3]))
+        s = stretch[k, 0], stretch[k, 1], stretch[k, 2]
+        p = stretch[k, 3], stretch[k, 4], stretch[k, 5]
+        found = contact_force(spring, c.law[FRICTION], overlap, now, last, twist, s, p, dt)
+        fx, fy, fz = _put(stretch, output, k, found)
+        share = length / (ra + rb)
+        output[k, 3] = -share * (n[1] * fz - n[2] * fy)
+        output[k, 4] = -share * (n[2] * fx - n[0] * fz)
+        output[k, 5] = -share * (n[0] * fy - n[1] * fx)
+        output[k, 6], output[k, 7] = found[3], found[4]
         c.touch[k] = TOUCHING if overlap > 0.0 else PARTED
 
 
@@ -166,38 +187,43 @@ def _gathered(c, p):
 
 
 @device
+def _at_wall(arm, v, grow, spin, n):
+    """Unit normal, and the velocity of a sphere against a wall at the contact, `arm` from its centre."""
+    wx, wy, wz = arm * spin[0], arm * spin[1], arm * spin[2]
+    u = (
+        v[0] - grow * n[0] - (wy * n[2] - wz * n[1]),
+        v[1] - grow * n[1] - (wz * n[0] - wx * n[2]),
+        v[2] - grow * n[2] - (wx * n[1] - wy * n[0]),
+    )
+    return n, u
+
+
+@device
 def _with_wall(pose, motion, c, p, e, dt, total):
     """The same with contact e of an element with a wall added, if they touch; it is kept for the wall too."""
     f0, f1, f2, q0, q1, q2, damped, rubbed = total
-    law, shape, walls, w, r = c.law, c.shape, c.walls, c.wall[e], c.radius[p]
-    distance, nx, ny, nz = wall_gap(pose[p, 0], pose[p, 1], pose[p, 2], r, shape, walls, w)
+    shape, walls, w, r, stretch, output = c.shape, c.walls, c.wall[e], c.radius[p], c.wall_stretch, c.wall_output
+    x, y, z = pose[p, 0], pose[p, 1], pose[p, 2]
+    distance, nx, ny, nz = wall_gap(x, y, z, r, shape, walls, w)
     overlap = max(c.wall_gap[e] - distance, 0.0)
-    output, stretch = c.wall_output, c.wall_stretch
     for d in range(4):
         output[e, d] = 0.0
     if not (overlap > 0.0 or c.wall_touch[e] == TOUCHING):
         return total
-    kn, part, beta = wall_spring(law, r, overlap)
-    ks = law[SOFT] * kn
-    arm = r + distance  # from the centre to the wall
-    wx, wy, wz = arm * motion[p, 4], arm * motion[p, 5], arm * motion[p, 6]
+    n, spin = (nx, ny, nz), (motion[p, 4], motion[p, 5], motion[p, 6])
+    v = motion[p, 0] - walls[w, RATE], motion[p, 1] - walls[w, RATE + 1], motion[p, 2] - walls[w, RATE + 2]
     grow = walls[w, RATE + 3] if shape[w, KIND] == OUTSIDE else -walls[w, RATE + 3]
-    vx = motion[p, 0] - walls[w, RATE] - grow * nx - (wy * nz - wz * ny)
-    vy = motion[p, 1] - walls[w, RATE + 1] - grow * ny - (wz * nx - wx * nz)
-    vz = motion[p, 2] - walls[w, RATE + 2] - grow * nz - (wx * ny - wy * nx)
-    twist = 0.5 * (motion[p, 4] * nx + motion[p, 5] * ny + motion[p, 6] * nz)
-    mass = 1.0 / motion[p, 3]
-    before = ks
-    if part < 1.0:
-        last = max(overlap + dt * (vx * nx + vy * ny + vz * nz), 0.0)
-        before = law[SOFT] * wall_spring(law, r, last)[0]
-    fx, fy, fz, s0, s1, s2, p0, p1, p2, lost, worn = contact_force(
-        kn, part, ks, before, 2.0 * beta * math.sqrt(kn * mass), 2.0 * beta * math.sqrt(ks * mass),
-        c.wall_friction[w], overlap, nx, ny, nz, vx, vy, vz, twist,
-        stretch[e, 0], stretch[e, 1], stretch[e, 2], stretch[e, 3], stretch[e, 4], stretch[e, 5], dt,
-    )  # fmt: skip
-    stretch[e, 0], stretch[e, 1], stretch[e, 2] = s0, s1, s2
-    stretch[e, 3], stretch[e, 4], stretch[e, 5] = p0, p1, p2
+    was, mx, my, mz = wall_gap(x - dt * v[0], y - dt * v[1], z - dt * v[2], r, shape, walls, w)
+    was += dt * grow
+    arm = r + distance  # from the centre to the wall
+    now, last = _at_wall(arm, v, grow, spin, n), _at_wall(r + was, v, grow, spin, (mx, my, mz))
+    kn, part, beta = wall_spring(c.law, r, overlap)
+    before = wall_spring(c.law, r, max(c.wall_gap[e] - was, 0.0))[0]
+    spring = _spring(c.law, kn, part, beta, before, 1.0 / motion[p, 3])
+    twist = 0.5 * (spin[0] * nx + spin[1] * ny + spin[2] * nz)
+    s, h = (stretch[e, 0], stretch[e, 1], stretch[e, 2]), (stretch[e, 3], stretch[e, 4], stretch[e, 5])
+    found = contact_force(spring, c.wall_friction[w], overlap, now, last, twist, s, h, dt)
+    fx, fy, fz = _put(stretch, output, e, found)
     output[e, 0], output[e, 1], output[e, 2] = -fx, -fy, -fz
     output[e, 3] = fx * nx + fy * ny + fz * nz
     c.wall_touch[e] = TOUCHING if overlap > 0.0 else 0
@@ -205,7 +231,7 @@ def _with_wall(pose, motion, c, p, e, dt, total):
     q0 -= lever * (ny * fz - nz * fy)
     q1 -= lever * (nz * fx - nx * fz)
     q2 -= lever * (nx * fy - ny * fx)
-    return f0 + fx, f1 + fy, f2 + fz, q0, q1, q2, damped + lost, rubbed + worn
+    return f0 + fx, f1 + fy, f2 + fz, q0, q1, q2, damped + found[3], rubbed + found[4]
 
 
 def _gather(elements, contacts, dt):

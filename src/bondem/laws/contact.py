@@ -171,70 +171,84 @@ def spring_energy(kn, share, ks, overlap, slip):
 
 
 @device
-def contact_force(
-    kn, share, ks, before, cn, cs, friction, overlap, nx, ny, nz, vx, vy, vz, twist, sx, sy, sz, px, py, pz, dt
-):
+def _dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@device
+def _tangential(v, n):
+    along = _dot(v, n)
+    return v[0] - along * n[0], v[1] - along * n[1], v[2] - along * n[2]
+
+
+@device
+def _turned(s, n, angle):
+    """A tangential vector a step later, as it turns with the pair: about the normal, then into the new plane at its
+    old length.
+    """
+    x = s[0] + angle * (n[1] * s[2] - n[2] * s[1])
+    y = s[1] + angle * (n[2] * s[0] - n[0] * s[2])
+    z = s[2] + angle * (n[0] * s[1] - n[1] * s[0])
+    o = _tangential((x, y, z), n)
+    after = _dot(o, o)
+    keep = math.sqrt(_dot(s, s) / after) if after > 0.0 else 0.0
+    return keep * o[0], keep * o[1], keep * o[2]
+
+
+@device
+def contact_force(spring, friction, overlap, now, last, twist, s, p, dt):
     """Force on the second body of a contact, and how its memory goes on.
 
     Where the tangential spring is stiffer than a step ago it keeps its force, where it is softer its stretch: what it
-    stores never grows by that (Thornton, Cummins and Cleary, Powder Technology 233, 2013), and what it loses counts
-    as friction.
+    stores never grows by that (Thornton, Cummins and Cleary, Powder Technology 233, 2013). What it is given and does
+    not store counts as friction.
 
     Args:
-        kn, ks: stiffnesses dF/du [N/m].
-        share: normal force over kn and overlap [-].
-        before: ks a step ago [N/m].
-        cn, cs: dashpots [N·s/m].
+        spring: stiffness dF/du [N/m]; force over it and overlap [-]; ks, and ks a step ago [N/m]; dashpots cn, cs
+            [N·s/m].
         friction: μ [-].
         overlap: [m]; 0 where the bodies have just parted.
-        nx, ny, nz: unit normal from the first body to the second.
-        vx, vy, vz: velocity of the second against the first at the contact [m/s].
+        now: unit normal from the first body to the second (3), velocity of the second against the first at the
+            contact over the step (3) [m/s].
+        last: the same of where the bodies were a step ago.
         twist: rate at which the pair turns about the normal [rad/s].
-        sx, sy, sz: stretch of the tangential spring [m] a step ago.
-        px, py, pz: force of the dashpots [N] a step ago.
+        s: stretch of the tangential spring [m] a step ago, (3).
+        p: force of the dashpots [N] a step ago, (3).
         dt: the step [s].
 
     Returns:
         Force [N] (3), stretch (3), force of the dashpots (3), energy lost to dashpots and to friction over the step
         [J]: the trapezoid of force over displacement, second order as the step is.
     """
-    opening = vx * nx + vy * ny + vz * nz
+    kn, share, ks, before, cn, cs = spring
+    (nx, ny, nz), v = now
+    opening = _dot(v, now[0])
     elastic = share * kn * overlap
     normal = max(elastic - cn * opening, 0.0) if overlap > 0.0 else 0.0
     resist = normal - elastic
     hx, hy, hz = resist * nx, resist * ny, resist * nz
     fx, fy, fz = normal * nx, normal * ny, normal * nz
     rubbed = 0.0
+    sx, sy, sz = s
     if friction > 0.0:
-        tx, ty, tz = vx - opening * nx, vy - opening * ny, vz - opening * nz
-        # the spring turns with the pair: about the normal, then into the new tangential plane at its old length
-        square = sx * sx + sy * sy + sz * sz
-        ox, oy, oz = (
-            sx + dt * twist * (ny * sz - nz * sy),
-            sy + dt * twist * (nz * sx - nx * sz),
-            sz + dt * twist * (nx * sy - ny * sx),
-        )
-        out = ox * nx + oy * ny + oz * nz
-        ox, oy, oz = ox - out * nx, oy - out * ny, oz - out * nz
-        after = ox * ox + oy * oy + oz * oz
-        keep = math.sqrt(square / after) if after > 0.0 else 0.0
-        ox, oy, oz = keep * ox, keep * oy, keep * oz
+        t = _tangential(v, now[0])
+        came = _turned(_tangential(last[1], last[0]), now[0], dt * twist)
+        ox, oy, oz = _turned(s, now[0], dt * twist)
         if ks > before:
             less = before / ks
             ox, oy, oz = less * ox, less * oy, less * oz
-            rubbed = 0.5 * before * (1.0 - less) * square
-        ux, uy, uz = ox + dt * tx, oy + dt * ty, oz + dt * tz
-        if ks < before:
-            rubbed = 0.5 * (before - ks) * (ox * ux + oy * uy + oz * uz)
+        half = 0.5 * dt
+        ux, uy, uz = ox + half * (came[0] + t[0]), oy + half * (came[1] + t[1]), oz + half * (came[2] + t[2])
         limit = friction * normal
         pull = ks * math.sqrt(ux * ux + uy * uy + uz * uz)
         held = limit / pull if pull > limit else (1.0 if overlap > 0.0 else 0.0)
         sx, sy, sz = held * ux, held * uy, held * uz
-        rubbed += 0.5 * ks * ((ox + sx) * (ux - sx) + (oy + sy) * (uy - sy) + (oz + sz) * (uz - sz))
-        gx, gy, gz = ks * sx + cs * tx, ks * sy + cs * ty, ks * sz + cs * tz
+        given = half * (before * _dot(s, last[1]) + ks * _dot((sx, sy, sz), v))
+        rubbed = given - 0.5 * (ks * _dot((sx, sy, sz), (sx, sy, sz)) - before * _dot(s, s))
+        gx, gy, gz = ks * sx + cs * t[0], ks * sy + cs * t[1], ks * sz + cs * t[2]
         if gx * gx + gy * gy + gz * gz > limit * limit:  # the dashpot never makes it slide
             gx, gy, gz = ks * sx, ks * sy, ks * sz
         hx, hy, hz = hx - (gx - ks * sx), hy - (gy - ks * sy), hz - (gz - ks * sz)
         fx, fy, fz = fx - gx, fy - gy, fz - gz
-    damped = -0.5 * dt * ((px + hx) * vx + (py + hy) * vy + (pz + hz) * vz)
-    return fx, fy, fz, sx, sy, sz, hx, hy, hz, damped, rubbed
+    damped = -0.5 * dt * (_dot(p, last[1]) + _dot((hx, hy, hz), v))
+    return (fx, fy, fz), (sx, sy, sz), (hx, hy, hz), damped, rubbed
