@@ -31,7 +31,6 @@ from scipy.spatial import KDTree
 sys.path.insert(0, str(Path(__file__).parent.parent))
 import bondem as bd
 from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness
-from bondem.laws.failure.criterion import Joint
 from kept import RESULTS, keep, origin
 
 SEEDS = (134598738, 1)  # the first is that of the example
@@ -72,7 +71,7 @@ class TwoBodies(bd.LinearSum):
 
     stronger: np.ndarray = dataclasses.field(default_factory=lambda: np.ones(0))
 
-    def factors(self, joint: Joint) -> np.ndarray:
+    def factors(self, volume: np.ndarray) -> np.ndarray:
         return self.stronger
 
 
