@@ -75,6 +75,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "Face": {"name": "x_min", "depth": 0.02},
     "Fix": {"region": FACE, "translation": "xyz", "rotation": "xyz"},
     "Gauge": {"region": FACE, "quantity": "displacement", "reduction": "mean"},
+    "HertzMindlin": {"E": 1e9, "nu": 0.2, "friction": 0.1, "restitution": 0.9, "overlap": 0.01, "stress_free": True},
     "Index": {"elements": [0, 1], "size": 4},
     "Lattice": {"particles": SPHERES, "pairs": [[0, 1], [1, 2]]},
     "LinearContact": {"E": 1e9, "friction": 0.1, "kappa": 2.0, "damping": 0.1, "stress_free": True},
@@ -148,7 +149,7 @@ ELSEWHERE = {
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
     "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
-    "BrokenBonds", "Criterion", "Fragments",
+    "BrokenBonds", "ContactLaw", "Criterion", "Fragments",
 }  # fmt: skip
 # Runs on purpose: what is possible there takes as long as was asked for.
 LONG = {("solve_explicit", "duration"), ("solve_explicit", "dt"), ("solve_explicit", "safety"),

@@ -22,6 +22,7 @@ from bondem.laws.bond import BondGeometry as BondGeometry
 from bondem.laws.bond import BondLaw as BondLaw
 from bondem.laws.bond import BondStiffness as BondStiffness
 from bondem.laws.cell_bond import CellBond as CellBond
+from bondem.laws.contact import ContactLaw as ContactLaw
 from bondem.laws.contact import LinearContact as LinearContact
 from bondem.laws.contact_bond import ContactBond as ContactBond
 from bondem.laws.damping import AnyDamping as AnyDamping
@@ -38,6 +39,7 @@ from bondem.laws.failure.rankine import Rankine as Rankine
 from bondem.laws.failure.scatter import Normal as Normal
 from bondem.laws.failure.scatter import Weibull as Weibull
 from bondem.laws.free_parameter import FreeParameter as FreeParameter
+from bondem.laws.hertz_mindlin import HertzMindlin as HertzMindlin
 from bondem.laws.non_local import NonLocal as NonLocal
 from bondem.laws.obermayr import Obermayr as Obermayr
 from bondem.laws.parallel_bond import ParallelBond as ParallelBond

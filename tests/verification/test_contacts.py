@@ -350,5 +350,7 @@ def test_an_intact_bond_has_no_contact_and_a_broken_one_has() -> None:
         return run.history["grip"][-1, 0]
 
     assert force(1.0, contact) == pytest.approx(force(1.0, None), rel=1e-12)
-    # of the reference overlap of 0.01 nothing presses: 0.01 of approach is 0.01 of overlap
-    assert force(0.0, contact) == pytest.approx(E * math.pi / 2.0 * 0.01, rel=1e-9)
+    # of the reference overlap of 0.01 nothing presses: 0.01 of approach is 0.01 of overlap, as stiff as the bond was
+    kn = E * math.pi * 0.25 / 1.99
+    assert force(0.0, contact) == pytest.approx(kn * 0.01, rel=1e-9)
+    assert force(0.0, bd.LinearContact(E=E, stress_free=False)) == pytest.approx(E * math.pi / 2.0 * 0.02, rel=1e-9)

@@ -17,6 +17,7 @@ from bondem.laws.contact import LinearContact
 from bondem.laws.damping import BondDamping, LocalDamping, MassDamping
 from bondem.laws.failure.catalogue import CRITERIA
 from bondem.laws.failure.scatter import Normal, Weibull
+from bondem.laws.hertz_mindlin import HertzMindlin
 from bondem.laws.non_local import NonLocal
 from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge, WallGauge
@@ -36,7 +37,7 @@ _TYPES: dict[str, type] = {
     for cls in (
         *LAWS.values(), *CELL_LAWS.values(), NonLocal, *CRITERIA.values(), Weibull, Normal,
         LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
-        LinearContact, PlaneWall, CylinderWall, Driven, Servo,
+        LinearContact, HertzMindlin, PlaneWall, CylinderWall, Driven, Servo,
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
         Difference, Everything, Face, Index, Intersection, Union, Within,

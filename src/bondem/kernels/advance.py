@@ -95,7 +95,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
         (steps done, records written, bonds turned wide at most, bonds lost, what `guard` says, whether the list of
         contacts is out of date).
     """
-    elements, bonds, cut, rows, schedules = run.elements, run.bonds, run.cut, run.rows, run.schedules
+    elements, bonds, rows, schedules = run.elements, run.bonds, run.rows, run.schedules
     same, history, body, non_local = law
     start, dt = scheme.origin + span.step * scheme.dt, scheme.dt
     threaded = bonds.m >= SERIAL_BONDS
@@ -116,7 +116,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
                 move_walls(t, dt, contacts)
                 if outdated(elements.pose, contacts):
                     return done, written, wide, lost, sick, True
-            contact_loads(elements, bonds.period, dt, contacts)
+            contact_loads(elements, bonds, dt, contacts)
         moved = False
         done += 1
         now = span.step + done
@@ -128,7 +128,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
         move_holds(t, schedules, body)
         set_clock(breaks, t, now)
         set_body_clock(body, t, now)
-        all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, breaks, not paused)
+        all_forces(run, same, history, body, non_local, scheme, added, contacts, breaks, not paused)
         if looked:
             turned, lost, broken = rotation_guard(elements.pose, bonds)
             wide = max(wide, turned)

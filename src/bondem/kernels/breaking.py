@@ -10,6 +10,7 @@ import math
 
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import branch
+from bondem.kernels.contact_pass import begin_contact
 from bondem.kernels.element_pass import move, move_held, open_list
 from bondem.kernels.judging import judge_bond, single_bond
 from bondem.kernels.tables import (
@@ -123,7 +124,7 @@ def stored_energy(pose, bonds, k):
 
 
 @device
-def _break_bond(elements, bonds, sums, added, breaks, k):
+def _break_bond(elements, bonds, sums, added, contacts, breaks, k):
     """Take the force of a bond off the sums of its ends, which are where they were when it was found."""
     pose, first_row = elements.pose, breaks.first_row
     a, b = bonds.i[k], bonds.j[k]
@@ -137,18 +138,21 @@ def _break_bond(elements, bonds, sums, added, breaks, k):
     gap = math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - bonds.length[k]
     share = bonds.lever[k] / bonds.length[k]
     place = pose[a, 0] + share * d[0], pose[a, 1] + share * d[1], pose[a, 2] + share * d[2]
-    log_break(breaks, k, mode, gap, stored_energy(pose, bonds, k), place)
+    energy = stored_energy(pose, bonds, k)
     bonds.integrity[k] = 0.0
     if len(bonds.hold) > 0:
         bonds.hold[k] = 0.0
+    if contacts is not None:  # decided when compiled
+        energy -= begin_contact(elements, bonds, contacts, sums, first_row, k)
+    log_break(breaks, k, mode, gap, energy, place)
 
 
 @kernel(parallel=False)
-def break_bonds(elements, bonds, sums, added, breaks):
-    """Break the bonds that were found in this step, in their order."""
+def break_bonds(elements, bonds, sums, added, contacts, breaks):
+    """Break the bonds that were found in this step, in their order; what is pressed together bears on at once."""
     for block in range(len(breaks.found)):
         for e in range(breaks.begin[block], breaks.begin[block] + breaks.found[block]):
-            _break_bond(elements, bonds, sums, added, breaks, breaks.marked[e])
+            _break_bond(elements, bonds, sums, added, contacts, breaks, breaks.marked[e])
 
 
 @kernel(parallel=False)

@@ -19,22 +19,34 @@ def _find(keys, first, last, wanted):
     return -1
 
 
+@device
+def _put(first, bond, begin, count, q, e):
+    """Put element q and bond e into the ascending first[begin:count]; the new count."""
+    k = count
+    while k > begin and first[k - 1] > q:
+        first[k], bond[k] = first[k - 1], bond[k - 1]
+        k -= 1
+    first[k], bond[k] = q, e
+    return count + 1
+
+
 @kernel(parallel=False)
 def pair_candidates(
-    start, neighbour, bond_start, bond_first, integrity, rest_start, rest_first, rest_gap,
+    start, neighbour, bond_start, bond_first, listed, rest_start, rest_first, rest_gap,
     kept_start, kept_first, kept_stretch,
 ):  # fmt: skip
-    """Pairs of neighbours that no intact bond joins.
+    """Pairs of neighbours that no bond joins, and pairs of bonds that are asked for.
 
     Args:
         start, neighbour: neighbours of each element, as `kernels.neighbour_grid.neighbours` gives them.
         bond_start, bond_first: earlier element of the bonds of each later one, and where they begin.
-        integrity: of the bonds.
+        listed: whether the pair of a bond is wanted, however far apart, uint8, (m,).
         rest_start, rest_first, rest_gap: the same of pairs that overlapped at first, and their gaps [m].
         kept_start, kept_first, kept_stretch: the same of pairs that touch, and their memory (c, 6).
 
     Returns:
         first, second: elements, uint32, (c,).
+        bond: the bond of each pair, or -1, (c,).
         in_start: where the pairs of each later element begin, (n + 1,).
         gap: from which the overlap counts, at most 0 [m], (c,).
         stretch: memory of the contacts, (c, 6).
@@ -44,8 +56,8 @@ def pair_candidates(
     n = len(start) - 1
     in_start = np.zeros(n + 1, np.int64)
     out_start = np.zeros(n + 1, np.int64)
-    room = len(neighbour) // 2 + 1
-    first, second = np.empty(room, np.uint32), np.empty(room, np.uint32)
+    room = len(neighbour) // 2 + 1 + np.int64(listed.sum())
+    first, second, bond = np.empty(room, np.uint32), np.empty(room, np.uint32), np.empty(room, np.int64)
     gap, stretch, touch = np.zeros(room), np.zeros((room, 6)), np.zeros(room, np.uint8)
     count = 0
     for p in range(n):
@@ -54,15 +66,11 @@ def pair_candidates(
             q = neighbour[e]
             if q >= p:
                 continue
-            bond = _find(bond_first, bond_start[p], bond_start[p + 1], q)
-            if bond >= 0 and integrity[bond] > 0.0:
-                continue
-            k = count
-            while k > begin and first[k - 1] > q:
-                first[k] = first[k - 1]
-                k -= 1
-            first[k] = q
-            count += 1
+            if _find(bond_first, bond_start[p], bond_start[p + 1], q) < 0:
+                count = _put(first, bond, begin, count, q, -1)
+        for e in range(bond_start[p], bond_start[p + 1]):
+            if listed[e] != 0:
+                count = _put(first, bond, begin, count, bond_first[e], e)
         for k in range(begin, count):
             q = first[k]
             second[k] = p
@@ -84,8 +92,8 @@ def pair_candidates(
         out_pair[fill[first[k]]] = k
         fill[first[k]] += 1
     return (
-        first[:count].copy(), second[:count].copy(), in_start, gap[:count].copy(), stretch[:count].copy(),
-        touch[:count].copy(), out_start, out_pair,
+        first[:count].copy(), second[:count].copy(), bond[:count].copy(), in_start, gap[:count].copy(),
+        stretch[:count].copy(), touch[:count].copy(), out_start, out_pair,
     )  # fmt: skip
 
 

@@ -11,7 +11,7 @@ from bondem.kernels.bond_pass import branch
 from bondem.kernels.contact_list import farthest
 from bondem.kernels.tables import DAMPED, RUBBED
 from bondem.kernels.walls import KIND, OUTSIDE, RATE, load_walls, wall_gap, wall_travel
-from bondem.laws.contact import contact_force, pair_stiffness
+from bondem.laws.contact import FRICTION, SOFT, contact_force, pair_spring, spring_energy, wall_spring
 
 # A pair that touches, and one that parted in this step: it still hands in what it lost.
 TOUCHING, PARTED = 1, 2
@@ -26,63 +26,137 @@ def outdated(pose, c):
 
 
 @kernel(parallel=False)
-def contact_loads(elements, period, dt, contacts):
+def contact_loads(elements, bonds, dt, contacts):
     """Contact forces at the present, into `load` and on the walls; memory and losses go on by dt."""
     if len(contacts.first) >= SERIAL_PAIRS:
-        pair_forces(elements.pose, elements.motion, contacts, period, dt)
+        pair_forces(elements, bonds, contacts, dt)
         gather(elements, contacts, dt)
     else:
-        pair_forces_serial(elements.pose, elements.motion, contacts, period, dt)
+        pair_forces_serial(elements, bonds, contacts, dt)
         gather_serial(elements, contacts, dt)
     load_walls(dt, contacts)
 
 
-def _pair_forces(pose, motion, contacts, period, dt):
-    modulus, soft, friction, damping = contacts.law[0], contacts.law[1], contacts.law[2], contacts.law[3]
-    first, second, gap, radius = contacts.first, contacts.second, contacts.gap, contacts.radius
-    stretch, touch, output = contacts.stretch, contacts.touch, contacts.output
-    for k in prange(len(first)):
-        a = first[k]
-        b = second[k]
-        dx, dy, dz = branch(pose, a, b, period)
-        ra, rb = radius[a], radius[b]
-        reach = ra + rb + gap[k]
-        square = dx * dx + dy * dy + dz * dz
-        if square >= reach * reach and touch[k] != TOUCHING:
-            touch[k] = 0
-        else:
-            d = math.sqrt(square)
-            overlap = max(reach - d, 0.0)
-            nx, ny, nz = dx / d, dy / d, dz / d
-            # the contact point divides the distance as the radii do: no net moment
-            share = d / (ra + rb)
-            wx = share * (ra * motion[a, 4] + rb * motion[b, 4])
-            wy = share * (ra * motion[a, 5] + rb * motion[b, 5])
-            wz = share * (ra * motion[a, 6] + rb * motion[b, 6])
-            vx = motion[b, 0] - motion[a, 0] - (wy * nz - wz * ny)
-            vy = motion[b, 1] - motion[a, 1] - (wz * nx - wx * nz)
-            vz = motion[b, 2] - motion[a, 2] - (wx * ny - wy * nx)
-            twist = 0.5 * (
-                (motion[a, 4] + motion[b, 4]) * nx
-                + (motion[a, 5] + motion[b, 5]) * ny
-                + (motion[a, 6] + motion[b, 6]) * nz
-            )
-            kn = pair_stiffness(modulus, ra, rb)
-            ks = soft * kn
-            mass = 1.0 / (motion[a, 3] + motion[b, 3])
-            fx, fy, fz, s0, s1, s2, p0, p1, p2, damped, rubbed = contact_force(
-                kn, ks, 2.0 * damping * math.sqrt(kn * mass), 2.0 * damping * math.sqrt(ks * mass), friction, overlap,
-                nx, ny, nz, vx, vy, vz, twist, stretch[k, 0], stretch[k, 1], stretch[k, 2],
-                stretch[k, 3], stretch[k, 4], stretch[k, 5], dt,
-            )  # fmt: skip
-            stretch[k, 0], stretch[k, 1], stretch[k, 2] = s0, s1, s2
-            stretch[k, 3], stretch[k, 4], stretch[k, 5] = p0, p1, p2
-            output[k, 0], output[k, 1], output[k, 2] = fx, fy, fz
-            output[k, 3] = -share * (ny * fz - nz * fy)
-            output[k, 4] = -share * (nz * fx - nx * fz)
-            output[k, 5] = -share * (nx * fy - ny * fx)
-            output[k, 6], output[k, 7] = damped, rubbed
-            touch[k] = TOUCHING if overlap > 0.0 else PARTED
+@device
+def _spring(law, kn, part, beta, before, mass):
+    """What `contact_force` takes of springs and dashpots."""
+    ks = law[SOFT] * kn
+    cn, cs = 2.0 * beta * math.sqrt(kn * mass), 2.0 * beta * math.sqrt(ks * mass)
+    return kn, part, ks, law[SOFT] * before, cn, cs
+
+
+@device
+def _put(stretch, output, k, found):
+    """Keep the memory of a contact, and its force; the force."""
+    force, s, p, _, _ = found
+    for d in range(3):
+        stretch[k, d], stretch[k, 3 + d], output[k, d] = s[d], p[d], force[d]
+    return force
+
+
+@device
+def _at_contact(d, v, spin, reach):
+    """Length and direction of a branch d, and the velocity of its second end against the first at the contact.
+
+    The contact point divides the distance as the radii do, so that there is no net moment; `spin` is their angular
+    velocities times the radii, `reach` the sum of these.
+    """
+    length = math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+    n = d[0] / length, d[1] / length, d[2] / length
+    share = length / reach
+    wx, wy, wz = share * spin[0], share * spin[1], share * spin[2]
+    u = (
+        v[0] - (wy * n[2] - wz * n[1]),
+        v[1] - (wz * n[0] - wx * n[2]),
+        v[2] - (wx * n[1] - wy * n[0]),
+    )
+    return length, (n, u)
+
+
+@device
+def _pair_force(pose, motion, c, period, dt, k):
+    """Force and memory of a pair, if it touches or has just parted."""
+    a, b, stretch, output = c.first[k], c.second[k], c.stretch, c.output
+    d = branch(pose, a, b, period)
+    ra, rb = c.radius[a], c.radius[b]
+    reach = ra + rb + c.gap[k]
+    if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] >= reach * reach and c.touch[k] != TOUCHING:
+        c.touch[k] = 0
+    else:
+        v = motion[b, 0] - motion[a, 0], motion[b, 1] - motion[a, 1], motion[b, 2] - motion[a, 2]
+        spin = (
+            ra * motion[a, 4] + rb * motion[b, 4],
+            ra * motion[a, 5] + rb * motion[b, 5],
+            ra * motion[a, 6] + rb * motion[b, 6],
+        )
+        length, now = _at_contact(d, v, spin, ra + rb)
+        was, last = _at_contact((d[0] - dt * v[0], d[1] - dt * v[1], d[2] - dt * v[2]), v, spin, ra + rb)
+        n, overlap = now[0], max(reach - length, 0.0)
+        twist = 0.5 * (
+            (motion[a, 4] + motion[b, 4]) * n[0]
+            + (motion[a, 5] + motion[b, 5]) * n[1]
+            + (motion[a, 6] + motion[b, 6]) * n[2]
+        )
+        kn, part, beta = pair_spring(c.law, c.own[k], ra, rb, overlap)
+        before = kn
+        if part < 1.0:
+            before = pair_spring(c.law, 0.0, ra, rb, max(reach - was, 0.0))[0]
+        spring = _spring(c.law, kn, part, beta, before, 1.0 / (motion[a, 3] + motion[b, 3]))
+        s = stretch[k, 0], stretch[k, 1], stretch[k, 2]
+        p = stretch[k, 3], stretch[k, 4], stretch[k, 5]
+        found = contact_force(spring, c.law[FRICTION], overlap, now, last, twist, s, p, dt)
+        fx, fy, fz = _put(stretch, output, k, found)
+        share = length / (ra + rb)
+        output[k, 3] = -share * (n[1] * fz - n[2] * fy)
+        output[k, 4] = -share * (n[2] * fx - n[0] * fz)
+        output[k, 5] = -share * (n[0] * fy - n[1] * fx)
+        output[k, 6], output[k, 7] = found[3], found[4]
+        c.touch[k] = TOUCHING if overlap > 0.0 else PARTED
+
+
+def _pair_forces(elements, bonds, c, dt):
+    pose, motion, period, integrity, bond = elements.pose, elements.motion, bonds.period, bonds.integrity, c.bond
+    for k in prange(len(c.first)):
+        joined = False
+        if bond[k] >= 0:
+            joined = integrity[bond[k]] > 0.0
+        if not joined:
+            _pair_force(pose, motion, c, period, dt, k)
+
+
+@device
+def _pair_energy(pose, period, c, k):
+    """Elastic energy of a pair that touches [J]."""
+    dx, dy, dz = branch(pose, c.first[k], c.second[k], period)
+    ra, rb = c.radius[c.first[k]], c.radius[c.second[k]]
+    overlap = max(ra + rb + c.gap[k] - math.sqrt(dx * dx + dy * dy + dz * dz), 0.0)
+    slip = c.stretch[k, 0] ** 2 + c.stretch[k, 1] ** 2 + c.stretch[k, 2] ** 2
+    kn, part, _ = pair_spring(c.law, c.own[k], ra, rb, overlap)
+    return spring_energy(kn, part, c.law[SOFT] * kn, overlap, slip)
+
+
+@kernel(parallel=False)
+def begin_contact(elements, bonds, contacts, sums, first_row, e):
+    """The pair of bond e, broken just now, bears what presses it together; the energy that it takes over [J].
+
+    Its force goes to the rows of the ends in `sums`, which close the step anew; its tangential spring is at rest.
+    """
+    k = contacts.of_bond[e]
+    if k < 0:
+        return 0.0
+    contacts.touch[k] = 0
+    for d in range(6):
+        contacts.stretch[k, d] = 0.0
+    _pair_force(elements.pose, elements.motion, contacts, bonds.period, 0.0, k)
+    if contacts.touch[k] != TOUCHING:
+        return 0.0
+    a, b, output = contacts.first[k], contacts.second[k], contacts.output
+    for d in range(3):
+        sums[first_row + a, d] -= output[k, d]
+        sums[first_row + b, d] += output[k, d]
+        sums[first_row + a, 4 + d] += contacts.radius[a] * output[k, 3 + d]
+        sums[first_row + b, 4 + d] += contacts.radius[b] * output[k, 3 + d]
+    return _pair_energy(elements.pose, bonds.period, contacts, k)
 
 
 @device
@@ -113,34 +187,43 @@ def _gathered(c, p):
 
 
 @device
+def _at_wall(arm, v, grow, spin, n):
+    """Unit normal, and the velocity of a sphere against a wall at the contact, `arm` from its centre."""
+    wx, wy, wz = arm * spin[0], arm * spin[1], arm * spin[2]
+    u = (
+        v[0] - grow * n[0] - (wy * n[2] - wz * n[1]),
+        v[1] - grow * n[1] - (wz * n[0] - wx * n[2]),
+        v[2] - grow * n[2] - (wx * n[1] - wy * n[0]),
+    )
+    return n, u
+
+
+@device
 def _with_wall(pose, motion, c, p, e, dt, total):
     """The same with contact e of an element with a wall added, if they touch; it is kept for the wall too."""
     f0, f1, f2, q0, q1, q2, damped, rubbed = total
-    law, shape, walls, w, r = c.law, c.shape, c.walls, c.wall[e], c.radius[p]
-    distance, nx, ny, nz = wall_gap(pose[p, 0], pose[p, 1], pose[p, 2], r, shape, walls, w)
+    shape, walls, w, r, stretch, output = c.shape, c.walls, c.wall[e], c.radius[p], c.wall_stretch, c.wall_output
+    x, y, z = pose[p, 0], pose[p, 1], pose[p, 2]
+    distance, nx, ny, nz = wall_gap(x, y, z, r, shape, walls, w)
     overlap = max(c.wall_gap[e] - distance, 0.0)
-    output, stretch = c.wall_output, c.wall_stretch
     for d in range(4):
         output[e, d] = 0.0
     if not (overlap > 0.0 or c.wall_touch[e] == TOUCHING):
         return total
-    kn = law[0] * math.pi * r
-    ks = law[1] * kn
-    arm = r + distance  # from the centre to the wall
-    wx, wy, wz = arm * motion[p, 4], arm * motion[p, 5], arm * motion[p, 6]
+    n, spin = (nx, ny, nz), (motion[p, 4], motion[p, 5], motion[p, 6])
+    v = motion[p, 0] - walls[w, RATE], motion[p, 1] - walls[w, RATE + 1], motion[p, 2] - walls[w, RATE + 2]
     grow = walls[w, RATE + 3] if shape[w, KIND] == OUTSIDE else -walls[w, RATE + 3]
-    vx = motion[p, 0] - walls[w, RATE] - grow * nx - (wy * nz - wz * ny)
-    vy = motion[p, 1] - walls[w, RATE + 1] - grow * ny - (wz * nx - wx * nz)
-    vz = motion[p, 2] - walls[w, RATE + 2] - grow * nz - (wx * ny - wy * nx)
-    twist = 0.5 * (motion[p, 4] * nx + motion[p, 5] * ny + motion[p, 6] * nz)
-    mass = 1.0 / motion[p, 3]
-    fx, fy, fz, s0, s1, s2, p0, p1, p2, lost, worn = contact_force(
-        kn, ks, 2.0 * law[3] * math.sqrt(kn * mass), 2.0 * law[3] * math.sqrt(ks * mass),
-        c.wall_friction[w], overlap, nx, ny, nz, vx, vy, vz, twist,
-        stretch[e, 0], stretch[e, 1], stretch[e, 2], stretch[e, 3], stretch[e, 4], stretch[e, 5], dt,
-    )  # fmt: skip
-    stretch[e, 0], stretch[e, 1], stretch[e, 2] = s0, s1, s2
-    stretch[e, 3], stretch[e, 4], stretch[e, 5] = p0, p1, p2
+    was, mx, my, mz = wall_gap(x - dt * v[0], y - dt * v[1], z - dt * v[2], r, shape, walls, w)
+    was += dt * grow
+    arm = r + distance  # from the centre to the wall
+    now, last = _at_wall(arm, v, grow, spin, n), _at_wall(r + was, v, grow, spin, (mx, my, mz))
+    kn, part, beta = wall_spring(c.law, r, overlap)
+    before = wall_spring(c.law, r, max(c.wall_gap[e] - was, 0.0))[0]
+    spring = _spring(c.law, kn, part, beta, before, 1.0 / motion[p, 3])
+    twist = 0.5 * (spin[0] * nx + spin[1] * ny + spin[2] * nz)
+    s, h = (stretch[e, 0], stretch[e, 1], stretch[e, 2]), (stretch[e, 3], stretch[e, 4], stretch[e, 5])
+    found = contact_force(spring, c.wall_friction[w], overlap, now, last, twist, s, h, dt)
+    fx, fy, fz = _put(stretch, output, e, found)
     output[e, 0], output[e, 1], output[e, 2] = -fx, -fy, -fz
     output[e, 3] = fx * nx + fy * ny + fz * nz
     c.wall_touch[e] = TOUCHING if overlap > 0.0 else 0
@@ -148,7 +231,7 @@ def _with_wall(pose, motion, c, p, e, dt, total):
     q0 -= lever * (ny * fz - nz * fy)
     q1 -= lever * (nz * fx - nx * fz)
     q2 -= lever * (nx * fy - ny * fx)
-    return f0 + fx, f1 + fy, f2 + fz, q0, q1, q2, damped + lost, rubbed + worn
+    return f0 + fx, f1 + fy, f2 + fz, q0, q1, q2, damped + found[3], rubbed + found[4]
 
 
 def _gather(elements, contacts, dt):
@@ -174,15 +257,10 @@ gather_serial = kernel(parallel=False)(_gather)
 @kernel(parallel=False)
 def contact_energy(pose, period, c):
     """Elastic energy of all contacts [J]."""
-    modulus, soft = c.law[0], c.law[1]
     total = 0.0
     for k in range(len(c.first)):
         if c.touch[k] == TOUCHING:
-            dx, dy, dz = branch(pose, c.first[k], c.second[k], period)
-            ra, rb = c.radius[c.first[k]], c.radius[c.second[k]]
-            overlap = max(ra + rb + c.gap[k] - math.sqrt(dx * dx + dy * dy + dz * dz), 0.0)
-            slip = c.stretch[k, 0] ** 2 + c.stretch[k, 1] ** 2 + c.stretch[k, 2] ** 2
-            total += 0.5 * pair_stiffness(modulus, ra, rb) * (overlap * overlap + soft * slip)
+            total += _pair_energy(pose, period, c, k)
     for p in range(len(pose)):
         for e in range(c.wall_start[p], c.wall_start[p + 1]):
             if c.wall_touch[e] == TOUCHING:
@@ -190,5 +268,6 @@ def contact_energy(pose, period, c):
                 distance, _, _, _ = wall_gap(pose[p, 0], pose[p, 1], pose[p, 2], r, c.shape, c.walls, c.wall[e])
                 overlap = max(c.wall_gap[e] - distance, 0.0)
                 slip = c.wall_stretch[e, 0] ** 2 + c.wall_stretch[e, 1] ** 2 + c.wall_stretch[e, 2] ** 2
-                total += 0.5 * modulus * math.pi * r * (overlap * overlap + soft * slip)
+                kn, part, _ = wall_spring(c.law, r, overlap)
+                total += spring_energy(kn, part, c.law[SOFT] * kn, overlap, slip)
     return total

@@ -141,8 +141,12 @@ def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, schem
 
 
 @kernel(parallel=False)
-def all_forces(elements, bonds, same, history, body, non_local, cut, rows, scheme, added, breaks, go_on):
-    """A step over everything, on one thread or on as many as there are domains."""
+def all_forces(run, same, history, body, non_local, scheme, added, contacts, breaks, go_on):
+    """A step over everything, on one thread or on as many as there are domains.
+
+    The forces of contacts are known, but for those of pairs whose bonds break now.
+    """
+    elements, bonds, cut, rows = run.elements, run.bonds, run.cut, run.rows
     if body is not None:  # decided when compiled
         swell_body(elements, bonds, body, cut, rows, breaks)
         sweep_all(elements, bonds, same, history, body.cells, None, cut, rows, scheme, added, breaks, go_on)
@@ -151,7 +155,7 @@ def all_forces(elements, bonds, same, history, body, non_local, cut, rows, schem
     else:
         sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, breaks, go_on)
         if breaks is not None:
-            break_bonds(elements, bonds, cut.sums, added, breaks)
+            break_bonds(elements, bonds, cut.sums, added, contacts, breaks)
     if breaks is not None:
         let_go(elements, cut.sums, rows, scheme, added, breaks, go_on)
     if non_local is not None:  # which is on one thread always

@@ -317,14 +317,17 @@ class Breaks(NamedTuple):
 class ContactTable(NamedTuple):
     """Contacts in the kernels' order; c pairs, b contacts with walls, w walls."""
 
-    law: np.ndarray  #: E [Pa], ks / kn, μ, β; (4,)
+    law: np.ndarray  #: modulus [Pa], ks / kn, μ, β, whether Hertzian; (5,)
     radius: np.ndarray  #: of the elements [m], (n,)
     load: np.ndarray  #: force and torque of all contacts on each element [N, N·m], (n, 6)
     listed: np.ndarray  #: centres when the list was made [m], (n, 3)
     reach: float  #: how far elements, and walls, may move before the next list [m]
     first: np.ndarray  #: uint32, (c,)
     second: np.ndarray  #: uint32, (c,)
-    gap: np.ndarray  #: from which the overlap counts, at most 0 [m], (c,)
+    gap: np.ndarray  #: from which the overlap counts [m], (c,)
+    bond: np.ndarray  #: the bond between them, or -1; while it is intact they do not touch, (c,)
+    own: np.ndarray  #: kn of a pair that does not have that of the law, or 0 [N/m], (c,)
+    of_bond: np.ndarray  #: the pair of each bond, or -1, (m,)
     stretch: np.ndarray  #: tangential stretch [m] and force of the dashpots [N], (c, 6)
     touch: np.ndarray  #: uint8, (c,)
     output: np.ndarray  #: force on the second, torque over the radius, losses; (c, 8)

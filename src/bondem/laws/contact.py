@@ -1,14 +1,17 @@
-"""Contact of spheres with each other and with walls: linear spring and dashpot, Coulomb friction.
+"""Contact of spheres with each other and with walls: springs and dashpots, Coulomb friction.
 
     F_n = max(kn u + cn u', 0)        |F_t| <= μ F_n,  F_t = ks ξ + cs ξ' while it sticks
 
 with u the overlap and ξ the stretch of the tangential spring, which turns with the pair and slides where
-Coulomb's limit holds it. Stiffness follows from an effective modulus, kn = E A / L with A = π min(Ri, Rj)² and
-L = Ri + Rj (at a wall A = π R², L = R), as that of a bond does. Repulsion only. References: Cundall and Strack,
-Géotechnique 29 (1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
+Coulomb's limit holds it. Stiffness of the linear law follows from an effective modulus, kn = E A / L with
+A = π min(Ri, Rj)² and L = Ri + Rj (at a wall A = π R², L = R), as that of a bond does; that of `HertzMindlin` grows
+with the overlap. Repulsion only. A pair whose bond is broken bears compression as the bond did: from its rest length
+on, with its kn (docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack, Géotechnique 29
+(1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
 """
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,20 +21,93 @@ from bondem._compile import device
 from bondem._types import Floats
 
 # Contacts a sphere can have with spheres of its size: the kissing number bounds the stiffness around it.
-_KISSING = 12
+KISSING = 12
+# Places in the parameters of a law.
+MODULUS, SOFT, FRICTION, DASHPOT, HERTZIAN = range(5)
+# A Hertzian dashpot over a linear one of the same stiffness dF/du: both lose the same share of a collision.
+HERTZIAN_DASHPOT = math.sqrt(5.0 / 6.0)
+
+
+class ContactLaw(ABC):
+    """What elements do to each other, and walls to them, where they touch."""
+
+    friction: float
+    stress_free: bool
+
+    @property
+    @abstractmethod
+    def parameters(self) -> Floats:
+        """Modulus [Pa], ks / kn, μ, β and 1 for a Hertzian law or 0, as the kernels take them, (5,)."""
+
+    @abstractmethod
+    def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
+        """Bounds of the fastest motions of spheres in contact, for the time step.
+
+        Args:
+            radius: of the spheres [m], (n,).
+            mass: of the spheres [kg], (n,).
+            platens: masses of the walls that a force moves [kg], (s,).
+
+        Returns:
+            For motion along the normal, and for rolling where there is friction: the angular frequency [rad/s]
+            and the ratio c / k of dashpot to spring [s].
+        """
+
+
+def rebound(beta: float) -> float:
+    """Restitution e of a collision with the share β of the critical damping, which ends where its force vanishes [-].
+
+    Of a linear spring and dashpot; and of a Hertzian one, whose overlap to the power 5/4 swings as a linear one does
+    (Antypov and Elliott, EPL 94, 2011). The force vanishes before the overlap does (Schwager and Pöschel, Granular
+    Matter 9, 2007).
+    """
+    if beta < 1.0:
+        omega = math.sqrt(1.0 - beta * beta)
+        # atan2 takes both of their branches, below and above β = 1/√2
+        return math.exp(-beta / omega * (math.pi - math.atan2(2.0 * beta * omega, 1.0 - 2.0 * beta * beta)))
+    if beta == 1.0:
+        return math.exp(-2.0)
+    omega = math.sqrt(beta * beta - 1.0)
+    return math.exp(-2.0 * beta / omega * math.asinh(omega))
+
+
+def fastest(
+    kn: Floats, kappa: float, delay: float, mass: Floats, platens: Floats, *, rough: bool
+) -> tuple[tuple[float, float], ...]:
+    """What `ContactLaw.stiffest` returns of spheres whose contacts have the stiffness kn.
+
+    Every contact takes a twelfth of the masses it joins (at most twelve spheres of its size touch another): two
+    such masses against each other, ω² = 2 · 12 kn / m, or rolling on each other, ω² = 7 · 12 ks / m. A
+    platen may have all spheres to bear.
+
+    Args:
+        kn: [N/m], (n,).
+        kappa: kn / ks [-].
+        delay: largest c / kn [s].
+        mass: [kg], (n,).
+        platens: masses of the walls that a force moves [kg], (s,).
+        rough: whether there is friction.
+    """
+    light = mass / (1.0 + len(mass) * mass / KISSING / platens.min()) if len(platens) else mass
+    along = math.sqrt(float((2.0 * KISSING * kn / light).max())), delay
+    if not rough:
+        return (along,)
+    rolling = math.sqrt(float((7.0 * KISSING * kn / kappa / light).max()))
+    return along, (rolling, delay * math.sqrt(kappa))
 
 
 @dataclass(frozen=True)
-class LinearContact:
+class LinearContact(ContactLaw):
     """Linear contact with Coulomb friction between elements that no intact bond joins, and at walls.
 
     Attributes:
-        E: effective modulus [Pa] of kn = E A / L.
+        E: effective modulus [Pa] of kn = E A / L; a pair whose bond is broken has the kn of that bond.
         friction: Coulomb's coefficient μ [-]; 0 has no tangential force at all.
         kappa: kn / ks [-].
         damping: share β of the critical damping of a pair, in [0, 1) [-]: cn = 2 β √(kn m̄), cs = 2 β √(ks m̄).
         stress_free: whether overlaps of the reference configuration bear no force, so that a packing is at rest;
-            the gap of a pair is then measured from min(0, reference gap).
+            the gap of a pair is then measured from min(0, reference gap), of a pair whose bond is broken from
+            the rest length of that bond. False measures all gaps from the spheres, with kn of this law.
     """
 
     E: float
@@ -50,105 +126,129 @@ class LinearContact:
 
     @property
     def restitution(self) -> float:
-        """Coefficient of normal restitution e of two spheres that collide without friction [-].
-
-        The contact ends where its force vanishes, before the overlap does (Schwager and Pöschel, Granular
-        Matter 9, 2007).
-        """
-        beta = self.damping
-        omega = math.sqrt(1.0 - beta * beta)
-        # atan2 takes both of their branches, below and above β = 1/√2
-        return math.exp(-beta / omega * (math.pi - math.atan2(2.0 * beta * omega, 1.0 - 2.0 * beta * beta)))
+        """Coefficient of normal restitution e of two spheres that collide without friction [-] (`rebound`)."""
+        return rebound(self.damping)
 
     @property
     def parameters(self) -> Floats:
-        """E [Pa], ks / kn, μ and β, as the kernels take them, (4,)."""
-        return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping])
+        """E [Pa], ks / kn, μ, β and 0, as the kernels take them, (5,)."""
+        return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping, 0.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
-        """Bounds of the fastest motions of spheres in contact, for the time step.
-
-        Every contact takes a twelfth of the masses it joins (at most twelve spheres of its size touch another): two
-        such masses against each other, ω² = 2 · 12 kn / m, or rolling on each other, ω² = 7 · 12 ks / m. A
-        platen may have all spheres to bear.
-
-        Args:
-            radius: of the spheres [m], (n,).
-            mass: of the spheres [kg], (n,).
-            platens: masses of the walls that a force moves [kg], (s,).
-
-        Returns:
-            For motion along the normal, and for rolling where there is friction: the angular frequency [rad/s]
-            and the ratio c / k of dashpot to spring [s].
-        """
+        """See `ContactLaw.stiffest`."""
         kn = 0.5 * math.pi * self.E * radius
-        light = mass / (1.0 + len(mass) * mass / _KISSING / platens.min()) if len(platens) else mass
         delay = 2.0 * self.damping * float(np.sqrt(0.5 * mass / kn).max())
-        along = math.sqrt(float((2.0 * _KISSING * kn / light).max())), delay
-        if self.friction == 0.0:
-            return (along,)
-        rolling = math.sqrt(float((7.0 * _KISSING * kn / self.kappa / light).max()))
-        return along, (rolling, delay * math.sqrt(self.kappa))
+        return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
 
 
 @device
-def pair_stiffness(modulus, ra, rb):
-    """kn [N/m] of two spheres."""
-    small = min(ra, rb)
-    return modulus * math.pi * small * small / (ra + rb)
+def pair_spring(law, own, ra, rb, overlap):
+    """Stiffness dF/du of two spheres along the normal [N/m], F over it and u [-], and the share of their dashpot.
+
+    `own` is the stiffness of a pair that has one by itself, else 0.
+    """
+    if own > 0.0:
+        return own, 1.0, law[DASHPOT]
+    if law[HERTZIAN] == 0.0:
+        small = min(ra, rb)
+        return law[MODULUS] * math.pi * small * small / (ra + rb), 1.0, law[DASHPOT]
+    k = 2.0 * law[MODULUS] * math.sqrt(ra * rb / (ra + rb) * overlap)
+    return k, 2.0 / 3.0, HERTZIAN_DASHPOT * law[DASHPOT]
 
 
 @device
-def contact_force(kn, ks, cn, cs, friction, overlap, nx, ny, nz, vx, vy, vz, twist, sx, sy, sz, px, py, pz, dt):
+def wall_spring(law, r, overlap):
+    """The same of a sphere at a rigid wall."""
+    if law[HERTZIAN] == 0.0:
+        return law[MODULUS] * math.pi * r, 1.0, law[DASHPOT]
+    return 4.0 * law[MODULUS] * math.sqrt(r * overlap), 2.0 / 3.0, HERTZIAN_DASHPOT * law[DASHPOT]
+
+
+@device
+def spring_energy(kn, share, ks, overlap, slip):
+    """Elastic energy of a contact [J], of the square of its stretch [m²]."""
+    return 0.5 * (kn * overlap * overlap * share * (1.0 if share == 1.0 else 0.8) + ks * slip)
+
+
+@device
+def _dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@device
+def _tangential(v, n):
+    along = _dot(v, n)
+    return v[0] - along * n[0], v[1] - along * n[1], v[2] - along * n[2]
+
+
+@device
+def _turned(s, n, angle):
+    """A tangential vector a step later, as it turns with the pair: about the normal, then into the new plane at its
+    old length.
+    """
+    x = s[0] + angle * (n[1] * s[2] - n[2] * s[1])
+    y = s[1] + angle * (n[2] * s[0] - n[0] * s[2])
+    z = s[2] + angle * (n[0] * s[1] - n[1] * s[0])
+    o = _tangential((x, y, z), n)
+    after = _dot(o, o)
+    keep = math.sqrt(_dot(s, s) / after) if after > 0.0 else 0.0
+    return keep * o[0], keep * o[1], keep * o[2]
+
+
+@device
+def contact_force(spring, friction, overlap, now, last, twist, s, p, dt):
     """Force on the second body of a contact, and how its memory goes on.
 
+    Where the tangential spring is stiffer than a step ago it keeps its force, where it is softer its stretch: what it
+    stores never grows by that (Thornton, Cummins and Cleary, Powder Technology 233, 2013). What it is given and does
+    not store counts as friction.
+
     Args:
-        kn, ks: stiffnesses [N/m].
-        cn, cs: dashpots [N·s/m].
+        spring: stiffness dF/du [N/m]; force over it and overlap [-]; ks, and ks a step ago [N/m]; dashpots cn, cs
+            [N·s/m].
         friction: μ [-].
         overlap: [m]; 0 where the bodies have just parted.
-        nx, ny, nz: unit normal from the first body to the second.
-        vx, vy, vz: velocity of the second against the first at the contact [m/s].
+        now: unit normal from the first body to the second (3), velocity of the second against the first at the
+            contact over the step (3) [m/s].
+        last: the same of where the bodies were a step ago.
         twist: rate at which the pair turns about the normal [rad/s].
-        sx, sy, sz: stretch of the tangential spring [m] a step ago.
-        px, py, pz: force of the dashpots [N] a step ago.
+        s: stretch of the tangential spring [m] a step ago, (3).
+        p: force of the dashpots [N] a step ago, (3).
         dt: the step [s].
 
     Returns:
         Force [N] (3), stretch (3), force of the dashpots (3), energy lost to dashpots and to friction over the step
         [J]: the trapezoid of force over displacement, second order as the step is.
     """
-    opening = vx * nx + vy * ny + vz * nz
-    elastic = kn * overlap
+    kn, share, ks, before, cn, cs = spring
+    (nx, ny, nz), v = now
+    opening = _dot(v, now[0])
+    elastic = share * kn * overlap
     normal = max(elastic - cn * opening, 0.0) if overlap > 0.0 else 0.0
     resist = normal - elastic
     hx, hy, hz = resist * nx, resist * ny, resist * nz
     fx, fy, fz = normal * nx, normal * ny, normal * nz
     rubbed = 0.0
+    sx, sy, sz = s
     if friction > 0.0:
-        tx, ty, tz = vx - opening * nx, vy - opening * ny, vz - opening * nz
-        # the spring turns with the pair: about the normal, then into the new tangential plane at its old length
-        before = sx * sx + sy * sy + sz * sz
-        ox, oy, oz = (
-            sx + dt * twist * (ny * sz - nz * sy),
-            sy + dt * twist * (nz * sx - nx * sz),
-            sz + dt * twist * (nx * sy - ny * sx),
-        )
-        out = ox * nx + oy * ny + oz * nz
-        ox, oy, oz = ox - out * nx, oy - out * ny, oz - out * nz
-        after = ox * ox + oy * oy + oz * oz
-        keep = math.sqrt(before / after) if after > 0.0 else 0.0
-        ox, oy, oz = keep * ox, keep * oy, keep * oz
-        ux, uy, uz = ox + dt * tx, oy + dt * ty, oz + dt * tz
+        t = _tangential(v, now[0])
+        came = _turned(_tangential(last[1], last[0]), now[0], dt * twist)
+        ox, oy, oz = _turned(s, now[0], dt * twist)
+        if ks > before:
+            less = before / ks
+            ox, oy, oz = less * ox, less * oy, less * oz
+        half = 0.5 * dt
+        ux, uy, uz = ox + half * (came[0] + t[0]), oy + half * (came[1] + t[1]), oz + half * (came[2] + t[2])
         limit = friction * normal
         pull = ks * math.sqrt(ux * ux + uy * uy + uz * uz)
-        held = limit / pull if pull > limit else 1.0
+        held = limit / pull if pull > limit else (1.0 if overlap > 0.0 else 0.0)
         sx, sy, sz = held * ux, held * uy, held * uz
-        rubbed = 0.5 * ks * ((ox + sx) * (ux - sx) + (oy + sy) * (uy - sy) + (oz + sz) * (uz - sz))
-        gx, gy, gz = ks * sx + cs * tx, ks * sy + cs * ty, ks * sz + cs * tz
+        given = half * (before * _dot(s, last[1]) + ks * _dot((sx, sy, sz), v))
+        rubbed = given - 0.5 * (ks * _dot((sx, sy, sz), (sx, sy, sz)) - before * _dot(s, s))
+        gx, gy, gz = ks * sx + cs * t[0], ks * sy + cs * t[1], ks * sz + cs * t[2]
         if gx * gx + gy * gy + gz * gz > limit * limit:  # the dashpot never makes it slide
             gx, gy, gz = ks * sx, ks * sy, ks * sz
         hx, hy, hz = hx - (gx - ks * sx), hy - (gy - ks * sy), hz - (gz - ks * sz)
         fx, fy, fz = fx - gx, fy - gy, fz - gz
-    damped = -0.5 * dt * ((px + hx) * vx + (py + hy) * vy + (pz + hz) * vz)
-    return fx, fy, fz, sx, sy, sz, hx, hy, hz, damped, rubbed
+    damped = -0.5 * dt * (_dot(p, last[1]) + _dot((hx, hy, hz), v))
+    return (fx, fy, fz), (sx, sy, sz), (hx, hy, hz), damped, rubbed

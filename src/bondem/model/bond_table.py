@@ -77,6 +77,14 @@ class BondTable:
             self, length=self.length * stretch, ks=self.ks / stretch**2, lever=self.lever * stretch
         )
 
+    def sheared(self, ks: PerBond) -> "BondTable":
+        """The same bonds with at least the shear stiffness ks [N/m], (m,)."""
+        more, a = np.maximum(ks - self.ks, 0.0), self.lever
+        b = self.length - a
+        return replace(
+            self, ks=self.ks + more, A=self.A + more * a * a, B=self.B + more * a * b, C=self.C + more * b * b
+        )
+
     def separate(self) -> "BondTable":
         """The same with copies of what a kernel changes where strains change in time."""
         return replace(self, length=self.length.copy(), ks=self.ks.copy(), lever=self.lever.copy())

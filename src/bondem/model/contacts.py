@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats, Ints
+from bondem._types import Floats, Ints, PerBond
 from bondem.kernels.contact_list import wall_candidates
 from bondem.kernels.neighbour_grid import neighbours
 from bondem.kernels.walls import COLUMNS
-from bondem.laws.contact import LinearContact
+from bondem.laws.contact import ContactLaw
 from bondem.model.layout import Layout
 from bondem.model.walls import WallTable
 from bondem.specimen.lattice import Lattice
@@ -43,19 +43,24 @@ class ContactModel:
         walls: their walls.
         pairs: overlaps of elements at first.
         at_walls: overlaps with walls at first.
+        own: normal stiffness of the pairs of bonds that break [N/m], internal order, (m,): they touch where their
+            bond is as long as at rest. None where they are pairs as all others.
     """
 
-    law: LinearContact
+    law: ContactLaw
     walls: WallTable
     pairs: RestGaps
     at_walls: RestGaps
+    own: PerBond | None
 
     @classmethod
-    def of(cls, lattice: Lattice, layout: Layout, law: LinearContact, walls: WallTable) -> "ContactModel":
+    def of(
+        cls, lattice: Lattice, layout: Layout, law: ContactLaw, walls: WallTable, own: PerBond | None
+    ) -> "ContactModel":
         """Find what overlaps at first."""
         n = len(lattice.particles)
         if not law.stress_free:
-            return cls(law, walls, RestGaps.none(n), RestGaps.none(n))
+            return cls(law, walls, RestGaps.none(n), RestGaps.none(n), own)
         position = np.ascontiguousarray(lattice.centre[layout.order])
         radius = np.ascontiguousarray(lattice.particles.radius[layout.order])
         start, partner = near(position, radius, lattice.particles.period, 0.0)
@@ -78,7 +83,7 @@ class ContactModel:
         touching = wall_candidates(
             pose, radius, walls.shape, still, 0.0, *empty, nothing.start, nothing.partner, np.zeros((0, 6))
         )
-        return cls(law, walls, pairs, RestGaps(touching[0], touching[1], touching[5]))
+        return cls(law, walls, pairs, RestGaps(touching[0], touching[1], touching[5]), own)
 
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:

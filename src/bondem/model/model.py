@@ -12,7 +12,7 @@ from bondem._types import ArrayLike, Floats, PerElement
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
-from bondem.laws.contact import LinearContact
+from bondem.laws.contact import ContactLaw
 from bondem.laws.failure.criterion import BondCriterion, Criterion
 from bondem.laws.non_local import NonLocal
 from bondem.model.assignment import BondAssignment, bond_stiffness
@@ -62,7 +62,7 @@ class Model:
     bond: BondAssignment | CellAssignment | NonLocal | None
     density: float | ArrayLike
     boundary: Sequence[BoundaryCondition] = field(default=())
-    contact: LinearContact | None = None
+    contact: ContactLaw | None = None
     walls: Sequence[Wall] = field(default=())
     failure: Criterion | None = None
 
@@ -75,7 +75,7 @@ class Model:
             raise InputError("density must be positive and finite [kg/m³] for every element")
         object.__setattr__(self, "boundary", _conditions(self.boundary))
         object.__setattr__(self, "walls", check_walls(self.walls))
-        if self.contact is not None and not isinstance(self.contact, LinearContact):
+        if self.contact is not None and not isinstance(self.contact, ContactLaw):
             raise InputError(f"contact= takes a contact law such as bd.LinearContact, not {shown(self.contact)}")
         if self.walls and self.contact is None:
             raise InputError("walls need a law of contact: give contact=bd.LinearContact(E=...)")
@@ -99,6 +99,8 @@ class Model:
     def _check_strain(self) -> None:
         if len(self.constraints.strain_part) and self.formulation == "incremental":
             raise InputError("Eigenstrain needs stored rest lengths: use formulation='total'")
+        if len(self.constraints.strain_part) and self.failure is not None and self.contact is not None:
+            raise InputError("Eigenstrain moves where broken bonds touch; leave out contact= or failure= beside it")
 
     @cached_property
     def layout(self) -> Layout:
@@ -173,7 +175,10 @@ class Model:
         if self.contact is None:
             return None
         table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()))
-        return ContactModel.of(self.lattice, self.layout, self.contact, table)
+        own = None
+        if self.contact.stress_free and self._cells is None and self._non_local is None:
+            own = self.bonds.kn
+        return ContactModel.of(self.lattice, self.layout, self.contact, table, own)
 
     @cached_property
     def breaking(self) -> FailureTable | None:

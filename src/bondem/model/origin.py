@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._types import PerElement
 from bondem.laws.bond import BondStiffness
-from bondem.laws.contact import LinearContact
+from bondem.laws.contact import ContactLaw
 from bondem.model.boundary import BoundaryCondition
 from bondem.model.constraints import Constraints
 from bondem.model.layout import Layout
@@ -43,7 +43,7 @@ class Origin(Protocol):
     @cached_property
     def constraints(self) -> Constraints: ...
     @property
-    def contact(self) -> LinearContact | None: ...
+    def contact(self) -> ContactLaw | None: ...
     @property
     def walls(self) -> Sequence[Wall]: ...
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._types import Ints
+from bondem._types import Floats, Ints
 from bondem.kernels.contact_list import pair_candidates, wall_candidates
 from bondem.kernels.contact_pass import TOUCHING
 from bondem.kernels.tables import ContactTable
@@ -32,6 +32,9 @@ class ContactList:
         self._radius = np.ascontiguousarray(model.lattice.particles.radius[model.layout.order])
         self._period = model.lattice.particles.period
         self._load = np.zeros((len(self._radius), 6))
+        self._breaking = model.breaking is not None
+        self._own = contacts.own
+        self._length = model.bonds.stretched(state.eigenstrain).length
         self._skin = _SKIN_LEAST
         self._made = state.step - _LASTING
         self.renew(state.step)
@@ -47,11 +50,20 @@ class ContactList:
         skin = self._skin * float(self._radius.mean())
         position = state.pose[:, :3].copy()
         n, walls = len(position), contacts.walls
-        first, second, in_start, gap, stretch, touch, out_start, out_pair = pair_candidates(
-            *near(position, self._radius, self._period, skin), layout.in_start, layout.i, state.integrity,
+        first, second, bond, in_start, gap, stretch, touch, out_start, out_pair = pair_candidates(
+            *near(position, self._radius, self._period, skin), layout.in_start, layout.i,
+            self._listed(position, skin),
             contacts.pairs.start, contacts.pairs.partner, contacts.pairs.gap,
             _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32), state.stretch,
         )  # fmt: skip
+        own = np.zeros(len(first))
+        bonded = np.flatnonzero(bond >= 0)
+        of_bond = np.full(len(layout.i), -1)
+        of_bond[bond[bonded]] = bonded
+        if self._own is not None:
+            own[bonded] = self._own[bond[bonded]]
+            touching = self._radius[first[bonded]] + self._radius[second[bonded]]
+            gap[bonded] = self._length[bond[bonded]] - touching
         wall_start, wall, wall_gap, wall_stretch, wall_touch, _ = wall_candidates(
             state.pose, self._radius, walls.shape, state.walls, skin,
             contacts.at_walls.start, contacts.at_walls.partner, contacts.at_walls.gap,
@@ -59,7 +71,8 @@ class ContactList:
         )  # fmt: skip
         self.arrays = ContactTable(
             law=contacts.law.parameters, radius=self._radius, load=self._load, listed=position, reach=0.5 * skin,
-            first=first, second=second, gap=gap, stretch=stretch, touch=touch, output=np.zeros((len(first), 8)),
+            first=first, second=second, gap=gap, bond=bond, own=own, of_bond=of_bond,
+            stretch=stretch, touch=touch, output=np.zeros((len(first), 8)),
             in_start=in_start, out_start=out_start, out_pair=out_pair,
             wall_start=wall_start, wall=wall, wall_gap=wall_gap, wall_stretch=wall_stretch, wall_touch=wall_touch,
             wall_output=np.zeros((len(wall), 4)),
@@ -70,6 +83,20 @@ class ContactList:
             servo_mass=walls.servo_mass,
         )  # fmt: skip
         return True
+
+    def _listed(self, position: Floats, skin: float) -> np.ndarray:
+        """Bonds whose pairs belong to a list: those that may break, and broken ones whose ends are near, (m,)."""
+        state, layout = self._state, self._state.layout
+        broken = state.integrity <= 0.0
+        listed = ~broken if self._breaking else np.zeros(len(broken), dtype=bool)
+        e = np.flatnonzero(broken)
+        i, j = layout.i[e], layout.j[e]
+        apart = position[j] - position[i]
+        if self._period is not None:
+            apart -= self._period * np.rint(apart / self._period)
+        reach = np.maximum(self._radius[i] + self._radius[j], self._length[e]) + skin
+        listed[e] = np.einsum("ek,ek->e", apart, apart) < reach**2
+        return listed.astype(np.uint8)
 
     def keep(self) -> None:
         """Write the memory of what touches into the state."""

@@ -12,6 +12,7 @@ from bondem.errors import StepWarning, UnstableStepError
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.tables import lines
 from bondem.laws.damping import AnyDamping, DampingTerms
+from bondem.model.bond_table import BondTable
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.solve.added import bond_delay
@@ -29,21 +30,30 @@ _SMALL = 1e-5
 _WARNED = 0.9
 
 
-def highest_frequency(model: Model, *, integrity: PerBond | None = None) -> float:
+def highest_frequency(
+    model: Model, *, integrity: PerBond | None = None, table: BondTable | None = None
+) -> float:
     """ω_max of the unconstrained lattice at rest [rad/s]: a bound for every set of supports.
 
     Args:
         model: what will move.
         integrity: of the bonds as they are now (`State.integrity`), internal order, (m,); all intact when None.
             Broken bonds only lower ω_max.
+        table: the bonds, if not those of the model.
     """
     order = model.layout.order
-    return math.sqrt(stiffest(model, model.mass[order], model.inertia[order], integrity=integrity))
+    mass, inertia = model.mass[order], model.inertia[order]
+    return math.sqrt(stiffest(model, mass, inertia, integrity=integrity, table=table))
 
 
 @one_blas_thread
 def stiffest(
-    model: Model, mass: PerElement, inertia: PerElement, *, integrity: PerBond | None = None
+    model: Model,
+    mass: PerElement,
+    inertia: PerElement,
+    *,
+    integrity: PerBond | None = None,
+    table: BondTable | None = None,
 ) -> float:
     """The largest eigenvalue of K u = ω² M u [1/s²], from above, for any masses in internal order.
 
@@ -56,7 +66,8 @@ def stiffest(
     if m == 0:
         return 0.0
     intact = np.ones(m) if integrity is None else integrity
-    table, same = model.bonds, None if model.cells is not None or model.non_local is not None else model.bonds.alike
+    table = model.bonds if table is None else table
+    same = None if model.cells is not None or model.non_local is not None else table.alike
     body = None
     if model.cells is not None:
         _, body = body_tables(model, intact)
@@ -138,6 +149,8 @@ def critical_step(
     raised = math.sqrt(1.0 + terms.gamma)
     dashpots = bond_delay(model, terms)
     bonds = highest_frequency(model, integrity=integrity)
+    if model.breaking is not None:
+        bonds, dashpots = _with_broken(model, bonds, dashpots)
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
     if model.contacts is not None:
         motions += model.contacts.law.stiffest(
@@ -160,6 +173,25 @@ def critical_step(
             StepWarning, stacklevel=3,
         )  # fmt: skip
     return (share or SHARES[-1]) * springs
+
+
+def _with_broken(model: Model, highest: float, delay: float) -> tuple[float, float]:
+    """ω_max and the largest c / k, whichever bonds are broken and touch instead.
+
+    A contact of what was bonded is at most as stiff along the normal; across, the stiffer of both counts. Its lever
+    arms are taken to be those of the bond.
+    """
+    contacts = model.contacts
+    if contacts is None or contacts.own is None or not len(contacts.own):
+        return highest, delay
+    _, soft, friction, beta, _ = contacts.law.parameters
+    layout, kn = model.layout, contacts.own
+    inverse = 1.0 / model.mass[layout.order]
+    slow = 2.0 * beta * float(np.sqrt(1.0 / ((inverse[layout.i] + inverse[layout.j]) * kn)).max())
+    if friction == 0.0:
+        return highest, max(delay, slow)
+    sheared = highest_frequency(model, table=model.bonds.sheared(soft * kn))
+    return max(highest, sheared), max(delay, slow / math.sqrt(soft))
 
 
 @dataclass(frozen=True)

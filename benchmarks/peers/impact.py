@@ -1,0 +1,257 @@
+"""A ball hits a bonded plate: the published impact example of LAMMPS' bonded particles, in LAMMPS and in bondem.
+
+    LAMMPS=lammps/bin/lmp python benchmarks/peers/impact.py
+
+The example is `examples/bpm/impact` of LAMMPS, `bond_style bpm/rotational`, in its own units: a disc of radius 20 and
+a ball of radius 6 of spheres of diameter 1 on a disturbed fcc lattice, bonded within reach 1.5, the ball four times
+as strong, speed 0.05. LAMMPS makes the specimen, and bondem takes centres and bonds from it, to the last bit.
+bondem has the same four stiffnesses for all bonds, `LinearSum` with the same strengths, `BondDamping(beta=0.1)`
+and `LinearContact` from the surface of the spheres, with the same kn, ks, friction and (nearly) dashpots.
+
+Three runs of LAMMPS for one of bondem: as published, where a bond softens by 1 - (index)^4 before it breaks; without
+that (`smooth no`); and with rolling and twisting dashpots as bondem has them besides. Counted are bonds lost over
+time, for several disturbances of the lattice. The dashpots are those of the input as it stands in 2026; the logs
+beside it are of a shear dashpot ten times as strong: theirs are in the result as `log`.
+"""
+
+import argparse
+import dataclasses
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from time import perf_counter
+from typing import ClassVar
+
+import numpy as np
+from scipy.spatial import KDTree
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+import bondem as bd
+from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness
+from kept import RESULTS, keep, origin
+
+SEEDS = (134598738, 1)  # the first is that of the example
+DT, STEPS, EVERY = 0.05, 2500, 100
+KN, KS, KB, KT = 1.0, 0.2, 0.02, 0.02
+STRENGTH = {"force": 0.05, "shear": 0.01, "bending": 0.01, "twisting": 0.01}  # of the plate
+STRONGER = 4.0  # the ball
+SPEED = 0.05
+# Bonds an element that LAMMPS' own log of September 2026 has left, every 500 steps, with a shear dashpot of 0.2.
+LOG = (10.8703, 10.8703, 10.734844, 10.567008, 10.471128, 10.373448)
+VARIANTS = {
+    "published": {"smooth": "yes", "roll": 0.002, "twist": 0.002},
+    "sharp": {"smooth": "no", "roll": 0.002, "twist": 0.002},
+    # rolling dashpots act with half the length of a bond there, twisting ones by half
+    "matched": {"smooth": "no", "roll": 0.0036, "twist": 0.004},
+}  # fmt: skip
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Alike(BondLaw):
+    """Bonds of the same four stiffnesses, however long, with their contact point in the middle."""
+
+    title: ClassVar[str] = "alike"
+    moments_at_contact: ClassVar[bool] = True
+
+    def stiffness(self, bonds: BondGeometry) -> BondStiffness:
+        def all_of(value: float) -> np.ndarray:
+            return np.full_like(bonds.length, value)
+
+        return BondStiffness(
+            kn=all_of(KN), ks=all_of(KS), kb=all_of(KB), kt=all_of(KT), lever=0.5 * bonds.length, radius=all_of(0.5)
+        )
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class TwoBodies(bd.LinearSum):
+    """The linear sum, with bonds of two sorts."""
+
+    stronger: np.ndarray = dataclasses.field(default_factory=lambda: np.ones(0))
+
+    def factors(self, volume: np.ndarray) -> np.ndarray:
+        return self.stronger
+
+
+COMMON = """units lj
+boundary f f f
+atom_style bpm/sphere
+newton on off
+comm_modify vel yes cutoff 2.6
+"""
+
+
+class Crowded(bd.Particles):
+    """Spheres that may overlap by more than half a radius, as some of the example do (bonded, so it is harmless)."""
+
+    def _check_overlap(self) -> None:
+        pass
+
+
+def making(seed: int) -> str:
+    """The specimen of the example, written out; bonds are made under a style that does nothing."""
+    return f"""{COMMON}special_bonds lj 0.0 1.0 1.0 coul 0.0 1.0 1.0
+lattice fcc 1.0
+region box block -25 15 -22 22 -22 22
+create_box 1 box bond/types 2 extra/bond/per/atom 20 extra/special/per/atom 50
+region disk cylinder x 0.0 0.0 20.0 -0.5 0.5
+create_atoms 1 region disk
+group plate region disk
+region ball sphere 8.0 0.0 0.0 6.0
+create_atoms 1 region ball
+group projectile region ball
+displace_atoms all random 0.1 0.1 0.1 {seed}
+neighbor 1.0 bin
+pair_style zero 1.0
+pair_coeff * *
+bond_style zero
+bond_coeff *
+create_bonds many plate plate 1 0.0 1.5
+create_bonds many projectile projectile 2 0.0 1.5
+velocity projectile set -{SPEED} 0.0 0.0
+write_data start.data nocoeff
+"""
+
+
+def hitting(smooth: str, roll: float, twist: float) -> str:
+    """The example from there on, for the release of July 2025."""
+    strengths = [" ".join(f"{s * value:.17g}" for value in STRENGTH.values()) for s in (1.0, STRONGER)]
+    coefficients = "\n".join(
+        f"bond_coeff {n} {KN} {KS} {KT} {KB} {strength} 0.1 0.02 {roll} {twist}"
+        for n, strength in enumerate(strengths, start=1)
+    )
+    return f"""{COMMON}special_bonds lj 0.0 1.0 1.0 coul 1.0 1.0 1.0
+read_data start.data extra/special/per/atom 50
+pair_style gran/hooke/history 1.0 NULL 0.5 NULL 0.1 1
+bond_style bpm/rotational store/local lost {EVERY} time id1 id2 smooth {smooth}
+pair_coeff 1 1
+{coefficients}
+fix 1 all nve/bpm/sphere
+neighbor 0.3 bin
+timestep {DT}
+thermo_style custom step bonds ke
+thermo {EVERY}
+thermo_modify lost ignore lost/bond ignore
+dump 2 all local {EVERY} broken.dump f_lost[1] f_lost[2] f_lost[3]
+dump_modify 2 header no
+run {STEPS}
+"""
+
+
+@dataclasses.dataclass(frozen=True)
+class Specimen:
+    """Centres and velocities (n, 3), pairs (m, 2), which body a bond belongs to (m,)."""
+
+    position: np.ndarray
+    velocity: np.ndarray
+    pairs: np.ndarray
+    kind: np.ndarray
+
+    @classmethod
+    def read(cls, path: Path) -> "Specimen":
+        """Of a data file of LAMMPS."""
+        text = path.read_text()
+
+        def table(name: str) -> np.ndarray:
+            rows = re.search(rf"^{name}.*?\n\n(.*?)(?:\n\n|\Z)", text, re.S | re.M)
+            found = np.array([row.split() for row in rows.group(1).strip().splitlines()], dtype=float)
+            return found[np.argsort(found[:, 0])]
+
+        atoms, bonds = table("Atoms"), table("Bonds")
+        assert (atoms[:, 0] == np.arange(1, len(atoms) + 1)).all()
+        return cls(atoms[:, 5:8], table("Velocities")[:, 1:4], bonds[:, 2:].astype(int) - 1, bonds[:, 1].astype(int))
+
+
+def lammps(seed: int, variant: str, folder: Path) -> dict:
+    """Bonds lost by each record."""
+    executable = os.environ.get("LAMMPS", "lmp")
+    (folder / "in.specimen").write_text(making(seed))
+    (folder / "in.impact").write_text(hitting(**VARIANTS[variant]))
+    environment = os.environ | {
+        "LD_LIBRARY_PATH": str(Path(executable).absolute().parent.parent / "lib"), "OMP_NUM_THREADS": "1"
+    }  # fmt: skip
+    for name in ("specimen", "impact"):
+        command = [executable, "-in", f"in.{name}", "-nocite", "-screen", "none", "-log", "log"]
+        subprocess.run(command, cwd=folder, check=True, env=environment, capture_output=True)
+    log = (folder / "log").read_text()
+    broken = np.loadtxt(folder / "broken.dump", ndmin=2)
+    when = np.sort(broken[:, 0])
+    loop = float(re.findall(r"Loop time of (\S+) on", log)[-1])
+    return {
+        "lost": np.searchsorted(when, np.arange(0, STEPS + 1, EVERY), side="right").tolist(),
+        "pairs": np.sort(broken[:, 1:].astype(int) - 1, axis=1),
+        "loop": loop, "version": log.splitlines()[0].strip(),
+    }  # fmt: skip
+
+
+def bondem(specimen: Specimen) -> dict:
+    """The same of bondem; `missed` is what its ledger of energies misses."""
+    particles = Crowded(specimen.position, 0.5)
+    # a lattice is one piece: a bond between the bodies, broken from the start, joins them
+    ball, plate = (np.unique(specimen.pairs[specimen.kind == kind]) for kind in (2, 1))
+    apart, near = KDTree(specimen.position[plate]).query(specimen.position[ball])
+    joint = plate[near[apart.argmin()]], ball[apart.argmin()]
+    lattice = bd.Lattice(particles, np.vstack([specimen.pairs, joint]))
+    mass = np.pi / 6.0
+    # kn = E π R² / 2R = 1; ks = 2/7; the dashpot is γ m̄ u' with γ = 0.5
+    contact = bd.LinearContact(
+        E=4.0 / np.pi * KN, kappa=3.5, friction=0.1, damping=0.25 * np.sqrt(0.5 * mass / KN), stress_free=False
+    )
+    failure = TwoBodies(**STRENGTH, stronger=np.append(np.where(specimen.kind == 2, STRONGER, 1.0), 1.0))
+    law = Alike(E=1.0, nu=0.0, radius=0.5)
+    model = bd.Model(lattice, law, density=1.0, contact=contact, failure=failure)
+    state = model.state()
+    state.set_motion(velocity=specimen.velocity)
+    state.integrity[model.layout.bond_order == len(specimen.pairs)] = 0.0
+    began = perf_counter()
+    run = bd.solve_explicit(
+        model, duration=STEPS * DT, dt=DT, every=EVERY, damping=bd.BondDamping(beta=0.1), state=state
+    )  # fmt: skip
+    wall = perf_counter() - began
+    energy = run.history.energy
+    lost = np.searchsorted(run.events.step, np.arange(0, STEPS + 1, EVERY), side="right")
+    return {
+        "lost": lost.tolist(), "pairs": np.sort(specimen.pairs[run.events.bond], axis=1), "wall": wall,
+        "missed": float(np.abs(energy["balance"]).max() / energy["translation"][0]), "message": run.message,
+    }  # fmt: skip
+
+
+def shared(one: np.ndarray, other: np.ndarray) -> float:
+    """Share of the pairs broken in either run that broke in both [-]."""
+    first, second = ({tuple(pair) for pair in pairs.tolist()} for pairs in (one, other))
+    return len(first & second) / max(len(first | second), 1)
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=RESULTS / "impact.json")
+    parser.add_argument("--seeds", type=int, nargs="+", default=list(SEEDS))
+    chosen = parser.parse_args(arguments)
+    report = origin() | {"dt": DT, "steps": STEPS, "every": EVERY, "log": LOG, "runs": []}
+    for seed in chosen.seeds:
+        found = {}
+        for variant in VARIANTS if seed == chosen.seeds[0] else ("published", "matched"):
+            with tempfile.TemporaryDirectory() as folder:
+                found[variant] = lammps(seed, variant, Path(folder))
+                specimen = Specimen.read(Path(folder) / "start.data")
+            print(seed, variant, found[variant]["lost"][::5], f"{found[variant]['loop']:.1f} s", flush=True)
+        found["bondem"] = bondem(specimen)
+        ours = found["bondem"]
+        print(seed, "bondem", ours["lost"][::5], f"{ours['wall']:.1f} s", f"{ours['missed']:.1e}", flush=True)
+        common = {name: shared(ours["pairs"], run["pairs"]) for name, run in found.items() if name != "bondem"}
+        common["published in matched"] = shared(found["published"]["pairs"], found["matched"]["pairs"])
+        report["lammps"] = found["published"].pop("version")
+        for run in found.values():
+            run.pop("pairs")
+            run.pop("version", None)
+        report["runs"].append({
+            "seed": seed, "elements": len(specimen.position), "bonds": len(specimen.pairs), "broken in both": common,
+            **found,
+        })  # fmt: skip
+        keep(chosen.out, report)
+
+
+if __name__ == "__main__":
+    main()
