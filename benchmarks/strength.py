@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bondem.labtests.uniaxial_compression import mohr_coulomb_strength
+from bondem.labtests.compression import mohr_coulomb_strength
 from kept import RESULTS, commit, keep, origin
 
 LAW = bd.CellBond(E=40e9, nu=0.2)

@@ -7,7 +7,7 @@ import numpy as np
 
 from bondem._compile import device, kernel
 from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.crack_list import three
+from bondem.kernels.crack_list import read_three
 from bondem.kernels.crack_tables import FACET, GAP, NORMAL, RUB, SHARE_I, SHARE_J
 from bondem.kernels.single_facets import orientation, resistance
 from bondem.laws.cell_energy import cross, relative, resisted_turn, scalar, turned_by
@@ -19,9 +19,9 @@ def halves(pose, bonds, cells, cracks, c):
     """Facet of a crack, its gap and normal, and F⁺ and pressing force of both halves."""
     k = np.int64(cracks.row[c, FACET])
     g, w = cracks.geometry[c], cracks.part[k]
-    gap, normal = three(g, GAP), three(g, NORMAL)
-    one = whole_force(cells.k[k], w, gap, three(g, SHARE_I), pose[bonds.i[k], STRESS])
-    other = whole_force(cells.k[k], 1.0 - w, gap, three(g, SHARE_J), pose[bonds.j[k], STRESS])
+    gap, normal = read_three(g, GAP), read_three(g, NORMAL)
+    one = whole_force(cells.k[k], w, gap, read_three(g, SHARE_I), pose[bonds.i[k], STRESS])
+    other = whole_force(cells.k[k], 1.0 - w, gap, read_three(g, SHARE_J), pose[bonds.j[k], STRESS])
     return k, gap, normal, opening_force(one, normal), opening_force(other, normal)
 
 
@@ -57,5 +57,5 @@ def crack_energy(pose, bonds, cells, cracks, c):
         along += 0.5 * K / part * (scalar(e, e) - normal_part * normal_part)
         across += 0.5 * s * (1.0 - s) * part / K * scalar(opening, opening)
     bent, _ = bending(pose, bonds, cells, k)
-    along += (1.0 - s) * stretched(K, s, three(cracks.row[c], RUB))
+    along += (1.0 - s) * stretched(K, s, read_three(cracks.row[c], RUB))
     return across, along, s * bent

@@ -17,13 +17,13 @@ _LEAST = 0.02
 
 
 @device
-def three(row, first):
+def read_three(row, first):
     """Three numbers of a row, from `first` on."""
     return row[first], row[first + 1], row[first + 2]
 
 
 @device
-def put(row, first, a):
+def write_three(row, first, a):
     """Write them."""
     row[first], row[first + 1], row[first + 2] = a[0], a[1], a[2]
 
@@ -64,11 +64,11 @@ def begin_cracks(bonds, cracks):
             f, A = column(cracks.force, k), cracks.area[k]
             _, _, one, _ = principal_stresses(pair_stress(cracks.tensor, bonds.i[k], bonds.j[k]), a, v)
             n = cracks.geometry[c]  # found before
-            slope = abs(scalar(three(n, NORMAL), (v[0, one], v[1, one], v[2, one])))
+            slope = abs(scalar(read_three(n, NORMAL), (v[0, one], v[1, one], v[2, one])))
             start = min(math.sqrt(scalar(f, f)) / A, cracks.strength[k] * max(slope, _LEAST))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
-        put(cracks.pull[c], 0, column(cracks.force, k))
+        write_three(cracks.pull[c], 0, column(cracks.force, k))
         cracks.sizes[0] += 1
         _link(bonds, cracks, c)
         cracks.onset[k] = 0
@@ -80,7 +80,7 @@ def place_normals(pose, bonds, cells, cracks):
     c = cracks.sizes[0]
     for k in range(bonds.m):
         if cracks.onset[k] != 0:
-            put(cracks.geometry[c], NORMAL, present_normal(pose, bonds, cells, k))
+            write_three(cracks.geometry[c], NORMAL, present_normal(pose, bonds, cells, k))
             c += 1
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from bondem._compile import device, kernel
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.crack_energy import crack_energy, halves
-from bondem.kernels.crack_list import NEW, put, three, treat, weigh_cracked
+from bondem.kernels.crack_list import NEW, read_three, treat, weigh_cracked, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
     ARM_I,
@@ -46,15 +46,15 @@ def _measure(pose, bonds, cells, cracks, c, k):
     g, a, b = cracks.geometry[c], turned_by(p, a), turned_by(q, b)
     n = column(cells.normal, k)
     n, m = turned_by(p, n), turned_by(q, n)
-    put(g, GAP, opened(d, a, b))
-    put(g, SHARE_I, turned_by(p, u))
-    put(g, SHARE_J, turned_by(q, v))
-    put(g, ARM_I, a)
-    put(g, ARM_J, b)
+    write_three(g, GAP, opened(d, a, b))
+    write_three(g, SHARE_I, turned_by(p, u))
+    write_three(g, SHARE_J, turned_by(q, v))
+    write_three(g, ARM_I, a)
+    write_three(g, ARM_J, b)
     g[FACING] = scalar(n, m)
     n = plus(n, 1.0, m)
     l = math.sqrt(scalar(n, n))
-    put(g, NORMAL, (n[0] / l, n[1] / l, n[2] / l))
+    write_three(g, NORMAL, (n[0] / l, n[1] / l, n[2] / l))
 
 
 @kernel(parallel=False)
@@ -81,8 +81,8 @@ def relax_cells(pose, bonds, cells, cracks):
                 own = bonds.i[k] == p
                 if cracks.row[c, STATUS] == ACTIVE:
                     g, s = cracks.geometry[c], cracks.integrity[k]
-                    gap, normal = three(g, GAP), three(g, NORMAL)
-                    share = three(g, SHARE_I) if own else three(g, SHARE_J)
+                    gap, normal = read_three(g, GAP), read_three(g, NORMAL)
+                    share = read_three(g, SHARE_I) if own else read_three(g, SHARE_J)
                     part = cracks.part[k] if own else 1.0 - cracks.part[k]
                     opening, along = opening_force(whole_force(cells.k[k], part, gap, share, stress), normal)
                     swelling += crack_swelling(cells.k[k], s, gap, share, opening)
@@ -99,9 +99,9 @@ def relax_cells(pose, bonds, cells, cracks):
 def _hand(bonds, cells, cracks, c, k, sign):
     """Add what a resting crack does to V θ of its cells to `base`, or take it off."""
     g, s = cracks.geometry[c], sign * cracks.integrity[k]
-    gap = three(g, GAP)
-    cracks.base[bonds.i[k]] += s * scalar(three(g, SHARE_I), gap)
-    cracks.base[bonds.j[k]] += s * scalar(three(g, SHARE_J), gap)
+    gap = read_three(g, GAP)
+    cracks.base[bonds.i[k]] += s * scalar(read_three(g, SHARE_I), gap)
+    cracks.base[bonds.j[k]] += s * scalar(read_three(g, SHARE_J), gap)
     weigh_cracked(bonds, cells, cracks, bonds.i[k])
     weigh_cracked(bonds, cells, cracks, bonds.j[k])
 
@@ -130,8 +130,8 @@ def wake_cracks(pose, bonds, cells, cracks):
             continue
         treat(bonds, cracks, c, k, ACTIVE)
         row[BEFORE] = NEW
-        normal = three(cracks.geometry[c], NORMAL)
-        put(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), plus(gap, -scalar(gap, normal), normal)))
+        normal = read_three(cracks.geometry[c], NORMAL)
+        write_three(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), plus(gap, -scalar(gap, normal), normal)))
         _hand(bonds, cells, cracks, c, k, -1.0)
         woken = True
     return woken
@@ -180,7 +180,7 @@ def soften(pose, bonds, cells, cracks):
 def _leaves(cracks, c, k):
     """Whether the faces of a crack no longer face each other."""
     g = cracks.geometry[c]
-    gap, normal = three(g, GAP), three(g, NORMAL)
+    gap, normal = read_three(g, GAP), read_three(g, NORMAL)
     along = max(scalar(gap, normal), 0.0)
     across = plus(gap, -scalar(gap, normal), normal)
     return g[FACING] < _FACING or max(along * along, scalar(across, across)) > cracks.area[k]
@@ -193,7 +193,7 @@ def _leave(bonds, cells, cracks, c, k, status):
     treat(bonds, cracks, c, k, status)
     if cracks.integrity[k] == 0.0:
         row[TOP] = math.inf
-    put(cracks.pull[c], 0, (0.0, 0.0, 0.0))
-    put(row, RUB, (0.0, 0.0, 0.0))
-    put(row, SLIP, (0.0, 0.0, 0.0))
+    write_three(cracks.pull[c], 0, (0.0, 0.0, 0.0))
+    write_three(row, RUB, (0.0, 0.0, 0.0))
+    write_three(row, SLIP, (0.0, 0.0, 0.0))
     _hand(bonds, cells, cracks, c, k, 1.0)

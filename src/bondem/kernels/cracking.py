@@ -14,7 +14,7 @@ from bondem._compile import device, kernel
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_tensors import heat, judge_body
 from bondem.kernels.crack_energy import bending, crack_energy, halves, stretched
-from bondem.kernels.crack_list import begin_cracks, place_normals, put, three
+from bondem.kernels.crack_list import begin_cracks, place_normals, read_three, write_three
 from bondem.kernels.crack_states import measure_cracks, relax_cells, soften, wake_cracks
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -49,7 +49,7 @@ from bondem.laws.softening import crack_couple, plus, rubbed
 @device
 def _log(pose, bonds, cracks, c, k, mode, gap):
     row = cracks.log[cracks.sizes[2]]
-    i, arm = bonds.i[k], three(cracks.geometry[c], ARM_I)
+    i, arm = bonds.i[k], read_three(cracks.geometry[c], ARM_I)
     row[BROKEN_TIME], row[BROKEN_STEP], row[BROKEN_BOND], row[BROKEN_MODE] = cracks.now[0], cracks.now[1], k, mode
     row[BROKEN_GAP], row[BROKEN_ENERGY] = gap, cracks.row[c, SPENT]
     for d in range(3):
@@ -88,20 +88,20 @@ def crack_forces(elements, bonds, cells, cracks, change):
         g = cracks.geometry[c]
         along = w * press_i + (1.0 - w) * press_j
         q = orientation(pose, i)
-        slip = turned_by(q, three(row, SLIP))
+        slip = turned_by(q, read_three(row, SLIP))
         rub, slip = rubbed(K, s, gap, normal, slip, -cracks.friction * (1.0 - s) * along)
         f = plus(plus(rub, s * w, one), s * (1.0 - w), other)
         f = plus(f, along, normal)
-        ci = _half_couple(K, w, s, gap, three(g, SHARE_I), pose[i, STRESS], one)
-        cj = _half_couple(K, 1.0 - w, s, gap, three(g, SHARE_J), pose[j, STRESS], other)
+        ci = _half_couple(K, w, s, gap, read_three(g, SHARE_I), pose[i, STRESS], one)
+        cj = _half_couple(K, 1.0 - w, s, gap, read_three(g, SHARE_J), pose[j, STRESS], other)
         n = crack_couple(gap, f, ci, cj)
         bent, h = bending(pose, bonds, cells, k)
-        x, y = cross(three(g, ARM_I), f), cross(f, three(g, ARM_J))
+        x, y = cross(read_three(g, ARM_I), f), cross(f, read_three(g, ARM_J))
         ti = plus(plus(plus(x, 1.0, ci), 0.5, n), s, h)
         tj = plus(plus(plus(y, 1.0, cj), 0.5, n), -s, h)
         _add(load, i, 1.0, f, ti)
         _add(load, j, -1.0, f, tj)
-        put(cracks.pull[c], 0, f)
+        write_three(cracks.pull[c], 0, f)
         if change:
             _book(elements, bonds, cells, cracks, c, (one, other, rub, slip, bent))
             if s == 0.0 and row[BEFORE] > 0.0:
@@ -123,10 +123,10 @@ def _book(elements, bonds, cells, cracks, c, found):
     cracks.released[0] += lost
     q = elements.pose[i, 4], elements.pose[i, 5], elements.pose[i, 6], elements.pose[i, 7]
     own = turned_by((q[0], -q[1], -q[2], -q[3]), slip)
-    came = plus(slip, -1.0, turned_by(q, three(row, SLIP)))
-    elements.loss[i, RUBBED] += 0.5 * (scalar(three(row, RUB), came) + scalar(rub, came))
-    put(row, SLIP, own)
-    put(row, RUB, rub)
+    came = plus(slip, -1.0, turned_by(q, read_three(row, SLIP)))
+    elements.loss[i, RUBBED] += 0.5 * (scalar(read_three(row, RUB), came) + scalar(rub, came))
+    write_three(row, SLIP, own)
+    write_three(row, RUB, rub)
 
 
 @kernel(parallel=False)

@@ -3,14 +3,14 @@
 from bondem.labtests.any_shape import UniformStress, uniform_stress
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
-from bondem.labtests.direct_tension import direct_tension
+from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
 from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.loading import StrengthTest
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
+from bondem.labtests.tearing import direct_tension
 from bondem.labtests.tension import Tension, static_tension
-from bondem.labtests.uniaxial_compression import uniaxial_compression
 from bondem.labtests.vibration import FreeVibration, free_vibration
 
 __all__ = [

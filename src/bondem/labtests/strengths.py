@@ -5,10 +5,10 @@ from collections.abc import Callable
 import numpy as np
 
 from bondem.errors import InputError
-from bondem.labtests.direct_tension import direct_tension
+from bondem.labtests.compression import mohr_coulomb_strength, uniaxial_compression
 from bondem.labtests.loading import StrengthTest
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.uniaxial_compression import mohr_coulomb_strength, uniaxial_compression
+from bondem.labtests.tearing import direct_tension
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.specimen.lattice import Lattice

@@ -43,8 +43,8 @@ def draw_broken(path: Path, specimen: Examined) -> None:
     solid = polyhedra(body)
     owner = np.repeat(solid.cell, np.diff(solid.start))
     names = [name for name in TITLES if name in specimen.outcomes]
-    with sheet(path, 8.2, 3.1 * len(names), len(names), 1, squeeze=False) as (figure, axes):
-        for ax, name in zip(axes[:, 0], names, strict=True):
+    with sheet(path, 4.1 * len(names), 3.6, 1, len(names), squeeze=False) as (figure, axes):
+        for ax, name in zip(axes[0], names, strict=True):
             curves = specimen.outcomes[name].curves
             slipped = name == "ucs" and float(curves["slip"].max()) > 0.0
             value = 100.0 * curves["slip"] if slipped else curves["damage"]
@@ -55,7 +55,9 @@ def draw_broken(path: Path, specimen: Examined) -> None:
             reach = max(1.0, _EXAGGERATED * float(np.ptp(body.centre[:, 0])) / float(np.ptp(moved[:, 0])))
             colour = np.asarray(colormaps[SEQUENTIAL](norm(value)))[:, :3]
             draw_cells(ax, solid, colour, view=_VIEW, moved=reach * moved)
-            ax.set_title(f"{TITLES[name]}, motion {reach:.0f} times exaggerated", color=INK)
-            bar = figure.colorbar(ScalarMappable(norm, SEQUENTIAL), ax=ax, shrink=0.7, pad=0.02)
+            ax.set_title(f"{TITLES[name]}, motion × {reach:.0f}", color=INK)
+            bar = figure.colorbar(
+                ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
+            )
             bar.set_label("plastic slip of the cell [%]" if slipped else "largest damage of its facets, 1 − s [-]")
             bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
