@@ -15,6 +15,7 @@ from bondem.observe.energy import elastic_energy
 from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
+from tests.bits import assert_resumes_to, assert_same_bits
 from tests.recording import Record
 
 E, RHO = 40e9, 2500.0
@@ -104,11 +105,6 @@ def test_the_ledger_of_cells_is_second_order(one_thread: None, record: Record) -
     record("order", order)
 
 
-def same_bits(first: bd.ExplicitResult, second: bd.ExplicitResult) -> None:
-    for name in State.ARRAYS:
-        np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
-
-
 def test_same_bits_of_cells_after_a_thousand_breaks(tmp_path: Path, record: Record) -> None:
     if numba.config.NUMBA_NUM_THREADS < 2:
         pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
@@ -122,22 +118,8 @@ def test_same_bits_of_cells_after_a_thousand_breaks(tmp_path: Path, record: Reco
     whole = run(1, 50)
     assert len(whole.events) > 1000
     for count, every in ((2, 50), (1, 7), (2, 1), (2, 0)):
-        same_bits(whole, run(count, every))
-    place = tmp_path / "run.h5"
-
-    class EnoughError(Exception):
-        pass
-
-    def stop(share: float) -> None:
-        if share > 0.6:
-            raise EnoughError
-
-    with pytest.raises(EnoughError):
-        run(2, 50, save_every=97, out=place, progress=stop)
-    assert 0 < len(bd.read_run(place).state.broken) < len(whole.events)
-    resumed = bd.resume(place)
-    same_bits(whole, resumed)
-    np.testing.assert_array_equal(whole.history.records, resumed.history.records)
+        assert_same_bits(whole, run(count, every))
+    assert_resumes_to(whole, functools.partial(run, 2, 50, save_every=97), tmp_path / "run.h5", 0.6)
     record("same bits", True)
 
 

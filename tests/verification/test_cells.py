@@ -328,3 +328,11 @@ def test_walls_of_a_re_entrant_corner_belong_to_no_face():
     assert free.area[free.face < 0].sum() == pytest.approx(2 * 40.0 * 7.0, rel=1e-9)
     middle = (30.0 * 5.0 + 21.0 * 1.5) / 51.0  # of the L: a load acts through it
     assert bd.Face("x_max").anchor(body) == pytest.approx(np.array([40.0, middle, middle]), rel=1e-9)
+
+
+def test_fabric_of_a_body_looks_at_the_spheres_for_their_overlap():
+    """Cells have their centres elsewhere: between these, spheres would seem to overlap more."""
+    particles = bd.pack(SHAPES["cylinder"][0], count=300, seed=1)
+    touching, body = bd.connect(particles), bd.connect(particles, method="laguerre")
+    assert np.abs(body.centre - particles.position).max() > 0.05 * particles.mean_radius
+    assert bd.fabric(body).largest_overlap == pytest.approx(bd.fabric(touching).largest_overlap, rel=1e-9)

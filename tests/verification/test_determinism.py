@@ -17,6 +17,7 @@ from bondem.solve.explicit import integrate
 from bondem.solve.history import History
 from bondem.solve.plan import ExplicitResult, Plan
 from bondem.solve.timestep import critical_step
+from tests.bits import assert_same_bits
 from tests.recording import Record
 
 GAUGES = {
@@ -49,13 +50,6 @@ def state_of(model: bd.Model) -> State:
     state = State(model)
     state.set_motion(velocity=rng.uniform(-0.5, 0.5, (len(state.pose), 3)))
     return state
-
-
-def assert_same_bits(first: ExplicitResult, second: ExplicitResult) -> None:
-    assert first.status is second.status
-    assert first.state.step == second.state.step
-    for name in State.ARRAYS:
-        np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
 
 
 def test_one_and_two_threads_agree_to_the_bit(record: Record) -> None:

@@ -14,6 +14,7 @@ import numpy as np
 from bondem._compile import device, kernel
 from bondem.kernels.bond_pass import branch
 from bondem.laws.beam_energy import bond_force
+from bondem.laws.cell_energy import cross, scalar
 from bondem.laws.failure.elliptic import elliptic_index
 from bondem.laws.failure.linear_sum import linear_index
 from bondem.laws.failure.mohr_coulomb import mohr_coulomb_index
@@ -34,20 +35,10 @@ def judged(kind, load, s):
 
 
 @device
-def _product(a, b):
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-@device
-def _along(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-@device
 def _across(a, e):
     """Length of what of a vector is not along a unit vector."""
-    c = _product(a, e)
-    return math.sqrt(_along(c, c))
+    c = cross(a, e)
+    return math.sqrt(scalar(c, c))
 
 
 @kernel(parallel=False)
@@ -69,7 +60,7 @@ def single_bond(pose, bonds, k):
 def _angle(pose, p, e, bonds, k):
     """Between a unit vector and the reference direction of a bond turned with an element [rad]."""
     q = rotate(pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7], bonds.X0[k], bonds.Y0[k], bonds.Z0[k])
-    return math.atan2(_across(q, e), _along(q, e))
+    return math.atan2(_across(q, e), scalar(q, e))
 
 
 @kernel(parallel=False)
@@ -80,18 +71,18 @@ def index_of(pose, bonds, kind, coefficient, station, k):
     sign, strain, and the larger angle between the axis and its ends.
     """
     d, force, on_i, on_j = single_bond(pose, bonds, k)
-    l = math.sqrt(_along(d, d))
+    l = math.sqrt(scalar(d, d))
     e = d[0] / l, d[1] / l, d[2] / l
     if station < 0.0:
         bending = max(_across(on_i, e), _across(on_j, e))
     else:
-        c, arm = _product(e, force), station * l
+        c, arm = cross(e, force), station * l
         bending = _across((on_i[0] + arm * c[0], on_i[1] + arm * c[1], on_i[2] + arm * c[2]), e)
     angle = 0.0
     if kind == 3:
         angle = max(_angle(pose, bonds.i[k], e, bonds, k), _angle(pose, bonds.j[k], e, bonds, k))
     load = (
-        -_along(force, e), _across(force, e), bending, math.fabs(_along(on_i, e)), l / bonds.length[k] - 1.0, angle
+        -scalar(force, e), _across(force, e), bending, math.fabs(scalar(on_i, e)), l / bonds.length[k] - 1.0, angle
     )  # fmt: skip
     return judged(kind, load, coefficient)
 

@@ -42,7 +42,7 @@ def draw_modes(path: Path, specimen: Examined) -> None:
         images.append(render(position + reach / moved.max() * shape, radius, colour, view=_VIEW, width=520))
         titles.append(f"{kind}: {with_unit(float(modes.frequency[best]), 'Hz')}")
     tallest = max(len(image) for image in images)
-    with sheet(path, 8.2, 8.2 / 3.0 * tallest / 520 + 0.3, 1, 3) as (_, axes):
+    with sheet(path, 8.2, 8.2 / 3.0 * tallest / 520 + 0.42, 1, 3) as (_, axes):
         for ax, title, image in zip(axes, titles, images, strict=True):
             room = tallest - len(image)
             padded = np.pad(image, ((room // 2, room - room // 2), (0, 0), (0, 0)))
@@ -79,13 +79,15 @@ def draw_wave(path: Path, specimen: Examined) -> None:
     time = curves["time"] * 1e6
     arrival, plateau = float(curves["arrival"]) * 1e6, float(curves["plateau"])
     expected = arrival * outcome.measured / outcome.theory
+    # of a body of cells the wall is held, and the cells behind it are sprung
+    struck = "struck face, held" if specimen.lattice.cells is None else "cells behind the struck face"
     with sheet(path, 8.2, 3.1) as (_, ax):
-        ax.plot(time, curves["near"], color=GREY, label="struck face, held")
+        ax.plot(time, curves["near"], color=GREY, label=struck)
         ax.plot(time, curves["far"], color=BLUE, label="far face")
         ax.axhline(0.5 * plateau, color=PURPLE, linewidth=1.0, linestyle=(0, (1, 1.5)), label="half of the plateau")
         ax.axvline(expected, color=INK, linewidth=1.0, linestyle=(0, (4, 3)),
                    label=f"theory √(E/ρ): {with_unit(outcome.theory, 'm/s')}")  # fmt: skip
         ax.plot([arrival], [0.5 * plateau], "D", color=ORANGE, markersize=7,
                 label=f"arrival: {with_unit(outcome.measured, 'm/s')}", zorder=5)  # fmt: skip
-        ax.set(xlabel="time [µs]", ylabel="mean velocity towards the far face [m/s]", xlim=(0.0, time[-1]))
+        ax.set(xlabel="time [µs]", ylabel="mean velocity of a face [m/s]", xlim=(0.0, time[-1]))
         ax.legend(loc="upper left")

@@ -128,7 +128,10 @@ def fabric(lattice: Lattice) -> Fabric:
     shape, R = region(particles), particles.mean_radius
     inside = shape.depth(particles.position) >= _CORE_DEPTH * R
     core = _isotropy(direction[inside[lattice.pairs].all(axis=1)])
-    overlap = particles.radius[lattice.pairs].sum(axis=1) - lattice.length
+    # of the spheres: cells have their centres elsewhere
+    i, j = lattice.pairs.T
+    between = particles.nearest(particles.position[j] - particles.position[i])
+    overlap = particles.radius[i] + particles.radius[j] - np.linalg.norm(between, axis=1)
     z, bonds = lattice.coordination_number, np.bincount(lattice.pairs.ravel(), minlength=n)
     held = _held(lattice, shape)
     backbone = np.bincount(lattice.pairs[held[lattice.pairs].all(axis=1)].ravel(), minlength=n)[held]

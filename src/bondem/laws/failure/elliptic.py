@@ -21,14 +21,17 @@ class Elliptic(BondCriterion):
 
         (ε⁺ / elongation)² + max(|θ_i|, |θ_j|) / rotation ≥ 1
 
-    with ε = (ℓ - L) / L, only where positive, and θ the angle between the beam's axis and that of its end. Bonds
-    without bending stiffness are judged in every step, as no force tells how far they have turned.
+    with ε = (ℓ - L) / L, only where positive, and θ the angle between the beam's axis and that of its end; in ε and θ
+    the limit is a parabola, the name is the literature's. Bonds without bending stiffness are judged in every step,
+    as no force tells how far they have turned.
 
     Attributes:
         elongation: ε at which a straight beam breaks [-].
         rotation: θ at which a beam that keeps its length breaks [rad].
 
-    Reference: Carmona, Wittel, Kun and Herrmann (2008), eq. (3).
+    Reference: Carmona, Wittel, Kun and Herrmann (2008), eq. (5) of the preprint arXiv:0711.2993. There ε² counts in
+    pressure too, and each of the two limits scatters by a Weibull distribution of its own; here pressure breaks
+    nothing, and both limits of a bond share one factor.
 
     Raises:
         InputError: a limit that is not positive.

@@ -17,8 +17,8 @@ class LinearSum(BondCriterion):
 
         N / force + |Q| / shear + |M| / bending + |T| / twisting ≥ 1
 
-    Tension positive: pressure strengthens. M is the larger of the moments at both ends for beams, that at the contact
-    point for parallel and contact bonds.
+    Tension positive, and N counts with its sign: pressure strengthens. M is the larger of the moments at both ends
+    for beams, that at the contact point for parallel and contact bonds.
 
     Attributes:
         force: largest tensile force alone [N].
@@ -26,7 +26,12 @@ class LinearSum(BondCriterion):
         bending: largest bending moment alone [N·m].
         twisting: largest twisting moment alone [N·m].
 
-    Reference: `bond_style bpm/rotational` of LAMMPS, whose moments are those of its own bond law; Wang (2009).
+    Reference: `bond_style bpm/rotational` of LAMMPS, after Wang (2009). Its manual and its source sum the same four
+    shares, N with its sign, and cut off the sum at 0. Its moments are k_b times the angle of bending and k_t times
+    that of twisting, without what the shear force adds towards the ends: those at the contact point, as here for
+    parallel and contact bonds. Three things differ: it weakens bonds by 1 - index⁴ before they break (unless told
+    `smooth no`), its source reads the limit of twisting before that of bending (its manual lists them the other way
+    round), and its moments grow with the angle, not with its sine.
 
     Raises:
         InputError: a strength that is not positive.

@@ -1,0 +1,45 @@
+"""Whether two runs have the same bits, and a run that is cut off and goes on."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.model.state import State
+
+
+def assert_same_bits(first: bd.ExplicitResult, second: bd.ExplicitResult) -> None:
+    """Of status, step and every array of the state."""
+    assert first.status is second.status
+    assert first.state.step == second.state.step
+    for name in State.ARRAYS:
+        np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
+
+
+class EnoughError(Exception):
+    """Cuts a run off."""
+
+
+def assert_resumes_to(whole: bd.ExplicitResult, run: Callable[..., object], place: Path, share: float) -> None:
+    """A run that is cut off at a share of it, amid what breaks, and resumed from its file, ends as the whole one.
+
+    Args:
+        whole: run through.
+        run: the same with `out` and `progress`, and with `save_every`.
+        place: its file.
+        share: of the run, in (0, 1).
+    """
+
+    def stop(done: float) -> None:
+        if done > share:
+            raise EnoughError
+
+    with pytest.raises(EnoughError):
+        run(out=place, progress=stop)
+    assert 0 < len(bd.read_run(place).state.broken) < len(whole.events)
+    resumed = bd.resume(place)
+    assert_same_bits(whole, resumed)
+    np.testing.assert_array_equal(whole.history.records, resumed.history.records)
+    np.testing.assert_array_equal(whole.events.bond, resumed.events.bond)

@@ -1,0 +1,129 @@
+"""Criteria of failure that cannot be: each is refused in one line that names what is wrong and what to do."""
+
+import functools
+import math
+import re
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.errors import InputError
+
+ROW = bd.connect(bd.Particles(1e-3 * np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]), 0.5e-3), tolerance=1e-9)
+LAW = bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.5)
+STRESS = bd.PeripheralStress(tension=1e6, shear=1e6)
+TRACTION = bd.MohrCoulomb(tension=1e6, cohesion=1e6, friction_angle=0.5)
+
+
+@functools.cache
+def body() -> bd.Lattice:
+    return bd.connect(bd.pack(bd.Box((4e-3, 2e-3, 2e-3)), count=12, method="even", seed=1), method="laguerre")
+
+
+def model(failure: object, bond: object = LAW, lattice: bd.Lattice = ROW, **others) -> bd.Model:
+    return bd.Model(lattice, bond, density=1000.0, failure=failure, **others)
+
+
+def mixed() -> bd.Model:
+    """Beams, which are judged at their ends, beside bonds that are judged where elements touch."""
+    bonds = {bd.Index([0, 1]): LAW, bd.Everything(): bd.ParallelBond(E=1e9, nu=0.3, radius_ratio=0.5)}
+    return model(STRESS, bonds)
+
+
+def free_model(failure: bd.Criterion | None = STRESS) -> bd.Model:
+    return model(failure, boundary=[bd.Fix(bd.Index([0]))])
+
+
+def other_state() -> bd.State:
+    return bd.Model(bd.Lattice(ROW.particles, ROW.pairs[:1]), LAW, density=1000.0, failure=STRESS).state()
+
+
+# What is wrong, in the words of the message; what to do, likewise; how to get there.
+REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
+    "a number": ("4000000", "a criterion such as bd.PeripheralStress", lambda: model(4e6)),
+    "a class": ("PeripheralStress", "a criterion such as", lambda: model(bd.PeripheralStress)),
+    "the non-local law": (
+        "NonLocal", "use beam bonds or bd.CellBond", lambda: model(TRACTION, bd.NonLocal(E=1e9, nu=0.2), body())
+    ),
+    "the incremental form": (
+        "needs bonds of the total formulation", "use formulation='total'",
+        lambda: model(STRESS, bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.5, formulation="incremental")),
+    ),
+    "contact": (
+        "failure= and contact= together", "leave one of them out",
+        lambda: model(STRESS, contact=bd.LinearContact(E=1e9)),
+    ),
+    "a beam's stress in cells": (
+        "PeripheralStress judges beams", "use bd.MohrCoulomb",
+        lambda: model(STRESS, bd.CellBond(E=1e9, nu=0.2), body()),
+    ),
+    "a sum of forces in cells": (
+        "LinearSum judges beams", "use bd.MohrCoulomb",
+        lambda: model(
+            bd.LinearSum(force=1.0, shear=1.0, bending=1.0, twisting=1.0), bd.CellBond(E=1e9, nu=0.2), body()
+        ),
+    ),
+    "an ellipse in cells": (
+        "Elliptic judges beams", "use bd.MohrCoulomb",
+        lambda: model(bd.Elliptic(elongation=0.1, rotation=0.1), bd.CellBond(E=1e9, nu=0.2), body()),
+    ),
+    "bonds of two kinds": ("at the ends or at contact points", "give bonds of one kind", mixed),
+    "statics": ("explicit runs only", "leave failure= out", lambda: bd.solve_static(free_model())),
+    "modes": ("explicit runs only", "leave failure= out", lambda: bd.solve_modes(free_model(), count=1)),
+    "relaxation": ("explicit runs only", "leave failure= out", lambda: bd.solve_relaxed(free_model())),
+    "an index without a criterion": (
+        "failure_index needs a criterion", "give the model failure=",
+        lambda: bd.failure_index(free_model(None), free_model(None).state()),
+    ),
+    "an index of another lattice": (
+        "the state belongs to another", "give one of this model",
+        lambda: bd.failure_index(free_model(), other_state()),
+    ),
+    "an index of no state": ("state", "model.state()", lambda: bd.failure_index(free_model(), None)),
+    "an index of no model": ("model", "bd.Model(...)", lambda: bd.failure_index(None, free_model().state())),
+}  # fmt: skip
+# Parameters: the class and the parameter are named, and what would do.
+PERIPHERAL, COULOMB = {"tension": 1.0, "shear": 1.0}, {"tension": 1.0, "cohesion": 1.0, "friction_angle": 0.5}
+LINEAR = {"force": 1.0, "shear": 1.0, "bending": 1.0, "twisting": 1.0}
+ELLIPTIC, WEIBULL = {"elongation": 0.1, "rotation": 0.1}, {"modulus": 5.0, "volume": 1.0}
+WRONG = [
+    *((bd.PeripheralStress, PERIPHERAL, name, bad, "in Pa") for name in PERIPHERAL for bad in (0.0, -1.0, math.nan)),
+    *((bd.PeripheralStress, PERIPHERAL, "beta", bad, "[0, 1]") for bad in (-0.1, 1.1)),
+    *((bd.MohrCoulomb, COULOMB, name, bad, "in Pa") for name in ("tension", "cohesion") for bad in (0.0, math.inf)),
+    *((bd.MohrCoulomb, COULOMB, "friction_angle", bad, "[0, π/2) rad") for bad in (-0.1, 0.5 * math.pi, 35.0)),
+    *((bd.LinearSum, LINEAR, name, bad, "a positive N") for name in LINEAR for bad in (0.0, -1.0, "strong")),
+    *((bd.Elliptic, ELLIPTIC, name, bad, "") for name in ELLIPTIC for bad in (0.0, -1.0)),
+    *((bd.Weibull, WEIBULL, name, bad, "") for name in WEIBULL for bad in (0.0, -1.0)),
+    (bd.Weibull, WEIBULL, "seed", 1.5, "whole number"),
+    *((bd.Normal, {"deviation": 0.1}, "deviation", bad, "[0, 1/3)") for bad in (-0.1, 0.34)),
+    (bd.PeripheralStress, PERIPHERAL, "scatter", 0.1, "bd.Weibull(...), bd.Normal(...) or None"),
+]
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_a_criterion_where_it_cannot_be_is_refused(case: str) -> None:
+    wrong, advice, call = REFUSED[case]
+    with pytest.raises(InputError, match=re.escape(wrong)) as refused:
+        call()
+    assert advice in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(("kind", "good", "name", "bad", "advice"), WRONG)
+def test_a_parameter_out_of_range_is_named(kind: type, good: dict, name: str, bad: object, advice: str) -> None:
+    kind(**good)
+    with pytest.raises(InputError, match=rf"\b{kind.__name__}\b.*\b{name}\b") as refused:
+        kind(**good | {name: bad})
+    assert advice in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_what_can_be_is_not_refused() -> None:
+    for failure in (STRESS, TRACTION, bd.Elliptic(elongation=0.1, rotation=0.1), None):
+        model(failure)
+    model(TRACTION, bd.CellBond(E=1e9, nu=0.2), body())
+    model(STRESS, bd.ParallelBond(E=1e9, nu=0.3, radius_ratio=0.5))
+    without = bd.Model(bd.Lattice(ROW.particles, ROW.pairs[:0]), None, density=1000.0, failure=STRESS)
+    assert bd.failure_index(without, without.state()).shape == (0,)

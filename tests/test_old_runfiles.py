@@ -1,0 +1,142 @@
+"""Run files of older schemas: two that older versions of bondem wrote, and a run that goes on from one.
+
+The files of `tests/data` hold, in every array of the state that does not grow, 0, 1/64, 2/64 … in its order, and
+three records whose column c is s + c/64.
+"""
+
+import gzip
+import json
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.errors import RunFileError
+from bondem.io.runfile import RunFile, read_run
+from bondem.kernels.tables import FIXED_COLUMNS, FRACTURE, NON_LOCAL
+from bondem.model.state import State
+from bondem.solve.explicit import integrate
+from tests.bits import EnoughError, assert_same_bits
+
+DATA = Path(__file__).parent / "data"
+# What a schema did not have: arrays of the state, columns of the records.
+MISSING = {2: (("stress", "broken", "released"), (NON_LOCAL, FRACTURE)), 3: (("broken", "released"), (FRACTURE,))}
+
+
+def file_of(schema: int, tmp_path: Path) -> Path:
+    place = tmp_path / f"schema_{schema}.h5"
+    place.write_bytes(gzip.decompress((DATA / f"run_schema_{schema}.h5.gz").read_bytes()))
+    return place
+
+
+@pytest.mark.parametrize("schema", MISSING)
+def test_what_an_older_bondem_wrote_is_read(schema: int, tmp_path: Path) -> None:
+    read = read_run(file_of(schema, tmp_path))
+    missing, columns = MISSING[schema]
+    assert (read.state.step, read.state.time, read.state.stale) == (7, 7e-8, False)
+    fresh = State(read.model)
+    for name in State.ARRAYS:
+        found = getattr(read.state, name)
+        if name in missing or name in State.GROWING:
+            np.testing.assert_array_equal(found, getattr(fresh, name), err_msg=name)
+        else:
+            np.testing.assert_array_equal(found.ravel(), np.arange(found.size) / 64.0, err_msg=name)
+    # what was not measured then is 0, and what was is where it belongs
+    assert read.history.gauges == ("end",)
+    assert read.history.records.shape == (3, FIXED_COLUMNS + 3)
+    then = [c for c in range(FIXED_COLUMNS + 3) if c not in columns]
+    np.testing.assert_array_equal(read.history.records[:, columns], 0.0)
+    np.testing.assert_array_equal(
+        read.history.records[:, then], np.arange(3)[:, None] + np.arange(len(then)) / 64.0
+    )
+    assert read.model.failure is None
+    assert read.plan.damping == bd.LocalDamping(0.05)
+
+
+def test_the_models_of_older_files_come_back(tmp_path: Path) -> None:
+    beams, body = (read_run(file_of(schema, tmp_path)).model for schema in MISSING)
+    assert beams.bond == bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
+    assert beams.contact == bd.LinearContact(E=70e9, friction=0.3)
+    assert len(beams.walls) == 1
+    assert [type(one) for one in beams.boundary] == [bd.Fix, bd.Load, bd.Drive]
+    assert beams.lattice.pairs.tolist() == [[0, 1], [1, 2], [2, 3]]
+    assert body.bond == bd.NonLocal(E=40e9, nu=0.2)
+    assert body.lattice.cells.volume.sum() == pytest.approx(16e-9, rel=1e-9)
+
+
+def aged(path: Path, schema: int) -> None:
+    """Make a run file of today one of an older schema: without what that one did not have."""
+    arrays, columns = MISSING[schema]
+    with h5py.File(path, "a") as file:
+        file.attrs["schema"] = schema
+        for name in arrays:
+            del file[f"state/{name}"]
+        records = np.delete(file["history/records"][()], columns, axis=1)
+        del file["history/records"]
+        file["history/records"] = records
+        model = json.loads(file["model"][()])
+        del file["model"], model["failure"]
+        file["model"] = json.dumps(model)
+
+
+@pytest.mark.parametrize("schema", MISSING)
+def test_a_run_goes_on_from_an_older_file_to_the_bit(schema: int, tmp_path: Path) -> None:
+    x = 1e-3 * np.arange(5)
+    lattice = bd.connect(bd.Particles(np.stack([x, 0 * x, 0 * x], axis=1), 0.5e-3))
+    load = bd.Load(bd.Index([4]), force=(0.0, -0.5, 0.1), schedule=bd.Ramp(0.0, 1.0, 1e-6))
+    law = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
+    model = bd.Model(lattice, law, density=2500.0, boundary=[bd.Fix(bd.Index([0])), load])
+    options = {"every": 7, "save_every": 50, "gauges": {"end": bd.Gauge(bd.Index([4]), "displacement")}}
+    dt = bd.solve_explicit(model, duration=0.0, **options).dt
+    whole = bd.solve_explicit(model, duration=200 * dt, out=tmp_path / "whole.h5", **options)
+
+    class Cut(RunFile):
+        def checkpoint(self, state, history):
+            super().checkpoint(state, history)
+            if state.step == 100:
+                raise EnoughError
+
+    place, plan = tmp_path / "cut.h5", read_run(tmp_path / "whole.h5").plan
+    with pytest.raises(EnoughError):
+        integrate(model, plan, sink=Cut(place, model, plan))
+    aged(place, schema)
+    resumed = bd.resume(place)
+    assert_same_bits(whole, resumed)
+    np.testing.assert_array_equal(whole.history.records, resumed.history.records)
+    with h5py.File(place) as file:  # what it leaves is of today
+        assert file.attrs["schema"] == 4
+        assert "state/broken" in file
+
+
+@pytest.mark.parametrize(("schema", "missing"), [(3, "state/stress"), (4, "state/broken"), (2, "state/loss")])
+def test_an_array_that_its_schema_has_must_be_there(schema: int, missing: str, tmp_path: Path) -> None:
+    place = file_of(3, tmp_path)
+    with h5py.File(place, "a") as file:
+        file.attrs["schema"] = schema
+        if missing in file:
+            del file[missing]
+    with pytest.raises(RunFileError, match=r"is damaged .*; start the run again"):
+        read_run(place)
+
+
+def test_a_file_before_contacts_is_refused_in_a_line(tmp_path: Path) -> None:
+    place = file_of(2, tmp_path)
+    with h5py.File(place, "a") as file:
+        file.attrs["schema"] = 1
+    with pytest.raises(RunFileError, match="older bondem, before there were contacts; start the run") as refused:
+        read_run(place)
+    assert str(place) in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_law_of_a_later_version_is_refused_by_name(tmp_path: Path) -> None:
+    place = file_of(3, tmp_path)
+    with h5py.File(place, "a") as file:
+        model = json.loads(file["model"][()])
+        model["bond"]["type"] = "LaterLaw"
+        del file["model"]
+        file["model"] = json.dumps(model)
+    with pytest.raises(RunFileError, match="unknown type 'LaterLaw'; read the file with the bondem version"):
+        read_run(place)
