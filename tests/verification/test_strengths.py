@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from scipy.optimize import brentq
+from scipy.spatial.transform import Rotation
 
 import bondem as bd
 from bondem.solve.timestep import critical_step
@@ -137,6 +138,9 @@ UNBROKEN = {
 }  # fmt: skip
 
 
+WHOLE = Rotation.from_rotvec([0.5, -0.9, 0.4])
+
+
 def pair(failure: bd.Criterion, boundary=(), swapped: bool = False) -> bd.Model:
     """Two touching spheres along x."""
     position = np.array([[0.0, 0.0, 0.0], [L, 0.0, 0.0]])
@@ -150,11 +154,13 @@ def turned(z: float, x: float = 0.0) -> np.ndarray:
     return np.array([c * d, c * t, s * t, s * d])
 
 
-def index(model: bd.Model, pose: Pose) -> float:
-    """What the judging function says."""
+def index(model: bd.Model, pose: Pose, whole: Rotation | None = None) -> float:
+    """What the judging function says, of the pair turned as a whole."""
+    whole = Rotation.identity() if whole is None else whole
     state = model.state()
-    orientation = np.stack([turned(pose.first), turned(pose.second, pose.twist)])
-    state.set_pose(position=np.array([[0.0, 0.0, 0.0], pose.place]), orientation=orientation)
+    own = Rotation.from_quat([turned(pose.first), turned(pose.second, pose.twist)], scalar_first=True)
+    orientation = (whole * own).as_quat(scalar_first=True)
+    state.set_pose(position=whole.apply([[0.0, 0.0, 0.0], pose.place]), orientation=orientation)
     return float(bd.failure_index(model, state)[0])
 
 
@@ -177,10 +183,11 @@ def test_a_pair_is_as_strong_as_the_closed_form(criterion: str, way: str, swappe
     at = strength(criterion, way)
     assert 0.01 < at < 0.99
     assert index(model, WAYS[way].times(at)) == pytest.approx(1.0, rel=1e-9)
-    # and anywhere else on the way
+    # and anywhere else on the way, however the pair is turned
     for share in (0.5 * at, 1.0):
         expected = shares(borne(WAYS[way].times(share)))[0]
-        assert index(model, WAYS[way].times(share)) == pytest.approx(expected, rel=1e-9)
+        for whole in (None, WHOLE):
+            assert index(model, WAYS[way].times(share), whole) == pytest.approx(expected, rel=1e-9)
     record("closed form", True)
 
 
@@ -257,4 +264,6 @@ def test_contact_bonds_of_unequal_spheres_are_judged_where_they_touch(swapped: b
     end = 0.5 * A * math.sin(2 * p) + B * math.cos(p) * math.sin(q) + kt * math.sin(p - q)
     moment = abs(end - near / L * sideways)
     assert abs(moment / abs(end) - 1.0) > 0.3
-    assert index(model, Pose(first=-p, second=-q)) == pytest.approx(moment * RADIUS / I / 2e6, rel=1e-9)
+    for whole in (None, WHOLE):
+        found = index(model, Pose(first=-p, second=-q), whole)
+        assert found == pytest.approx(moment * RADIUS / I / 2e6, rel=1e-9)
