@@ -10,6 +10,7 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError, StudyError
 from bondem.laws.failure.mohr_coulomb import MohrCoulomb
+from bondem.observe.energy import elastic_energy
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study
 
@@ -54,6 +55,23 @@ def test_a_prism_has_the_strength_of_a_mohr_coulomb_continuum(pressure: float) -
     slip = test.state.slipped
     assert slip.shape == (250,)
     assert (slip > 0.0).mean() > 0.5
+
+
+def test_stresses_of_a_failing_body_are_in_equilibrium_with_its_platens() -> None:
+    """Mean axial stress of the cells, where they have yielded: that of the platens; the pressure on the sides."""
+    test = bd.labtests.uniaxial_compression(body(), LAW, FAILURE, pressure=5e6, reach=1.2)
+    state = test.state
+    assert isinstance(state.model, bd.Model)
+    stress, volume = bd.cell_stress(state.model, state), state.model.lattice.cells.volume
+    mean = np.einsum("n,nab->ab", volume / volume.sum(), stress)
+    assert mean[0, 0] == pytest.approx(-test.curve[-1, 1], rel=0.01)
+    assert mean[1, 1] == pytest.approx(-5e6, rel=0.02)
+    assert mean[2, 2] == pytest.approx(-5e6, rel=0.02)
+    with pytest.raises(InputError, match=r"run\.history\.energy"):
+        elastic_energy(state.model, state)
+    state.set_motion(velocity=np.zeros((250, 3)))
+    with pytest.raises(InputError, match="run a step first"):
+        bd.cell_stress(state.model, state)
 
 
 def test_nothing_depends_on_the_density_of_a_strength_test() -> None:

@@ -7,7 +7,7 @@ import numpy as np
 from bondem._checks import array, shown
 from bondem._types import Floats, Pairs, PerBond, PerElement, PerElement3
 from bondem.errors import InputError
-from bondem.kernels.crack_tables import CRACK_COLUMNS, GAMMA, HEAT, PLASTIC_COLUMNS
+from bondem.kernels.crack_tables import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, PLASTIC_COLUMNS
 from bondem.kernels.non_local import STORED, TAKEN
 from bondem.kernels.tables import BROKEN_COLUMNS, lines
 from bondem.kernels.walls import COLUMNS, FORCE, WORK
@@ -222,6 +222,14 @@ class State:
         if not len(self.plastic):
             return np.zeros(len(self.pose))
         return self._by_user(self.plastic[:, GAMMA])
+
+    @property
+    def plastic_deformation(self) -> Floats:
+        """P of each cell, in its own frame, by which its levers have grown [-], user's order, shape (n, 3, 3)."""
+        P = np.tile(np.eye(3), (len(self.pose), 1, 1))
+        if len(self.plastic):
+            P += self._by_user(self.plastic[:, DEFORMATION : DEFORMATION + 9]).reshape(-1, 3, 3)
+        return P
 
     @property
     def contacts(self) -> Pairs:

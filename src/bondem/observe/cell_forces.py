@@ -8,6 +8,7 @@ import numpy as np
 from bondem._checks import shown
 from bondem._types import Floats, PerBond3, PerElement, PerElement3
 from bondem.errors import InputError
+from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.grip_pass import place_walls
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
@@ -103,6 +104,8 @@ def _turned(model: Model, state: State) -> CellForces:
         own[model.layout.bond_order] = state.eigenstrain
         constants = constants.stretched(own)
     q = state.orientation
+    if model.softening is not None and (len(state.cracks) or state.plastic.any()):
+        return _failing(model, state)
     a, b = turned_vectors(q[i], constants.lever_i), turned_vectors(q[j], constants.lever_j)
     gap = body.particles.nearest(state.position[j] - state.position[i]) + b - a
     share_i, share_j = turned_vectors(q[i], constants.share_i), turned_vectors(q[j], constants.share_j)
@@ -125,6 +128,31 @@ def _turned(model: Model, state: State) -> CellForces:
         held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
         load=loads_on_facets(model, state.time),
         load_arm=turned_vectors(q[free.cell], outwards),
+        stress=stress,
+    )  # fmt: skip
+
+
+def _failing(model: Model, state: State) -> CellForces:
+    """Those of the last step of a state with cracks, or with cells that have yielded, as the run has left them."""
+    if state.stale:
+        raise InputError("cell_stress: the state has cracks and was changed by hand; run a step first")
+    body, constants, layout = model.lattice, model.cell_constants, model.layout
+    _, cells = body_of(body)
+    i, j = body.pairs.T
+    q, grips, free = state.orientation, constants.grips, cells.free
+    force = np.empty((len(i), 3))
+    force[layout.bond_order] = np.where(layout.flipped[:, None], -1.0, 1.0) * state.facet_force.T
+    P = state.plastic_deformation
+    arm = turned_vectors(q[grips.cell], np.einsum("gab,gb->ga", P[grips.cell], grips.lever))
+    opened = grips.axes * (_walls(model, state.time) - (state.displacement[grips.cell] + arm - grips.lever))
+    stress = state.pose[layout.rank, STRESS]
+    return CellForces(
+        force=force,
+        arm_i=turned_vectors(q[i], np.einsum("mab,mb->ma", P[i], constants.lever_i)),
+        arm_j=turned_vectors(q[j], np.einsum("mab,mb->ma", P[j], constants.lever_j)),
+        held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
+        load=loads_on_facets(model, state.time),
+        load_arm=turned_vectors(q[free.cell], free.centroid - cells.centroid[free.cell]),
         stress=stress,
     )  # fmt: skip
 

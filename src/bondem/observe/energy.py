@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, PerBond, PerElement3
+from bondem.errors import InputError
 from bondem.kernels.bond_pass import bond_energies
 from bondem.kernels.cell_energies import cell_energies
 from bondem.kernels.grip_pass import place_walls
@@ -103,7 +104,12 @@ def elastic_energy(model: Model, state: State, *, wall: Floats | None = None) ->
 
     Walls that hold cells, and tractions on them, are where the time of the state has brought them; or walls where
     `wall` [m], (g, 3), says, and tractions as the model's own cells have them.
+
+    Raises:
+        InputError: a state with cracks that soften, or with cells that have yielded.
     """
+    if len(state.cracks) or state.plastic.any():
+        raise InputError("elastic_energy: a state with cracks or plastic strains; run.history.energy has its energies")
     bonds = model.bonds.rows(model.layout, model.period, state.integrity)
     if model.cells is None:
         return EnergyParts(*bond_energies(state.pose, bonds))
