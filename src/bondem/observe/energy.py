@@ -109,7 +109,9 @@ def elastic_energy(model: Model, state: State, *, wall: Floats | None = None) ->
         InputError: a state with cracks that soften, or with cells that have yielded.
     """
     if len(state.cracks) or state.plastic.any():
-        raise InputError("elastic_energy: a state with cracks or plastic strains; run.history.energy has its energies")
+        raise InputError(
+            "elastic_energy: a state with cracks or plastic strains; run.history.energy has its energies"
+        )
     bonds = model.bonds.rows(model.layout, model.period, state.integrity)
     if model.cells is None:
         return EnergyParts(*bond_energies(state.pose, bonds))
