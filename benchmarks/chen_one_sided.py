@@ -162,12 +162,13 @@ def _loop(place, pairs, bonds, pair, dash, inert, loads, gamma, reading, dt, cou
                 sz = near * w[i, 2] + far * w[j, 2]
                 spin = 0.5 * ((w[i, 0] + w[j, 0]) * nx + (w[i, 1] + w[j, 1]) * ny + (w[i, 2] + w[j, 2]) * nz)
                 overlap = max(0.0, pair[b, 3] - l)
-                (gx, gy, gz, memory[b, 0], memory[b, 1], memory[b, 2], memory[b, 3], memory[b, 4], memory[b, 5], _,
-                 _) = contact_force(
-                    pair[b, 0], pair[b, 1], 0.0, 0.0, pair[b, 2], overlap, nx, ny, nz, ux - (sy * nz - sz * ny),
-                    uy - (sz * nx - sx * nz), uz - (sx * ny - sy * nx), spin, memory[b, 0], memory[b, 1],
-                    memory[b, 2], memory[b, 3], memory[b, 4], memory[b, 5], dt,
+                slide = ux - (sy * nz - sz * ny), uy - (sz * nx - sx * nz), uz - (sx * ny - sy * nx)
+                now_there = (nx, ny, nz), slide
+                (gx, gy, gz), stretch, _, _, _ = contact_force(
+                    (pair[b, 0], 1.0, pair[b, 1], pair[b, 1], 0.0, 0.0), pair[b, 2], overlap, now_there, now_there,
+                    spin, (memory[b, 0], memory[b, 1], memory[b, 2]), (0.0, 0.0, 0.0), dt,
                 )  # fmt: skip
+                memory[b, 0], memory[b, 1], memory[b, 2] = stretch
                 now = max(now, pair[b, 0] * overlap)
                 fx, fy, fz = fx + gx, fy + gy, fz + gz
                 # a force at the contact point, and no moment of its own

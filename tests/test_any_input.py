@@ -87,7 +87,11 @@ USUAL: dict[str, dict[str, Any]] = {
     "Material": {"name": "glass", "E": 70e9, "nu": 0.2, "rho": 2500.0, "source": "book"},
     "Model": {"lattice": LATTICE, "bond": LAW, "density": 1000.0, "boundary": ENDS, "contact": None, "walls": (),
               "failure": None},
-    "MohrCoulomb": {"tension": 1e6, "cohesion": 1e6, "friction_angle": 0.6, "scatter": None},
+    "MohrCoulomb": {
+        "tension": 1e6, "cohesion": 1e6, "friction_angle": 0.6, "fracture_energy": 50.0,
+        "fracture_energy_shear": 500.0, "dilatancy": 0.1, "scatter": None,
+    },
+    "Rankine": {"tension": 1e6, "fracture_energy": 50.0, "friction": 0.3, "scatter": None},
     "Normal": {"deviation": 0.1, "seed": 1},
     "Obermayr": BEAM | {"alpha_s": 0.9},
     "ParallelBond": BEAM | {"kappa": 1.0},
@@ -150,6 +154,8 @@ ELSEWHERE = {
     "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
     "BrokenBonds", "ContactLaw", "Criterion", "Fragments",
+    # whole tests to failure (`test_strength`)
+    "labtests.direct_tension", "labtests.uniaxial_compression",
 }  # fmt: skip
 # Runs on purpose: what is possible there takes as long as was asked for.
 LONG = {("solve_explicit", "duration"), ("solve_explicit", "dt"), ("solve_explicit", "safety"),

@@ -15,14 +15,18 @@ import pytest
 import bondem as bd
 from bondem.errors import RunFileError
 from bondem.io.runfile import RunFile, read_run
-from bondem.kernels.tables import FIXED_COLUMNS, FRACTURE, NON_LOCAL
+from bondem.kernels.tables import FIXED_COLUMNS, FRACTURE, NON_LOCAL, PLASTIC
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from tests.bits import EnoughError, assert_same_bits
 
 DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
-MISSING = {2: (("stress", "broken", "released"), (NON_LOCAL, FRACTURE)), 3: (("broken", "released"), (FRACTURE,))}
+_SOFT = ("cracks", "plastic", "facet_force")
+MISSING = {
+    2: (("stress", "broken", "released", *_SOFT), (NON_LOCAL, FRACTURE, PLASTIC)),
+    3: (("broken", "released", *_SOFT), (FRACTURE, PLASTIC)),
+}
 
 
 def file_of(schema: int, tmp_path: Path) -> Path:
@@ -106,7 +110,7 @@ def test_a_run_goes_on_from_an_older_file_to_the_bit(schema: int, tmp_path: Path
     assert_same_bits(whole, resumed)
     np.testing.assert_array_equal(whole.history.records, resumed.history.records)
     with h5py.File(place) as file:  # what it leaves is of today
-        assert file.attrs["schema"] == 4
+        assert file.attrs["schema"] == 5
         assert "state/broken" in file
 
 

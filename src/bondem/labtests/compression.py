@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from bondem._checks import number
 from bondem.errors import InputError
-from bondem.labtests.loading import Loading, StrengthTest, load_to_failure
+from bondem.labtests.loading import Loading, StrengthTest, load_to_failure, softening_of
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Slip
@@ -44,12 +44,10 @@ def uniaxial_compression(
     """
     number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
     number("labtests.uniaxial_compression", "reach", reach, above=0.0)
-    softening = failure.softening
-    if softening is None or softening.slip is None:
-        raise InputError(
-            "labtests.uniaxial_compression needs the shear strength of a material: bd.MohrCoulomb with a"
-            " fracture_energy"
-        )
+    wanted = "bd.MohrCoulomb with a fracture_energy"
+    softening = softening_of("uniaxial_compression", failure, wanted)
+    if softening.slip is None:
+        raise InputError(f"labtests.uniaxial_compression needs the shear strength of a material; give {wanted}")
     expected = mohr_coulomb_strength(softening.slip, pressure)
     loading = Loading(
         sign=-1.0, expected=expected, reach=reach * expected / law.E, opening=0.0, ending=0.5,

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import instance, number
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import check
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.damping import MassDamping
 from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.softening import Softening
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.gauges import Gauge
 from bondem.model.loads import Pressure
@@ -89,6 +91,18 @@ class Loading:
     traverses: float
 
 
+def softening_of(test: str, failure: object, wanted: str) -> Softening:
+    """How a material softens.
+
+    Raises:
+        InputError: no criterion, or one without a fracture energy where one is needed.
+    """
+    found = instance(f"labtests.{test}", "failure", failure, Criterion, wanted).softening
+    if found is None:
+        raise InputError(f"labtests.{test} needs the strength of a material; give {wanted}")
+    return found
+
+
 def load_to_failure(
     test: str,
     body: Lattice,
@@ -106,6 +120,7 @@ def load_to_failure(
         UnstableRunError: the run became unstable.
     """
     rho = _DENSITY if density is None else density
+    number(f"labtests.{test}", "traverses", loading.traverses, least=1.0, advice="a number of at least 1")
     check(test, body, density=rho)
     if not isinstance(law, CellBond) or body.cells is None:
         raise InputError(

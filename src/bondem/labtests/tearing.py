@@ -2,8 +2,7 @@
 
 from collections.abc import Callable
 
-from bondem.errors import InputError
-from bondem.labtests.loading import Loading, StrengthTest, load_to_failure
+from bondem.labtests.loading import Loading, StrengthTest, load_to_failure, softening_of
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.specimen.lattice import Lattice
@@ -34,12 +33,7 @@ def direct_tension(
         InputError: a lattice without cells, or a criterion that knows no tensile strength.
         UnstableRunError: the run became unstable.
     """
-    softening = failure.softening
-    if softening is None:
-        raise InputError(
-            "labtests.direct_tension needs the strength of a material: bd.Rankine, or bd.MohrCoulomb with"
-            " a fracture_energy"
-        )
+    softening = softening_of("direct_tension", failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     opening = 2.0 * softening.fracture_energy / softening.tension
     loading = Loading(
         sign=1.0, expected=softening.tension, reach=1.3 * softening.tension / law.E, opening=1.5 * opening,

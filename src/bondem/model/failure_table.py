@@ -105,7 +105,9 @@ def check_failure(failure: object, bond: object, contact: object, formulation: s
         raise InputError("failure= needs bonds of the total formulation: use formulation='total'")
     cells = any(isinstance(law, CellBond) for law in laws)
     if cells and contact is not None:
-        raise InputError("failure= and contact= together need beam bonds: broken facets do not touch yet")
+        raise InputError(
+            "failure= and contact= together need beam bonds, as broken facets do not touch yet; leave contact= out"
+        )
     if isinstance(found, BondCriterion) and cells and type(found).needs_beams:
         raise InputError(f"{name} judges beams, and facets of cells are none; use bd.MohrCoulomb(...)")
     if found.softening is not None and not cells:

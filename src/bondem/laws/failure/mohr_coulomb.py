@@ -71,8 +71,10 @@ class MohrCoulomb(BondCriterion):
             raise InputError(
                 "MohrCoulomb: fracture_energy_shear and dilatancy are of cells that yield; give fracture_energy too"
             )
-        if self.fracture_energy_shear is not None and self.fracture_energy_shear != math.inf:
-            number("MohrCoulomb", "fracture_energy_shear", self.fracture_energy_shear, above=0.0, advice=energy)
+        shear = self.fracture_energy_shear
+        stays = isinstance(shear, float) and shear == math.inf
+        if shear is not None and not stays:
+            number("MohrCoulomb", "fracture_energy_shear", shear, above=0.0, advice=energy)
 
     @property
     def softening(self) -> Softening | None:
