@@ -189,6 +189,16 @@ def _deform(plastic, p, size, e):
             plastic[p, DEFORMATION + 3 * c + d] += size * e[c] * along
 
 
+@device
+def _busy(cracks, p, mean, deviator):
+    """Whether a cell has yielded, or may do so now: few do, and to hand on all tables costs more than the rest."""
+    if not cracks.yielding:
+        return False
+    if cracks.plastic[p, GAMMA] > 0.0:
+        return True
+    return yield_bound(mean, deviator, cracks.sine, cracks.cohesion[p]) > 0.0
+
+
 @kernel(parallel=False)
 def _judge_cells(pose, bonds, cells, cracks, first, last):
     """Let cells yield, and find those whose facets are to be looked at."""
@@ -196,7 +206,7 @@ def _judge_cells(pose, bonds, cells, cracks, first, last):
     for p in range(first, last):
         mean, deviator = invariants(cracks.tensor[p])
         hot = 1 if largest_at_most(mean, deviator) > cracks.hot else 0
-        if cracks.yielding:
+        if _busy(cracks, p, mean, deviator):
             if _yield_cell(p, pose, bonds, cells, cracks, a, v):
                 hot = 2
         cracks.hotter[p] = hot
