@@ -98,13 +98,18 @@ def take_dashpot(elements, bonds, added, first_row, k, d):
 
 
 @device
-def log_break(breaks, k, mode, gap, energy, place):
-    """Write down what broke."""
-    row = breaks.log[breaks.logged[0]]
-    row[BROKEN_TIME], row[BROKEN_STEP], row[BROKEN_BOND], row[BROKEN_MODE] = breaks.now[0], breaks.now[1], k, mode
+def write_break(row, now, k, mode, gap, energy, place):
+    """Write a row of what broke (`BROKEN_…`): when, which, how, how far open [m], with what energy [J], where [m]."""
+    row[BROKEN_TIME], row[BROKEN_STEP], row[BROKEN_BOND], row[BROKEN_MODE] = now[0], now[1], k, mode
     row[BROKEN_GAP], row[BROKEN_ENERGY] = gap, energy
     for d in range(3):
         row[BROKEN_PLACE + d] = place[d]
+
+
+@device
+def log_break(breaks, k, mode, gap, energy, place):
+    """Write down what broke."""
+    write_break(breaks.log[breaks.logged[0]], breaks.now, k, mode, gap, energy, place)
     breaks.logged[0] += 1
     breaks.released[0] += energy
 

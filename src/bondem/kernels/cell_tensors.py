@@ -26,48 +26,48 @@ def _back(q):
 
 
 @device
+def _moment(pose, bonds, cells, p, k, f):
+    """Part of a facet in V σ of cell p, xx, yy, zz, xy, xz, yz [J]; f is the force on its cell i [N]."""
+    q = orientation(pose, p)
+    if bonds.i[k] == p:
+        b = turned_by(q, lever(cells.lever_i, cells.pitch, k))
+    else:
+        b = turned_by(q, lever(cells.lever_j, cells.pitch, k))
+        f = -f[0], -f[1], -f[2]
+    return _symmetric(b, f)
+
+
+@device
+def _symmetric(b, f):
+    """Symmetric part of b⊗f: xx, yy, zz, xy, xz, yz."""
+    return (
+        b[0] * f[0], b[1] * f[1], b[2] * f[2],
+        0.5 * (b[0] * f[1] + b[1] * f[0]), 0.5 * (b[0] * f[2] + b[2] * f[0]), 0.5 * (b[1] * f[2] + b[2] * f[1]),
+    )  # fmt: skip
+
+
+@device
+def _sum(a, b):
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3], a[4] + b[4], a[5] + b[5]
+
+
+@device
 def _tensor(p, pose, bonds, cells, cracks):
-    q, tensor = orientation(pose, p), cracks.tensor
-    xx = yy = zz = xy = xz = yz = 0.0
+    """Mean stress of a cell, of the facets in the lanes and of its cracks that are treated one by one."""
+    total = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for e in range(facets_of(cracks, p)):
         k = facet_of(cracks, p, e)
-        if cracks.listed[k] == 1:
-            continue
-        own = bonds.i[k] == p
-        f = column(cracks.force, k)
-        if own:
-            b = turned_by(q, lever(cells.lever_i, cells.pitch, k))
-        else:
-            b = turned_by(q, lever(cells.lever_j, cells.pitch, k))
-            f = -f[0], -f[1], -f[2]
-        xx += b[0] * f[0]
-        yy += b[1] * f[1]
-        zz += b[2] * f[2]
-        xy += 0.5 * (b[0] * f[1] + b[1] * f[0])
-        xz += 0.5 * (b[0] * f[2] + b[2] * f[0])
-        yz += 0.5 * (b[1] * f[2] + b[2] * f[1])
+        if cracks.listed[k] != 1:
+            total = _sum(total, _moment(pose, bonds, cells, p, k, column(cracks.force, k)))
     c = cracks.head[p]
     while c >= 0:
         k = np.int64(cracks.row[c, FACET])
-        own = bonds.i[k] == p
-        f = cracks.pull[c, 0], cracks.pull[c, 1], cracks.pull[c, 2]
-        if cracks.listed[k] != 1:
-            f = 0.0, 0.0, 0.0
-        if own:
-            b = turned_by(q, lever(cells.lever_i, cells.pitch, k))
-        else:
-            b = turned_by(q, lever(cells.lever_j, cells.pitch, k))
-            f = -f[0], -f[1], -f[2]
-        xx += b[0] * f[0]
-        yy += b[1] * f[1]
-        zz += b[2] * f[2]
-        xy += 0.5 * (b[0] * f[1] + b[1] * f[0])
-        xz += 0.5 * (b[0] * f[2] + b[2] * f[0])
-        yz += 0.5 * (b[1] * f[2] + b[2] * f[1])
-        c = cracks.after_i[c] if own else cracks.after_j[c]
-    V = cracks.volume[p]
-    tensor[p, 0], tensor[p, 1], tensor[p, 2] = xx / V, yy / V, zz / V
-    tensor[p, 3], tensor[p, 4], tensor[p, 5] = xy / V, xz / V, yz / V
+        if cracks.listed[k] == 1:
+            pull = cracks.pull[c, 0], cracks.pull[c, 1], cracks.pull[c, 2]
+            total = _sum(total, _moment(pose, bonds, cells, p, k, pull))
+        c = cracks.after_i[c] if bonds.i[k] == p else cracks.after_j[c]
+    for d in range(6):
+        cracks.tensor[p, d] = total[d] / cracks.volume[p]
 
 
 @kernel(parallel=False)
@@ -86,14 +86,10 @@ def _of_surface(pose, grips, presses, cracks):
                 tensor[p, d] += presses.factor[l] * cracks.pressed[l, p, d] / cracks.volume[p]
     for g in range(len(grips.cell)):
         p = grips.cell[g]
-        V = cracks.volume[p]
         b = turned_by(orientation(pose, p), (grips.arm[g, 0], grips.arm[g, 1], grips.arm[g, 2]))
-        f = grips.load[g, 0], grips.load[g, 1], grips.load[g, 2]
-        for d in range(3):
-            tensor[p, d] += b[d] * f[d] / V
-        tensor[p, 3] += 0.5 * (b[0] * f[1] + b[1] * f[0]) / V
-        tensor[p, 4] += 0.5 * (b[0] * f[2] + b[2] * f[0]) / V
-        tensor[p, 5] += 0.5 * (b[1] * f[2] + b[2] * f[1]) / V
+        part = _symmetric(b, (grips.load[g, 0], grips.load[g, 1], grips.load[g, 2]))
+        for d in range(6):
+            tensor[p, d] += part[d] / cracks.volume[p]
 
 
 @device
@@ -190,7 +186,7 @@ def _deform(plastic, p, size, e):
 
 
 @device
-def _busy(cracks, p, mean, deviator):
+def _may_yield(cracks, p, mean, deviator):
     """Whether a cell has yielded, or may do so now: few do, and to hand on all tables costs more than the rest."""
     if not cracks.yielding:
         return False
@@ -206,7 +202,7 @@ def _judge_cells(pose, bonds, cells, cracks, first, last):
     for p in range(first, last):
         mean, deviator = invariants(cracks.tensor[p])
         hot = 1 if largest_at_most(mean, deviator) > cracks.hot else 0
-        if _busy(cracks, p, mean, deviator):
+        if _may_yield(cracks, p, mean, deviator):
             if _yield_cell(p, pose, bonds, cells, cracks, a, v):
                 hot = 2
         cracks.hotter[p] = hot

@@ -96,7 +96,7 @@ def relax_cells(pose, bonds, cells, cracks):
 
 
 @device
-def _hand(bonds, cells, cracks, c, k, sign):
+def _hand_over(bonds, cells, cracks, c, k, sign):
     """Add what a resting crack does to V θ of its cells to `base`, or take it off."""
     g, s = cracks.geometry[c], sign * cracks.integrity[k]
     gap = read_three(g, GAP)
@@ -132,7 +132,7 @@ def wake_cracks(pose, bonds, cells, cracks):
         row[BEFORE] = NEW
         normal = read_three(cracks.geometry[c], NORMAL)
         write_three(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), plus(gap, -scalar(gap, normal), normal)))
-        _hand(bonds, cells, cracks, c, k, -1.0)
+        _hand_over(bonds, cells, cracks, c, k, -1.0)
         woken = True
     return woken
 
@@ -196,4 +196,4 @@ def _leave(bonds, cells, cracks, c, k, status):
     write_three(cracks.pull[c], 0, (0.0, 0.0, 0.0))
     write_three(row, RUB, (0.0, 0.0, 0.0))
     write_three(row, SLIP, (0.0, 0.0, 0.0))
-    _hand(bonds, cells, cracks, c, k, 1.0)
+    _hand_over(bonds, cells, cracks, c, k, 1.0)

@@ -11,6 +11,7 @@ rounding. All of it is done by one thread, in the order of the list: no bit depe
 import numpy as np
 
 from bondem._compile import device, kernel
+from bondem.kernels.breaking import write_break
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_tensors import heat, judge_body
 from bondem.kernels.crack_energy import bending, crack_energy, halves, stretched
@@ -31,16 +32,7 @@ from bondem.kernels.crack_tables import (
     STATUS,
 )
 from bondem.kernels.single_facets import orientation
-from bondem.kernels.tables import (
-    BROKEN_BOND,
-    BROKEN_ENERGY,
-    BROKEN_GAP,
-    BROKEN_MODE,
-    BROKEN_PLACE,
-    BROKEN_STEP,
-    BROKEN_TIME,
-    RUBBED,
-)
+from bondem.kernels.tables import RUBBED
 from bondem.laws.cell_energy import cross, scalar, turned_by
 from bondem.laws.failure.criterion import SHEAR, TENSION
 from bondem.laws.softening import crack_couple, plus, rubbed
@@ -48,12 +40,10 @@ from bondem.laws.softening import crack_couple, plus, rubbed
 
 @device
 def _log(pose, bonds, cracks, c, k, mode, gap):
-    row = cracks.log[cracks.sizes[2]]
+    """Write down a crack of which nothing is left."""
     i, arm = bonds.i[k], read_three(cracks.geometry[c], ARM_I)
-    row[BROKEN_TIME], row[BROKEN_STEP], row[BROKEN_BOND], row[BROKEN_MODE] = cracks.now[0], cracks.now[1], k, mode
-    row[BROKEN_GAP], row[BROKEN_ENERGY] = gap, cracks.row[c, SPENT]
-    for d in range(3):
-        row[BROKEN_PLACE + d] = pose[i, d] + arm[d]
+    place = pose[i, 0] + arm[0], pose[i, 1] + arm[1], pose[i, 2] + arm[2]
+    write_break(cracks.log[cracks.sizes[2]], cracks.now, k, mode, gap, cracks.row[c, SPENT], place)
     cracks.sizes[2] += 1
 
 
