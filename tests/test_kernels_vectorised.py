@@ -28,7 +28,7 @@ def arguments() -> dict[str, tuple]:
     state, layout = State(model), model.layout
     bonds = model.bonds.rows(layout, model.period, state.integrity, alike=True)
     cut = Blocks.of(layout, 4000, 1, np.zeros(3, dtype=bool)).table()
-    elements = Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest)
+    elements = Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest, np.zeros(0))
     rows = model.constraints.rows(state.reaction, state.work)
     scheme = StepScheme(1e-3, 5e-4, 5e-4, 0.0, 0.0, 0.0)
     ends = cut.sums, cut.row_i, cut.row_j, 0, 2

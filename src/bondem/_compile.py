@@ -1,10 +1,10 @@
 """The compiler boundary: how physics and loops become machine code.
 
-Two decorators are all the rest of the package sees. `device` compiles a scalar function that is always
+Three decorators are all the rest of the package sees. `device` compiles a scalar function that is always
 inlined into the loop that calls it: without forced inlining, and without the NumPy error model (which
-spares the test for division by zero), LLVM silently stops vectorising. `kernel` compiles a loop, with
-or without threads. Only contraction (fused multiply-add) is allowed of the fast-math flags, because the
-full set deletes tests for NaN.
+spares the test for division by zero), LLVM silently stops vectorising. `kernel` compiles a loop that Python
+calls, `loop` one that only compiled code calls, both with or without threads. Only contraction (fused
+multiply-add) is allowed of the fast-math flags, because the full set deletes tests for NaN.
 
 Compiled code is cached on disk. Numba notices an edit of the cached function, but not of the functions
 it calls, and would run old physics; the cache directory is therefore named after a hash of every source
@@ -26,15 +26,16 @@ import llvmlite.binding as llvm
 import numba
 import numba.core.config
 from numba import prange
-from numba.core import event
+from numba.core import event, types
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.registry import CPUDispatcher
 
 from bondem._lock import alone
+from bondem._pruning import Pruned
 
 __all__ = [
-    "LANES", "cache_directory", "compiled_before", "current_threads", "device", "kernel", "most_threads", "prange",
-    "say_nothing", "threads",
+    "LANES", "cache_directory", "compiled_before", "current_threads", "device", "kernel", "loop", "most_threads",
+    "prange", "say_nothing", "threads",
 ]  # fmt: skip
 
 # set by numba at import, so that type checkers do not know its attributes
@@ -63,10 +64,10 @@ LANES = _lanes()
 
 def _source_hash() -> str:
     digest = hashlib.sha256(f"{numba.__version__} {LANES}".encode())
-    sources = [Path(__file__), *sorted(_PACKAGE.glob("laws/**/*.py")), *sorted(_PACKAGE.glob("kernels/*.py")),
-               *sorted(_PACKAGE.glob("specimen/cells/*.py"))]  # fmt: skip
-    for source in sources:
-        digest.update(source.read_bytes())
+    cells = "specimen/triangles.py", "specimen/cells/*.py"
+    for pattern in ("_compile.py", "_pruning.py", "laws/**/*.py", "kernels/*.py", *cells):
+        for source in sorted(_PACKAGE.glob(pattern)):
+            digest.update(source.read_bytes())
     return digest.hexdigest()[:16]
 
 
@@ -151,6 +152,13 @@ def _alone(what: str) -> AbstractContextManager[None]:
     return alone(cache_directory / "locks" / name, patience=_PATIENCE)
 
 
+def _any_value(of: Any) -> Any:
+    """The type of an argument, whatever its value: numba would compile a function once more for a constant."""
+    if isinstance(of, types.BaseTuple) and not isinstance(of, types.BaseNamedTuple):
+        return types.BaseTuple.from_types([_any_value(part) for part in cast(Any, of).types])
+    return types.unliteral(of)
+
+
 class _Shared(CPUDispatcher):
     """A function that one process compiles while all others wait for it, which would have to do the same.
 
@@ -159,6 +167,9 @@ class _Shared(CPUDispatcher):
     """
 
     _cache: Any
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        return super().get_call_template([_any_value(a) for a in args], {k: _any_value(a) for k, a in kws.items()})
 
     def enable_caching(self) -> None:
         super().enable_caching()
@@ -191,29 +202,46 @@ def device(function: F) -> F:
     if config.DISABLE_JIT:
         return function
     options = {"nopython": True, "forceinline": True, "no_cpython_wrapper": True, **_FLAGS}
-    return cast(F, _Inlined(function, targetoptions=options))
+    return cast(F, _Inlined(function, targetoptions=options, pipeline_class=Pruned))
+
+
+class _Within(_Shared):
+    """A loop for other compiled functions only: without an entry for Python, a fifth of the time of a first run."""
+
+    def __call__(self, *args: Any, **named: Any) -> Any:
+        raise TypeError(f"{self.py_func.__qualname__} is compiled for other loops only: decorate it as a kernel")
+
+
+def _compiled(function: F, dispatcher: type[_Shared], *, parallel: bool, **more: bool) -> F:
+    # the cache tells functions apart by name and line, not by flags: both kinds of one loop need two names
+    twin = FunctionType(function.__code__, function.__globals__, function.__name__)
+    twin.__doc__ = function.__doc__
+    twin.__qualname__ = function.__qualname__ + ("_threaded" if parallel else "")
+    if config.DISABLE_JIT:
+        return cast(F, twin)
+    options = {"nopython": True, "nogil": True, "parallel": parallel, **_FLAGS, **more}
+    with _own_cache():
+        shared = dispatcher(twin, targetoptions=options, pipeline_class=Pruned)
+        shared.enable_caching()
+    return cast(F, shared)
 
 
 def kernel(*, parallel: bool) -> Callable[[F], F]:
-    """Compile a loop over arrays, cached on disk.
+    """Compile a loop over arrays that Python calls, cached on disk.
 
     Args:
         parallel: its `prange` runs on all threads.
     """
-    def decorate(function: F) -> F:
-        # the cache tells functions apart by name and line, not by flags: both kinds of one loop need two names
-        twin = FunctionType(function.__code__, function.__globals__, function.__name__)
-        twin.__doc__ = function.__doc__
-        twin.__qualname__ = function.__qualname__ + ("_threaded" if parallel else "")
-        if config.DISABLE_JIT:
-            return cast(F, twin)
-        options = {"nopython": True, "nogil": True, "parallel": parallel, **_FLAGS}
-        with _own_cache():
-            shared = _Shared(twin, targetoptions=options)
-            shared.enable_caching()
-        return cast(F, shared)
+    return lambda function: _compiled(function, _Shared, parallel=parallel)
 
-    return decorate
+
+def loop(*, parallel: bool) -> Callable[[F], F]:
+    """Compile a loop over arrays that kernels and other loops call, cached on disk.
+
+    Args:
+        parallel: its `prange` runs on all threads.
+    """
+    return lambda function: _compiled(function, _Within, parallel=parallel, no_cpython_wrapper=True)
 
 
 def current_threads() -> int:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import rotation_guard
 from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.contact_pass import contact_loads, outdated
@@ -26,7 +26,7 @@ FINE, NOT_FINITE, RUNAWAY = range(3)
 BEYOND = 1000.0
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def guard(motion, work, contacts, budget):
     """Whether the motion is finite, and its energy [J] no more than what can have come in.
 
@@ -49,7 +49,7 @@ def guard(motion, work, contacts, budget):
     return RUNAWAY if kinetic > BEYOND * (budget[0] + budget[1]) else FINE
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def move_holds(t, schedules, body):
     """Bring walls that hold cells, and tractions on them, to time t, where there are any."""
     if body is not None:  # decided when compiled
@@ -70,7 +70,7 @@ def _set_crack_clock(cracks, t, step):
         cracks.now[0], cracks.now[1] = t, step
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def set_body_clock(body, t, step):
     """The same for cracks of a body of cells."""
     if body is not None:

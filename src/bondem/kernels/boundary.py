@@ -6,7 +6,7 @@ Motion and loads of faces are a few rows. What only some models have on all thei
 
 import math
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import branch
 
 
@@ -29,7 +29,7 @@ def value_at(schedules, s, t):
     return interpolate(schedules.times, schedules.values, schedules.start[s], schedules.start[s + 1], t)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def apply_schedules(t, dt, schedules, rows):
     """Set the rows' forces at time t, their velocities at t, and those over the step from t to t + dt."""
     rows.force[:] = 0.0
@@ -48,7 +48,7 @@ def apply_schedules(t, dt, schedules, rows):
             rows.full[r, d] = rows.half[r, d]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def pull_bodies(t, added, schedules):
     """Bring body forces to time t."""
     added.present[:] = 0.0
@@ -59,7 +59,7 @@ def pull_bodies(t, added, schedules):
                 added.present[g, d] += added.member[g, b] * amplitude * added.pull[b, d]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def strain_bonds(t, dt, first, strain, schedules, pose, bonds, work):
     """Set rest lengths L (1 + ε*) of time t, and add up their work: the trapezoid of ∂U/∂ε* over dε*.
 

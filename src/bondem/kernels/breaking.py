@@ -8,7 +8,7 @@ run pauses, as an element goes on from its stored acceleration in either case.
 
 import math
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import branch
 from bondem.kernels.contact_pass import begin_contact
 from bondem.kernels.element_pass import move, move_held, open_list
@@ -34,7 +34,7 @@ def _kept(table, first_row, p, s):
         table[first_row + p, d] = table[s, d]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def part_waiting(sums, added, breaks, element, row_of_sums, first, last, place):
     """Put the elements first … last of a list into `breaks.turn` from `place` on, those that are held back last.
 
@@ -114,7 +114,7 @@ def log_break(breaks, k, mode, gap, energy, place):
     breaks.released[0] += energy
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def stored_energy(pose, bonds, k):
     """Energy of one bond of the total formulation [J]."""
     a, b = bonds.i[k], bonds.j[k]
@@ -152,7 +152,7 @@ def _break_bond(elements, bonds, sums, added, contacts, breaks, k):
     log_break(breaks, k, mode, gap, energy, place)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def break_bonds(elements, bonds, sums, added, contacts, breaks):
     """Break the bonds that were found in this step, in their order; what is pressed together bears on at once."""
     for block in range(len(breaks.found)):
@@ -160,7 +160,7 @@ def break_bonds(elements, bonds, sums, added, contacts, breaks):
             _break_bond(elements, bonds, sums, added, contacts, breaks, breaks.marked[e])
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def list_waiting(rows, breaks):
     """Put all that wait into `breaks.turn`, those that own rows last; how many, and how many own none."""
     if breaks.found.sum() == 0:

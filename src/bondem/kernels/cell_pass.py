@@ -7,7 +7,7 @@ cuts.
 
 import numpy as np
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import ahead, apart, group, groups, mark
 from bondem.kernels.lane_memory import add_loads, add_numbers, places, put_side, row, side, widened
 from bondem.kernels.lanes import dot
@@ -90,7 +90,7 @@ def stress_cells(pose, cells, first, last):
         cells.swelling[p] = 0.0
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def gather_swelling(cells, shared, part):
     """Add to the shared cells of a list what facets of other domains have left for them."""
     n = len(cells.weight)

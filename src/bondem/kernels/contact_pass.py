@@ -6,7 +6,7 @@ step and leave their sum for each element in `load`, which the pass over the ele
 
 import math
 
-from bondem._compile import device, kernel, prange
+from bondem._compile import device, kernel, loop, prange
 from bondem.kernels.bond_pass import branch
 from bondem.kernels.contact_list import farthest
 from bondem.kernels.tables import DAMPED, RUBBED
@@ -135,7 +135,7 @@ def _pair_energy(pose, period, c, k):
     return spring_energy(kn, part, c.law[SOFT] * kn, overlap, slip)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def begin_contact(elements, bonds, contacts, sums, first_row, e):
     """The pair of bond e, broken just now, bears what presses it together; the energy that it takes over [J].
 
@@ -254,7 +254,7 @@ gather = kernel(parallel=True)(_gather)
 gather_serial = kernel(parallel=False)(_gather)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def contact_energy(pose, period, c):
     """Elastic energy of all contacts [J]."""
     total = 0.0

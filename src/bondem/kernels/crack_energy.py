@@ -1,36 +1,36 @@
-"""What one crack bears and stores, once it is measured and the stresses of its cells are known.
+"""What one crack bears and stores, from its geometry and the stresses of its cells.
 
-What is called from several places is compiled once for all of them (`kernel`).
+What is called from several places is compiled once for all of them (`kernel`), and takes numbers: to hand on whole
+tables costs more than all that is done here.
 """
 
-import numpy as np
-
-from bondem._compile import device, kernel
-from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.crack_list import read_three
-from bondem.kernels.crack_tables import FACET, GAP, NORMAL, RUB, SHARE_I, SHARE_J
-from bondem.kernels.single_facets import orientation, resistance
+from bondem._compile import device, kernel, loop
 from bondem.laws.cell_energy import cross, relative, resisted_turn, scalar, turned_by
 from bondem.laws.softening import opening_force, whole_force
 
 
 @kernel(parallel=False)
-def halves(pose, bonds, cells, cracks, c):
-    """Facet of a crack, its gap and normal, and F⁺ and pressing force of both halves."""
-    k = np.int64(cracks.row[c, FACET])
-    g, w = cracks.geometry[c], cracks.part[k]
-    gap, normal = read_three(g, GAP), read_three(g, NORMAL)
-    one = whole_force(cells.k[k], w, gap, read_three(g, SHARE_I), pose[bonds.i[k], STRESS])
-    other = whole_force(cells.k[k], 1.0 - w, gap, read_three(g, SHARE_J), pose[bonds.j[k], STRESS])
-    return k, gap, normal, opening_force(one, normal), opening_force(other, normal)
+def halves(k, part, gap, normal, shares, stresses):
+    """F⁺ and pressing force of both halves of a crack.
+
+    Args:
+        k: stiffness of the facet [N/m].
+        part: w, part of cell i in its compliance [-].
+        gap: δ [m].
+        normal: from i to j [-].
+        shares: g of both sides [m²].
+        stresses: σ of both cells [Pa].
+    """
+    one = whole_force(k, part, gap, shares[0], stresses[0])
+    other = whole_force(k, 1.0 - part, gap, shares[1], stresses[1])
+    return opening_force(one, normal), opening_force(other, normal)
 
 
 @kernel(parallel=False)
-def bending(pose, bonds, cells, k):
-    """Energy [J] and torque on cell i [N·m] of the bending of a whole facet."""
-    p, q = orientation(pose, bonds.i[k]), orientation(pose, bonds.j[k])
+def bending(p, q, H):
+    """Energy [J] and torque on cell i [N·m] of the bending of a whole facet between cells of orientations p and q."""
     w, v, space = relative(p, q)
-    turned = resisted_turn(resistance(cells, 1.0, k), v)
+    turned = resisted_turn(H, v)
     h = turned_by(p, turned)
     c = cross(space, h)
     return 2.0 * scalar(v, turned), (2.0 * (w * h[0] + c[0]), 2.0 * (w * h[1] + c[1]), 2.0 * (w * h[2] + c[2]))
@@ -42,20 +42,16 @@ def stretched(K, s, rub):
     return 0.0 if s >= 1.0 else 0.5 * scalar(rub, rub) / (K * (1.0 - s) ** 2)
 
 
-@kernel(parallel=False)
-def crack_energy(pose, bonds, cells, cracks, c):
-    """Elastic energy of a crack: across, along and of bending [J]."""
-    k, gap, normal, (one, _), (other, _) = halves(pose, bonds, cells, cracks, c)
-    w, s, K = cracks.part[k], cracks.integrity[k], cells.k[k]
+@loop(parallel=False)
+def crack_energy(k, part, s, gap, normal, openings, rub):
+    """Elastic energy of a crack of integrity s across and along it, but for bending [J]; `openings` are F⁺."""
     across = along = 0.0
     for half in range(2):
-        part, opening = (w, one) if half == 0 else (1.0 - w, other)
-        u = (1.0 - s) * part / K
-        e = part * gap[0] - u * opening[0], part * gap[1] - u * opening[1], part * gap[2] - u * opening[2]
+        w, opening = (part, openings[0]) if half == 0 else (1.0 - part, openings[1])
+        u = (1.0 - s) * w / k
+        e = w * gap[0] - u * opening[0], w * gap[1] - u * opening[1], w * gap[2] - u * opening[2]
         normal_part = scalar(e, normal)
-        across += 0.5 * K / part * normal_part * normal_part
-        along += 0.5 * K / part * (scalar(e, e) - normal_part * normal_part)
-        across += 0.5 * s * (1.0 - s) * part / K * scalar(opening, opening)
-    bent, _ = bending(pose, bonds, cells, k)
-    along += (1.0 - s) * stretched(K, s, read_three(cracks.row[c], RUB))
-    return across, along, s * bent
+        across += 0.5 * k / w * normal_part * normal_part
+        along += 0.5 * k / w * (scalar(e, e) - normal_part * normal_part)
+        across += 0.5 * s * (1.0 - s) * w / k * scalar(opening, opening)
+    return across, along + (1.0 - s) * stretched(k, s, rub)

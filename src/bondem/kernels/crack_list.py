@@ -4,9 +4,11 @@ import math
 
 import numpy as np
 
-from bondem._compile import device, kernel
-from bondem.kernels.cell_tensors import pair_stress, principal_stresses
-from bondem.kernels.crack_tables import ACTIVE, BEFORE, FACET, NORMAL, ONSET, STATUS
+from bondem._compile import device, kernel, loop
+from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.cell_stress import pair_stress
+from bondem.kernels.cell_yield import principal_stresses
+from bondem.kernels.crack_tables import ACTIVE, BEFORE, FACET, GAP, NORMAL, ONSET, SHARE_I, SHARE_J, STATUS
 from bondem.kernels.single_facets import column, present_normal
 from bondem.laws.cell_energy import scalar
 
@@ -29,10 +31,19 @@ def write_three(row, first, a):
 
 
 @device
+def known(pose, bonds, cells, cracks, c):
+    """Of a crack that is measured: facet, k, part w of cell i, gap, normal, and shares and stresses of both sides."""
+    k, g = np.int64(cracks.row[c, FACET]), cracks.geometry[c]
+    shares = read_three(g, SHARE_I), read_three(g, SHARE_J)
+    stresses = pose[bonds.i[k], STRESS], pose[bonds.j[k], STRESS]
+    return k, cells.k[k], cracks.part[k], read_three(g, GAP), read_three(g, NORMAL), shares, stresses
+
+
+@device
 def treat(bonds, cracks, c, k, status):
     """Treat a crack one by one from now on, or as a facet of its integrity among the others."""
     cracks.row[c, STATUS] = status
-    cracks.listed[k] = 1 if status == ACTIVE else 2
+    cracks.begin.listed[k] = 1 if status == ACTIVE else 2
     bonds.integrity[k] = 0.0 if status == ACTIVE else cracks.integrity[k]
 
 
@@ -51,35 +62,36 @@ def _link(bonds, cracks, c):
     treat(bonds, cracks, c, k, cracks.row[c, STATUS])
 
 
-@kernel(parallel=False)
-def begin_cracks(bonds, cracks):
+@loop(parallel=False)
+def begin_cracks(bonds, cells, cracks):
     """Facets that were marked begin to crack, in their order."""
     a, v = np.empty((3, 3)), np.empty((3, 3))
+    onset, strength, force = cracks.begin.onset, cracks.begin.strength, cells.force
     for k in range(bonds.m):
-        if cracks.onset[k] == 0:
+        if onset[k] == 0:
             continue
         c = cracks.sizes[0]
         row, start = cracks.row[c], 0.0
-        if cracks.onset[k] == 1:
-            f, A = column(cracks.force, k), cracks.area[k]
-            _, _, one, _ = principal_stresses(pair_stress(cracks.tensor, bonds.i[k], bonds.j[k]), a, v)
+        if onset[k] == 1:
+            f, A = column(force, k), cracks.begin.area[k]
+            _, _, one, _ = principal_stresses(pair_stress(cracks.stress.tensor, bonds.i[k], bonds.j[k]), a, v)
             n = cracks.geometry[c]  # found before
             slope = abs(scalar(read_three(n, NORMAL), (v[0, one], v[1, one], v[2, one])))
-            start = min(math.sqrt(scalar(f, f)) / A, cracks.strength[k] * max(slope, _LEAST))
+            start = min(math.sqrt(scalar(f, f)) / A, strength[k] * max(slope, _LEAST))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
-        write_three(cracks.pull[c], 0, column(cracks.force, k))
+        write_three(cracks.pull[c], 0, column(force, k))
         cracks.sizes[0] += 1
         _link(bonds, cracks, c)
-        cracks.onset[k] = 0
+        onset[k] = 0
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def place_normals(pose, bonds, cells, cracks):
     """Normals of facets that are about to crack, where `begin_cracks` looks for them."""
     c = cracks.sizes[0]
     for k in range(bonds.m):
-        if cracks.onset[k] != 0:
+        if cracks.begin.onset[k] != 0:
             write_three(cracks.geometry[c], NORMAL, present_normal(pose, bonds, cells, k))
             c += 1
 
@@ -93,7 +105,7 @@ def link_cracks(bonds, cells, cracks):
         weigh_cracked(bonds, cells, cracks, cracks.cell[e])
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def weigh_cracked(bonds, cells, cracks, p):
     """λ / V of a cell: of what its cracks lack that are not treated one by one, they are free facets."""
     slack, c = 0.0, cracks.head[p]

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from bondem._compile import device, kernel
+from bondem._compile import device, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.crack_energy import crack_energy, halves
-from bondem.kernels.crack_list import NEW, read_three, treat, weigh_cracked, write_three
+from bondem.kernels.crack_list import NEW, known, read_three, treat, weigh_cracked, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
     ARM_I,
@@ -40,11 +40,11 @@ _CALM, _ASLEEP, _GRAZING = 0.98, 0.9, 0.1
 _FACING = 0.7
 
 
-@kernel(parallel=False)
-def _measure(pose, bonds, cells, cracks, c, k):
-    d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
-    g, a, b = cracks.geometry[c], turned_by(p, a), turned_by(q, b)
-    n = column(cells.normal, k)
+@loop(parallel=False)
+def _measure(g, place, n):
+    """Write what is known of a crack into g; `place` is its `frame`, n its normal in the frames of both cells."""
+    d, p, q, a, b, u, v = place
+    a, b = turned_by(p, a), turned_by(q, b)
     n, m = turned_by(p, n), turned_by(q, n)
     write_three(g, GAP, opened(d, a, b))
     write_three(g, SHARE_I, turned_by(p, u))
@@ -57,18 +57,19 @@ def _measure(pose, bonds, cells, cracks, c, k):
     write_three(g, NORMAL, (n[0] / l, n[1] / l, n[2] / l))
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def measure_cracks(pose, bonds, cells, cracks):
     """What is known of all cracks that are treated one by one, and V θ of their cells without these."""
     for c in range(cracks.sizes[0]):
         if cracks.row[c, STATUS] == ACTIVE:
-            _measure(pose, bonds, cells, cracks, c, np.int64(cracks.row[c, FACET]))
+            k = np.int64(cracks.row[c, FACET])
+            _measure(cracks.geometry[c], frame(pose, bonds, cells, k), column(cells.normal, k))
     for e in range(cracks.sizes[1]):
         p = cracks.cell[e]
         cracks.base[p] = pose[p, STRESS] / cells.weight[p] if cells.weight[p] != 0.0 else 0.0
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def relax_cells(pose, bonds, cells, cracks):
     """Stresses of cells with cracks, by Newton's method on a piecewise linear, rising function."""
     for e in range(cracks.sizes[1]):
@@ -106,7 +107,7 @@ def _hand_over(bonds, cells, cracks, c, k, sign):
     weigh_cracked(bonds, cells, cracks, bonds.j[k])
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def wake_cracks(pose, bonds, cells, cracks):
     """Treat those resting cracks one by one that are about to soften or close; whether there are any."""
     woken = False
@@ -115,7 +116,8 @@ def wake_cracks(pose, bonds, cells, cracks):
         if row[STATUS] != RESTING:
             continue
         k = np.int64(row[FACET])
-        d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
+        place = frame(pose, bonds, cells, k)
+        d, p, q, a, b, u, v = place
         gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
         K, one, other = cells.k[k], pose[bonds.i[k], STRESS], pose[bonds.j[k], STRESS]
         f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), one, u), other, v)
@@ -124,7 +126,7 @@ def wake_cracks(pose, bonds, cells, cracks):
         if square < (_CALM * row[TOP]) ** 2:
             if scalar(f, across) > _GRAZING * math.sqrt(square * scalar(across, across)):
                 continue
-        _measure(pose, bonds, cells, cracks, c, k)
+        _measure(cracks.geometry[c], place, column(cells.normal, k))
         if cracks.integrity[k] == 0.0 and _leaves(cracks, c, k):
             treat(bonds, cracks, c, k, PARTED)
             continue
@@ -137,7 +139,7 @@ def wake_cracks(pose, bonds, cells, cracks):
     return woken
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def soften(pose, bonds, cells, cracks):
     """Integrities of all cracks at the present openings; some come to rest, some part. Whether any changed."""
     changed = False
@@ -145,8 +147,9 @@ def soften(pose, bonds, cells, cracks):
         row = cracks.row[c]
         if row[STATUS] != ACTIVE:
             continue
-        k, _, normal, (one, press_i), (other, press_j) = halves(pose, bonds, cells, cracks, c)
-        w, s = cracks.part[k], cracks.integrity[k]
+        k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
+        (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
+        s = cracks.integrity[k]
         whole = plus((w * one[0], w * one[1], w * one[2]), 1.0 - w, other)
         force = math.sqrt(scalar(whole, whole))
         if row[BEFORE] == NEW:
@@ -156,7 +159,7 @@ def soften(pose, bonds, cells, cracks):
         row[BEFORE] = s
         new = 0.0
         if s > 0.0:
-            new = max(softened(s, force / cracks.area[k], row[ONSET], cracks.last[k]), s - _FASTEST)
+            new = max(softened(s, force / cracks.begin.area[k], row[ONSET], cracks.last[k]), s - _FASTEST)
             if new < 1e-9:
                 new = 0.0
         if new < s:
@@ -164,8 +167,8 @@ def soften(pose, bonds, cells, cracks):
             row[TOP] = max(row[TOP], force)
             changed = True
         elif s == 0.0 and _leaves(cracks, c, k):
-            across, along, bent = crack_energy(pose, bonds, cells, cracks, c)
-            cracks.released[0] += across + along + bent
+            across, along = crack_energy(K, w, s, gap, normal, (one, other), read_three(row, RUB))
+            cracks.released[0] += across + along  # none of bending is left
             _leave(bonds, cells, cracks, c, k, PARTED)
             changed = True
         elif press_i == 0.0 and press_j == 0.0:
@@ -183,7 +186,7 @@ def _leaves(cracks, c, k):
     gap, normal = read_three(g, GAP), read_three(g, NORMAL)
     along = max(scalar(gap, normal), 0.0)
     across = plus(gap, -scalar(gap, normal), normal)
-    return g[FACING] < _FACING or max(along * along, scalar(across, across)) > cracks.area[k]
+    return g[FACING] < _FACING or max(along * along, scalar(across, across)) > cracks.begin.area[k]
 
 
 @device

@@ -22,23 +22,17 @@ GAP, NORMAL, SHARE_I, SHARE_J, ARM_I, ARM_J, FACING = 0, 3, 6, 9, 12, 15, 18
 GEOMETRY_COLUMNS = 19
 
 
-class CrackTable(NamedTuple):
-    """Facets that soften and cells that yield; m facets, n cells. From `now` on kernels write."""
+class CellStresses(NamedTuple):
+    """Mean stresses of n cells; kernels write the last one."""
 
-    strength: np.ndarray  #: f_t of each facet [Pa], (m,)
-    last: np.ndarray  #: k u / A where nothing is left of it, 0 where it breaks at once [Pa], (m,)
-    area: np.ndarray  #: [m²], (m,)
-    part: np.ndarray  #: w_i: part of cell i in the compliance, (m,)
-    friction: float  #: μ
-    hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
     volume: np.ndarray  #: [m³], (n,)
-    weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
-    slack_i: np.ndarray  #: what 1 / weight of cell i gains where the facet parts [m³/Pa], (m,)
-    slack_j: np.ndarray
-    in_start: np.ndarray  #: facets of each cell, as `Adjacency` has them
-    out_start: np.ndarray
-    out_bond: np.ndarray
-    yielding: bool  #: whether cells yield
+    tensor: np.ndarray  #: mean stress in the last step, in space, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+
+
+class CellYield(NamedTuple):
+    """Cells that yield; n cells, g walls that hold some, l loads on free facets. Kernels write `plastic`."""
+
+    yielding: bool  #: whether any do
     cohesion: np.ndarray  #: c cos φ of each cell [Pa], (n,)
     sine: float  #: sin φ
     dilation: float  #: sin ψ
@@ -46,12 +40,36 @@ class CrackTable(NamedTuple):
     G: np.ndarray  #: [Pa], (n,)
     base_i: np.ndarray  #: levers without plastic strain, int32, (3, m) or (3, 0)
     base_j: np.ndarray
-    pressed: np.ndarray  #: what each load on free facets adds to V σ of the cells at full load [J], (l, n, 6)
     base_grip: np.ndarray  #: the same of walls [m], (g, 3)
+    pressed: np.ndarray  #: what each load on free facets adds to V σ of the cells at full load [J], (l, n, 6)
+    plastic: np.ndarray  #: (n, 17) or (0, 17)
+
+
+class Onset(NamedTuple):
+    """Which facets begin to crack; m facets, n cells. Kernels write the last three."""
+
+    strength: np.ndarray  #: f_t of each facet [Pa], (m,)
+    area: np.ndarray  #: [m²], (m,)
+    hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
+    hotter: np.ndarray  #: 1 for cells whose facets are looked at, 2 for those without cohesion, uint8, (n,)
+    onset: np.ndarray  #: 1 for facets that begin to crack, 2 for those of a cell without cohesion, uint8, (m,)
+    listed: np.ndarray  #: 1 for facets that are treated one by one, 2 for other cracks, uint8, (m,)
+
+
+class CrackTable(NamedTuple):
+    """Facets that soften and cells that yield; m facets, n cells. From `now` on kernels write."""
+
+    stress: CellStresses
+    flow: CellYield
+    begin: Onset
+    last: np.ndarray  #: k u / A where nothing is left of a facet, 0 where it breaks at once [Pa], (m,)
+    part: np.ndarray  #: w_i: part of cell i in the compliance, (m,)
+    friction: float  #: μ
+    weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
+    slack_i: np.ndarray  #: what 1 / weight of cell i gains where the facet parts [m³/Pa], (m,)
+    slack_j: np.ndarray
     now: np.ndarray  #: time [s] and step; a step below 0 where nothing is to change, (2,)
     integrity: np.ndarray  #: 1 whole … 0 broken, (m,)
-    listed: np.ndarray  #: 1 for facets that are treated one by one, 2 for other cracks, uint8, (m,)
-    onset: np.ndarray  #: 1 for facets that begin to crack, 2 for those of a cell without cohesion, uint8, (m,)
     row: np.ndarray  #: cracked facets in the order in which they began, (m, 13)
     sizes: np.ndarray  #: how many cracked facets, how many cells that have some, rows logged, (3,)
     geometry: np.ndarray  #: (m, 19)
@@ -60,11 +78,7 @@ class CrackTable(NamedTuple):
     after_i: np.ndarray  #: next crack of cell i of a crack, or -1, (m,)
     after_j: np.ndarray
     base: np.ndarray  #: V θ of cells with cracks but for these [m³], (n,)
-    force: np.ndarray  #: force of each whole facet on its cell i in the last step [N], (3, m)
-    pull: np.ndarray  #: the same of each crack, (m, 3)
+    pull: np.ndarray  #: force of each crack on its cell i [N], (m, 3)
     load: np.ndarray  #: force and torque of all cracks on each cell [N, N·m], (n, 6)
-    tensor: np.ndarray  #: mean stress of each cell in the last step, in space [Pa], (n, 6)
-    hotter: np.ndarray  #: whether the facets of a cell are looked at, uint8, (n,)
-    plastic: np.ndarray  #: of cells, (n, 17) or (0, 17)
     log: np.ndarray  #: what broke in this call (`BROKEN_…`), (m, 9)
     released: np.ndarray  #: energy that cracks have dissipated since the start of the run [J], (1,)

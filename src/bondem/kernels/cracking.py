@@ -10,12 +10,12 @@ rounding. All of it is done by one thread, in the order of the list: no bit depe
 
 import numpy as np
 
-from bondem._compile import device, kernel
+from bondem._compile import device, loop
 from bondem.kernels.breaking import write_break
-from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.cell_tensors import heat, judge_body
+from bondem.kernels.cell_yield import heat
 from bondem.kernels.crack_energy import bending, crack_energy, halves, stretched
-from bondem.kernels.crack_list import begin_cracks, place_normals, read_three, write_three
+from bondem.kernels.crack_list import begin_cracks, known, place_normals, read_three, write_three
+from bondem.kernels.crack_onset import judge_body
 from bondem.kernels.crack_states import measure_cracks, relax_cells, soften, wake_cracks
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -25,13 +25,11 @@ from bondem.kernels.crack_tables import (
     FACET,
     RATE,
     RUB,
-    SHARE_I,
-    SHARE_J,
     SLIP,
     SPENT,
     STATUS,
 )
-from bondem.kernels.single_facets import orientation
+from bondem.kernels.single_facets import orientation, resistance
 from bondem.kernels.tables import RUBBED
 from bondem.laws.cell_energy import cross, scalar, turned_by
 from bondem.laws.failure.criterion import SHEAR, TENSION
@@ -63,7 +61,7 @@ def _add(load, p, sign, force, torque):
         load[p, 3 + d] += torque[d]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def crack_forces(elements, bonds, cells, cracks, change):
     """Forces and torques of all cracks into `load`; where it is to `change`, slip and energies are booked."""
     pose, load = elements.pose, cracks.load
@@ -73,19 +71,20 @@ def crack_forces(elements, bonds, cells, cracks, change):
         row = cracks.row[c]
         if row[STATUS] != ACTIVE:
             continue
-        k, gap, normal, (one, press_i), (other, press_j) = halves(pose, bonds, cells, cracks, c)
-        i, j, w, s, K = bonds.i[k], bonds.j[k], cracks.part[k], cracks.integrity[k], cells.k[k]
+        k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
+        (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
+        i, j, s = bonds.i[k], bonds.j[k], cracks.integrity[k]
         g = cracks.geometry[c]
         along = w * press_i + (1.0 - w) * press_j
-        q = orientation(pose, i)
-        slip = turned_by(q, read_three(row, SLIP))
+        p, q = orientation(pose, i), orientation(pose, j)
+        slip = turned_by(p, read_three(row, SLIP))
         rub, slip = rubbed(K, s, gap, normal, slip, -cracks.friction * (1.0 - s) * along)
         f = plus(plus(rub, s * w, one), s * (1.0 - w), other)
         f = plus(f, along, normal)
-        ci = _half_couple(K, w, s, gap, read_three(g, SHARE_I), pose[i, STRESS], one)
-        cj = _half_couple(K, 1.0 - w, s, gap, read_three(g, SHARE_J), pose[j, STRESS], other)
+        ci = _half_couple(K, w, s, gap, shares[0], stresses[0], one)
+        cj = _half_couple(K, 1.0 - w, s, gap, shares[1], stresses[1], other)
         n = crack_couple(gap, f, ci, cj)
-        bent, h = bending(pose, bonds, cells, k)
+        bent, h = bending(p, q, resistance(cells, 1.0, k))
         x, y = cross(read_three(g, ARM_I), f), cross(f, read_three(g, ARM_J))
         ti = plus(plus(plus(x, 1.0, ci), 0.5, n), s, h)
         tj = plus(plus(plus(y, 1.0, cj), 0.5, n), -s, h)
@@ -119,15 +118,20 @@ def _book(elements, bonds, cells, cracks, c, found):
     write_three(row, RUB, rub)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def crack_energies(pose, bonds, cells, cracks):
     """Elastic energy of all cracks: normal, shear and bending [J]."""
     normal = shear = bend = 0.0
     for c in range(cracks.sizes[0]):
         if cracks.row[c, STATUS] == ACTIVE:
-            one, other, bent = crack_energy(pose, bonds, cells, cracks, c)
-            normal += one
-            shear += other
+            k, K, w, gap, n, shares, stresses = known(pose, bonds, cells, cracks, c)
+            s, rub = cracks.integrity[k], read_three(cracks.row[c], RUB)
+            (one, _), (other, _) = halves(K, w, gap, n, shares, stresses)
+            across, along = crack_energy(K, w, s, gap, n, (one, other), rub)
+            p, q = orientation(pose, bonds.i[k]), orientation(pose, bonds.j[k])
+            bent, _ = bending(p, q, resistance(cells, s, k))
+            normal += across
+            shear += along
             bend += bent
     return normal, shear, bend
 
@@ -141,23 +145,23 @@ def with_cracks(pose, bonds, cells, cracks, parts):
     return parts[0] + normal, parts[1] + shear, parts[2] + bend, parts[3]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def dissipated(cracks):
     """Energies that cracks and cells that yield have dissipated [J]."""
-    return cracks.released[0], heat(cracks)
+    return cracks.released[0], heat(cracks.stress, cracks.flow)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def crack_before(elements, bonds, body, rows, cracks, threaded):
     """As a step begins: cells yield, and facets begin to crack."""
     if cracks is not None:  # decided when compiled
         if cracks.now[1] >= 0.0:
             if judge_body(elements.pose, bonds, body, rows.work, cracks, threaded):
                 place_normals(elements.pose, bonds, body.cells, cracks)
-                begin_cracks(bonds, cracks)
+                begin_cracks(bonds, body.cells, cracks)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def crack_between(elements, bonds, cells, cracks):
     """Between the passes over the facets: stresses of cells with cracks, and what these do."""
     if cracks is not None:

@@ -6,7 +6,7 @@ at the time of the forces, from the sums, so that the energy ledger stays second
 
 import numpy as np
 
-from bondem._compile import device, kernel
+from bondem._compile import device, loop
 from bondem.kernels.bond_pass import apart, group, groups
 from bondem.kernels.element_pass import collect_parts
 from bondem.kernels.lane_memory import add_loads, places, row, side
@@ -29,7 +29,7 @@ def collect_dashpots(added, cut, first, last):
             collect_parts(added.dashed, cut.shared_row, cut.parts, cut.part, first, last)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def dashpot_loads(pose, motion, bonds, added, row_i, row_j, first, last):
     """Add force and torques of the dashpots of the bonds first … last to the rows of their two ends."""
     m = np.uint64(added.dashpot.shape[1])

@@ -12,11 +12,21 @@ any.
 
 import numpy as np
 
-from bondem._compile import device, kernel, prange
+from bondem._compile import device, kernel, loop, prange
 from bondem.kernels.element_rows import gripped, loaded, prescribed, react, row_power, switched_energy
 from bondem.kernels.lane_memory import clear_row, places_below, prefetch, put_entry, put_row, row
 from bondem.kernels.lanes import WIDTH, all_below, dot, lane, put_lane
-from bondem.kernels.resistance import body_work, book_loss, damped, lost, resisted, viscous_power, with_added
+from bondem.kernels.resistance import (
+    body_work,
+    book_loss,
+    damped,
+    lost,
+    resisted,
+    viscous_power,
+    with_body_forces,
+    with_contacts,
+    with_dashpots,
+)
 from bondem.laws.rotations import SMALL, half_angle, short_series, turned
 
 # Elements ahead of the loop whose rows are asked for.
@@ -77,45 +87,46 @@ def _step(elements, sums, rows, scheme, added, go_on, p, s, r):
     f, t = (load[0], load[1], load[2]), (load[4], load[5], load[6])
     v, m, w, u = (moving[0], moving[1], moving[2]), moving[3], (moving[4], moving[5], moving[6]), moving[7]
     clear_row(sums, s)
+    f, t = with_contacts(elements.load, p, f, t)
     if added is not None:
-        f, t = with_added(added, p, s, m, f, t)
-        body_work(added, p, m, 0.5 * dt, v)
+        f, t = with_dashpots(added.dashed, s, f, t)
+        f = with_body_forces(added.group, added.present, p, m, f)
+        body_work(added.group, added.present, added.body, p, m, 0.5 * dt, v)
     if r is not None:
         f, t = gripped(rows.grip, r, f, t)
         react(rows.reaction, r, f, t)
         _row_work(rows, r, 0.5 * dt, v, w)
         f, t = loaded(rows.fixed, rows.force, r, f, t)
     whole_f, whole_t = f, t
-    if gamma > 0.0:
-        f, t = damped(f, t, v, w, gamma)
+    f, t = damped(f, t, v, w, gamma)
     a, b = (m * f[0], m * f[1], m * f[2]), (u * t[0], u * t[1], u * t[2])
     resisting = gamma > 0.0
     if added is not None:
-        if added.viscous:
-            kick = scheme.finish if scheme.finish > 0.0 else scheme.begin
-            a, b = resisted(added, rows.fixed, r, kick, m, v, w, a, b)
-            resisting = True
+        resisting = resisting or added.viscous
+        kick = scheme.finish if scheme.finish > 0.0 else scheme.begin
+        a, b = resisted(added.viscous, added.alpha, added.absorbing, rows.fixed, r, kick, m, v, w, a, b)
     # two kicks also where they could be one: the bits must not depend on where a run pauses
     v, w = _moved(v, scheme.finish, a), _moved(w, scheme.finish, b)
     if resisting:
         power = lost(f, t, whole_f, whole_t, v, w)
         if added is not None:
-            power += viscous_power(added, rows.fixed, s, r, m, u, v, w)
+            power += viscous_power(added.alpha, added.dashed, added.absorbing, rows.fixed, s, r, m, u, v, w)
         book_loss(elements.loss, p, dt, power)
     if r is not None:
         v, w = _driven(rows, rows.full, r, m, u, v, w)
-    if go_on:
-        v, w = _moved(v, scheme.begin, a), _moved(w, scheme.begin, b)
-        if r is not None:
-            v, w = _driven(rows, rows.half, r, m, u, v, w)
-            _row_work(rows, r, 0.5 * dt, v, w)
-        if added is not None:
-            body_work(added, p, m, 0.5 * dt, v)
-        put_row(elements.pose, p, _drifted(x, scheme, r, v, w, a, b))
-    else:
+    if not go_on:
         for d in range(3):
             put_entry(elements.acceleration, p, d, a[d])
             put_entry(elements.acceleration, p, 3 + d, b[d])
+        put_row(elements.motion, p, (v[0], v[1], v[2], m, w[0], w[1], w[2], u))
+        return
+    v, w = _moved(v, scheme.begin, a), _moved(w, scheme.begin, b)
+    if r is not None:
+        v, w = _driven(rows, rows.half, r, m, u, v, w)
+        _row_work(rows, r, 0.5 * dt, v, w)
+    if added is not None:
+        body_work(added.group, added.present, added.body, p, m, 0.5 * dt, v)
+    put_row(elements.pose, p, _drifted(x, scheme, r, v, w, a, b))
     put_row(elements.motion, p, (v[0], v[1], v[2], m, w[0], w[1], w[2], u))
 
 
@@ -132,7 +143,7 @@ def move(elements, sums, rows, scheme, added, go_on, element, row_of_sums, first
         _step(elements, sums, rows, scheme, added, go_on, p, s, None)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def move_held(elements, sums, rows, scheme, added, go_on, element, row_of_sums, first, last):
     """The same of elements that own rows."""
     for e in range(first, last):
@@ -156,7 +167,7 @@ def _open_one(elements, rows, scheme, added, p):
         v, w = prescribed(rows.fixed, rows.half, r, v, w)
         _row_work(rows, r, 0.5 * dt, v, w)
     if added is not None:
-        body_work(added, p, m, 0.5 * dt, v)
+        body_work(added.group, added.present, added.body, p, m, 0.5 * dt, v)
     put_row(elements.motion, p, (v[0], v[1], v[2], m, w[0], w[1], w[2], u))
     put_row(elements.pose, p, _drifted(x, scheme, r, v, w, a, b))
 
@@ -166,7 +177,7 @@ def _open(elements, rows, scheme, added):
         _open_one(elements, rows, scheme, added, np.uint64(p))
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def open_list(elements, rows, scheme, added, element, count):
     """The first `count` elements of a list open a step, as after a pause."""
     for e in range(count):
@@ -177,7 +188,7 @@ open_step = kernel(parallel=True)(_open)
 open_step_serial = kernel(parallel=False)(_open)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def collect_parts(sums, row_of_sums, parts, part, first, last):
     """Add what bonds of other domains have left to the sums of shared elements, and leave zeros there."""
     for e in range(first, last):

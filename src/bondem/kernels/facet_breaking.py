@@ -9,7 +9,7 @@ What is called from several places here is compiled once for all of them (`kerne
 
 import math
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.breaking import log_break, take_dashpot, take_off
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.grip_pass import grip_load, grip_swelling
@@ -22,7 +22,7 @@ from bondem.laws.cell_energy import facet_energy, opened, scalar, swellings, tur
 _NEAR, _OWN, _LISTED = 1, 2, 3
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def judge_facet(pose, bonds, cells, kind, coefficient, k):
     """Index and mode of a facet: a criterion sees its normal force, tension positive, and its shear force."""
     force, _, _ = single_facet(pose, bonds, cells, k)
@@ -43,7 +43,7 @@ def _hold(bonds, breaks, p):
     breaks.held[p] = _OWN
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def judge_facets(pose, bonds, cells, breaks):
     """Of the marked facets keep those that break, and hold back their cells and the neighbours of these."""
     for d in range(len(breaks.found)):
@@ -61,7 +61,7 @@ def judge_facets(pose, bonds, cells, breaks):
         breaks.found[d] = count
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def weigh(bonds, cells, breaks, p):
     """λ / V of a cell with the facets that it has left: those that broke open until they bear nothing."""
     inward = outward = 0.0
@@ -98,7 +98,7 @@ def _swelling(pose, rest, bonds, body, breaks, p):
     return total
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def dilated(pose, rest, bonds, body, breaks, p):
     """Energy of dilatation of a cell [J]; its stress is brought up to date."""
     total = _swelling(pose, rest, bonds, body, breaks, p)
@@ -152,7 +152,7 @@ def _break_facet(elements, bonds, body, added, breaks, k):
     log_break(breaks, k, mode, gap, energy, (pose[i, 0] + arm[0], pose[i, 1] + arm[1], pose[i, 2] + arm[2]))
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def break_facets(elements, bonds, body, sums, rows, added, breaks):
     """Break the facets that were found in this step, in their order, and correct the sums of those that wait."""
     count = 0

@@ -7,7 +7,7 @@ A wall keeps its orientation, so that a gap is measured along fixed axes: with a
 where P keeps the held axes and v is the vector part of the cell's quaternion; see `bondem.laws.cell_energy`.
 """
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.boundary import interpolate
 from bondem.kernels.cell_pass import STRESS
 from bondem.laws.cell_energy import cross, resisted_turn, scalar, turned_by
@@ -105,7 +105,7 @@ def give(grips, rows):
             rows.grip[grips.row[g], d] += grips.load[g, d]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def hand_on(pose, rest, grips, rows):
     """Forces of the walls on the rows of their cells, and the work of walls that move: the trapezoid of f over dw."""
     for g in range(len(grips.cell)):
@@ -119,7 +119,7 @@ def hand_on(pose, rest, grips, rows):
             grips.came[g, d] = 0.0
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def grip_energy(pose, rest, grips):
     """Energy of the half facets at the walls, without dilatation [J]."""
     total = 0.0

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import ahead, apart, branch, group, groups
 from bondem.kernels.lane_memory import add_loads, places, put_side, row, side
 from bondem.laws.incremental import axis, levers, spin, turned_and_loaded
@@ -72,7 +72,7 @@ def incremental_loads(elements, bonds, history, dt, sums, row_i, row_j, first, l
         )  # fmt: skip
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def incremental_energies(pose, bonds, history):
     """Normal, shear, bending and twisting energy of all bonds [J] from their stored forces and moments."""
     normal = slip = bend = twist = 0.0

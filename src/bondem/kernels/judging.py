@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import branch
 from bondem.laws.beam_energy import bond_force
 from bondem.laws.cell_energy import cross, scalar
@@ -41,7 +41,7 @@ def _across(a, e):
     return math.sqrt(scalar(c, c))
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def single_bond(pose, bonds, k):
     """Branch [m], force on j and torques on i and j [N, N·m] of one bond of the total formulation."""
     a, b = bonds.i[k], bonds.j[k]
@@ -63,7 +63,7 @@ def _angle(pose, p, e, bonds, k):
     return math.atan2(_across(q, e), scalar(q, e))
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def index_of(pose, bonds, kind, coefficient, station, k):
     """Index and mode of one bond.
 
@@ -93,7 +93,7 @@ def judge_bond(pose, bonds, breaks, k):
     return index_of(pose, bonds, breaks.kind, breaks.coefficient[k], breaks.station[k], k)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def judge_block(pose, bonds, breaks, block, first, place):
     """Of the marked bonds first … place of a block keep those that break, and hold back their ends; how many."""
     count = 0

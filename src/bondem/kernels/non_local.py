@@ -10,7 +10,7 @@ stresses come out as they were.
 
 import numpy as np
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import branch
 from bondem.laws.cell_energy import cross, scalar, turned_by
 from bondem.laws.non_local import extra_force
@@ -88,7 +88,7 @@ def _renewed(table, i, j, p, q, n, k):
     return extra_force(mean, n, table.area[k], table.nu, slip, table.limited)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def non_local_loads(pose, bonds, table, dt, sums, row_i, row_j, first, last):
     """Add force and torques of the bonds first … last to the rows of their elements in `sums`, and their stresses.
 
@@ -133,7 +133,7 @@ def non_local_loads(pose, bonds, table, dt, sums, row_i, row_j, first, last):
             sums[row_j[k], 4 + c] -= tj[c]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def settle_stress(table):
     """Stresses of the elements from their sums, which are left at zero."""
     for p in range(len(table.inverse)):
@@ -142,7 +142,7 @@ def settle_stress(table):
             table.sums[p, c] = 0.0
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def non_local_energies(pose, bonds, table):
     """Normal and shear energy of the springs, and the work that extra forces have taken up [J]."""
     normal = slip = taken = 0.0

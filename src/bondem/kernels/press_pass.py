@@ -4,7 +4,7 @@ A traction opens its facet by its own half of the cell, and with it adds A d t·
 the energy ½ V λ θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.
 """
 
-from bondem._compile import kernel
+from bondem._compile import kernel, loop
 from bondem.kernels.boundary import value_at
 from bondem.kernels.cell_pass import STRESS
 
@@ -25,7 +25,7 @@ def press(t, schedules, presses, given):
                 given[p] += presses.factor[l] * presses.value[l, p]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def book_presses(pose, presses, work):
     """Half the work of tractions that change: once with the stresses before, and once with those after."""
     for l in range(len(presses.schedule)):

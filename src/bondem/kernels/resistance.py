@@ -11,39 +11,53 @@ from bondem.kernels.lanes import dot, fused, sign, zero_of
 from bondem.kernels.tables import DAMPED, POWER
 from bondem.laws.damping import local_damping
 
-
-@device
-def with_added(added, p, s, m, f, t):
-    """Force and torque with those of contacts, body forces and dashpots of bonds."""
-    if len(added.contact) > 0:
-        c = added.contact
-        f = f[0] + entry(c, p, 0), f[1] + entry(c, p, 1), f[2] + entry(c, p, 2)
-        t = t[0] + entry(c, p, 3), t[1] + entry(c, p, 4), t[2] + entry(c, p, 5)
-    if len(added.dashed) > 0:
-        d = row(added.dashed, s)
-        f = f[0] + d[0], f[1] + d[1], f[2] + d[2]
-        t = t[0] + d[4], t[1] + d[5], t[2] + d[6]
-    if len(added.group) > 0:
-        q = places_in(added.group, p)
-        f = (
-            f[0] + entry(added.present, q, 0) / m, f[1] + entry(added.present, q, 1) / m,
-            f[2] + entry(added.present, q, 2) / m,
-        )  # fmt: skip
-    return f, t
+# Functions take the arrays that they use, and those that may have nothing to do return early: whole tables that are
+# handed on are counted, and what is assigned in a branch is kept in memory, for every element.
 
 
 @device
-def body_work(added, p, m, half, v):
+def with_contacts(contact, p, f, t):
+    """Force and torque with those of contacts, if there can be any."""
+    if contact.ndim == 1:  # decided when compiled
+        return f, t
+    return (
+        (f[0] + entry(contact, p, 0), f[1] + entry(contact, p, 1), f[2] + entry(contact, p, 2)),
+        (t[0] + entry(contact, p, 3), t[1] + entry(contact, p, 4), t[2] + entry(contact, p, 5)),
+    )
+
+
+@device
+def with_dashpots(dashed, s, f, t):
+    """Force and torque with those of the dashpots of bonds, if there are any."""
+    if len(dashed) == 0:
+        return f, t
+    d = row(dashed, s)
+    return (f[0] + d[0], f[1] + d[1], f[2] + d[2]), (t[0] + d[4], t[1] + d[5], t[2] + d[6])
+
+
+@device
+def with_body_forces(group, present, p, m, f):
+    """Force with body forces, if there are any."""
+    if len(group) == 0:
+        return f
+    q = places_in(group, p)
+    return f[0] + entry(present, q, 0) / m, f[1] + entry(present, q, 1) / m, f[2] + entry(present, q, 2) / m
+
+
+@device
+def body_work(group, present, work, p, m, half, v):
     """Add the work of the body forces over half a step [J]."""
-    if len(added.group) > 0:
-        q = places_in(added.group, p)
-        power = dot((entry(added.present, q, 0), entry(added.present, q, 1), entry(added.present, q, 2)), v)
-        put_entry(added.body, p, 0, entry(added.body, p, 0) + half * power / m)
+    if len(group) > 0:
+        q = places_in(group, p)
+        power = dot((entry(present, q, 0), entry(present, q, 1), entry(present, q, 2)), v)
+        put_entry(work, p, 0, entry(work, p, 0) + half * power / m)
 
 
 @device
 def damped(f, t, v, w, gamma):
     """Force and torque, each component reduced against the motion."""
+    if gamma == 0.0:
+        return f, t
     return (
         (
             local_damping(f[0], sign(v[0]), gamma), local_damping(f[1], sign(v[1]), gamma),
@@ -57,20 +71,21 @@ def damped(f, t, v, w, gamma):
 
 
 @device
-def resisted(added, fixed, r, h, m, v, w, a, b):
+def resisted(viscous, alpha, absorbing, fixed, r, h, m, v, w, a, b):
     """Accelerations slowed by mass damping and absorbing dashpots at the velocity a kick of h later.
 
     Taken at that velocity, which is the one at the time of the forces, they are second order and never unstable.
     """
+    if not viscous:
+        return a, b
     if r is not None:
         v, w = free(fixed, r, v, w)
-    alpha = added.alpha
     s = 1.0 + h * alpha
     a = a[0] - alpha * v[0], a[1] - alpha * v[1], a[2] - alpha * v[2]
     b = (b[0] - alpha * w[0]) / s, (b[1] - alpha * w[1]) / s, (b[2] - alpha * w[2]) / s
     if r is not None:
-        if len(added.absorbing) > 0:
-            return _absorbed(added.absorbing, r, h, s, m, v, a), b
+        if len(absorbing) > 0:
+            return _absorbed(absorbing, r, h, s, m, v, a), b
     return (a[0] / s, a[1] / s, a[2] / s), b
 
 
@@ -104,20 +119,20 @@ def lost(f, t, before_f, before_t, v, w):
 
 
 @device
-def viscous_power(added, fixed, s, r, m, u, v, w):
+def viscous_power(alpha, dashed, absorbing, fixed, s, r, m, u, v, w):
     """Power taken by mass damping and dashpots [W]; row s of those of bonds is left at zero."""
     power = zero_of(v[0])
-    if len(added.dashed) > 0:
-        c = row(added.dashed, s)
+    if len(dashed) > 0:
+        c = row(dashed, s)
         along = dot((c[0], c[1], c[2]), v)
         power -= fused(c[6], w[2], fused(c[5], w[1], fused(c[4], w[0], along)))
-        clear_row(added.dashed, s)
+        clear_row(dashed, s)
     if r is not None:
         v, w = free(fixed, r, v, w)
-    power += added.alpha * (dot(v, v) / m + dot(w, w) / u)
+    power += alpha * (dot(v, v) / m + dot(w, w) / u)
     if r is not None:
-        if len(added.absorbing) > 0:
-            c = added.absorbing[r]
+        if len(absorbing) > 0:
+            c = absorbing[r]
             power += c[0] * v[0] * v[0] + c[1] * v[1] * v[1] + c[2] * v[2] * v[2]
             power += 2.0 * (c[3] * v[0] * v[1] + c[4] * v[0] * v[2] + c[5] * v[1] * v[2])
     return power

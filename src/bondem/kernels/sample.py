@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from bondem._compile import device, kernel
+from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import bond_energies
 from bondem.kernels.cell_energies import cell_energies
 from bondem.kernels.contact_pass import contact_energy
@@ -93,7 +93,7 @@ def energies(elements, bonds, work, history, body, non_local, record):
     record[NON_LOCAL], record[FRACTURE], record[PLASTIC] = taken, 0.0, 0.0
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def of_contacts(pose, period, contacts, gauges, record):
     """Energy of the contacts, work of the walls, and what gauges read of these."""
     walls = contacts.walls
@@ -131,7 +131,7 @@ def _element_value(pose, motion, rest, rows, quantity, p, d):
     return wall + (rows.reaction[r, d] if rows.fixed[r, d] else rows.force[r, d])
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def gauged(elements, rows, gauges, record):
     """Three components of each gauge of elements."""
     pose, motion, rest = elements.pose, elements.motion, elements.rest

@@ -5,7 +5,7 @@ What is called from several places is compiled once for all of them (`kernel`).
 
 import math
 
-from bondem._compile import device, kernel
+from bondem._compile import device, loop
 from bondem.kernels.bond_pass import branch
 from bondem.kernels.cell_pass import STRESS
 from bondem.laws.cell_energy import facet_force, scalar, turned_by
@@ -47,7 +47,7 @@ def resistance(cells, s, k):
     return s * H[0, k], s * H[1, k], s * H[2, k], s * H[3, k], s * H[4, k], s * H[5, k]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def single_facet(pose, bonds, cells, k):
     """Force on j and torques on i and j of a facet [N, N·m], with the stresses of its cells known."""
     d, p, q, a, b, u, v = frame(pose, bonds, cells, k)

@@ -3,10 +3,13 @@
 See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 """
 
-from bondem._compile import kernel, prange
+import numpy as np
+
+from bondem._compile import kernel, loop, prange
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.breaking import break_bonds, let_go, lists
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
+from bondem.kernels.cell_stress import cell_moments
 from bondem.kernels.cracking import crack_before, crack_between
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
@@ -34,6 +37,7 @@ def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, a
         k0, k1 = cut.bond[b], cut.bond[b + 1]
         if cells is not None:  # decided when compiled
             facet_loads(elements.pose, bonds, cells, cut.sums, cut.row_i, cut.row_j, k0, k1)
+            cell_moments(cells, cut.ready, cut.move[b], cut.move[b + 1])
         elif non_local is not None:
             non_local_loads(elements.pose, bonds, non_local, scheme.dt, cut.sums, cut.row_i, cut.row_j, k0, k1)
         elif history is None:
@@ -51,11 +55,13 @@ def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, a
             move_held(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e2, e3)
 
 
-@kernel(parallel=False)
-def sweep_shared(elements, cut, rows, scheme, added, breaks, go_on, first, last):
+@loop(parallel=False)
+def sweep_shared(elements, cells, cut, rows, scheme, added, breaks, go_on, first, last):
     """The shared elements first … last, when the bonds of all domains are done; those that own rows are the last."""
     collect_parts(cut.sums, cut.shared_row, cut.parts, cut.part, first, last)
     collect_dashpots(added, cut, first, last)
+    if cells is not None:  # decided when compiled
+        cell_moments(cells, cut.shared, first, last)
     held = min(max(cut.shared_held, first), last)
     waiting = False
     if breaks is not None:
@@ -68,7 +74,7 @@ def sweep_shared(elements, cut, rows, scheme, added, breaks, go_on, first, last)
         move_held(elements, cut.sums, rows, scheme, added, go_on and n == 0, element, row, e2, e3)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def swell_domain(pose, bonds, cells, breaks, cut, d):
     """What the facets of a domain do to V θ of their cells, and which are to be judged."""
     first, last = cut.bond[cut.domain[d]], cut.bond[cut.domain[d + 1]]
@@ -77,7 +83,7 @@ def swell_domain(pose, bonds, cells, breaks, cut, d):
         breaks.found[d] = place - first
 
 
-@kernel(parallel=True)
+@loop(parallel=True)
 def swell_domains(pose, bonds, cells, breaks, cut):
     """Stresses of all cells now, each domain on a thread of its own."""
     count, n = len(cut.domain) - 1, len(pose)
@@ -86,12 +92,12 @@ def swell_domains(pose, bonds, cells, breaks, cut):
             gather_swelling(cells, cut.shared, cut.part)
         for d in prange(count):
             if both == 0:
-                swell_domain(pose, bonds, cells, breaks, cut, d)
+                swell_domain(pose, bonds, cells, breaks, cut, np.int64(d))
             else:
                 stress_cells(pose, cells, n * d // count, n * (d + 1) // count)
 
 
-@kernel(parallel=True)
+@loop(parallel=True)
 def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, go_on):
     """Forces of all bonds now, and what elements do with them: close the step, and open the next or not.
 
@@ -105,10 +111,10 @@ def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, s
                 sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, part)
             else:
                 first, last = shared * d // count, shared * (d + 1) // count
-                sweep_shared(elements, cut, rows, scheme, added, breaks, go_on, first, last)
+                sweep_shared(elements, cells, cut, rows, scheme, added, breaks, go_on, first, last)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def swell_body(elements, bonds, body, cut, rows, breaks):
     """Stresses of all cells now, what walls that hold some of them do, and which facets break."""
     pose, rest, cells, grips = elements.pose, elements.rest, body.cells, body.grips
@@ -130,7 +136,7 @@ def swell_body(elements, bonds, body, cut, rows, breaks):
         judge_facets(pose, bonds, cells, breaks)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, go_on):
     """Forces of all bonds or facets, and what elements do with them."""
     if len(cut.domain) == 2:

@@ -47,6 +47,7 @@ class Elements(NamedTuple):
     acceleration: np.ndarray  #: translational and rotational, at a pause [m/s², rad/s²], (n, 6)
     loss: np.ndarray  #: (n, 3)
     rest: np.ndarray  #: centres in the reference [m], (n, 3)
+    load: np.ndarray  #: force and torque of contacts or cracks [N, N·m], (n, 6), or (0,) where there can be none
 
 
 class Bonds(NamedTuple):
@@ -90,7 +91,7 @@ class Alike(NamedTuple):
 
 
 class CellTable(NamedTuple):
-    """The facets and cells of a body, m facets in the order of the bonds, n cells; kernels write the last three."""
+    """The facets and cells of a body, m facets in the order of the bonds, n cells; kernels write the last four."""
 
     k: np.ndarray  #: [N/m], (m,)
     pitch: np.ndarray  #: unit of the levers along x, y, z [m], (3,)
@@ -102,9 +103,13 @@ class CellTable(NamedTuple):
     H: np.ndarray  #: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], float32, (6, m)
     weight: np.ndarray  #: λ / V of each cell [Pa/m³], (n,)
     to_i: np.ndarray  #: where a facet adds to its cell i: there, or for the other domain, uint32, (m,)
+    in_start: np.ndarray  #: facets of each cell, as `Adjacency` has them, where facets may crack; else empty
+    out_start: np.ndarray
+    out_bond: np.ndarray
     given: np.ndarray  #: part of V θ from tractions on free facets [m³], (n,)
     swelling: np.ndarray  #: the rest of V θ [m³], (n + …,)
-    force: np.ndarray  #: of each facet on its cell i [N], (3, m) where facets crack, else (3, 0)
+    force: np.ndarray  #: of each facet on its cell i [N], (3, m) where facets may crack, else (3, 0)
+    moment: np.ndarray  #: Σ b⊗f of each cell, b in its frame [pitch], f in space [N], row by row, (n, 9) or (0, 9)
 
 
 class LaggedTable(NamedTuple):
@@ -256,7 +261,6 @@ class Run(NamedTuple):
 class Added(NamedTuple):
     """What only some runs have on their elements; a part that a run does not have is empty."""
 
-    contact: np.ndarray  #: force and torque of all contacts on each element [N, N·m], (n, 6)
     group: np.ndarray  #: of each element: those of one group have the same body forces, uint32, (n,)
     member: np.ndarray  #: which body forces act on a group, 0 or 1, (g, b)
     pull: np.ndarray  #: their accelerations [m/s²], (b, 3)

@@ -6,7 +6,7 @@ the wall (3) and on its radius [N], the work of the wall on the elements [J], an
 
 import math
 
-from bondem._compile import device, kernel
+from bondem._compile import device, loop
 from bondem.kernels.boundary import interpolate
 
 COLUMNS = 14
@@ -40,7 +40,7 @@ def _wanted(contacts, s, t):
     return interpolate(contacts.times, contacts.values, contacts.start[s], contacts.start[s + 1], t)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def move_walls(t, dt, contacts):
     """Take the walls from t to t + dt."""
     c, shape, walls = contacts, contacts.shape, contacts.walls
@@ -66,7 +66,7 @@ def move_walls(t, dt, contacts):
             walls[w, d] += dt * walls[w, RATE + d]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def load_walls(dt, contacts):
     """Sum up what the elements do to the walls: rows of `wall_output` are force (3) and normal force."""
     shape, walls, output = contacts.shape, contacts.walls, contacts.wall_output
@@ -106,7 +106,7 @@ def _power(walls, w):
     return power
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def wall_travel(walls, listed):
     """How far a wall has come since the list was made [m]."""
     most = 0.0

@@ -181,12 +181,11 @@ class CellConstants:
         slack = np.bincount(j, open_share * self.slack_j, n) + np.bincount(i, open_share * self.slack_i, n)
         return replace(self, weight=self.weight / (1.0 + self.weight * slack))
 
-    def rows(self, to_i: np.ndarray, *, forces: Floats | None = None) -> CellTable:
+    def rows(self, to_i: np.ndarray) -> CellTable:
         """The constants as kernels take them, in the kernels' order.
 
         Args:
             to_i: where each facet adds to its cell i, uint32, (m,): cell i, or a place behind all cells.
-            forces: where forces of facets are to be kept [N], (3, m); nowhere when None.
         """
         def columns(each: Floats, kind: type) -> np.ndarray:
             return np.ascontiguousarray(with_zeros(each.T.astype(kind)))
@@ -201,7 +200,8 @@ class CellConstants:
             H=columns(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]], np.float32),
             weight=self.weight.copy(), to_i=with_twins(to_i), given=self.pressed.copy(),
             swelling=np.zeros(max(len(self.weight), int(to_i.max(initial=0)) + 1)),
-            force=np.zeros((3, 0)) if forces is None else forces,
+            in_start=np.zeros(0, dtype=np.int64), out_start=np.zeros(0, dtype=np.int64),
+            out_bond=np.zeros(0, dtype=np.uint32), force=np.zeros((3, 0)), moment=np.zeros((0, 9)),
         )  # fmt: skip
 
     def as_bonds(self, body: Lattice) -> BondStiffness:

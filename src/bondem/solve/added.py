@@ -11,26 +11,24 @@ from bondem.model.state import State
 
 
 def added(
-    model: Model, terms: DampingTerms, state: State, contact: Floats | None, rows: int
+    model: Model, terms: DampingTerms, state: State, rows: int
 ) -> Added | None:
-    """The rest of a run but for strains, or None for a plain one.
+    """The rest of a run but for strains and contacts, or None for a plain one.
 
     Args:
         model: what is run.
         terms: of damping.
         state: where it starts.
-        contact: forces of contacts, where there are any, shape (n, 6).
         rows: of the sums of bond forces.
     """
     held, plain = model.constraints, model.bonds
     damped = terms.eta > 0.0 or terms.beta > 0.0
     viscous = damped or len(held.absorbing) > 0 or terms.alpha > 0.0
-    if not viscous and contact is None and not len(held.body_on):
+    if not viscous and not len(held.body_on):
         return None
     member, group = np.unique(held.body_on.T, axis=0, return_inverse=True)
     body, strain, *_ = held.works
     return Added(
-        contact=np.zeros((0, 6)) if contact is None else contact,
         group=(group.ravel() if len(held.body_on) else np.zeros(0)).astype(np.uint32),
         member=member.astype(float),
         pull=held.body_value,

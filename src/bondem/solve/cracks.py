@@ -5,25 +5,50 @@ import math
 import numpy as np
 
 from bondem._types import Floats
-from bondem.kernels.cell_tensors import stretch_body
+from bondem.kernels.cell_stress import cell_moments
+from bondem.kernels.cell_yield import stretch_cells, stretch_grips
 from bondem.kernels.crack_list import link_cracks
-from bondem.kernels.crack_tables import ACTIVE, CRACK_COLUMNS, FACET, GEOMETRY_COLUMNS, STATUS, CrackTable
+from bondem.kernels.crack_tables import (
+    ACTIVE,
+    CRACK_COLUMNS,
+    FACET,
+    GEOMETRY_COLUMNS,
+    STATUS,
+    CellStresses,
+    CellYield,
+    CrackTable,
+    Onset,
+)
 from bondem.kernels.tables import BROKEN_COLUMNS, Bonds, CellTable, GripTable
+from bondem.model.bond_table import with_zeros
 from bondem.model.boundary import Load
-from bondem.model.cell_constants import body_of
+from bondem.model.cell_constants import CellConstants, body_of
 from bondem.model.loads import Pressure, is_face
 from bondem.model.model import Model
+from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 
 
-def crack_table(model: Model, state: State, cells: CellTable | None, grips: GripTable) -> CrackTable | None:
+def with_forces(cells: CellTable, model: Model, state: State) -> CellTable:
+    """The table of a body that keeps the forces of its facets in `state.facet_force`, and sums them up by cells."""
+    adjacency = model.layout.adjacency
+    return cells._replace(
+        in_start=adjacency.in_start, out_start=adjacency.out_start, out_bond=adjacency.out_bond,
+        force=with_zeros(state.facet_force), moment=np.zeros((len(state.pose), 9)),
+    )  # fmt: skip
+
+
+def crack_table(
+    model: Model, state: State, cells: CellTable | None, grips: GripTable, load: Floats
+) -> CrackTable | None:
     """What kernels take to let the facets of a state crack and its cells yield; None where none do.
 
     Args:
         model: with a criterion that softens, or without.
         state: what has cracked and yielded so far.
-        cells: facets and cells; they keep their forces in `state.facet_force`.
+        cells: facets and cells, from `with_forces`.
         grips: walls that hold some of them.
+        load: force and torque of cracks on each cell, (n, 6).
     """
     table, constants = model.softening, model.cells
     if table is None or constants is None or cells is None:
@@ -35,25 +60,33 @@ def crack_table(model: Model, state: State, cells: CellTable | None, grips: Grip
     facet = state.cracks[:, FACET].astype(np.int64)
     pull = np.zeros((m, 3))
     pull[:count] = state.facet_force[:, facet].T
-    adjacency, slip = model.layout.adjacency, table.slip
-    angle = 0.0 if slip is None else slip.friction_angle
-    bare = np.zeros((3, 0), dtype=np.int32)
     return CrackTable(
-        strength=table.strength, last=table.last, area=table.area, part=table.part, friction=table.friction,
-        hot=table.hot, volume=constants.volume, weight=constants.weight, slack_i=constants.slack_i,
-        slack_j=constants.slack_j, in_start=adjacency.in_start, out_start=adjacency.out_start,
-        out_bond=adjacency.out_bond, yielding=slip is not None,
+        stress=CellStresses(volume=constants.volume, tensor=np.zeros((n, 6))),
+        flow=_flow(model, state, table, cells, grips, constants),
+        begin=Onset(
+            strength=table.strength, area=table.area, hot=table.hot, hotter=np.zeros(n, dtype=np.uint8),
+            onset=np.zeros(m, dtype=np.uint8), listed=np.zeros(m, dtype=np.uint8),
+        ),
+        last=table.last, part=table.part, friction=table.friction, weight=constants.weight,
+        slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
+        row=row, sizes=np.array([count, 0, 0], dtype=np.int64), geometry=np.zeros((m, GEOMETRY_COLUMNS)),
+        cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
+        after_i=np.full(m, -1, dtype=np.int64), after_j=np.full(m, -1, dtype=np.int64), base=np.zeros(n),
+        pull=pull, load=load, log=np.empty((m, BROKEN_COLUMNS)), released=state.released,
+    )  # fmt: skip
+
+
+def _flow(
+    model: Model, state: State, table: SofteningTable, cells: CellTable, grips: GripTable, constants: CellConstants
+) -> CellYield:
+    slip, bare, n = table.slip, np.zeros((3, 0), dtype=np.int32), len(constants.volume)
+    angle = 0.0 if slip is None else slip.friction_angle
+    return CellYield(
+        yielding=slip is not None,
         cohesion=np.full(n, 0.0 if slip is None else slip.cohesion * math.cos(angle)), sine=math.sin(angle),
         dilation=0.0 if slip is None else math.sin(slip.dilatancy), fade=table.fade, G=constants.G,
         base_i=bare if slip is None else cells.lever_i.copy(), base_j=bare if slip is None else cells.lever_j.copy(),
-        pressed=_pressed(model), base_grip=grips.lever.copy(), now=np.array([0.0, -1.0]), integrity=state.integrity,
-        listed=np.zeros(m, dtype=np.uint8), onset=np.zeros(m, dtype=np.uint8), row=row,
-        sizes=np.array([count, 0, 0], dtype=np.int64), geometry=np.zeros((m, GEOMETRY_COLUMNS)),
-        cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
-        after_i=np.full(m, -1, dtype=np.int64), after_j=np.full(m, -1, dtype=np.int64), base=np.zeros(n),
-        force=cells.force, pull=pull, load=np.zeros((n, 6)), tensor=np.zeros((n, 6)),
-        hotter=np.zeros(n, dtype=np.uint8), plastic=state.plastic, log=np.empty((m, BROKEN_COLUMNS)),
-        released=state.released,
+        base_grip=grips.lever.copy(), pressed=_pressed(model), plastic=state.plastic,
     )  # fmt: skip
 
 
@@ -74,16 +107,22 @@ def _pressed(model: Model) -> Floats:
 
 
 def take_up(bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable) -> None:
-    """Go on with cracks and plastic strains as a run begins: lists, weights and levers."""
+    """Go on with cracks and plastic strains as a run begins: lists, weights, levers and sums of forces."""
     link_cracks(bonds, cells, cracks)
-    stretch_body(bonds, cells, grips, cracks)
+    if cracks.flow.yielding:
+        stretch_cells(cells, cracks.flow, True, 0, len(cracks.flow.plastic))
+    stretch_grips(grips, cracks.flow)
+    active = cracks.row[: cracks.sizes[0], STATUS] == ACTIVE
+    # these are no part of the loop over facets: what they bear stands in `pull`
+    cells.force[:, cracks.row[: cracks.sizes[0], FACET][active].astype(np.int64)] = 0.0
+    cell_moments(cells, np.arange(len(cells.moment), dtype=np.uint32), 0, len(cells.moment))
 
 
-def keep_cracks(cracks: CrackTable, state: State) -> None:
+def keep_cracks(cells: CellTable, cracks: CrackTable, state: State) -> None:
     """Write what has cracked and broken since the last call into the state."""
     count, logged = int(cracks.sizes[0]), int(cracks.sizes[2])
     state.cracks = cracks.row[:count].copy()
-    state.facet_force[:] = cracks.force[:, : state.facet_force.shape[1]]
+    state.facet_force[:] = cells.force[:, : state.facet_force.shape[1]]
     one_by_one = np.flatnonzero(state.cracks[:, STATUS] == ACTIVE)
     state.facet_force[:, state.cracks[one_by_one, FACET].astype(np.int64)] = cracks.pull[one_by_one].T
     if logged:

@@ -34,7 +34,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added, changing_strain
 from bondem.solve.breakage import breaking, keep_broken
-from bondem.solve.cracks import crack_table, keep_cracks, take_up
+from bondem.solve.cracks import crack_table, keep_cracks, take_up, with_forces
 from bondem.solve.neighbour_list import ContactList
 from bondem.solve.plan import Plan
 
@@ -84,8 +84,13 @@ class CpuLoop:
         cracked = np.zeros(len(layout.i), dtype=bool)
         cracked[state.cracks[:, FACET].astype(np.int64)] = True
         self._contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
+        load = np.zeros(0)
+        if self._contacts is not None:
+            load = self._contacts.arrays.load
+        elif model.softening is not None:
+            load = np.zeros((len(state.pose), 6))
         self._run = Run(
-            elements=Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest),
+            elements=Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest, load),
             # facets that crack are no part of the loop over facets
             bonds=bonds.rows(
                 layout, model.period, np.where(cracked, 0.0, state.integrity), alike=self._same is not None
@@ -100,27 +105,23 @@ class CpuLoop:
         self._body, self._cracks = None, None
         if model.cells is not None:
             strained = model.cells.stretched(state.eigenstrain)
-            forces = None
             if model.softening is None:
                 strained = strained.damaged(state.integrity, layout.i, layout.j)
-            else:
-                forces = with_zeros(state.facet_force)
             grips = strained.grips.table(layout, held.row_of, held.works[2])
             presses = PressTable(
                 value=held.press_value, schedule=held.press_schedule, place=held.works[2],
                 factor=np.zeros(len(held.press_schedule)), came=np.zeros(len(held.press_schedule)),
             )  # fmt: skip
-            table = strained.rows(blocks.swelling_places(layout), forces=forces)
-            self._cracks = crack_table(model, state, table, grips)
+            table = strained.rows(blocks.swelling_places(layout))
+            if model.softening is not None:
+                table = with_forces(table, model, state)
+            self._cracks = crack_table(model, state, table, grips, load)
             self._body = Body(table, grips, presses, self._cracks)
             if self._cracks is not None:
                 take_up(self._run.bonds, table, grips, self._cracks)
             if self._breaks is not None:  # as they are weighed anew where a facet breaks, to the bit
                 weigh_all(self._run.bonds, self._body.cells, self._breaks)
-        contact = None if self._contacts is None else self._contacts.arrays.load
-        if self._cracks is not None:
-            contact = self._cracks.load
-        self._added = added(model, terms, state, contact, blocks.rows + waiting)
+        self._added = added(model, terms, state, blocks.rows + waiting)
         self._strain = changing_strain(model, state)
         self._history = with_zeros(state.history) if model.formulation == "incremental" else None
         self._non_local = None
@@ -206,8 +207,8 @@ class CpuLoop:
             self.state.history[:] = self._history[:, : self._run.bonds.m]
         if self._breaks is not None:
             keep_broken(self._breaks, self._run.bonds.integrity, self.state)
-        if self._cracks is not None:
-            keep_cracks(self._cracks, self.state)
+        if self._cracks is not None and self._body is not None:
+            keep_cracks(self._body.cells, self._cracks, self.state)
 
 
 def noticeable(model: Model, dt: float) -> float:

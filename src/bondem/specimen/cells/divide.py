@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem._compile import kernel
+from bondem._compile import kernel, loop
 from bondem._types import Floats, Ints
 from bondem.specimen.cells.pile import SIZE, START, TAG, new_pile, put
 from bondem.specimen.cells.polygon import MOST_CORNERS, ROW, copy, height, roomy_list
@@ -28,7 +28,7 @@ def _plane(sphere, x, a, b):
     return p, q, r, d + 0.5 * (length + (sphere[a, 3] ** 2 - sphere[b, 3] ** 2) / length)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def _share(solids, s, sphere, near, own, tolerance, pile, spare, lid, work):
     """What of solid s is nearer to `own` than to others of `near`: a pile, its faces and corners, another pile."""
     x = sphere[solids.cell[s]]

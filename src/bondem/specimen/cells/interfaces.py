@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._compile import kernel
+from bondem._compile import kernel, loop
 from bondem._types import Floats, Ints, PerElement3
 from bondem.specimen.cells.pile import KIND, SIZE, START, TAG, new_pile, put
 from bondem.specimen.cells.polygon import MOST_CORNERS, ROW, area, clip, copy
@@ -57,7 +57,7 @@ class Patches(NamedTuple):
     expected: Ints
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def _part(rest, count, solids, of_face, g, x, y, z, tolerance, f, done, patches, corners, work, other):
     """Divide polygons by the piece that face g is of: what lies in its face goes to `done`, the rest is returned.
 

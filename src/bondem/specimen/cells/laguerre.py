@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.spatial import KDTree
 
-from bondem._compile import kernel
+from bondem._compile import kernel, loop
 from bondem._types import Floats, Ints, Vector
 from bondem.errors import InputError
 from bondem.specimen.cells.polygon import MOST_CORNERS, ROW, SQUARE, clip, copy, height, roomy, roomy_list, square
@@ -142,7 +142,7 @@ def _gather(centres, i, near, far, found, offset):
     return listed, found, offset
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def _sort(offset, listed, order):
     """Order of what was listed, the nearest first (Shell's method)."""
     for p in range(listed):
@@ -160,7 +160,7 @@ def _sort(offset, listed, order):
         gap //= 3
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def _begin(centres, i, half, room):
     """Make the cell a box about its centre, not beyond the walls of the box around all; return its faces."""
     plane = room.plane
@@ -235,7 +235,7 @@ def _radius(room, faces):
     return math.sqrt(far)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def _narrow(centres, i, room, faces):
     """Whether a neighbour lies half a period away: its other image may be one, too."""
     for f in range(faces):
@@ -249,7 +249,7 @@ def _narrow(centres, i, room, faces):
     return False
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def _shaped(centres, i, half, largest, room, found, offset, order):
     """Cut the cell of element i out of its box: how it ended, its faces, and the lists, which may have grown."""
     faces = _begin(centres, i, half, room)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem._compile import kernel
+from bondem._compile import kernel, loop
 from bondem._types import PerElement3
 from bondem.specimen.cells.pile import KIND, SIZE, START, TAG, Pile, new_pile, put
 from bondem.specimen.cells.polygon import (
@@ -33,7 +33,7 @@ from bondem.specimen.cells.walls import WallTree
 FACE, _WALL = np.int64(0), np.int64(1)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def _near(vertex, begin, end, x, walls, found):
     """List the triangles whose boxes meet the box around corners `begin` to `end` about the centre x (3,)."""
     low, high = np.empty(3), np.empty(3)
@@ -96,7 +96,7 @@ def _whole(solids, s, x, walls, tolerance, pile, found, work, other):
     return pile, polygons, corners, found
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def _largest(pile, polygons):
     """The wall polygon with the largest area, or -1 if there is none."""
     best, most = -1, 0.0
@@ -108,7 +108,7 @@ def _largest(pile, polygons):
     return best
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def section(pile, polygons, a, b, c, d, tolerance, work, other):
     """The section of a piece by a plane, in `work`; its number of corners."""
     far = 0.0
@@ -127,7 +127,7 @@ def section(pile, polygons, a, b, c, d, tolerance, work, other):
     return size
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def lower_part(piece, polygons, split, a, b, c, d, tolerance, stack, on, corners, work):
     """Put the part of a piece below a plane on a stack, without its new face; `split` is the wall that splits."""
     for p in range(polygons):
@@ -143,7 +143,7 @@ def lower_part(piece, polygons, split, a, b, c, d, tolerance, stack, on, corners
     return stack, on, corners
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def _taken(stack, first, on, piece):
     """Copy the uppermost piece of a stack, its polygons from `first` on."""
     begin = stack.what[first, START]

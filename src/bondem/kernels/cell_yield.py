@@ -1,0 +1,158 @@
+"""Cells that yield under their mean stress: plastic deformation, levers that it stretches, energy it dissipates."""
+
+import numpy as np
+
+from bondem._compile import device, kernel, loop
+from bondem.kernels.crack_tables import DEFORMATION, GAMMA, HEAT, INCREMENT
+from bondem.kernels.single_facets import orientation
+from bondem.laws.cell_energy import turned_by
+from bondem.laws.plasticity import flow, invariants, largest_at_most, principal, yield_bound
+
+
+@device
+def _work(s, increment):
+    """σ:Δε of the last increment of a cell [Pa]."""
+    return (
+        s[0] * increment[0] + s[1] * increment[1] + s[2] * increment[2]
+        + 2.0 * (s[3] * increment[3] + s[4] * increment[4] + s[5] * increment[5])
+    )  # fmt: skip
+
+
+@loop(parallel=False)
+def principal_stresses(s, a, v):
+    """Largest and least principal stress and the columns of v that they point along, compiled once for all uses."""
+    return principal(s, a, v)
+
+
+@device
+def _add_flow(increment, size, e):
+    increment[0] += size * e[0] * e[0]
+    increment[1] += size * e[1] * e[1]
+    increment[2] += size * e[2] * e[2]
+    increment[3] += size * e[0] * e[1]
+    increment[4] += size * e[0] * e[2]
+    increment[5] += size * e[1] * e[2]
+
+
+@device
+def _deform(deformation, size, e):
+    """P becomes (1 + size e⊗e) P."""
+    for d in range(3):
+        along = e[d]
+        for c in range(3):
+            along += e[c] * deformation[3 * c + d]
+        for c in range(3):
+            deformation[3 * c + d] += size * e[c] * along
+
+
+@loop(parallel=False)
+def yield_cells(pose, stress, cells, hot, hotter, first, last):
+    """Let the cells first … last yield, and find those whose facets are to be looked at, from `hot` on [Pa].
+
+    Args:
+        pose: of all cells.
+        stress: `CellStresses`.
+        cells: `CellYield`.
+        hot: largest principal stress from which facets are looked at [Pa].
+        hotter: 0, 1, or 2 for cells without cohesion, into it.
+        first: number of the first cell.
+        last: one behind the last.
+    """
+    a, v = np.empty((3, 3)), np.empty((3, 3))
+    tensor, plastic = stress.tensor, cells.plastic
+    for p in range(first, last):
+        s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
+        mean, deviator = invariants(s)
+        hotter[p] = 1 if largest_at_most(mean, deviator) > hot else 0
+        if not cells.yielding:
+            continue
+        kept, V = 1.0, stress.volume[p]
+        if plastic[p, GAMMA] > 0.0:
+            done = plastic[p, INCREMENT:HEAT]
+            plastic[p, HEAT] += 0.5 * V * _work(s, done)
+            done[:] = 0.0
+            kept = max(0.0, 1.0 - cells.fade[p] * plastic[p, GAMMA])
+            if kept == 0.0:
+                hotter[p] = 2
+        strength = kept * cells.cohesion[p]
+        if yield_bound(mean, deviator, cells.sine, strength) <= 0.0:
+            continue
+        increment = plastic[p, INCREMENT:HEAT]
+        high, low, one, three = principal_stresses(s, a, v)
+        gamma = flow(high, low, cells.sine, strength, cells.G[p])
+        if gamma > 0.0:
+            up, down = 0.5 * gamma * (1.0 + cells.dilation), -0.5 * gamma * (1.0 - cells.dilation)
+            e1, e3 = (v[0, one], v[1, one], v[2, one]), (v[0, three], v[1, three], v[2, three])
+            _add_flow(increment, up, e1)
+            _add_flow(increment, down, e3)
+            w, x, y, z = orientation(pose, p)
+            deformation = plastic[p, DEFORMATION:GAMMA]
+            _deform(deformation, up, turned_by((w, -x, -y, -z), e1))
+            _deform(deformation, down, turned_by((w, -x, -y, -z), e3))
+            plastic[p, GAMMA] += gamma
+            plastic[p, HEAT] += 0.5 * V * _work(s, increment)
+
+
+@device
+def _deformed(deformation, b):
+    """P b: a lever of a cell with its plastic deformation."""
+    return (
+        b[0] + (deformation[0] * b[0] + deformation[1] * b[1] + deformation[2] * b[2]),
+        b[1] + (deformation[3] * b[0] + deformation[4] * b[1] + deformation[5] * b[2]),
+        b[2] + (deformation[6] * b[0] + deformation[7] * b[1] + deformation[8] * b[2]),
+    )
+
+
+@device
+def _stretch(lever, base, pitch, deformation, k):
+    b = _deformed(deformation, (pitch[0] * base[0, k], pitch[1] * base[1, k], pitch[2] * base[2, k]))
+    for d in range(3):
+        lever[d, k] = np.int32(np.rint(b[d] / pitch[d]))
+
+
+@kernel(parallel=False)
+def stretch_cells(table, cells, every, first, last):
+    """Levers of the cells first … last with their plastic deformation: where it has grown now, or of `every` one."""
+    in_start, out_start, out_bond = table.in_start, table.out_start, table.out_bond
+    plastic, pitch = cells.plastic, table.pitch
+    for p in range(first, last):
+        if plastic[p, GAMMA] == 0.0:
+            continue
+        increment = plastic[p, INCREMENT:HEAT]
+        if not (every or _work(increment, increment) > 0.0):
+            continue
+        deformation = plastic[p, DEFORMATION:GAMMA]
+        for k in range(in_start[p], in_start[p + 1]):
+            _stretch(table.lever_j, cells.base_j, pitch, deformation, k)
+        for e in range(out_start[p], out_start[p + 1]):
+            _stretch(table.lever_i, cells.base_i, pitch, deformation, in_start[0] + out_bond[e])
+
+
+@kernel(parallel=False)
+def stretch_grips(grips, cells):
+    """Levers of walls with the plastic deformation of their cells."""
+    if cells.yielding:
+        for g in range(len(grips.cell)):
+            base = cells.base_grip[g]
+            deformation = cells.plastic[grips.cell[g], DEFORMATION:GAMMA]
+            grips.arm[g, 0], grips.arm[g, 1], grips.arm[g, 2] = _deformed(deformation, (base[0], base[1], base[2]))
+
+
+@loop(parallel=False)
+def book_loads(presses, cells, work):
+    """Work of loads on free facets that move as their cells yield."""
+    for l in range(len(cells.pressed)):
+        power = 0.0
+        for p in range(len(cells.plastic)):
+            power += _work(cells.pressed[l, p], cells.plastic[p, INCREMENT:HEAT])
+        work[presses.place] += presses.factor[l] * power
+
+
+@kernel(parallel=False)
+def heat(stress, cells):
+    """Energy that cells have dissipated by yielding, until now [J]."""
+    total, plastic = 0.0, cells.plastic
+    for p in range(len(plastic)):
+        if plastic[p, GAMMA] > 0.0:
+            total += plastic[p, HEAT] + 0.5 * stress.volume[p] * _work(stress.tensor[p], plastic[p, INCREMENT:HEAT])
+    return total

@@ -1,0 +1,113 @@
+"""What the stresses of cells lead to as a step begins: cells yield, and facets begin to crack.
+
+They are found with the elements where they have come to, so that no bit depends on where a run pauses. Each cell and
+each facet is on its own, whatever thread it is on.
+"""
+
+import numpy as np
+
+from bondem._compile import device, loop, prange
+from bondem.kernels.cell_stress import add_moment, cell_stresses, pair_stress, surface_stresses
+from bondem.kernels.cell_yield import book_loads, stretch_cells, stretch_grips, yield_cells
+from bondem.kernels.crack_list import read_three
+from bondem.kernels.crack_tables import ACTIVE, FACET, STATUS
+from bondem.kernels.single_facets import column, orientation
+from bondem.laws.cell_energy import scalar, turned_by
+from bondem.laws.plasticity import below
+
+# Below this many cells launching threads costs more than the loop.
+_SERIAL = 1000
+# Cells of one portion of work.
+_PORTION = 500
+# What is done to a portion.
+_STRESSES, _YIELDING, _FACETS = range(3)
+
+
+@device
+def _agreed(s, n, t):
+    """Mean tensor of two cells made to agree with the traction t of their facet [Pa]."""
+    x = t[0] - (s[0] * n[0] + s[3] * n[1] + s[4] * n[2])
+    y = t[1] - (s[3] * n[0] + s[1] * n[1] + s[5] * n[2])
+    z = t[2] - (s[4] * n[0] + s[5] * n[1] + s[2] * n[2])
+    along = x * n[0] + y * n[1] + z * n[2]
+    return (
+        s[0] + 2.0 * x * n[0] - along * n[0] * n[0],
+        s[1] + 2.0 * y * n[1] - along * n[1] * n[1],
+        s[2] + 2.0 * z * n[2] - along * n[2] * n[2],
+        s[3] + x * n[1] + y * n[0] - along * n[0] * n[1],
+        s[4] + x * n[2] + z * n[0] - along * n[0] * n[2],
+        s[5] + y * n[2] + z * n[1] - along * n[1] * n[2],
+    )
+
+
+@loop(parallel=False)
+def _begin_facets(pose, bonds, cells, stress, begin, first, last):
+    """Mark facets that begin to crack: the largest principal stress reaches f_t, and they are pulled."""
+    at_i, at_j, hotter, onset, listed = bonds.i, bonds.j, begin.hotter, begin.onset, begin.listed
+    force, normal, tensor, area, strength = cells.force, cells.normal, stress.tensor, begin.area, begin.strength
+    for k in range(first, last):
+        i, j = at_i[k], at_j[k]
+        onset[k] = 0
+        hot = max(hotter[i], hotter[j])
+        if hot == 0 or listed[k] != 0:
+            continue
+        if hot == 2:
+            onset[k] = 2
+            continue
+        n = turned_by(orientation(pose, i), column(normal, k))
+        f, A = column(force, k), area[k]
+        t = f[0] / A, f[1] / A, f[2] / A
+        if scalar(t, n) > 0.0:
+            if not below(_agreed(pair_stress(tensor, i, j), n, t), strength[k]):
+                onset[k] = 1
+
+
+@loop(parallel=False)
+def _portion(kind, pose, bonds, cells, stress, flow, begin, cell, facet):
+    if kind == _STRESSES:
+        cell_stresses(pose, cells, stress, cell[0], cell[1])
+    elif kind == _YIELDING:
+        yield_cells(pose, stress, flow, begin.hot, begin.hotter, cell[0], cell[1])
+        if flow.yielding:
+            stretch_cells(cells, flow, False, cell[0], cell[1])
+    else:
+        _begin_facets(pose, bonds, cells, stress, begin, facet[0], facet[1])
+
+
+@loop(parallel=True)
+def _portions(kind, pose, bonds, cells, stress, flow, begin, count):
+    n, m = len(pose), bonds.m
+    for d in prange(count):
+        cell, facet = (n * d // count, n * (d + 1) // count), (m * d // count, m * (d + 1) // count)
+        _portion(kind, pose, bonds, cells, stress, flow, begin, cell, facet)
+
+
+@device
+def _add_cracks(bonds, cells, cracks):
+    """Add the forces of cracks that are treated one by one to Σ b⊗f of their cells."""
+    for c in range(cracks.sizes[0]):
+        if cracks.row[c, STATUS] == ACTIVE:
+            k, pull = np.int64(cracks.row[c, FACET]), read_three(cracks.pull[c], 0)
+            add_moment(cells.moment, bonds.i[k], cells.lever_i, k, 1.0, pull)
+            add_moment(cells.moment, bonds.j[k], cells.lever_j, k, -1.0, pull)
+
+
+@loop(parallel=False)
+def judge_body(pose, bonds, body, work, cracks, threaded):
+    """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
+    cells, grips, n = body.cells, body.grips, len(pose)
+    stress, flow, begin = cracks.stress, cracks.flow, cracks.begin
+    _add_cracks(bonds, cells, cracks)
+    for kind in range(3):  # one call in the code, as everything in it is compiled for each
+        if kind == _FACETS and begin.hotter.max() == 0:
+            return False
+        if threaded and n >= _SERIAL:
+            _portions(kind, pose, bonds, cells, stress, flow, begin, n // _PORTION)
+        else:
+            _portion(kind, pose, bonds, cells, stress, flow, begin, (0, n), (0, bonds.m))
+        if kind == _STRESSES:
+            surface_stresses(pose, grips, body.presses, stress, flow.pressed)
+        elif kind == _YIELDING:
+            book_loads(body.presses, flow, work)
+            stretch_grips(grips, flow)
+    return begin.onset.max() > 0
