@@ -1,0 +1,63 @@
+"""What the decorators of compiled code promise: branches decided, no entry for Python, no variant for a constant."""
+
+import numpy as np
+import pytest
+
+from bondem._compile import device, kernel, loop
+
+
+@kernel(parallel=False)
+def first_or(table, other):
+    if table is not None:
+        return table[0]
+    return other.no_such_thing  # cannot be compiled
+
+
+@device
+def _first(table, other):
+    if table is None:
+        return other.no_such_thing
+    return table[0]
+
+
+@kernel(parallel=False)
+def first_of(table, other):
+    return _first(table, other)
+
+
+@loop(parallel=False)
+def shifted(x, by):
+    return x[0] + by
+
+
+@loop(parallel=False)
+def between(x, span):
+    return x[span[0]] + span[1]
+
+
+@kernel(parallel=False)
+def shifted_twice(x, by):
+    return shifted(x, 1) + shifted(x, by) + between(x, (0, by)) + between(x, (by, by))
+
+
+def test_a_branch_on_none_is_decided_where_the_argument_is_there():
+    table = np.arange(3.0) + 5.0
+    assert first_or(table, 1.0) == 5.0
+    assert first_of(table, 1.0) == 5.0
+
+
+def test_the_branch_that_is_taken_is_compiled():
+    with pytest.raises(Exception, match="no_such_thing"):
+        first_or(None, 1.0)
+
+
+def test_a_loop_is_for_compiled_code_only():
+    with pytest.raises(TypeError, match="decorate it as a kernel"):
+        shifted(np.arange(3.0), 1)
+
+
+def test_constants_make_no_variants():
+    x = np.arange(3.0)
+    assert shifted_twice(x, 2) == 1.0 + 2.0 + 2.0 + 4.0
+    assert len(shifted.signatures) == 1
+    assert len(between.signatures) == 1
