@@ -18,7 +18,8 @@ STRESS = 3
 
 
 @device
-def _three(table):
+def three_columns(table):
+    """The three columns of a table (3, m), taken once outside of a loop."""
     return table[0], table[1], table[2]
 
 
@@ -59,8 +60,8 @@ def swell(pose, bonds, cells, breaks, first, last):
     are looked at with the stresses of the step before.
     """
     place = np.int64(first)
-    lever_i, lever_j = _three(cells.lever_i), _three(cells.lever_j)
-    share_i, share_j, pitch = _three(cells.share_i), _three(cells.share_j), _three(cells.pitch)
+    lever_i, lever_j = three_columns(cells.lever_i), three_columns(cells.lever_j)
+    share_i, share_j, pitch = three_columns(cells.share_i), three_columns(cells.share_j), three_columns(cells.pitch)
     for g in range(groups(first, last)):
         k, known = group(first, last, g)
         ahead(bonds, pose, k, last)
@@ -111,9 +112,9 @@ def _keep(table, k, force, known):
 @kernel(parallel=False)
 def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
     """Add force and torques of the facets first … last to the rows of their two cells in `sums`."""
-    lever_i, lever_j = _three(cells.lever_i), _three(cells.lever_j)
-    share_i, share_j, pitch = _three(cells.share_i), _three(cells.share_j), _three(cells.pitch)
-    bend, mixed = _three(cells.H), _three(cells.H[3:])
+    lever_i, lever_j = three_columns(cells.lever_i), three_columns(cells.lever_j)
+    share_i, share_j, pitch = three_columns(cells.share_i), three_columns(cells.share_j), three_columns(cells.pitch)
+    bend, mixed = three_columns(cells.H), three_columns(cells.H[3:])
     for g in range(groups(first, last)):
         k, known = group(first, last, g)
         ahead(bonds, pose, k, last)

@@ -5,21 +5,17 @@ the cell and in units of its levers, f in space; it is turned once a step begins
 """
 
 from bondem._compile import device, kernel, loop
+from bondem.kernels.cell_pass import three_columns
 from bondem.kernels.single_facets import orientation
 from bondem.laws.cell_energy import turned_by
 
 
 @device
-def _three(table):
-    return table[0], table[1], table[2]
-
-
-@device
 def _moment(cells, p):
-    """Σ b⊗f of a cell, row by row: first over the facets where it is the second cell, then over the others."""
-    jx, jy, jz = _three(cells.lever_j)
-    ix, iy, iz = _three(cells.lever_i)
-    fx, fy, fz = _three(cells.force)
+    """Σ b⊗f of a cell [N pitch], row by row: first over the facets where it is the second cell, then the others."""
+    jx, jy, jz = three_columns(cells.lever_j)
+    ix, iy, iz = three_columns(cells.lever_i)
+    fx, fy, fz = three_columns(cells.force)
     xx = xy = xz = yx = yy = yz = zx = zy = zz = 0.0
     for k in range(cells.in_start[p], cells.in_start[p + 1]):
         f, g, h = -fx[k], -fy[k], -fz[k]
@@ -38,7 +34,7 @@ def _moment(cells, p):
 
 @kernel(parallel=False)
 def cell_moments(cells, element, first, last):
-    """Σ b⊗f of the cells first … last of a list, where it is wanted."""
+    """Σ b⊗f of the cells first … last of a list into `cells.moment` [N pitch], where there is room for it."""
     moment = cells.moment
     if len(moment) == 0:
         return
@@ -51,7 +47,7 @@ def cell_moments(cells, element, first, last):
 
 @device
 def add_moment(moment, p, lever, k, sign, force):
-    """Add that of one facet, with `lever` its columns of that side."""
+    """Add b⊗f of facet k to that of cell p [N pitch]; `lever` are the columns of that side, `force` is on cell i."""
     for d in range(3):
         for c in range(3):
             moment[p, 3 * d + c] += sign * lever[d, k] * force[c]
@@ -59,8 +55,8 @@ def add_moment(moment, p, lever, k, sign, force):
 
 @loop(parallel=False)
 def cell_stresses(pose, cells, stress, first, last):
-    """Stresses of the cells first … last, of their facets alone."""
-    px, py, pz = _three(cells.pitch)
+    """Stresses of the cells first … last, of their facets alone, into `stress.tensor` [Pa]."""
+    px, py, pz = three_columns(cells.pitch)
     volume, tensor, moment = stress.volume, stress.tensor, cells.moment
     for p in range(first, last):
         q = orientation(pose, p)
@@ -73,9 +69,18 @@ def cell_stresses(pose, cells, stress, first, last):
         tensor[p, 5] = 0.5 * part * (two[2] + three[1])
 
 
+@device
+def _symmetric(b, f):
+    """Symmetric part of b⊗f: xx, yy, zz, xy, xz, yz."""
+    return (
+        b[0] * f[0], b[1] * f[1], b[2] * f[2],
+        0.5 * (b[0] * f[1] + b[1] * f[0]), 0.5 * (b[0] * f[2] + b[2] * f[0]), 0.5 * (b[1] * f[2] + b[2] * f[1]),
+    )  # fmt: skip
+
+
 @loop(parallel=False)
 def surface_stresses(pose, grips, presses, stress, pressed):
-    """Add what walls and loads do to the stresses of the cells on the surface."""
+    """Add what walls and loads do to the stresses of surface cells [Pa]; `pressed` as `CellYield` has it."""
     tensor, volume = stress.tensor, stress.volume
     for l in range(len(pressed)):
         for p in range(len(tensor)):
@@ -84,17 +89,14 @@ def surface_stresses(pose, grips, presses, stress, pressed):
     for g in range(len(grips.cell)):
         p = grips.cell[g]
         b = turned_by(orientation(pose, p), (grips.arm[g, 0], grips.arm[g, 1], grips.arm[g, 2]))
-        f = grips.load[g, 0], grips.load[g, 1], grips.load[g, 2]
-        for d in range(3):
-            tensor[p, d] += b[d] * f[d] / volume[p]
-        tensor[p, 3] += 0.5 * (b[0] * f[1] + b[1] * f[0]) / volume[p]
-        tensor[p, 4] += 0.5 * (b[0] * f[2] + b[2] * f[0]) / volume[p]
-        tensor[p, 5] += 0.5 * (b[1] * f[2] + b[2] * f[1]) / volume[p]
+        part = _symmetric(b, (grips.load[g, 0], grips.load[g, 1], grips.load[g, 2]))
+        for d in range(6):
+            tensor[p, d] += part[d] / volume[p]
 
 
 @device
 def pair_stress(tensor, i, j):
-    """Mean of the stresses of two cells."""
+    """Mean of the stresses of two cells [Pa]."""
     return (
         0.5 * (tensor[i, 0] + tensor[j, 0]), 0.5 * (tensor[i, 1] + tensor[j, 1]),
         0.5 * (tensor[i, 2] + tensor[j, 2]), 0.5 * (tensor[i, 3] + tensor[j, 3]),

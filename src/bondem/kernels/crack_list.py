@@ -43,7 +43,7 @@ def known(pose, bonds, cells, cracks, c):
 def treat(bonds, cracks, c, k, status):
     """Treat a crack one by one from now on, or as a facet of its integrity among the others."""
     cracks.row[c, STATUS] = status
-    cracks.begin.listed[k] = 1 if status == ACTIVE else 2
+    cracks.onset.listed[k] = 1 if status == ACTIVE else 2
     bonds.integrity[k] = 0.0 if status == ACTIVE else cracks.integrity[k]
 
 
@@ -63,37 +63,26 @@ def _link(bonds, cracks, c):
 
 
 @loop(parallel=False)
-def begin_cracks(bonds, cells, cracks):
+def begin_cracks(pose, bonds, cells, cracks):
     """Facets that were marked begin to crack, in their order."""
     a, v = np.empty((3, 3)), np.empty((3, 3))
-    onset, strength, force = cracks.begin.onset, cracks.begin.strength, cells.force
+    marked, strength, force = cracks.onset.marked, cracks.onset.strength, cells.force
     for k in range(bonds.m):
-        if onset[k] == 0:
+        if marked[k] == 0:
             continue
         c = cracks.sizes[0]
         row, start = cracks.row[c], 0.0
-        if onset[k] == 1:
-            f, A = column(force, k), cracks.begin.area[k]
+        if marked[k] == 1:
+            f, A = column(force, k), cracks.onset.area[k]
             _, _, one, _ = principal_stresses(pair_stress(cracks.stress.tensor, bonds.i[k], bonds.j[k]), a, v)
-            n = cracks.geometry[c]  # found before
-            slope = abs(scalar(read_three(n, NORMAL), (v[0, one], v[1, one], v[2, one])))
+            slope = abs(scalar(present_normal(pose, bonds, cells, k), (v[0, one], v[1, one], v[2, one])))
             start = min(math.sqrt(scalar(f, f)) / A, strength[k] * max(slope, _LEAST))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
         write_three(cracks.pull[c], 0, column(force, k))
         cracks.sizes[0] += 1
         _link(bonds, cracks, c)
-        onset[k] = 0
-
-
-@loop(parallel=False)
-def place_normals(pose, bonds, cells, cracks):
-    """Normals of facets that are about to crack, where `begin_cracks` looks for them."""
-    c = cracks.sizes[0]
-    for k in range(bonds.m):
-        if cracks.begin.onset[k] != 0:
-            write_three(cracks.geometry[c], NORMAL, present_normal(pose, bonds, cells, k))
-            c += 1
+        marked[k] = 0
 
 
 @kernel(parallel=False)

@@ -41,45 +41,46 @@ def _agreed(s, n, t):
 
 
 @loop(parallel=False)
-def _begin_facets(pose, bonds, cells, stress, begin, first, last):
+def _begin_facets(pose, bonds, cells, stress, onset, first, last):
     """Mark facets that begin to crack: the largest principal stress reaches f_t, and they are pulled."""
-    at_i, at_j, hotter, onset, listed = bonds.i, bonds.j, begin.hotter, begin.onset, begin.listed
-    force, normal, tensor, area, strength = cells.force, cells.normal, stress.tensor, begin.area, begin.strength
+    at_i, at_j, hotter, marked, listed = bonds.i, bonds.j, onset.hotter, onset.marked, onset.listed
+    force, normal, tensor, area, strength = cells.force, cells.normal, stress.tensor, onset.area, onset.strength
     for k in range(first, last):
         i, j = at_i[k], at_j[k]
-        onset[k] = 0
+        marked[k] = 0
         hot = max(hotter[i], hotter[j])
         if hot == 0 or listed[k] != 0:
             continue
         if hot == 2:
-            onset[k] = 2
+            marked[k] = 2
             continue
         n = turned_by(orientation(pose, i), column(normal, k))
         f, A = column(force, k), area[k]
         t = f[0] / A, f[1] / A, f[2] / A
         if scalar(t, n) > 0.0:
             if not below(_agreed(pair_stress(tensor, i, j), n, t), strength[k]):
-                onset[k] = 1
+                marked[k] = 1
 
 
 @loop(parallel=False)
-def _portion(kind, pose, bonds, cells, stress, flow, begin, cell, facet):
+def _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet):
+    """What `kind` says, of the cells or facets from the first of a pair of numbers to the second."""
     if kind == _STRESSES:
         cell_stresses(pose, cells, stress, cell[0], cell[1])
     elif kind == _YIELDING:
-        yield_cells(pose, stress, flow, begin.hot, begin.hotter, cell[0], cell[1])
+        yield_cells(pose, stress, flow, onset.hot, onset.hotter, cell[0], cell[1])
         if flow.yielding:
             stretch_cells(cells, flow, False, cell[0], cell[1])
     else:
-        _begin_facets(pose, bonds, cells, stress, begin, facet[0], facet[1])
+        _begin_facets(pose, bonds, cells, stress, onset, facet[0], facet[1])
 
 
 @loop(parallel=True)
-def _portions(kind, pose, bonds, cells, stress, flow, begin, count):
+def _portions(kind, pose, bonds, cells, stress, flow, onset, count):
     n, m = len(pose), bonds.m
     for d in prange(count):
         cell, facet = (n * d // count, n * (d + 1) // count), (m * d // count, m * (d + 1) // count)
-        _portion(kind, pose, bonds, cells, stress, flow, begin, cell, facet)
+        _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet)
 
 
 @device
@@ -96,18 +97,18 @@ def _add_cracks(bonds, cells, cracks):
 def judge_body(pose, bonds, body, work, cracks, threaded):
     """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
     cells, grips, n = body.cells, body.grips, len(pose)
-    stress, flow, begin = cracks.stress, cracks.flow, cracks.begin
+    stress, flow, onset = cracks.stress, cracks.flow, cracks.onset
     _add_cracks(bonds, cells, cracks)
     for kind in range(3):  # one call in the code, as everything in it is compiled for each
-        if kind == _FACETS and begin.hotter.max() == 0:
+        if kind == _FACETS and onset.hotter.max() == 0:
             return False
         if threaded and n >= _SERIAL:
-            _portions(kind, pose, bonds, cells, stress, flow, begin, n // _PORTION)
+            _portions(kind, pose, bonds, cells, stress, flow, onset, n // _PORTION)
         else:
-            _portion(kind, pose, bonds, cells, stress, flow, begin, (0, n), (0, bonds.m))
+            _portion(kind, pose, bonds, cells, stress, flow, onset, (0, n), (0, bonds.m))
         if kind == _STRESSES:
             surface_stresses(pose, grips, body.presses, stress, flow.pressed)
         elif kind == _YIELDING:
             book_loads(body.presses, flow, work)
             stretch_grips(grips, flow)
-    return begin.onset.max() > 0
+    return onset.marked.max() > 0

@@ -159,7 +159,7 @@ def soften(pose, bonds, cells, cracks):
         row[BEFORE] = s
         new = 0.0
         if s > 0.0:
-            new = max(softened(s, force / cracks.begin.area[k], row[ONSET], cracks.last[k]), s - _FASTEST)
+            new = max(softened(s, force / cracks.onset.area[k], row[ONSET], cracks.last[k]), s - _FASTEST)
             if new < 1e-9:
                 new = 0.0
         if new < s:
@@ -186,7 +186,7 @@ def _leaves(cracks, c, k):
     gap, normal = read_three(g, GAP), read_three(g, NORMAL)
     along = max(scalar(gap, normal), 0.0)
     across = plus(gap, -scalar(gap, normal), normal)
-    return g[FACING] < _FACING or max(along * along, scalar(across, across)) > cracks.begin.area[k]
+    return g[FACING] < _FACING or max(along * along, scalar(across, across)) > cracks.onset.area[k]
 
 
 @device

@@ -52,7 +52,7 @@ class Onset(NamedTuple):
     area: np.ndarray  #: [m²], (m,)
     hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
     hotter: np.ndarray  #: 1 for cells whose facets are looked at, 2 for those without cohesion, uint8, (n,)
-    onset: np.ndarray  #: 1 for facets that begin to crack, 2 for those of a cell without cohesion, uint8, (m,)
+    marked: np.ndarray  #: 1 for facets that begin to crack, 2 for those of a cell without cohesion, uint8, (m,)
     listed: np.ndarray  #: 1 for facets that are treated one by one, 2 for other cracks, uint8, (m,)
 
 
@@ -61,7 +61,7 @@ class CrackTable(NamedTuple):
 
     stress: CellStresses
     flow: CellYield
-    begin: Onset
+    onset: Onset
     last: np.ndarray  #: k u / A where nothing is left of a facet, 0 where it breaks at once [Pa], (m,)
     part: np.ndarray  #: w_i: part of cell i in the compliance, (m,)
     friction: float  #: μ

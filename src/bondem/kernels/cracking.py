@@ -14,7 +14,7 @@ from bondem._compile import device, loop
 from bondem.kernels.breaking import write_break
 from bondem.kernels.cell_yield import heat
 from bondem.kernels.crack_energy import bending, crack_energy, halves, stretched
-from bondem.kernels.crack_list import begin_cracks, known, place_normals, read_three, write_three
+from bondem.kernels.crack_list import begin_cracks, known, read_three, write_three
 from bondem.kernels.crack_onset import judge_body
 from bondem.kernels.crack_states import measure_cracks, relax_cells, soften, wake_cracks
 from bondem.kernels.crack_tables import (
@@ -157,8 +157,7 @@ def crack_before(elements, bonds, body, rows, cracks, threaded):
     if cracks is not None:  # decided when compiled
         if cracks.now[1] >= 0.0:
             if judge_body(elements.pose, bonds, body, rows.work, cracks, threaded):
-                place_normals(elements.pose, bonds, body.cells, cracks)
-                begin_cracks(bonds, body.cells, cracks)
+                begin_cracks(elements.pose, bonds, body.cells, cracks)
 
 
 @loop(parallel=False)

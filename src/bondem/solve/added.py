@@ -10,9 +10,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 
 
-def added(
-    model: Model, terms: DampingTerms, state: State, rows: int
-) -> Added | None:
+def added(model: Model, terms: DampingTerms, state: State, rows: int) -> Added | None:
     """The rest of a run but for strains and contacts, or None for a plain one.
 
     Args:

@@ -63,9 +63,9 @@ def crack_table(
     return CrackTable(
         stress=CellStresses(volume=constants.volume, tensor=np.zeros((n, 6))),
         flow=_flow(model, state, table, cells, grips, constants),
-        begin=Onset(
+        onset=Onset(
             strength=table.strength, area=table.area, hot=table.hot, hotter=np.zeros(n, dtype=np.uint8),
-            onset=np.zeros(m, dtype=np.uint8), listed=np.zeros(m, dtype=np.uint8),
+            marked=np.zeros(m, dtype=np.uint8), listed=np.zeros(m, dtype=np.uint8),
         ),
         last=table.last, part=table.part, friction=table.friction, weight=constants.weight,
         slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
@@ -79,6 +79,7 @@ def crack_table(
 def _flow(
     model: Model, state: State, table: SofteningTable, cells: CellTable, grips: GripTable, constants: CellConstants
 ) -> CellYield:
+    """How cells yield; nothing of it is used where none do."""
     slip, bare, n = table.slip, np.zeros((3, 0), dtype=np.int32), len(constants.volume)
     angle = 0.0 if slip is None else slip.friction_angle
     return CellYield(
