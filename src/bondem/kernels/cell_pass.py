@@ -9,9 +9,9 @@ import numpy as np
 
 from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import ahead, apart, group, groups, mark
-from bondem.kernels.lane_memory import add_loads, add_numbers, places, put_side, row, side, widened
-from bondem.kernels.lanes import dot
-from bondem.laws.cell_energy import facet_force, facet_pull, swellings
+from bondem.kernels.lane_memory import add_loads, add_numbers, add_rows, places, put_side, row, side, widened
+from bondem.kernels.lanes import dot, fused, zero_of
+from bondem.laws.cell_energy import facet_force, facet_pull, swellings, turned_by
 
 # Column of a row of the pose that holds λ θ of a cell [Pa].
 STRESS = 3
@@ -102,16 +102,33 @@ def gather_swelling(cells, shared, part):
 
 
 @device
-def _keep(table, k, force, known):
-    """Keep the forces of facets on their cells i, where there is room for them."""
-    if table.shape[1] > 0:
-        for d in range(3):
-            put_side(table[d], k, -force[d], known)
+def moment_of(b, f):
+    """Symmetric part of b⊗f: xx, yy, zz, xy, xz, yz; of one facet or of many to the same bits, whoever adds to it."""
+    zero = zero_of(f[0])
+    return (
+        fused(b[0], f[0], zero), fused(b[1], f[1], zero), fused(b[2], f[2], zero),
+        0.5 * fused(b[0], f[1], b[1] * f[0]), 0.5 * fused(b[0], f[2], b[2] * f[0]),
+        0.5 * fused(b[1], f[2], b[2] * f[1]),
+    )  # fmt: skip
+
+
+@device
+def _keep(cells, row_i, row_j, k, known, arm_i, arm_j, force):
+    """Keep the forces of facets on their cells i, and add b⊗f to the sums of both; `force` is that on j."""
+    for d in range(3):
+        put_side(cells.force[d], k, -force[d], known)
+    a = moment_of(arm_i, (-force[0], -force[1], -force[2]))
+    b, zero = moment_of(arm_j, force), zero_of(force[0])
+    a, b = (a[0], a[1], a[2], zero, a[3], a[4], a[5], zero), (b[0], b[1], b[2], zero, b[3], b[4], b[5], zero)
+    add_rows(cells.sums, places(row_i, k), places(row_j, k), a, b, known)
 
 
 @kernel(parallel=False)
-def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
-    """Add force and torques of the facets first … last to the rows of their two cells in `sums`."""
+def facet_loads(pose, bonds, cells, moment, sums, row_i, row_j, first, last):
+    """Add force and torques of the facets first … last to the rows of their two cells in `sums`.
+
+    `moment` is that of `cells`, or None where neither forces are to be kept nor stresses to be found.
+    """
     lever_i, lever_j = three_columns(cells.lever_i), three_columns(cells.lever_j)
     share_i, share_j, pitch = three_columns(cells.share_i), three_columns(cells.share_j), three_columns(cells.pitch)
     bend, mixed = three_columns(cells.H), three_columns(cells.H[3:])
@@ -119,15 +136,17 @@ def facet_loads(pose, bonds, cells, sums, row_i, row_j, first, last):
         k, known = group(first, last, g)
         ahead(bonds, pose, k, last)
         a, b = row(pose, places(bonds.i, k)), row(pose, places(bonds.j, k))
+        b_i, b_j = _lever(lever_i, pitch, k), _lever(lever_j, pitch, k)
         s = side(bonds.integrity, k)
         H = (
             s * widened(bend[0], k), s * widened(bend[1], k), s * widened(bend[2], k),
             s * widened(mixed[0], k), s * widened(mixed[1], k), s * widened(mixed[2], k),
         )  # fmt: skip
         force, on_i, on_j = facet_force(
-            _away(a, b, bonds.period), _orientation(a), _orientation(b),
-            _lever(lever_i, pitch, k), _lever(lever_j, pitch, k), _triple(share_i, k), _triple(share_j, k),
-            s * side(cells.k, k), H, s * a[STRESS], s * b[STRESS],
+            _away(a, b, bonds.period), _orientation(a), _orientation(b), b_i, b_j,
+            _triple(share_i, k), _triple(share_j, k), s * side(cells.k, k), H, s * a[STRESS], s * b[STRESS],
         )  # fmt: skip
-        _keep(cells.force, k, force, known)
+        if moment is not None:  # decided when compiled
+            arm_i, arm_j = turned_by(_orientation(a), b_i), turned_by(_orientation(b), b_j)
+            _keep(cells, row_i, row_j, k, known, arm_i, arm_j, force)
         add_loads(sums, places(row_i, k), places(row_j, k), force, on_i, on_j, known)

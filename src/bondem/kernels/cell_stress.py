@@ -1,81 +1,69 @@
-"""Mean stresses of cells, σ = sym Σ b⊗f / V over all facets, in space, from the forces of the step before.
+"""Mean stresses of cells from the forces of their facets: V σ = sym Σ b⊗f, with b from the centre to the facet.
 
-Σ b⊗f is found as soon as the facets of a cell are done, while their forces are in the cache, with b in the frame of
-the cell and in units of its levers, f in space; it is turned once a step begins.
+Levers b and forces f are those of one instant, in space. The sums are found with those of the forces
+(`bondem.kernels.cell_pass`), and taken over where they are complete.
 """
 
+import numpy as np
+
 from bondem._compile import device, kernel, loop
-from bondem.kernels.cell_pass import three_columns
-from bondem.kernels.single_facets import orientation
+from bondem.kernels.cell_pass import moment_of
+from bondem.kernels.element_pass import collect_parts
+from bondem.kernels.single_facets import column, facet_of, facets_of, lever, orientation
 from bondem.laws.cell_energy import turned_by
 
 
-@device
-def _moment(cells, p):
-    """Σ b⊗f of a cell [N pitch], row by row: first over the facets where it is the second cell, then the others."""
-    jx, jy, jz = three_columns(cells.lever_j)
-    ix, iy, iz = three_columns(cells.lever_i)
-    fx, fy, fz = three_columns(cells.force)
-    xx = xy = xz = yx = yy = yz = zx = zy = zz = 0.0
-    for k in range(cells.in_start[p], cells.in_start[p + 1]):
-        f, g, h = -fx[k], -fy[k], -fz[k]
-        xx, xy, xz = xx + jx[k] * f, xy + jx[k] * g, xz + jx[k] * h
-        yx, yy, yz = yx + jy[k] * f, yy + jy[k] * g, yz + jy[k] * h
-        zx, zy, zz = zx + jz[k] * f, zy + jz[k] * g, zz + jz[k] * h
-    first = cells.in_start[0]
-    for e in range(cells.out_start[p], cells.out_start[p + 1]):
-        k = first + cells.out_bond[e]
-        f, g, h = fx[k], fy[k], fz[k]
-        xx, xy, xz = xx + ix[k] * f, xy + ix[k] * g, xz + ix[k] * h
-        yx, yy, yz = yx + iy[k] * f, yy + iy[k] * g, yz + iy[k] * h
-        zx, zy, zz = zx + iz[k] * f, zy + iz[k] * g, zz + iz[k] * h
-    return xx, xy, xz, yx, yy, yz, zx, zy, zz
-
-
-@kernel(parallel=False)
-def cell_moments(cells, element, first, last):
-    """Σ b⊗f of the cells first … last of a list into `cells.moment` [N pitch], where there is room for it."""
-    moment = cells.moment
-    if len(moment) == 0:
+@loop(parallel=False)
+def take_moments(moment, sums, element, row_of_sums, first, last):
+    """Take over V σ of the cells first … last of a list, whose sums are complete, and leave zeros there."""
+    if moment is None:  # decided when compiled
         return
     for e in range(first, last):
-        p = element[e]
-        found = _moment(cells, p)
-        for d in range(9):
-            moment[p, d] = found[d]
-
-
-@device
-def add_moment(moment, p, lever, k, sign, force):
-    """Add b⊗f of facet k to that of cell p [N pitch]; `lever` are the columns of that side, `force` is on cell i."""
-    for d in range(3):
-        for c in range(3):
-            moment[p, 3 * d + c] += sign * lever[d, k] * force[c]
+        p, s = np.uint64(element[e]), np.uint64(row_of_sums[e])
+        moment[p, 0], moment[p, 1], moment[p, 2] = sums[s, 0], sums[s, 1], sums[s, 2]
+        moment[p, 3], moment[p, 4], moment[p, 5] = sums[s, 4], sums[s, 5], sums[s, 6]
+        sums[s, :] = 0.0
 
 
 @loop(parallel=False)
-def cell_stresses(pose, cells, stress, first, last):
-    """Stresses of the cells first … last, of their facets alone, into `stress.tensor` [Pa]."""
-    px, py, pz = three_columns(cells.pitch)
-    volume, tensor, moment = stress.volume, stress.tensor, cells.moment
-    for p in range(first, last):
-        q = orientation(pose, p)
-        one = turned_by(q, (px * moment[p, 0], py * moment[p, 3], pz * moment[p, 6]))
-        two = turned_by(q, (px * moment[p, 1], py * moment[p, 4], pz * moment[p, 7]))
-        three = turned_by(q, (px * moment[p, 2], py * moment[p, 5], pz * moment[p, 8]))
-        part = 1.0 / volume[p]
-        tensor[p, 0], tensor[p, 1], tensor[p, 2] = part * one[0], part * two[1], part * three[2]
-        tensor[p, 3], tensor[p, 4] = 0.5 * part * (one[1] + two[0]), 0.5 * part * (one[2] + three[0])
-        tensor[p, 5] = 0.5 * part * (two[2] + three[1])
+def take_shared_moments(moment, sums, cut, first, last):
+    """The same of shared cells, when the facets of all domains are done."""
+    if moment is not None:  # decided when compiled
+        collect_parts(sums, cut.shared_row, cut.parts, cut.part, first, last)
+        take_moments(moment, sums, cut.shared, cut.shared_row, first, last)
 
 
 @device
-def _symmetric(b, f):
-    """Symmetric part of b⊗f: xx, yy, zz, xy, xz, yz."""
-    return (
-        b[0] * f[0], b[1] * f[1], b[2] * f[2],
-        0.5 * (b[0] * f[1] + b[1] * f[0]), 0.5 * (b[0] * f[2] + b[2] * f[0]), 0.5 * (b[1] * f[2] + b[2] * f[1]),
-    )  # fmt: skip
+def add_moment(moment, pose, p, b, f):
+    """Add that of a force f on cell p at the lever b, in the reference."""
+    part = moment_of(turned_by(orientation(pose, p), b), f)
+    for d in range(6):
+        moment[p, d] += part[d]
+
+
+@kernel(parallel=False)
+def sum_moments(pose, cells):
+    """V σ of all cells from the forces that are kept, as a run begins: to the bits of the sums above."""
+    moment, force = cells.moment, cells.force
+    moment[:, :] = 0.0
+    for p in range(len(pose)):
+        for e in range(facets_of(cells, p)):
+            k = facet_of(cells, p, e)
+            f = column(force, k)
+            if k < cells.in_start[p + 1] and k >= cells.in_start[p]:
+                add_moment(moment, pose, p, lever(cells.lever_j, cells.pitch, k), (-f[0], -f[1], -f[2]))
+            else:
+                add_moment(moment, pose, p, lever(cells.lever_i, cells.pitch, k), f)
+
+
+@loop(parallel=False)
+def cell_stresses(moment, stress, first, last):
+    """Stresses of the cells first … last, of their facets alone, into `stress.tensor` [Pa]."""
+    volume, tensor = stress.volume, stress.tensor
+    for p in range(first, last):
+        one = 1.0 / volume[p]
+        for d in range(6):
+            tensor[p, d] = one * moment[p, d]
 
 
 @loop(parallel=False)
@@ -89,7 +77,7 @@ def surface_stresses(pose, grips, presses, stress, pressed):
     for g in range(len(grips.cell)):
         p = grips.cell[g]
         b = turned_by(orientation(pose, p), (grips.arm[g, 0], grips.arm[g, 1], grips.arm[g, 2]))
-        part = _symmetric(b, (grips.load[g, 0], grips.load[g, 1], grips.load[g, 2]))
+        part = moment_of(b, (grips.load[g, 0], grips.load[g, 1], grips.load[g, 2]))
         for d in range(6):
             tensor[p, d] += part[d] / volume[p]
 

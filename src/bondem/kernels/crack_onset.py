@@ -11,7 +11,7 @@ from bondem.kernels.cell_stress import add_moment, cell_stresses, pair_stress, s
 from bondem.kernels.cell_yield import book_loads, stretch_cells, stretch_grips, yield_cells
 from bondem.kernels.crack_list import read_three
 from bondem.kernels.crack_tables import ACTIVE, FACET, STATUS
-from bondem.kernels.single_facets import column, orientation
+from bondem.kernels.single_facets import column, lever, orientation
 from bondem.laws.cell_energy import scalar, turned_by
 from bondem.laws.plasticity import below
 
@@ -66,7 +66,7 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
 def _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet):
     """What `kind` says, of the cells or facets from the first of a pair of numbers to the second."""
     if kind == _STRESSES:
-        cell_stresses(pose, cells, stress, cell[0], cell[1])
+        cell_stresses(cells.moment, stress, cell[0], cell[1])
     elif kind == _YIELDING:
         yield_cells(pose, stress, flow, onset.hot, onset.hotter, cell[0], cell[1])
         if flow.yielding:
@@ -84,13 +84,14 @@ def _portions(kind, pose, bonds, cells, stress, flow, onset, count):
 
 
 @device
-def _add_cracks(bonds, cells, cracks):
-    """Add the forces of cracks that are treated one by one to Σ b⊗f of their cells."""
+def _add_cracks(pose, bonds, cells, cracks):
+    """Add the forces of cracks that are treated one by one to V σ of their cells."""
     for c in range(cracks.sizes[0]):
         if cracks.row[c, STATUS] == ACTIVE:
             k, pull = np.int64(cracks.row[c, FACET]), read_three(cracks.pull[c], 0)
-            add_moment(cells.moment, bonds.i[k], cells.lever_i, k, 1.0, pull)
-            add_moment(cells.moment, bonds.j[k], cells.lever_j, k, -1.0, pull)
+            away = -pull[0], -pull[1], -pull[2]
+            add_moment(cells.moment, pose, bonds.i[k], lever(cells.lever_i, cells.pitch, k), pull)
+            add_moment(cells.moment, pose, bonds.j[k], lever(cells.lever_j, cells.pitch, k), away)
 
 
 @loop(parallel=False)
@@ -98,7 +99,7 @@ def judge_body(pose, bonds, body, work, cracks, threaded):
     """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
     cells, grips, n = body.cells, body.grips, len(pose)
     stress, flow, onset = cracks.stress, cracks.flow, cracks.onset
-    _add_cracks(bonds, cells, cracks)
+    _add_cracks(pose, bonds, cells, cracks)
     for kind in range(3):  # one call in the code, as everything in it is compiled for each
         if kind == _FACETS and onset.hotter.max() == 0:
             return False

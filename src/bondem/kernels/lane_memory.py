@@ -10,11 +10,12 @@ from typing import Any
 from llvmlite import ir
 from numba.core import cgutils, types
 
-from bondem.kernels.lanes import WIDTH, instruction, lanes, shuffled, vector
+from bondem._compile import device
+from bondem.kernels.lanes import WIDTH, instruction, lanes, shuffled, vector, zero_of
 
 __all__ = [
-    "add_loads", "add_numbers", "clear_row", "entry", "places", "places_below", "places_in", "prefetch", "put_entry",
-    "put_row", "put_side", "row", "side", "widened",
+    "add_loads", "add_numbers", "add_rows", "clear_row", "entry", "places", "places_below", "places_in", "prefetch",
+    "put_entry", "put_row", "put_side", "row", "side", "widened",
 ]  # fmt: skip
 
 _COLUMNS = 8
@@ -269,45 +270,46 @@ def put_side(typingctx, column, k, value, first):
 
 
 @instruction
-def add_loads(typingctx, sums, p, q, force, torque_p, torque_q, first):
-    """Add what bonds first … WIDTH do to the rows p of their first ends and q of their second ones, one by one.
-
-    Each is a triple; `force` acts on the second end, its opposite on the first.
-    """
+def add_rows(typingctx, sums, p, q, to_p, to_q, first):
+    """Add numbers first … WIDTH of eight columns to the rows p, and of eight to q, of a table (n, 8), one by one."""
 
     def generate(context, builder, sig, args):
         starts = [[builder.mul(n, _long(_COLUMNS)) for n in _places(builder, args[end])] for end in (1, 2)]
-        force, on_p, on_q = ([builder.extract_value(args[n], d) for d in range(3)] for n in (3, 4, 5))
-        zero = ir.Constant(vector, [0.0] * WIDTH)
+        columns = [[builder.extract_value(args[end], c) for c in range(_COLUMNS)] for end in (3, 4)]
 
-        def accumulate(start: Any, first: int, value: Any, word: str) -> None:
+        def accumulate(start: Any, first: int, value: Any) -> None:
             pointer = _address(context, builder, sig.args[0], args[0], builder.add(start, _long(first)), value.type)
-            builder.store(getattr(builder, word)(builder.load(pointer, align=8), value), pointer, align=8)
+            builder.store(builder.fadd(builder.load(pointer, align=8), value), pointer, align=8)
 
         if WIDTH == 8:
-            second = _transposed8(builder, [*force, zero, *on_q, zero])
-            first_ones = _transposed8(builder, [*(builder.fneg(f) for f in force), zero, *on_p, zero])
-            parts = [((1, 0, second, "fadd"),), ((0, 0, first_ones, "fadd"),)]
+            parts = [(end, 0, _transposed8(builder, columns[end])) for end in (1, 0)]
         else:
-            forces, torques_p, torques_q = (_transposed4(builder, [*part, zero]) for part in (force, on_p, on_q))
-            parts = [
-                ((1, 0, forces, "fadd"), (1, 4, torques_q, "fadd")),
-                ((0, 0, forces, "fsub"), (0, 4, torques_p, "fadd")),
-            ]
+            halves = [(end, first) for end in (1, 0) for first in (0, 4)]
+            parts = [(end, c, _transposed4(builder, columns[end][c : c + 4])) for end, c in halves]
 
         def add(n: int) -> None:
-            for end in parts:
-                for which, column, rows, word in end:
-                    accumulate(starts[which][n], column, rows[n], word)
+            for end, column, rows in parts:
+                accumulate(starts[end][n], column, rows[n])
 
         for n in range(WIDTH - 1):
-            with builder.if_then(builder.icmp_signed("<=", args[6], _long(n)), likely=True):
+            with builder.if_then(builder.icmp_signed("<=", args[5], _long(n)), likely=True):
                 add(n)
         add(WIDTH - 1)
         return context.get_dummy_value()
 
-    triple = types.UniTuple(lanes, 3)
-    return types.void(sums, place, place, triple, triple, triple, types.int64), generate
+    eight = types.UniTuple(lanes, _COLUMNS)
+    return types.void(sums, place, place, eight, eight, types.int64), generate
+
+
+@device
+def add_loads(sums, p, q, force, torque_p, torque_q, first):
+    """Add what bonds first … WIDTH do to the rows p of their first ends and q of their second ones, one by one.
+
+    Each is a triple; `force` acts on the second end, its opposite on the first.
+    """
+    f, t, u, zero = force, torque_p, torque_q, zero_of(force[0])
+    on_p, on_q = (-f[0], -f[1], -f[2], zero, t[0], t[1], t[2], zero), (f[0], f[1], f[2], zero, u[0], u[1], u[2], zero)
+    add_rows(sums, p, q, on_p, on_q, first)
 
 
 @instruction

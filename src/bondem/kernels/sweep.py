@@ -9,7 +9,7 @@ from bondem._compile import kernel, loop, prange
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.breaking import break_bonds, let_go, lists
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
-from bondem.kernels.cell_stress import cell_moments
+from bondem.kernels.cell_stress import take_moments, take_shared_moments
 from bondem.kernels.cracking import crack_before, crack_between
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
@@ -36,8 +36,8 @@ def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, a
     for b in range(first, last):
         k0, k1 = cut.bond[b], cut.bond[b + 1]
         if cells is not None:  # decided when compiled
-            facet_loads(elements.pose, bonds, cells, cut.sums, cut.row_i, cut.row_j, k0, k1)
-            cell_moments(cells, cut.ready, cut.move[b], cut.move[b + 1])
+            facet_loads(elements.pose, bonds, cells, cells.moment, cut.sums, cut.row_i, cut.row_j, k0, k1)
+            take_moments(cells.moment, cells.sums, cut.ready, cut.ready_row, cut.move[b], cut.move[b + 1])
         elif non_local is not None:
             non_local_loads(elements.pose, bonds, non_local, scheme.dt, cut.sums, cut.row_i, cut.row_j, k0, k1)
         elif history is None:
@@ -61,7 +61,7 @@ def sweep_shared(elements, cells, cut, rows, scheme, added, breaks, go_on, first
     collect_parts(cut.sums, cut.shared_row, cut.parts, cut.part, first, last)
     collect_dashpots(added, cut, first, last)
     if cells is not None:  # decided when compiled
-        cell_moments(cells, cut.shared, first, last)
+        take_shared_moments(cells.moment, cells.sums, cut, first, last)
     held = min(max(cut.shared_held, first), last)
     waiting = False
     if breaks is not None:

@@ -91,7 +91,10 @@ class Alike(NamedTuple):
 
 
 class CellTable(NamedTuple):
-    """The facets and cells of a body, m facets in the order of the bonds, n cells; kernels write the last four."""
+    """The facets and cells of a body, m facets in the order of the bonds, n cells; kernels write the last four.
+
+    The last three are None where facets do not crack.
+    """
 
     k: np.ndarray  #: [N/m], (m,)
     pitch: np.ndarray  #: unit of the levers along x, y, z [m], (3,)
@@ -108,8 +111,9 @@ class CellTable(NamedTuple):
     out_bond: np.ndarray
     given: np.ndarray  #: part of V θ from tractions on free facets [m³], (n,)
     swelling: np.ndarray  #: the rest of V θ [m³], (n + …,)
-    force: np.ndarray  #: of each facet on its cell i [N], (3, m) where facets may crack, else (3, 0)
-    moment: np.ndarray  #: Σ b⊗f of each cell, b in its frame [pitch], f in space [N], row by row, (n, 9) or (0, 9)
+    force: np.ndarray | None  #: of each facet on its cell i in the last step [N], (3, m)
+    moment: np.ndarray | None  #: V σ of each cell, of its facets alone, in space, xx, yy, zz, xy, xz, yz [J], (n, 6)
+    sums: np.ndarray | None  #: what is being found of it, in rows as those of `StepCut.sums`, (…, 8)
 
 
 class LaggedTable(NamedTuple):

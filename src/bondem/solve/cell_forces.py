@@ -34,7 +34,7 @@ def body_loads(pose: Floats, rest: Floats, bonds: Bonds, body: Body, sums: Float
     swell(pose, bonds, cells, None, 0, len(bonds.i))
     swell_grips(pose, rest, grips, cells.swelling)
     stress_cells(pose, cells, 0, len(pose))
-    facet_loads(pose, bonds, cells, sums, bonds.i, bonds.j, 0, len(bonds.i))
+    facet_loads(pose, bonds, cells, None, sums, bonds.i, bonds.j, 0, len(bonds.i))
     grip_loads(pose, rest, grips)
     np.add.at(sums[:, :3], grips.cell, grips.load[:, :3])
     np.add.at(sums[:, 4:7], grips.cell, grips.load[:, 3:])
@@ -59,7 +59,8 @@ def facet_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
     bonds, body = body_tables(model, np.ones(m))
     bonds = bonds._replace(i=with_twins(i), j=with_twins(j))
     loads, own = lines(2 * m), np.arange(m, dtype=np.uint32)
-    facet_loads(pose, bonds, body.cells, loads, with_twins(own), with_twins(own + np.uint32(m)), 0, len(bonds.i))
+    rows = with_twins(own), with_twins(own + np.uint32(m))
+    facet_loads(pose, bonds, body.cells, None, loads, *rows, 0, len(bonds.i))
     columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
     return columns[:, :m], columns[:, m:]
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from bondem._types import Floats
-from bondem.kernels.cell_stress import cell_moments
+from bondem.kernels.cell_stress import sum_moments
 from bondem.kernels.cell_yield import stretch_cells, stretch_grips
 from bondem.kernels.crack_list import link_cracks
 from bondem.kernels.crack_tables import (
@@ -19,7 +19,7 @@ from bondem.kernels.crack_tables import (
     CrackTable,
     Onset,
 )
-from bondem.kernels.tables import BROKEN_COLUMNS, Bonds, CellTable, GripTable
+from bondem.kernels.tables import BROKEN_COLUMNS, Bonds, CellTable, GripTable, lines
 from bondem.model.bond_table import with_zeros
 from bondem.model.boundary import Load
 from bondem.model.cell_constants import CellConstants, body_of
@@ -29,12 +29,19 @@ from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 
 
-def with_forces(cells: CellTable, model: Model, state: State) -> CellTable:
-    """The table of a body that keeps the forces of its facets in `state.facet_force`, and sums them up by cells."""
+def with_forces(cells: CellTable, model: Model, state: State, rows: int) -> CellTable:
+    """The table of a body that keeps the forces of its facets, those of the state to begin with.
+
+    Args:
+        cells: facets and cells.
+        model: with a criterion that softens.
+        state: where to start.
+        rows: how many rows of sums there are.
+    """
     adjacency = model.layout.adjacency
     return cells._replace(
         in_start=adjacency.in_start, out_start=adjacency.out_start, out_bond=adjacency.out_bond,
-        force=with_zeros(state.facet_force), moment=np.zeros((len(state.pose), 9)),
+        force=with_zeros(state.facet_force), moment=np.zeros((len(state.pose), 6)), sums=lines(rows),
     )  # fmt: skip
 
 
@@ -107,7 +114,7 @@ def _pressed(model: Model) -> Floats:
     return np.array(found).reshape(len(found), len(cells.volume), 6)
 
 
-def take_up(bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable) -> None:
+def take_up(pose: Floats, bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable) -> None:
     """Go on with cracks and plastic strains as a run begins: lists, weights, levers and sums of forces."""
     link_cracks(bonds, cells, cracks)
     if cracks.flow.yielding:
@@ -115,14 +122,16 @@ def take_up(bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable
     stretch_grips(grips, cracks.flow)
     active = cracks.row[: cracks.sizes[0], STATUS] == ACTIVE
     # these are no part of the loop over facets: what they bear stands in `pull`
+    assert cells.force is not None
     cells.force[:, cracks.row[: cracks.sizes[0], FACET][active].astype(np.int64)] = 0.0
-    cell_moments(cells, np.arange(len(cells.moment), dtype=np.uint32), 0, len(cells.moment))
+    sum_moments(pose, cells)
 
 
 def keep_cracks(cells: CellTable, cracks: CrackTable, state: State) -> None:
     """Write what has cracked and broken since the last call into the state."""
     count, logged = int(cracks.sizes[0]), int(cracks.sizes[2])
     state.cracks = cracks.row[:count].copy()
+    assert cells.force is not None
     state.facet_force[:] = cells.force[:, : state.facet_force.shape[1]]
     one_by_one = np.flatnonzero(state.cracks[:, STATUS] == ACTIVE)
     state.facet_force[:, state.cracks[one_by_one, FACET].astype(np.int64)] = cracks.pull[one_by_one].T

@@ -114,11 +114,11 @@ class CpuLoop:
             )  # fmt: skip
             table = strained.rows(blocks.swelling_places(layout))
             if model.softening is not None:
-                table = with_forces(table, model, state)
+                table = with_forces(table, model, state, blocks.rows)
             self._cracks = crack_table(model, state, table, grips, load)
             self._body = Body(table, grips, presses, self._cracks)
             if self._cracks is not None:
-                take_up(self._run.bonds, table, grips, self._cracks)
+                take_up(state.pose, self._run.bonds, table, grips, self._cracks)
             if self._breaks is not None:  # as they are weighed anew where a facet breaks, to the bit
                 weigh_all(self._run.bonds, self._body.cells, self._breaks)
         self._added = added(model, terms, state, blocks.rows + waiting)
