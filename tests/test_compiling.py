@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from numba import typeof, types
 
 from bondem._compile import device, kernel, loop
 
@@ -59,5 +60,9 @@ def test_a_loop_is_for_compiled_code_only():
 def test_constants_make_no_variants():
     x = np.arange(3.0)
     assert shifted_twice(x, 2) == 1.0 + 2.0 + 2.0 + 4.0
+    constant, variable = types.Tuple([types.literal(0), types.int64]), typeof((0, 1))
+    for one, pair in ((types.literal(1), constant), (types.int64, variable)):
+        shifted.get_call_template([typeof(x), one], {})  # what a caller asks for, also where it is on disk itself
+        between.get_call_template([typeof(x), pair], {})
     assert len(shifted.signatures) == 1
     assert len(between.signatures) == 1

@@ -56,7 +56,7 @@ def forces(model, state):
     sums = lines(len(state.pose))
     swell(state.pose, bonds, cells, None, 0, len(bonds.i))
     stress_cells(state.pose, cells, 0, len(state.pose))
-    facet_loads(state.pose, bonds, cells, sums, bonds.i, bonds.j, 0, len(bonds.i))
+    facet_loads(state.pose, bonds, cells, None, sums, bonds.i, bonds.j, 0, len(bonds.i))
     return sums[:, [0, 1, 2, 4, 5, 6]].copy()
 
 
