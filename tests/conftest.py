@@ -13,7 +13,7 @@ _OPTIONS = {"validate": "--validate", "gpu": "--gpu"}
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--validate", action="store_true", help="run the slow validation against published numbers too")
+    parser.addoption("--validate", action="store_true", help="run the slow tests too: published numbers, studies")
     parser.addoption("--gpu", action="store_true", help="run the tests that need a CUDA device too")
 
 

@@ -27,12 +27,14 @@ def benchmarks():
     }  # fmt: skip
 
 
+@pytest.mark.validate
 def test_every_case_can_start(benchmarks) -> None:
     for name, make in benchmarks["cases"].CASES.items():
         case = make(SIZE)
         assert np.isfinite(case.start(1e-3).motion).all(), name
 
 
+@pytest.mark.validate
 def test_pauses_of_a_case_leave_the_same_bits_and_another_step_does_not(benchmarks, tmp_path) -> None:
     run, differing = benchmarks["runs"].run, benchmarks["compare"].differing
     pauses = ["every 30", "every 7", "two runs"]

@@ -51,6 +51,7 @@ def test_the_continuum_between_planes_is_stiffer_and_both_are_close(study):
     assert plane["bending"] / face["bending"] == pytest.approx((1 - d / L) ** 3, rel=4e-3)
 
 
+@pytest.mark.validate
 def test_a_cube_does_what_its_continuum_does(study, fit):
     found = study.case(fit, study.specimen("cube", COUNT))
     raw, layered = (errors(found[way]) for way in ("raw", "layered"))
@@ -111,6 +112,7 @@ def test_the_book_keeps_what_is_done(study, tmp_path, monkeypatch):
     assert "| x | cube | 26.0 | 3 | +2.0 | -2.0 | yes |" in study.table([kept])
 
 
+@pytest.mark.validate
 def test_the_bracket(study):
     spec = importlib.util.spec_from_file_location("bracket", ROOT / "examples" / "bracket.py")
     example = importlib.util.module_from_spec(spec)

@@ -199,12 +199,14 @@ def test_names_of_measurements_are_unique_and_their_commands_exist():
     assert main(["--measure", "of_this_name"]) == 2
 
 
+@pytest.mark.validate
 def test_the_fast_part_is_measured_from_nothing_and_meets_its_tolerances(fast):
     text = (fast / "fast.md").read_text(encoding="utf-8")
     assert "**missed**" not in text
     assert len(list(fast_chapter(fast).rows)) > 80
 
 
+@pytest.mark.validate
 @pytest.mark.parametrize(
     ("place", "factor"),
     [(("cell", "cell_E_ratio"), 1.02), (("cylinder", "nu_printed"), 1.1), (("cylinder", "E_printed"), 0.85)],

@@ -81,6 +81,7 @@ def test_bad_plans_are_refused():
         Coverage(calibrating=1)
 
 
+@pytest.mark.validate
 def test_coverage_counts_what_lies_in_the_interval(tmp_path):
     study = Coverage(count=500, calibrating=4, held_out=6, shape="cell")
     results = run(study, tmp_path, processes=1)

@@ -32,6 +32,7 @@ def test_shape_leaves_the_surface_free_and_turns_by_half_its_curl(rayleigh, nu):
     assert turn[0, 1] == pytest.approx(0.5 * (-down[0] - along[2]), abs=1e-8)
 
 
+@pytest.mark.validate
 def test_celerity_on_nine_elements_a_wave(rayleigh):
     wave = rayleigh.Wave.of(0.2)
     body, size = rayleigh.slab(600, seed=1)

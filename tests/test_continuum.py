@@ -110,6 +110,7 @@ def test_a_lever_is_a_rigid_end():
     assert moved[1] == pytest.approx(theory.deflection(1e3, overhang=lever, shear=True) + lever * turn, rel=2e-3)
 
 
+@pytest.mark.validate
 def test_the_bracket_converges():
     coarse, fine = (Continuum.bracket(cell=cell) for cell in (4e-3, 2.67e-3))
     assert coarse.volume == pytest.approx(12e-3 * 8e-3 * (40e-3 + 22e-3), rel=1e-12)

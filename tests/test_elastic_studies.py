@@ -169,6 +169,7 @@ class Doomed(Study):
         assert [row["method"] for row in rows] == ["quench"]
 
 
+@pytest.mark.validate
 def test_what_needs_a_packing_that_failed_is_left_out_and_told(tmp_path, monkeypatch):
     monkeypatch.setattr("validation.frame.runner.write_page", lambda *arguments: None)
     with pytest.raises(PackingError, match=r"1 of 2 packings and tests failed.*shake"):
@@ -192,6 +193,7 @@ def test_the_exponent_of_the_radius_is_the_share_of_the_energy():
     assert 2.2 < -slope < 3.8
 
 
+@pytest.mark.validate
 def test_influence_judges_the_statements_of_the_paper(tmp_path):
     results = run(Influence(count=300, packings=1, bars=1), tmp_path, processes=1)
     for found in results["verdicts"].values():
@@ -239,6 +241,7 @@ def _judges_families(results):
     assert walls["radius_ratio"] == radii
 
 
+@pytest.mark.validate
 def test_influence_without_bars_compares_no_shapes(tmp_path):
     study = Influence(count=150, packings=1, bars=0)
     results = run(study, tmp_path, processes=1)

@@ -78,7 +78,7 @@ def test_a_surface_is_filled_like_any_other_shape(method):
 def test_jamming_has_the_same_bits_on_any_number_of_threads(method):
     def packing(count):
         with threads(count):
-            return bd.pack(CELL, count=2000, spread=0.2, seed=1, method=method, jamming=True)
+            return bd.pack(CELL, count=800, spread=0.2, seed=1, method=method, jamming=True)
 
     one, all_of_them = packing(1), packing(None)
     np.testing.assert_array_equal(one.position, all_of_them.position)

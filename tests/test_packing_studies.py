@@ -177,6 +177,7 @@ def test_dispersion_goes_on_after_a_packing_that_fails(tmp_path):
     assert results["rows"][0]["error"]
 
 
+@pytest.mark.validate
 def test_dispersion_draws_and_judges(tmp_path):
     done = command(
         "dispersion", "--out", "out", "--count", "500", "--spreads", "0,0.25", "--method", "quench",

@@ -54,6 +54,7 @@ def test_bonds_calibrated_by_a_measure_give_the_data_sheet_by_it():
     assert paper_radius(lattice) == pytest.approx(5e-3, rel=0.02)
 
 
+@pytest.mark.validate
 def test_the_command_leaves_numbers_and_a_page(tmp_path):
     out = tmp_path / "out"
     size = ["--count", "500", "--packings", "1", "--steps", "1500", "--methods", "quench"]  # shear takes minutes

@@ -15,6 +15,7 @@ from bondem.specimen.fabric import Fabric
 
 BOX = bd.Box(size=(1.0, 0.8, 0.8))
 CYLINDER = bd.Cylinder(radius=0.4, length=1.0)
+BOTH = [pytest.param(BOX, id="box"), pytest.param(CYLINDER, id="cylinder", marks=pytest.mark.validate)]
 CYCLES = 4
 # of the recipe: strain to either side, inertial number, pressure over modulus, cycles after the radii are fitted
 STRAIN, INERTIAL, SOFT, FITTING = 0.1, 0.01, 1e-3, 2
@@ -24,7 +25,7 @@ def draw(seed: int = 1) -> np.random.Generator:
     return np.random.Generator(np.random.Philox(seed))
 
 
-@pytest.fixture(scope="module", params=[BOX, CYLINDER], ids=["box", "cylinder"])
+@pytest.fixture(scope="module", params=BOTH)
 def compacted(request) -> tuple[bd.Box | bd.Cylinder, Compaction]:
     random = draw()
     return request.param, compact(request.param, bd.Uniform(0.25).radii(300, random), random, cycles=CYCLES)
@@ -109,7 +110,7 @@ def test_same_seed_same_bits_and_the_share_done_rises():
     assert (np.diff(shares) >= 0.0).all()
 
 
-@pytest.mark.parametrize("shape", [BOX, CYLINDER], ids=["box", "cylinder"])
+@pytest.mark.parametrize("shape", BOTH)
 def test_a_packing_by_shear_is_on_target_and_in_the_shape(shape, monkeypatch):
     monkeypatch.setitem(compact.__kwdefaults__, "cycles", CYCLES)
     packed = bd.pack(shape, count=250, spread=0.25, method="shear", seed=2)
