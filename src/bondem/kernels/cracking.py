@@ -8,6 +8,8 @@ rounding. All of it is done by one thread, in the order of the list: no bit depe
 `bondem.laws.softening`.
 """
 
+import math
+
 import numpy as np
 
 from bondem._compile import device, loop
@@ -100,13 +102,18 @@ def crack_forces(elements, bonds, cells, cracks, change):
 
 @device
 def _book(elements, bonds, cells, cracks, c, found):
-    """Energy that a crack has dissipated in this step, by the trapezoidal rule, and its slip."""
+    """Energy that a crack has dissipated in this step, and its slip.
+
+    The energy is s times a square of the opening, whose work both schemes book by the trapezoidal rule. What is left
+    of its change is -Δs times the product of the openings before and after: the geometric mean of both rates, exactly
+    so where the opening does not turn. (Their arithmetic mean misses Δs times the square of the change in opening.)
+    """
     one, other, rub, slip, bent = found
     row = cracks.row[c]
     k = np.int64(row[FACET])
     w, s, K, i = cracks.part[k], cracks.integrity[k], cells.k[k], bonds.i[k]
     rate = 0.5 / K * (w * scalar(one, one) + (1.0 - w) * scalar(other, other)) + bent - stretched(K, s, rub)
-    lost = 0.5 * (row[RATE] + rate) * (row[BEFORE] - s)
+    lost = math.sqrt(max(row[RATE] * rate, 0.0)) * (row[BEFORE] - s)
     row[RATE] = rate
     row[SPENT] += lost
     cracks.released[0] += lost

@@ -28,6 +28,10 @@ from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 
+# What breaks at once loses this share of its integrity, at most, in the time 1/ω in which the facet between its two
+# cells swings by itself, and in a step: the ledger closes, the better the shorter the step.
+_LOSS = 0.1
+
 
 def with_forces(cells: CellTable, model: Model, state: State, rows: int) -> CellTable:
     """The table of a body that keeps the forces of its facets, those of the state to begin with.
@@ -46,7 +50,7 @@ def with_forces(cells: CellTable, model: Model, state: State, rows: int) -> Cell
 
 
 def crack_table(
-    model: Model, state: State, cells: CellTable | None, grips: GripTable, load: Floats
+    model: Model, state: State, cells: CellTable | None, grips: GripTable, load: Floats, dt: float
 ) -> CrackTable | None:
     """What kernels take to let the facets of a state crack and its cells yield; None where none do.
 
@@ -56,6 +60,7 @@ def crack_table(
         cells: facets and cells, from `with_forces`.
         grips: walls that hold some of them.
         load: force and torque of cracks on each cell, (n, 6).
+        dt: the step [s].
     """
     table, constants = model.softening, model.cells
     if table is None or constants is None or cells is None:
@@ -67,6 +72,8 @@ def crack_table(
     facet = state.cracks[:, FACET].astype(np.int64)
     pull = np.zeros((m, 3))
     pull[:count] = state.facet_force[:, facet].T
+    i, j = model.layout.i, model.layout.j
+    swing = np.sqrt(cells.k[:m] * (state.motion[i, 3] + state.motion[j, 3]))  # of a facet by itself [1/s]
     return CrackTable(
         stress=CellStresses(volume=constants.volume, tensor=np.zeros((n, 6))),
         flow=_flow(model, state, table, cells, grips, constants),
@@ -74,7 +81,8 @@ def crack_table(
             strength=table.strength, area=table.area, hot=table.hot, hotter=np.zeros(n, dtype=np.uint8),
             marked=np.zeros(m, dtype=np.uint8), listed=np.zeros(m, dtype=np.uint8),
         ),
-        last=table.last, part=table.part, friction=table.friction, weight=constants.weight,
+        last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0),
+        friction=table.friction, weight=constants.weight,
         slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
         row=row, sizes=np.array([count, 0, 0], dtype=np.int64), geometry=np.zeros((m, GEOMETRY_COLUMNS)),
         cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),

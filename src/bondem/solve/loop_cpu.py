@@ -115,7 +115,7 @@ class CpuLoop:
             table = strained.rows(blocks.swelling_places(layout))
             if model.softening is not None:
                 table = with_forces(table, model, state, blocks.rows)
-            self._cracks = crack_table(model, state, table, grips, load)
+            self._cracks = crack_table(model, state, table, grips, load, dt)
             self._body = Body(table, grips, presses, self._cracks)
             if self._cracks is not None:
                 take_up(state.pose, self._run.bonds, table, grips, self._cracks)
