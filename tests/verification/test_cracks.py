@@ -169,7 +169,7 @@ def torn(share: float = 0.9, energy: float | None = ENERGY) -> bd.ExplicitResult
     pull = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
     model = model_of(lattice, 0.2, bd.Rankine(tension=STRENGTH, fracture_energy=energy), boundary=pull)
     dt = share * critical_step(model, bd.VelocityVerlet())
-    far = 1.2 * 2.0 * (energy or 0.0) / STRENGTH + 1.5 * STRENGTH / E * 16e-3
+    far = STRENGTH / E * 16e-3 + (1.2 * 2.0 * energy / STRENGTH if energy else 1e-6)
     return bd.solve_explicit(model, duration=far / 0.1, dt=dt, every=50)
 
 

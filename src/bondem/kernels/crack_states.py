@@ -31,6 +31,8 @@ from bondem.kernels.single_facets import column, frame
 from bondem.laws.cell_energy import opened, scalar, turned_by
 from bondem.laws.softening import crack_softness, crack_swelling, opening_force, plus, softened, whole_force
 
+# By how much the integrity of a facet that softens falls in a step at most.
+_FASTEST = 0.1
 # A resting crack wakes at these shares of the force at which it softens, and of its force across it; it goes to rest
 # well below. Too early costs time only.
 _CALM, _ASLEEP, _GRAZING = 0.98, 0.9, 0.1
@@ -157,7 +159,9 @@ def soften(pose, bonds, cells, cracks):
         row[BEFORE] = s
         new = 0.0
         if s > 0.0:
-            new = max(softened(s, force / cracks.onset.area[k], row[ONSET], cracks.last[k]), s - cracks.fastest[k])
+            at_once = row[ONSET] == 0.0 or cracks.last[k] == 0.0
+            most = cracks.fastest[k] if at_once else _FASTEST
+            new = max(softened(s, force / cracks.onset.area[k], row[ONSET], cracks.last[k]), s - most)
             if new < 1e-9:
                 new = 0.0
         if new < s:

@@ -64,7 +64,7 @@ class CrackTable(NamedTuple):
     onset: Onset
     last: np.ndarray  #: k u / A where nothing is left of a facet, 0 where it breaks at once [Pa], (m,)
     part: np.ndarray  #: w_i: part of cell i in the compliance, (m,)
-    fastest: np.ndarray  #: by how much an integrity falls in a step at most, (m,)
+    fastest: np.ndarray  #: by how much the integrity of what breaks at once falls in a step at most, (m,)
     friction: float  #: μ
     weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
     slack_i: np.ndarray  #: what 1 / weight of cell i gains where the facet parts [m³/Pa], (m,)
