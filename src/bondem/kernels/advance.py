@@ -116,7 +116,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
                 move_walls(t, dt, contacts)
                 if outdated(elements.pose, contacts):
                     return done, written, wide, lost, sick, True
-            contact_loads(elements, bonds, dt, contacts)
+            contact_loads(elements, bonds, dt, contacts, len(run.cut.domain) > 2)
         moved = False
         done += 1
         now = span.step + done

@@ -2,9 +2,14 @@
 
 Like bonds in two phases, so that results do not depend on the thread count. Contacts run before the bonds of the
 step and leave their sum for each element in `load`, which the pass over the elements adds to that of the bonds.
+
+Most pairs of a list are further apart than elements have moved since that was measured, and are passed over. On one
+thread those that touch hand out what they do in the order of the list, which is that in which elements gather it.
 """
 
 import math
+
+import numpy as np
 
 from bondem._compile import device, kernel, loop, prange
 from bondem.kernels.bond_pass import branch
@@ -17,6 +22,10 @@ from bondem.laws.contact import FRICTION, SOFT, contact_force, pair_spring, spri
 TOUCHING, PARTED = 1, 2
 # Below this many candidates launching threads costs more than the loop.
 SERIAL_PAIRS = 4000
+# Pairs or elements of one portion of work.
+_PORTION = 2000
+# Distances of all pairs are measured anew when an element has moved this share of the reach of the list.
+_FRESH = 0.1
 
 
 @device
@@ -26,15 +35,37 @@ def outdated(pose, c):
 
 
 @kernel(parallel=False)
-def contact_loads(elements, bonds, dt, contacts):
-    """Contact forces at the present, into `load` and on the walls; memory and losses go on by dt."""
-    if len(contacts.first) >= SERIAL_PAIRS:
-        pair_forces(elements, bonds, contacts, dt)
+def contact_loads(elements, bonds, dt, contacts, threaded):
+    """Contact forces at the present, into `load` and on the walls; memory and losses go on by dt.
+
+    A run is `threaded` from beginning to end, or never.
+    """
+    moved = farthest(elements.pose, contacts.measured)
+    if moved > _FRESH * contacts.reach:
+        _measure(elements.pose, bonds.period, contacts)
+        moved = 0.0
+    if threaded and len(contacts.first) >= SERIAL_PAIRS:
+        pair_forces(elements, bonds, contacts, moved, dt)
+    else:
+        _pairs(elements, bonds, contacts, moved, dt, 0, len(contacts.slack))
+    if threaded:
         gather(elements, contacts, dt)
     else:
-        pair_forces_serial(elements, bonds, contacts, dt)
-        gather_serial(elements, contacts, dt)
+        hand_out(elements, contacts, dt)
     load_walls(dt, contacts)
+
+
+@loop(parallel=False)
+def _measure(pose, period, c):
+    """How far both elements of each pair may move from here before they touch, by more than rounding."""
+    slack, radius = c.slack, c.radius
+    for k in range(len(slack)):
+        a, b = c.first[k], c.second[k]
+        x, y, z = branch(pose, a, b, period)
+        slack[k] = 0.5 * (math.sqrt(x * x + y * y + z * z) - (1.0 + 1e-9) * (radius[a] + radius[b] + c.gap[k]))
+    for p in range(len(pose)):
+        for d in range(3):
+            c.measured[p, d] = pose[p, d]
 
 
 @device
@@ -74,54 +105,83 @@ def _at_contact(d, v, spin, reach):
 
 
 @device
-def _pair_force(pose, motion, c, period, dt, k):
-    """Force and memory of a pair, if it touches or has just parted."""
-    a, b, stretch, output = c.first[k], c.second[k], c.stretch, c.output
-    d = branch(pose, a, b, period)
-    ra, rb = c.radius[a], c.radius[b]
-    reach = ra + rb + c.gap[k]
-    if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] >= reach * reach and c.touch[k] != TOUCHING:
-        c.touch[k] = 0
-    else:
-        v = motion[b, 0] - motion[a, 0], motion[b, 1] - motion[a, 1], motion[b, 2] - motion[a, 2]
-        spin = (
+def _meeting(motion, a, b, ra, rb):
+    """Of two elements: velocity of b against a, spins times radii, the sum of spins, and the mass that meets."""
+    return (
+        (motion[b, 0] - motion[a, 0], motion[b, 1] - motion[a, 1], motion[b, 2] - motion[a, 2]),
+        (
             ra * motion[a, 4] + rb * motion[b, 4],
             ra * motion[a, 5] + rb * motion[b, 5],
             ra * motion[a, 6] + rb * motion[b, 6],
-        )
-        length, now = _at_contact(d, v, spin, ra + rb)
-        was, last = _at_contact((d[0] - dt * v[0], d[1] - dt * v[1], d[2] - dt * v[2]), v, spin, ra + rb)
-        n, overlap = now[0], max(reach - length, 0.0)
-        twist = 0.5 * (
-            (motion[a, 4] + motion[b, 4]) * n[0]
-            + (motion[a, 5] + motion[b, 5]) * n[1]
-            + (motion[a, 6] + motion[b, 6]) * n[2]
-        )
-        kn, part, beta = pair_spring(c.law, c.own[k], ra, rb, overlap)
-        before = kn
-        if part < 1.0:
-            before = pair_spring(c.law, 0.0, ra, rb, max(reach - was, 0.0))[0]
-        spring = _spring(c.law, kn, part, beta, before, 1.0 / (motion[a, 3] + motion[b, 3]))
-        s = stretch[k, 0], stretch[k, 1], stretch[k, 2]
-        p = stretch[k, 3], stretch[k, 4], stretch[k, 5]
-        found = contact_force(spring, c.law[FRICTION], overlap, now, last, twist, s, p, dt)
-        fx, fy, fz = _put(stretch, output, k, found)
-        share = length / (ra + rb)
-        output[k, 3] = -share * (n[1] * fz - n[2] * fy)
-        output[k, 4] = -share * (n[2] * fx - n[0] * fz)
-        output[k, 5] = -share * (n[0] * fy - n[1] * fx)
-        output[k, 6], output[k, 7] = found[3], found[4]
-        c.touch[k] = TOUCHING if overlap > 0.0 else PARTED
+        ),
+        (motion[a, 4] + motion[b, 4], motion[a, 5] + motion[b, 5], motion[a, 6] + motion[b, 6]),
+        1.0 / (motion[a, 3] + motion[b, 3]),
+    )  # fmt: skip
 
 
-def _pair_forces(elements, bonds, c, dt):
+@device
+def _pair_force(law, own, ra, rb, reach, d, meeting, s, p, dt):
+    """Overlap of a pair, its force and memory as `contact_force` has them, and the torque over the radius.
+
+    Numbers only: arrays that are handed to what branches have their references counted, for each pair.
+    """
+    v, spin, both, mass = meeting
+    length, now = _at_contact(d, v, spin, ra + rb)
+    was, last = _at_contact((d[0] - dt * v[0], d[1] - dt * v[1], d[2] - dt * v[2]), v, spin, ra + rb)
+    n, overlap = now[0], max(reach - length, 0.0)
+    twist = 0.5 * (both[0] * n[0] + both[1] * n[1] + both[2] * n[2])
+    kn, part, beta = pair_spring(law, own, ra, rb, overlap)
+    before = kn
+    if part < 1.0:
+        before = pair_spring(law, 0.0, ra, rb, max(reach - was, 0.0))[0]
+    spring = _spring(law, kn, part, beta, before, mass)
+    found = contact_force(spring, law[FRICTION], overlap, now, last, twist, s, p, dt)
+    share, f = length / (ra + rb), found[0]
+    torque = (
+        -share * (n[1] * f[2] - n[2] * f[1]), -share * (n[2] * f[0] - n[0] * f[2]),
+        -share * (n[0] * f[1] - n[1] * f[0]),
+    )  # fmt: skip
+    return overlap, found, torque
+
+
+@loop(parallel=False)
+def _pairs(elements, bonds, c, moved, dt, begin, end):
+    """Forces and memory of the pairs begin … end that touch or have just parted."""
     pose, motion, period, integrity, bond = elements.pose, elements.motion, bonds.period, bonds.integrity, c.bond
-    for k in prange(len(c.first)):
-        joined = False
-        if bond[k] >= 0:
-            joined = integrity[bond[k]] > 0.0
-        if not joined:
-            _pair_force(pose, motion, c, period, dt, k)
+    slack, touch, first, second, gap, own = c.slack, c.touch, c.first, c.second, c.gap, c.own
+    radius, stretch, output = c.radius, c.stretch, c.output
+    law = c.law[0], c.law[1], c.law[2], c.law[3], c.law[4]
+    close, count = c.close, begin
+    for k in range(begin, end):
+        # without branches, as these would be guessed wrong every other time
+        joined = (bond[k] >= 0) & (integrity[max(bond[k], 0)] > 0.0)
+        apart = (slack[k] > moved) & (touch[k] == 0)
+        close[count] = k
+        count += 0 if joined | apart else 1
+    for e in range(begin, count):
+        k = close[e]
+        a, b = first[k], second[k]
+        d, ra, rb = branch(pose, a, b, period), radius[a], radius[b]
+        reach = ra + rb + gap[k]
+        if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] >= reach * reach and touch[k] != TOUCHING:
+            touch[k] = 0
+            continue
+        s, p = (stretch[k, 0], stretch[k, 1], stretch[k, 2]), (stretch[k, 3], stretch[k, 4], stretch[k, 5])
+        meeting = _meeting(motion, a, b, ra, rb)
+        overlap, found, torque = _pair_force(law, own[k], ra, rb, reach, d, meeting, s, p, dt)
+        f, s, p, damped, rubbed = found
+        for n in range(3):
+            stretch[k, n], stretch[k, 3 + n], output[k, n], output[k, 3 + n] = s[n], p[n], f[n], torque[n]
+        output[k, 6], output[k, 7] = damped, rubbed
+        touch[k] = TOUCHING if overlap > 0.0 else PARTED
+
+
+@loop(parallel=True)
+def pair_forces(elements, bonds, c, moved, dt):
+    """Forces and memory of all pairs, in portions."""
+    count = (len(c.slack) + _PORTION - 1) // _PORTION
+    for q in prange(count):
+        _pairs(elements, bonds, c, moved, dt, q * _PORTION, min((q + 1) * _PORTION, len(c.slack)))
 
 
 @device
@@ -147,7 +207,7 @@ def begin_contact(elements, bonds, contacts, sums, first_row, e):
     contacts.touch[k] = 0
     for d in range(6):
         contacts.stretch[k, d] = 0.0
-    _pair_force(elements.pose, elements.motion, contacts, bonds.period, 0.0, k)
+    _pairs(elements, bonds, contacts, np.inf, 0.0, k, k + 1)
     if contacts.touch[k] != TOUCHING:
         return 0.0
     a, b, output = contacts.first[k], contacts.second[k], contacts.output
@@ -157,33 +217,6 @@ def begin_contact(elements, bonds, contacts, sums, first_row, e):
         sums[first_row + a, 4 + d] += contacts.radius[a] * output[k, 3 + d]
         sums[first_row + b, 4 + d] += contacts.radius[b] * output[k, 3 + d]
     return _pair_energy(elements.pose, bonds.period, contacts, k)
-
-
-@device
-def _gathered(c, p):
-    """Force, torque over the radius, and losses of an element's contacts with others."""
-    touch, output = c.touch, c.output
-    f0 = f1 = f2 = q0 = q1 = q2 = damped = rubbed = 0.0
-    for k in range(c.in_start[p], c.in_start[p + 1]):
-        if touch[k] != 0:
-            f0 += output[k, 0]
-            f1 += output[k, 1]
-            f2 += output[k, 2]
-            q0 += output[k, 3]
-            q1 += output[k, 4]
-            q2 += output[k, 5]
-            damped += output[k, 6]
-            rubbed += output[k, 7]
-    for e in range(c.out_start[p], c.out_start[p + 1]):
-        k = c.out_pair[e]
-        if touch[k] != 0:
-            f0 -= output[k, 0]
-            f1 -= output[k, 1]
-            f2 -= output[k, 2]
-            q0 += output[k, 3]
-            q1 += output[k, 4]
-            q2 += output[k, 5]
-    return f0, f1, f2, q0, q1, q2, damped, rubbed
 
 
 @device
@@ -234,24 +267,110 @@ def _with_wall(pose, motion, c, p, e, dt, total):
     return f0 + fx, f1 + fy, f2 + fz, q0, q1, q2, damped + found[3], rubbed + found[4]
 
 
-def _gather(elements, contacts, dt):
-    pose, motion, loss, load = elements.pose, elements.motion, elements.loss, contacts.load
-    for p in prange(len(load)):
-        total = _gathered(contacts, p)
-        for e in range(contacts.wall_start[p], contacts.wall_start[p + 1]):
-            total = _with_wall(pose, motion, contacts, p, e, dt, total)
-        f0, f1, f2, q0, q1, q2, damped, rubbed = total
-        r = contacts.radius[p]
-        load[p, 0], load[p, 1], load[p, 2] = f0, f1, f2
-        load[p, 3], load[p, 4], load[p, 5] = r * q0, r * q1, r * q2
-        loss[p, DAMPED] += damped
-        loss[p, RUBBED] += rubbed
+@device
+def _write(load, loss, radius, p, total):
+    """What contacts do to an element, and what they lose there."""
+    r = radius[p]
+    load[p, 0], load[p, 1], load[p, 2] = total[0], total[1], total[2]
+    load[p, 3], load[p, 4], load[p, 5] = r * total[3], r * total[4], r * total[5]
+    loss[p, DAMPED] += total[6]
+    loss[p, RUBBED] += total[7]
 
 
-pair_forces = kernel(parallel=True)(_pair_forces)
-pair_forces_serial = kernel(parallel=False)(_pair_forces)
-gather = kernel(parallel=True)(_gather)
-gather_serial = kernel(parallel=False)(_gather)
+@loop(parallel=False)
+def _walled(elements, contacts, dt, p, total):
+    """The same of an element that may touch walls; `total` is what its contacts with others do."""
+    for e in range(contacts.wall_start[p], contacts.wall_start[p + 1]):
+        total = _with_wall(elements.pose, elements.motion, contacts, p, e, dt, total)
+    _write(contacts.load, elements.loss, contacts.radius, p, total)
+
+
+@loop(parallel=False)
+def _gather(elements, contacts, dt, begin, end):
+    """What all contacts do to the elements begin … end."""
+    c, loss = contacts, elements.loss
+    load, radius, wall_start, touch, output = c.load, c.radius, c.wall_start, c.touch, c.output
+    in_start, out_start, out_pair = c.in_start, c.out_start, c.out_pair
+    for p in range(begin, end):
+        f0 = f1 = f2 = q0 = q1 = q2 = damped = rubbed = 0.0
+        for k in range(in_start[p], in_start[p + 1]):
+            if touch[k] != 0:
+                f0 += output[k, 0]
+                f1 += output[k, 1]
+                f2 += output[k, 2]
+                q0 += output[k, 3]
+                q1 += output[k, 4]
+                q2 += output[k, 5]
+                damped += output[k, 6]
+                rubbed += output[k, 7]
+        for e in range(out_start[p], out_start[p + 1]):
+            k = out_pair[e]
+            if touch[k] != 0:
+                f0 -= output[k, 0]
+                f1 -= output[k, 1]
+                f2 -= output[k, 2]
+                q0 += output[k, 3]
+                q1 += output[k, 4]
+                q2 += output[k, 5]
+        if wall_start[p + 1] > wall_start[p]:
+            _walled(elements, contacts, dt, p, (f0, f1, f2, q0, q1, q2, damped, rubbed))
+        else:
+            _write(load, loss, radius, p, (f0, f1, f2, q0, q1, q2, damped, rubbed))
+
+
+@loop(parallel=True)
+def gather(elements, contacts, dt):
+    """What all contacts do to each element, in portions."""
+    n = len(contacts.load)
+    for q in prange((n + _PORTION - 1) // _PORTION):
+        _gather(elements, contacts, dt, q * _PORTION, min((q + 1) * _PORTION, n))
+
+
+@device
+def _met(hit, met, sums, count, p):
+    """Note that something touches an element, once; how many there are."""
+    if met[p] != 0:
+        return count
+    met[p], hit[count] = 1, p
+    for d in range(8):
+        sums[p, d] = 0.0
+    return count + 1
+
+
+@loop(parallel=False)
+def hand_out(elements, contacts, dt):
+    """The same from the pairs that touch, to the same bits; elements that nothing touches are left alone."""
+    c, sums, hit, met = contacts, contacts.sums, contacts.hit, contacts.met
+    first, second, touch, output, load = c.first, c.second, c.touch, c.output, c.load
+    for e in range(c.hits[0]):
+        for d in range(6):
+            load[hit[e], d] = 0.0
+    count = 0
+    for k in range(len(touch)):
+        if touch[k] != 0:
+            a, b = first[k], second[k]
+            count = _met(hit, met, sums, count, a)
+            count = _met(hit, met, sums, count, b)
+            for d in range(3):
+                sums[a, d] -= output[k, d]
+                sums[a, 3 + d] += output[k, 3 + d]
+            for d in range(8):
+                sums[b, d] += output[k, d]
+    wall_start, radius, loss = c.wall_start, c.radius, elements.loss
+    for p in range(len(load)):
+        if wall_start[p + 1] > wall_start[p]:
+            count = _met(hit, met, sums, count, p)
+    for e in range(count):
+        p = hit[e]
+        met[p] = 0
+        total = (
+            sums[p, 0], sums[p, 1], sums[p, 2], sums[p, 3], sums[p, 4], sums[p, 5], sums[p, 6], sums[p, 7]
+        )  # fmt: skip
+        if wall_start[p + 1] > wall_start[p]:
+            _walled(elements, contacts, dt, p, total)
+        else:
+            _write(load, loss, radius, p, total)
+    c.hits[0] = count
 
 
 @loop(parallel=False)

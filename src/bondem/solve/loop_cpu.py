@@ -168,7 +168,7 @@ class CpuLoop:
         run = self._run
         still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
         if self._touching is not None:
-            contact_loads(run.elements, run.bonds, 0.0, self._touching)
+            contact_loads(run.elements, run.bonds, 0.0, self._touching, len(run.cut.domain) > 2)
         all_forces(
             run, self._same, self._history, self._body, self._non_local, still, self._added, self._touching,
             self._breaks, False,

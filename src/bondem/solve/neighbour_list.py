@@ -64,6 +64,7 @@ class ContactList:
             own[bonded] = self._own[bond[bonded]]
             touching = self._radius[first[bonded]] + self._radius[second[bonded]]
             gap[bonded] = self._length[bond[bonded]] - touching
+        self._load[:] = 0.0
         wall_start, wall, wall_gap, wall_stretch, wall_touch, _ = wall_candidates(
             state.pose, self._radius, walls.shape, state.walls, skin,
             contacts.at_walls.start, contacts.at_walls.partner, contacts.at_walls.gap,
@@ -72,8 +73,11 @@ class ContactList:
         self.arrays = ContactTable(
             law=contacts.law.parameters, radius=self._radius, load=self._load, listed=position, reach=0.5 * skin,
             first=first, second=second, gap=gap, bond=bond, own=own, of_bond=of_bond,
+            slack=np.zeros(len(first)), measured=np.full((n, 3), np.inf), close=np.zeros(len(first), dtype=np.int64),
             stretch=stretch, touch=touch, output=np.zeros((len(first), 8)),
             in_start=in_start, out_start=out_start, out_pair=out_pair,
+            sums=np.zeros((n, 8)), hit=np.zeros(n, dtype=np.int64), hits=np.zeros(1, dtype=np.int64),
+            met=np.zeros(n, dtype=np.uint8),
             wall_start=wall_start, wall=wall, wall_gap=wall_gap, wall_stretch=wall_stretch, wall_touch=wall_touch,
             wall_output=np.zeros((len(wall), 4)),
             shape=walls.shape, walls=state.walls, wall_listed=state.walls[:, :4].copy(), wall_friction=walls.friction,
