@@ -1,6 +1,9 @@
 """What a criterion of failure costs where nothing breaks: steps with and without it, interleaved.
 
-python benchmarks/breaking.py [--elements 10000] [--repeat 15] [--threads 1] [--cells] [--out FILE]
+python benchmarks/breaking.py [--elements 10000] [--repeat 15] [--threads 1] [--cells | --contact] [--out FILE]
+
+With --contact: a body of bonds that may break and touch, whole, and in pieces, after it was driven together until
+thousands of its bonds were broken.
 
 The strength is far above what the bonds bear, and the motion is a random one. Times are of the processor on one
 thread, which other processes disturb less, and of the wall on more.
@@ -46,18 +49,39 @@ def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
     return found, len(lattice.pairs)
 
 
+def touching(elements: int) -> tuple[dict[str, CpuLoop], int]:
+    lattice, law = specimen(elements, largest=elements), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+    failure = bd.PeripheralStress(tension=265e6, shear=265e6)
+    contact = bd.LinearContact(E=70e9, friction=0.4)
+    inward = -(lattice.centre - lattice.centre.mean(axis=0)) / (0.5 * np.ptp(lattice.centre[:, 0]))
+    found = {}
+    for name, speed, steps in (("elastic", 0.5, 3), ("whole", 0.5, 3), ("in pieces", 4.0, 600)):
+        fails = name != "elastic"
+        model = bd.Model(
+            lattice, law, 2500.0, failure=failure if fails else None, contact=contact if fails else None
+        )  # fmt: skip
+        dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+        state = model.state()
+        state.set_motion(velocity=speed * inward)
+        found[name] = CpuLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
+        found[name].run(steps)
+        print(f"{name}: {len(state.broken)} bonds broken, {len(state.touching)} contacts")
+    return found, len(lattice.pairs)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--elements", type=int, default=10_000)
     parser.add_argument("--repeat", type=int, default=15)
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--cells", action="store_true")
+    parser.add_argument("--contact", action="store_true")
     parser.add_argument("--out", type=Path, default=None)
     options = parser.parse_args()
     clock = time.process_time if options.threads == 1 else time.perf_counter
     with threads(options.threads):
-        found, bonds = loops(options.elements, options.cells)
-        steps = max(20, 4_000_000 // bonds)
+        found, bonds = touching(options.elements) if options.contact else loops(options.elements, options.cells)
+        steps = max(20, (1_000_000 if options.contact else 4_000_000) // bonds)
         times: dict[str, list[float]] = {name: [] for name in found}
         for _ in range(options.repeat):
             for name, loop in found.items():
@@ -74,7 +98,8 @@ def main() -> None:
         }  # fmt: skip
         result[name] = row
         print(name, {key: round(value, 3) for key, value in row.items()})
-    keep(options.out or RESULTS / f"breaking{'_cells' if options.cells else ''}.json", result)
+    kind = "_cells" if options.cells else "_contact" if options.contact else ""
+    keep(options.out or RESULTS / f"breaking{kind}.json", result)
 
 
 if __name__ == "__main__":
