@@ -6,6 +6,7 @@ from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import rotation_guard
 from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.contact_pass import contact_loads, outdated
+from bondem.kernels.cracking import clear_cracks
 from bondem.kernels.element_pass import open_step, open_step_serial
 from bondem.kernels.grip_pass import place_walls
 from bondem.kernels.press_pass import press
@@ -78,6 +79,13 @@ def set_body_clock(body, t, step):
 
 
 @kernel(parallel=False)
+def clear_loads(body):
+    """Take off what cracks did a step ago, where there are any."""
+    if body is not None:
+        clear_cracks(body.cracks)
+
+
+@kernel(parallel=False)
 def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
 
@@ -116,7 +124,9 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
                 move_walls(t, dt, contacts)
                 if outdated(elements.pose, contacts):
                     return done, written, wide, lost, sick, True
-            contact_loads(elements, bonds, dt, contacts, len(run.cut.domain) > 2)
+        clear_loads(body)
+        if contacts is not None:
+            contact_loads(elements, bonds.period, dt, contacts, len(run.cut.domain) > 2)
         moved = False
         done += 1
         now = span.step + done

@@ -10,7 +10,7 @@ import math
 
 from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import branch
-from bondem.kernels.contact_pass import begin_contact
+from bondem.kernels.contact_pairs import begin_contact
 from bondem.kernels.element_pass import move, move_held, open_list
 from bondem.kernels.judging import judge_bond, single_bond
 from bondem.kernels.tables import (

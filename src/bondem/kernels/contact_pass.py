@@ -2,27 +2,27 @@
 
 Like bonds in two phases, so that results do not depend on the thread count. Contacts run before the bonds of the
 step and leave their sum for each element in `load`, which the pass over the elements adds to that of the bonds.
-
-Most pairs of a list are further apart than elements have moved since that was measured, and are passed over. On one
-thread those that touch hand out what they do in the order of the list, which is that in which elements gather it.
+On one thread pairs that touch hand out what they do in the order of the list, which is that in which elements gather
+it.
 """
 
-import math
-
-import numpy as np
-
 from bondem._compile import device, kernel, loop, prange
-from bondem.kernels.bond_pass import branch
 from bondem.kernels.contact_list import farthest
+from bondem.kernels.contact_pairs import (
+    TOUCHING,
+    measure_pairs,
+    pair_energy,
+    pair_forces,
+    some_pairs,
+    spring_and_dashpot,
+)
 from bondem.kernels.tables import DAMPED, RUBBED
 from bondem.kernels.walls import KIND, OUTSIDE, RATE, load_walls, wall_gap, wall_travel
-from bondem.laws.contact import FRICTION, SOFT, contact_force, pair_spring, spring_energy, wall_spring
+from bondem.laws.contact import SOFT, contact_force, spring_energy, wall_spring
 
-# A pair that touches, and one that parted in this step: it still hands in what it lost.
-TOUCHING, PARTED = 1, 2
 # Below this many candidates launching threads costs more than the loop.
 SERIAL_PAIRS = 4000
-# Pairs or elements of one portion of work.
+# Elements of one portion of work.
 _PORTION = 2000
 # Distances of all pairs are measured anew when an element has moved this share of the reach of the list.
 _FRESH = 0.1
@@ -35,45 +35,24 @@ def outdated(pose, c):
 
 
 @kernel(parallel=False)
-def contact_loads(elements, bonds, dt, contacts, threaded):
+def contact_loads(elements, period, dt, contacts, threaded):
     """Contact forces at the present, into `load` and on the walls; memory and losses go on by dt.
 
     A run is `threaded` from beginning to end, or never.
     """
     moved = farthest(elements.pose, contacts.measured)
     if moved > _FRESH * contacts.reach:
-        _measure(elements.pose, bonds.period, contacts)
+        measure_pairs(elements.pose, period, contacts)
         moved = 0.0
     if threaded and len(contacts.first) >= SERIAL_PAIRS:
-        pair_forces(elements, bonds, contacts, moved, dt)
+        pair_forces(elements, period, contacts, moved, dt)
     else:
-        _pairs(elements, bonds, contacts, moved, dt, 0, len(contacts.slack))
+        some_pairs(elements, period, contacts, moved, dt, 0, len(contacts.slack))
     if threaded:
         gather(elements, contacts, dt)
     else:
         hand_out(elements, contacts, dt)
     load_walls(dt, contacts)
-
-
-@loop(parallel=False)
-def _measure(pose, period, c):
-    """How far both elements of each pair may move from here before they touch, by more than rounding."""
-    slack, radius = c.slack, c.radius
-    for k in range(len(slack)):
-        a, b = c.first[k], c.second[k]
-        x, y, z = branch(pose, a, b, period)
-        slack[k] = 0.5 * (math.sqrt(x * x + y * y + z * z) - (1.0 + 1e-9) * (radius[a] + radius[b] + c.gap[k]))
-    for p in range(len(pose)):
-        for d in range(3):
-            c.measured[p, d] = pose[p, d]
-
-
-@device
-def _spring(law, kn, part, beta, before, mass):
-    """What `contact_force` takes of springs and dashpots."""
-    ks = law[SOFT] * kn
-    cn, cs = 2.0 * beta * math.sqrt(kn * mass), 2.0 * beta * math.sqrt(ks * mass)
-    return kn, part, ks, law[SOFT] * before, cn, cs
 
 
 @device
@@ -83,140 +62,6 @@ def _put(stretch, output, k, found):
     for d in range(3):
         stretch[k, d], stretch[k, 3 + d], output[k, d] = s[d], p[d], force[d]
     return force
-
-
-@device
-def _at_contact(d, v, spin, reach):
-    """Length and direction of a branch d, and the velocity of its second end against the first at the contact.
-
-    The contact point divides the distance as the radii do, so that there is no net moment; `spin` is their angular
-    velocities times the radii, `reach` the sum of these.
-    """
-    length = math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
-    n = d[0] / length, d[1] / length, d[2] / length
-    share = length / reach
-    wx, wy, wz = share * spin[0], share * spin[1], share * spin[2]
-    u = (
-        v[0] - (wy * n[2] - wz * n[1]),
-        v[1] - (wz * n[0] - wx * n[2]),
-        v[2] - (wx * n[1] - wy * n[0]),
-    )
-    return length, (n, u)
-
-
-@device
-def _meeting(motion, a, b, ra, rb):
-    """Of two elements: velocity of b against a, spins times radii, the sum of spins, and the mass that meets."""
-    return (
-        (motion[b, 0] - motion[a, 0], motion[b, 1] - motion[a, 1], motion[b, 2] - motion[a, 2]),
-        (
-            ra * motion[a, 4] + rb * motion[b, 4],
-            ra * motion[a, 5] + rb * motion[b, 5],
-            ra * motion[a, 6] + rb * motion[b, 6],
-        ),
-        (motion[a, 4] + motion[b, 4], motion[a, 5] + motion[b, 5], motion[a, 6] + motion[b, 6]),
-        1.0 / (motion[a, 3] + motion[b, 3]),
-    )  # fmt: skip
-
-
-@device
-def _pair_force(law, own, ra, rb, reach, d, meeting, s, p, dt):
-    """Overlap of a pair, its force and memory as `contact_force` has them, and the torque over the radius.
-
-    Numbers only: arrays that are handed to what branches have their references counted, for each pair.
-    """
-    v, spin, both, mass = meeting
-    length, now = _at_contact(d, v, spin, ra + rb)
-    was, last = _at_contact((d[0] - dt * v[0], d[1] - dt * v[1], d[2] - dt * v[2]), v, spin, ra + rb)
-    n, overlap = now[0], max(reach - length, 0.0)
-    twist = 0.5 * (both[0] * n[0] + both[1] * n[1] + both[2] * n[2])
-    kn, part, beta = pair_spring(law, own, ra, rb, overlap)
-    before = kn
-    if part < 1.0:
-        before = pair_spring(law, 0.0, ra, rb, max(reach - was, 0.0))[0]
-    spring = _spring(law, kn, part, beta, before, mass)
-    found = contact_force(spring, law[FRICTION], overlap, now, last, twist, s, p, dt)
-    share, f = length / (ra + rb), found[0]
-    torque = (
-        -share * (n[1] * f[2] - n[2] * f[1]), -share * (n[2] * f[0] - n[0] * f[2]),
-        -share * (n[0] * f[1] - n[1] * f[0]),
-    )  # fmt: skip
-    return overlap, found, torque
-
-
-@loop(parallel=False)
-def _pairs(elements, bonds, c, moved, dt, begin, end):
-    """Forces and memory of the pairs begin … end that touch or have just parted."""
-    pose, motion, period, integrity, bond = elements.pose, elements.motion, bonds.period, bonds.integrity, c.bond
-    slack, touch, first, second, gap, own = c.slack, c.touch, c.first, c.second, c.gap, c.own
-    radius, stretch, output = c.radius, c.stretch, c.output
-    law = c.law[0], c.law[1], c.law[2], c.law[3], c.law[4]
-    close, count = c.close, begin
-    for k in range(begin, end):
-        # without branches, as these would be guessed wrong every other time
-        joined = (bond[k] >= 0) & (integrity[max(bond[k], 0)] > 0.0)
-        apart = (slack[k] > moved) & (touch[k] == 0)
-        close[count] = k
-        count += 0 if joined | apart else 1
-    for e in range(begin, count):
-        k = close[e]
-        a, b = first[k], second[k]
-        d, ra, rb = branch(pose, a, b, period), radius[a], radius[b]
-        reach = ra + rb + gap[k]
-        if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] >= reach * reach and touch[k] != TOUCHING:
-            touch[k] = 0
-            continue
-        s, p = (stretch[k, 0], stretch[k, 1], stretch[k, 2]), (stretch[k, 3], stretch[k, 4], stretch[k, 5])
-        meeting = _meeting(motion, a, b, ra, rb)
-        overlap, found, torque = _pair_force(law, own[k], ra, rb, reach, d, meeting, s, p, dt)
-        f, s, p, damped, rubbed = found
-        for n in range(3):
-            stretch[k, n], stretch[k, 3 + n], output[k, n], output[k, 3 + n] = s[n], p[n], f[n], torque[n]
-        output[k, 6], output[k, 7] = damped, rubbed
-        touch[k] = TOUCHING if overlap > 0.0 else PARTED
-
-
-@loop(parallel=True)
-def pair_forces(elements, bonds, c, moved, dt):
-    """Forces and memory of all pairs, in portions."""
-    count = (len(c.slack) + _PORTION - 1) // _PORTION
-    for q in prange(count):
-        _pairs(elements, bonds, c, moved, dt, q * _PORTION, min((q + 1) * _PORTION, len(c.slack)))
-
-
-@device
-def _pair_energy(pose, period, c, k):
-    """Elastic energy of a pair that touches [J]."""
-    dx, dy, dz = branch(pose, c.first[k], c.second[k], period)
-    ra, rb = c.radius[c.first[k]], c.radius[c.second[k]]
-    overlap = max(ra + rb + c.gap[k] - math.sqrt(dx * dx + dy * dy + dz * dz), 0.0)
-    slip = c.stretch[k, 0] ** 2 + c.stretch[k, 1] ** 2 + c.stretch[k, 2] ** 2
-    kn, part, _ = pair_spring(c.law, c.own[k], ra, rb, overlap)
-    return spring_energy(kn, part, c.law[SOFT] * kn, overlap, slip)
-
-
-@loop(parallel=False)
-def begin_contact(elements, bonds, contacts, sums, first_row, e):
-    """The pair of bond e, broken just now, bears what presses it together; the energy that it takes over [J].
-
-    Its force goes to the rows of the ends in `sums`, which close the step anew; its tangential spring is at rest.
-    """
-    k = contacts.of_bond[e]
-    if k < 0:
-        return 0.0
-    contacts.touch[k] = 0
-    for d in range(6):
-        contacts.stretch[k, d] = 0.0
-    _pairs(elements, bonds, contacts, np.inf, 0.0, k, k + 1)
-    if contacts.touch[k] != TOUCHING:
-        return 0.0
-    a, b, output = contacts.first[k], contacts.second[k], contacts.output
-    for d in range(3):
-        sums[first_row + a, d] -= output[k, d]
-        sums[first_row + b, d] += output[k, d]
-        sums[first_row + a, 4 + d] += contacts.radius[a] * output[k, 3 + d]
-        sums[first_row + b, 4 + d] += contacts.radius[b] * output[k, 3 + d]
-    return _pair_energy(elements.pose, bonds.period, contacts, k)
 
 
 @device
@@ -252,7 +97,7 @@ def _with_wall(pose, motion, c, p, e, dt, total):
     now, last = _at_wall(arm, v, grow, spin, n), _at_wall(r + was, v, grow, spin, (mx, my, mz))
     kn, part, beta = wall_spring(c.law, r, overlap)
     before = wall_spring(c.law, r, max(c.wall_gap[e] - was, 0.0))[0]
-    spring = _spring(c.law, kn, part, beta, before, 1.0 / motion[p, 3])
+    spring = spring_and_dashpot(c.law, kn, part, beta, before, 1.0 / motion[p, 3])
     twist = 0.5 * (spin[0] * nx + spin[1] * ny + spin[2] * nz)
     s, h = (stretch[e, 0], stretch[e, 1], stretch[e, 2]), (stretch[e, 3], stretch[e, 4], stretch[e, 5])
     found = contact_force(spring, c.wall_friction[w], overlap, now, last, twist, s, h, dt)
@@ -379,7 +224,7 @@ def contact_energy(pose, period, c):
     total = 0.0
     for k in range(len(c.first)):
         if c.touch[k] == TOUCHING:
-            total += _pair_energy(pose, period, c, k)
+            total += pair_energy(pose, period, c, k)
     for p in range(len(pose)):
         for e in range(c.wall_start[p], c.wall_start[p + 1]):
             if c.wall_touch[e] == TOUCHING:

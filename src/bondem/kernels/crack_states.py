@@ -6,6 +6,7 @@ import numpy as np
 
 from bondem._compile import device, loop
 from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.contact_pairs import let_touch
 from bondem.kernels.crack_energy import crack_energy, halves
 from bondem.kernels.crack_list import NEW, known, read_three, treat, weigh_cracked, write_three
 from bondem.kernels.crack_tables import (
@@ -108,7 +109,7 @@ def _hand_over(bonds, cells, cracks, c, k, sign):
 
 
 @loop(parallel=False)
-def wake_cracks(pose, bonds, cells, cracks):
+def wake_cracks(pose, bonds, cells, contacts, cracks):
     """Treat those resting cracks one by one that are about to soften or close; whether there are any."""
     woken = False
     for c in range(cracks.sizes[0]):
@@ -129,6 +130,7 @@ def wake_cracks(pose, bonds, cells, cracks):
         _measure(cracks.geometry[c], place, column(cells.normal, k))
         if cracks.integrity[k] == 0.0 and _leaves(cracks, c, k):
             treat(bonds, cracks, c, k, PARTED)
+            _part(pose, bonds, contacts, row, k)
             continue
         treat(bonds, cracks, c, k, ACTIVE)
         row[BEFORE] = NEW
@@ -140,7 +142,7 @@ def wake_cracks(pose, bonds, cells, cracks):
 
 
 @loop(parallel=False)
-def soften(pose, bonds, cells, cracks):
+def soften(pose, bonds, cells, contacts, cracks):
     """Integrities of all cracks at the present openings; some come to rest, some part. Whether any changed."""
     changed = False
     for c in range(cracks.sizes[0]):
@@ -172,6 +174,7 @@ def soften(pose, bonds, cells, cracks):
             across, along = crack_energy(K, w, s, gap, normal, (one, other), read_three(row, RUB))
             cracks.released[0] += across + along  # none of bending is left
             _leave(bonds, cells, cracks, c, k, PARTED)
+            _part(pose, bonds, contacts, row, k)
             changed = True
         elif press_i == 0.0 and press_j == 0.0:
             calm = s == 0.0 or force < _ASLEEP * row[TOP]
@@ -189,6 +192,14 @@ def _leaves(cracks, c, k):
     along = max(scalar(gap, normal), 0.0)
     across = plus(gap, -scalar(gap, normal), normal)
     return g[FACING] < _FACING or max(along * along, scalar(across, across)) > cracks.onset.area[k]
+
+
+@device
+def _part(pose, bonds, contacts, row, k):
+    """Let the cells of a facet touch like others from now on, where cells do."""
+    row[TOP] = math.inf
+    if contacts is not None:  # decided when compiled
+        row[TOP] = let_touch(pose, bonds.period, contacts, k)
 
 
 @device

@@ -6,7 +6,7 @@ import numpy as np
 
 # Columns of a cracked facet: which, traction it began at [Pa], slip in the frame of cell i [m], -∂U/∂s now [J],
 # how it is treated, integrity a step ago, friction force a step ago in space [N], energy dissipated [J], largest
-# |F⁺| [N].
+# |F⁺| [N]. Once faces no longer face each other, the last is the distance of centres at which their cells touch [m].
 FACET, ONSET, SLIP, RATE, STATUS, BEFORE, RUB, SPENT, TOP = 0, 1, 2, 5, 6, 7, 8, 11, 12
 CRACK_COLUMNS = 13
 # How cracked facets are treated: one by one; as facets of less stiffness among all others, while they are open and do

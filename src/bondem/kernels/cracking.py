@@ -64,11 +64,17 @@ def _add(load, p, sign, force, torque):
 
 
 @loop(parallel=False)
+def clear_cracks(cracks):
+    """Take off `load` what cracks did a step ago; contacts write theirs anew."""
+    if cracks is not None:  # decided when compiled
+        for e in range(cracks.sizes[1]):
+            cracks.load[cracks.cell[e], :] = 0.0
+
+
+@loop(parallel=False)
 def crack_forces(elements, bonds, cells, cracks, change):
-    """Forces and torques of all cracks into `load`; where it is to `change`, slip and energies are booked."""
+    """Add forces and torques of all cracks to `load`; where it is to `change`, slip and energies are booked."""
     pose, load = elements.pose, cracks.load
-    for e in range(cracks.sizes[1]):
-        load[cracks.cell[e], :] = 0.0
     for c in range(cracks.sizes[0]):
         row = cracks.row[c]
         if row[STATUS] != ACTIVE:
@@ -168,7 +174,7 @@ def crack_before(elements, bonds, body, rows, cracks, threaded):
 
 
 @loop(parallel=False)
-def crack_between(elements, bonds, cells, cracks):
+def crack_between(elements, bonds, cells, contacts, cracks):
     """Between the passes over the facets: stresses of cells with cracks, and what these do."""
     if cracks is not None:
         if cracks.sizes[0] > 0:
@@ -176,8 +182,8 @@ def crack_between(elements, bonds, cells, cracks):
             measure_cracks(elements.pose, bonds, cells, cracks)
             relax_cells(elements.pose, bonds, cells, cracks)
             if change:
-                if wake_cracks(elements.pose, bonds, cells, cracks):
+                if wake_cracks(elements.pose, bonds, cells, contacts, cracks):
                     relax_cells(elements.pose, bonds, cells, cracks)
-                if soften(elements.pose, bonds, cells, cracks):
+                if soften(elements.pose, bonds, cells, contacts, cracks):
                     relax_cells(elements.pose, bonds, cells, cracks)
             crack_forces(elements, bonds, cells, cracks, change)

@@ -12,6 +12,7 @@ import math
 from bondem._compile import device, kernel, loop
 from bondem.kernels.breaking import log_break, take_dashpot, take_off
 from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.contact_pairs import begin_contact
 from bondem.kernels.grip_pass import grip_load, grip_swelling
 from bondem.kernels.judging import judged
 from bondem.kernels.lanes import fused
@@ -130,7 +131,7 @@ def _exchange(elements, bonds, body, sums, rows, breaks, count, sign):
 
 
 @device
-def _break_facet(elements, bonds, body, added, breaks, k):
+def _break_facet(elements, bonds, body, sums, added, contacts, breaks, k):
     pose, cells, i, j = elements.pose, body.cells, bonds.i[k], bonds.j[k]
     _, mode = judge_facet(pose, bonds, cells, breaks.kind, breaks.coefficient[k], k)
     d, p, q, a, b, _, _ = frame(pose, bonds, cells, k)
@@ -147,14 +148,19 @@ def _break_facet(elements, bonds, body, added, breaks, k):
     weigh(bonds, cells, breaks, j)
     energy -= dilated(pose, elements.rest, bonds, body, breaks, i)
     energy -= dilated(pose, elements.rest, bonds, body, breaks, j)
+    if contacts is not None:  # decided when compiled
+        energy -= begin_contact(elements, bonds, contacts, sums, breaks.first_row, k)
     arm = turned_by(p, a)
     gap = scalar(opened(d, arm, turned_by(q, b)), present_normal(pose, bonds, cells, k))
     log_break(breaks, k, mode, gap, energy, (pose[i, 0] + arm[0], pose[i, 1] + arm[1], pose[i, 2] + arm[2]))
 
 
 @loop(parallel=False)
-def break_facets(elements, bonds, body, sums, rows, added, breaks):
-    """Break the facets that were found in this step, in their order, and correct the sums of those that wait."""
+def break_facets(elements, bonds, body, sums, rows, added, contacts, breaks):
+    """Break the facets that were found in this step, in their order, and correct the sums of those that wait.
+
+    Cells that are pressed together bear on at once, as spheres.
+    """
     count = 0
     for d in range(len(breaks.found)):
         for e in range(breaks.begin[d], breaks.begin[d] + breaks.found[d]):
@@ -170,7 +176,7 @@ def break_facets(elements, bonds, body, sums, rows, added, breaks):
     _exchange(elements, bonds, body, sums, rows, breaks, count, -1.0)
     for d in range(len(breaks.found)):
         for e in range(breaks.begin[d], breaks.begin[d] + breaks.found[d]):
-            _break_facet(elements, bonds, body, added, breaks, breaks.marked[e])
+            _break_facet(elements, bonds, body, sums, added, contacts, breaks, breaks.marked[e])
     _exchange(elements, bonds, body, sums, rows, breaks, count, 1.0)
 
 

@@ -115,7 +115,7 @@ def sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, s
 
 
 @loop(parallel=False)
-def swell_body(elements, bonds, body, cut, rows, breaks):
+def swell_body(elements, bonds, body, cut, rows, contacts, breaks):
     """Stresses of all cells now, what walls that hold some of them do, and which facets break."""
     pose, rest, cells, grips = elements.pose, elements.rest, body.cells, body.grips
     threaded = len(cut.domain) > 2
@@ -127,7 +127,7 @@ def swell_body(elements, bonds, body, cut, rows, breaks):
         stress_cells(pose, cells, 0, len(pose))
     else:
         swell_domains(pose, bonds, cells, breaks, cut)
-    crack_between(elements, bonds, cells, body.cracks)
+    crack_between(elements, bonds, cells, contacts, body.cracks)
     book_presses(pose, body.presses, rows.work)
     body.presses.came[:] = 0.0
     if len(grips.cell) > 0:
@@ -154,10 +154,10 @@ def all_forces(run, same, history, body, non_local, scheme, added, contacts, bre
     """
     elements, bonds, cut, rows = run.elements, run.bonds, run.cut, run.rows
     if body is not None:  # decided when compiled
-        swell_body(elements, bonds, body, cut, rows, breaks)
+        swell_body(elements, bonds, body, cut, rows, contacts, breaks)
         sweep_all(elements, bonds, same, history, body.cells, None, cut, rows, scheme, added, breaks, go_on)
         if breaks is not None:
-            break_facets(elements, bonds, body, cut.sums, rows, added, breaks)
+            break_facets(elements, bonds, body, cut.sums, rows, added, contacts, breaks)
     else:
         sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, breaks, go_on)
         if breaks is not None:

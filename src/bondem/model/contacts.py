@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats, Ints, PerBond
+from bondem._types import Floats, Ints, PerBond, PerElement
 from bondem.kernels.contact_list import wall_candidates
 from bondem.kernels.neighbour_grid import neighbours
 from bondem.kernels.walls import COLUMNS
@@ -40,6 +40,7 @@ class ContactModel:
 
     Attributes:
         law: their law.
+        radius: of the elements in contact [m], internal order, (n,).
         walls: their walls.
         pairs: overlaps of elements at first.
         at_walls: overlaps with walls at first.
@@ -48,6 +49,7 @@ class ContactModel:
     """
 
     law: ContactLaw
+    radius: PerElement
     walls: WallTable
     pairs: RestGaps
     at_walls: RestGaps
@@ -55,14 +57,23 @@ class ContactModel:
 
     @classmethod
     def of(
-        cls, lattice: Lattice, layout: Layout, law: ContactLaw, walls: WallTable, own: PerBond | None
+        cls, lattice: Lattice, layout: Layout, law: ContactLaw, walls: WallTable, own: PerBond | None,
+        radius: PerElement,
     ) -> "ContactModel":
-        """Find what overlaps at first."""
-        n = len(lattice.particles)
+        """Find what overlaps at first.
+
+        Args:
+            lattice: elements.
+            layout: their order in the kernels.
+            law: of their contacts.
+            walls: that they touch.
+            own: see `own`.
+            radius: of the elements in contact, user's order, (n,).
+        """
+        n, radius = len(lattice.particles), np.ascontiguousarray(radius[layout.order])
         if not law.stress_free:
-            return cls(law, walls, RestGaps.none(n), RestGaps.none(n), own)
+            return cls(law, radius, walls, RestGaps.none(n), RestGaps.none(n), own)
         position = np.ascontiguousarray(lattice.centre[layout.order])
-        radius = np.ascontiguousarray(lattice.particles.radius[layout.order])
         start, partner = near(position, radius, lattice.particles.period, 0.0)
         later = np.repeat(np.arange(n), np.diff(start))
         kept = partner < later
@@ -83,7 +94,7 @@ class ContactModel:
         touching = wall_candidates(
             pose, radius, walls.shape, still, 0.0, *empty, nothing.start, nothing.partner, np.zeros((0, 6))
         )
-        return cls(law, walls, pairs, RestGaps(touching[0], touching[1], touching[5]), own)
+        return cls(law, radius, walls, pairs, RestGaps(touching[0], touching[1], touching[5]), own)
 
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:

@@ -10,6 +10,7 @@ from bondem._types import Floats, PerBond
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
+from bondem.laws.contact import ContactLaw
 from bondem.laws.failure.criterion import BondCriterion, Criterion, Joint
 from bondem.laws.non_local import NonLocal
 from bondem.model.cell_constants import body_of
@@ -90,7 +91,7 @@ class FailureTable:
         )
 
 
-def check_failure(failure: object, bond: object, contact: object, formulation: str) -> bool:
+def check_failure(failure: object, bond: object, contact: ContactLaw | None, formulation: str) -> bool:
     """Whether moments count at the contact point, of a criterion that this model can have.
 
     Raises:
@@ -104,10 +105,8 @@ def check_failure(failure: object, bond: object, contact: object, formulation: s
     if formulation != "total":
         raise InputError("failure= needs bonds of the total formulation: use formulation='total'")
     cells = any(isinstance(law, CellBond) for law in laws)
-    if cells and contact is not None:
-        raise InputError(
-            "failure= and contact= together need beam bonds, as broken facets do not touch yet; leave contact= out"
-        )
+    if cells and contact is not None and not contact.stress_free:
+        raise InputError("failure= of cells beside contact= needs stress_free=True, as cells touch where they parted")
     if isinstance(found, BondCriterion) and cells and type(found).needs_beams:
         raise InputError(f"{name} judges beams, and facets of cells are none; use bd.MohrCoulomb(...)")
     if found.softening is not None and not cells:

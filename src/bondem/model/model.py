@@ -176,9 +176,16 @@ class Model:
             return None
         table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()))
         own = None
-        if self.contact.stress_free and self._cells is None and self._non_local is None:
+        if self.contact.stress_free and self._non_local is None:
             own = self.bonds.kn
-        return ContactModel.of(self.lattice, self.layout, self.contact, table, own)
+        return ContactModel.of(self.lattice, self.layout, self.contact, table, own, self.contact_radius)
+
+    @property
+    def contact_radius(self) -> PerElement:
+        """Radius of elements in contact, of cells that of a sphere of their volume [m], user's order, shape (n,)."""
+        if self._cells is None:
+            return self.lattice.particles.radius
+        return np.cbrt(0.75 / np.pi * body_of(self.lattice)[1].volume)
 
     @cached_property
     def breaking(self) -> FailureTable | None:

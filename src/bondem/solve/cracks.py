@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._types import Floats, PerBond
 from bondem.kernels.cell_stress import sum_moments
 from bondem.kernels.cell_yield import stretch_cells, stretch_grips
 from bondem.kernels.crack_list import link_cracks
@@ -13,7 +13,9 @@ from bondem.kernels.crack_tables import (
     CRACK_COLUMNS,
     FACET,
     GEOMETRY_COLUMNS,
+    PARTED,
     STATUS,
+    TOP,
     CellStresses,
     CellYield,
     CrackTable,
@@ -47,6 +49,26 @@ def with_forces(cells: CellTable, model: Model, state: State, rows: int) -> Cell
         in_start=adjacency.in_start, out_start=adjacency.out_start, out_bond=adjacency.out_bond,
         force=with_zeros(state.facet_force), moment=np.zeros((len(state.pose), 6)), sums=lines(rows),
     )  # fmt: skip
+
+
+def joints(model: Model, state: State, integrity: PerBond) -> tuple[PerBond, PerBond]:
+    """What joins the elements of each bond, and the distance at which they touch once nothing does [m], (m,) each.
+
+    Cracked facets join two cells as long as their faces face each other.
+
+    Args:
+        model: whose bonds they are.
+        state: what has cracked so far.
+        integrity: of the bonds as the loop over them has it; at least (m,).
+    """
+    apart = model.bonds.stretched(state.eigenstrain).length.copy()
+    if model.softening is None:
+        return integrity, apart
+    joined = (state.integrity > 0.0).astype(float)
+    facet, parted = state.cracks[:, FACET].astype(np.int64), state.cracks[:, STATUS] == PARTED
+    joined[facet] = np.where(parted, 0.0, 1.0)
+    apart[facet[parted]] = np.minimum(apart[facet[parted]], state.cracks[parted, TOP])
+    return joined, apart
 
 
 def crack_table(

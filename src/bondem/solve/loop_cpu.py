@@ -5,7 +5,7 @@ import numpy as np
 from bondem._compile import current_threads
 from bondem.errors import InputError
 from bondem.kernels import tables
-from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance
+from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance, clear_loads
 from bondem.kernels.boundary import set_boundary
 from bondem.kernels.contact_pass import contact_loads
 from bondem.kernels.crack_tables import FACET
@@ -34,7 +34,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added, changing_strain
 from bondem.solve.breakage import breaking, keep_broken
-from bondem.solve.cracks import crack_table, keep_cracks, take_up, with_forces
+from bondem.solve.cracks import crack_table, joints, keep_cracks, take_up, with_forces
 from bondem.solve.neighbour_list import ContactList
 from bondem.solve.plan import Plan
 
@@ -83,7 +83,12 @@ class CpuLoop:
         self._breaks = breaking(model, state, blocks)
         cracked = np.zeros(len(layout.i), dtype=bool)
         cracked[state.cracks[:, FACET].astype(np.int64)] = True
-        self._contacts = None if model.contacts is None else ContactList(model, model.contacts, state)
+        # facets that crack are no part of the loop over facets
+        left = np.where(cracked, 0.0, state.integrity)
+        rows = bonds.rows(layout, model.period, left, alike=self._same is not None)
+        self._contacts = None
+        if model.contacts is not None:
+            self._contacts = ContactList(model, model.contacts, state, joints(model, state, rows.integrity))
         load = np.zeros(0)
         if self._contacts is not None:
             load = self._contacts.arrays.load
@@ -91,10 +96,7 @@ class CpuLoop:
             load = np.zeros((len(state.pose), 6))
         self._run = Run(
             elements=Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest, load),
-            # facets that crack are no part of the loop over facets
-            bonds=bonds.rows(
-                layout, model.period, np.where(cracked, 0.0, state.integrity), alike=self._same is not None
-            ),
+            bonds=rows,
             cut=blocks.table(waiting),
             rows=held.rows(state.reaction, state.work),
             schedules=held.schedules,
@@ -167,8 +169,9 @@ class CpuLoop:
             self._cracks.now[1] = -1.0
         run = self._run
         still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
+        clear_loads(self._body)
         if self._touching is not None:
-            contact_loads(run.elements, run.bonds, 0.0, self._touching, len(run.cut.domain) > 2)
+            contact_loads(run.elements, run.bonds.period, 0.0, self._touching, len(run.cut.domain) > 2)
         all_forces(
             run, self._same, self._history, self._body, self._non_local, still, self._added, self._touching,
             self._breaks, False,

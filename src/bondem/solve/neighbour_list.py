@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from bondem._types import Floats, Ints
+from bondem._types import Floats, Ints, PerBond
 from bondem.kernels.contact_list import pair_candidates, wall_candidates
-from bondem.kernels.contact_pass import TOUCHING
+from bondem.kernels.contact_pairs import TOUCHING
 from bondem.kernels.tables import ContactTable
 from bondem.model.contacts import ContactModel, near
 from bondem.model.model import Model
@@ -26,15 +26,25 @@ class ContactList:
 
     arrays: ContactTable
 
-    def __init__(self, model: Model, contacts: ContactModel, state: State) -> None:
+    def __init__(
+        self, model: Model, contacts: ContactModel, state: State, joints: tuple[PerBond, PerBond]
+    ) -> None:
+        """Make the first list.
+
+        Args:
+            model: whose elements touch.
+            contacts: how.
+            state: where they are.
+            joints: as `bondem.solve.cracks.joints` has them; kernels write both.
+        """
         self._contacts = contacts
         self._state = state
-        self._radius = np.ascontiguousarray(model.lattice.particles.radius[model.layout.order])
+        self._radius = contacts.radius
         self._period = model.lattice.particles.period
         self._load = np.zeros((len(self._radius), 6))
-        self._breaking = model.breaking is not None
+        self._breaking = model.failure is not None
+        self._joined, self._apart = joints
         self._own = contacts.own
-        self._length = model.bonds.stretched(state.eigenstrain).length
         self._skin = _SKIN_LEAST
         self._made = state.step - _LASTING
         self.renew(state.step)
@@ -63,7 +73,7 @@ class ContactList:
         if self._own is not None:
             own[bonded] = self._own[bond[bonded]]
             touching = self._radius[first[bonded]] + self._radius[second[bonded]]
-            gap[bonded] = self._length[bond[bonded]] - touching
+            gap[bonded] = self._apart[bond[bonded]] - touching
         self._load[:] = 0.0
         wall_start, wall, wall_gap, wall_stretch, wall_touch, _ = wall_candidates(
             state.pose, self._radius, walls.shape, state.walls, skin,
@@ -72,7 +82,8 @@ class ContactList:
         )  # fmt: skip
         self.arrays = ContactTable(
             law=contacts.law.parameters, radius=self._radius, load=self._load, listed=position, reach=0.5 * skin,
-            first=first, second=second, gap=gap, bond=bond, own=own, of_bond=of_bond,
+            first=first, second=second, gap=gap, bond=bond, joined=self._joined, apart=self._apart,
+            own=own, of_bond=of_bond,
             slack=np.zeros(len(first)), measured=np.full((n, 3), np.inf), close=np.zeros(len(first), dtype=np.int64),
             stretch=stretch, touch=touch, output=np.zeros((len(first), 8)),
             in_start=in_start, out_start=out_start, out_pair=out_pair,
@@ -90,15 +101,15 @@ class ContactList:
 
     def _listed(self, position: Floats, skin: float) -> np.ndarray:
         """Bonds whose pairs belong to a list: those that may break, and broken ones whose ends are near, (m,)."""
-        state, layout = self._state, self._state.layout
-        broken = state.integrity <= 0.0
+        layout = self._state.layout
+        broken = self._joined[: len(layout.i)] <= 0.0
         listed = ~broken if self._breaking else np.zeros(len(broken), dtype=bool)
         e = np.flatnonzero(broken)
         i, j = layout.i[e], layout.j[e]
         apart = position[j] - position[i]
         if self._period is not None:
             apart -= self._period * np.rint(apart / self._period)
-        reach = np.maximum(self._radius[i] + self._radius[j], self._length[e]) + skin
+        reach = np.maximum(self._radius[i] + self._radius[j], self._apart[e]) + skin
         listed[e] = np.einsum("ek,ek->e", apart, apart) < reach**2
         return listed.astype(np.uint8)
 

@@ -149,12 +149,12 @@ def critical_step(
     raised = math.sqrt(1.0 + terms.gamma)
     dashpots = bond_delay(model, terms)
     bonds = highest_frequency(model, integrity=integrity)
-    if model.breaking is not None:
+    if model.failure is not None:
         bonds, dashpots = _with_broken(model, bonds, dashpots)
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
     if model.contacts is not None:
         motions += model.contacts.law.stiffest(
-            model.lattice.particles.radius, model.mass, model.contacts.walls.servo_mass
+            model.contact_radius, model.mass, model.contacts.walls.servo_mass
         )
     limits = [math.inf]
     for frequency, delay in motions:
@@ -190,6 +190,8 @@ def _with_broken(model: Model, highest: float, delay: float) -> tuple[float, flo
     slow = 2.0 * beta * float(np.sqrt(1.0 / ((inverse[layout.i] + inverse[layout.j]) * kn)).max())
     if friction == 0.0:
         return highest, max(delay, slow)
+    if model.cells is not None:  # the spring of a facet is as stiff across as along
+        return highest * math.sqrt(max(1.0, soft)), max(delay, slow / math.sqrt(soft))
     sheared = highest_frequency(model, table=model.bonds.sheared(soft * kn))
     return max(highest, sheared), max(delay, slow / math.sqrt(soft))
 

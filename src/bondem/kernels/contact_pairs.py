@@ -1,0 +1,187 @@
+"""Pairs of elements in contact: each that touches writes its force and goes on with its memory.
+
+Most pairs of a list are further apart than elements have moved since that was measured, and are passed over.
+"""
+
+import math
+
+import numpy as np
+
+from bondem._compile import device, loop, prange
+from bondem.kernels.bond_pass import branch
+from bondem.laws.contact import FRICTION, SOFT, contact_force, pair_spring, spring_energy
+
+# A pair that touches, and one that parted in this step: it still hands in what it lost.
+TOUCHING, PARTED = 1, 2
+# Pairs of one portion of work.
+_PORTION = 2000
+
+
+@loop(parallel=False)
+def measure_pairs(pose, period, c):
+    """How far both elements of each pair may move from here before they touch, by more than rounding."""
+    slack, radius = c.slack, c.radius
+    for k in range(len(slack)):
+        a, b = c.first[k], c.second[k]
+        x, y, z = branch(pose, a, b, period)
+        slack[k] = 0.5 * (math.sqrt(x * x + y * y + z * z) - (1.0 + 1e-9) * (radius[a] + radius[b] + c.gap[k]))
+    for p in range(len(pose)):
+        for d in range(3):
+            c.measured[p, d] = pose[p, d]
+
+
+@device
+def spring_and_dashpot(law, kn, part, beta, before, mass):
+    """What `contact_force` takes of springs and dashpots."""
+    ks = law[SOFT] * kn
+    cn, cs = 2.0 * beta * math.sqrt(kn * mass), 2.0 * beta * math.sqrt(ks * mass)
+    return kn, part, ks, law[SOFT] * before, cn, cs
+
+
+@device
+def _at_contact(d, v, spin, reach):
+    """Length and direction of a branch d, and the velocity of its second end against the first at the contact.
+
+    The contact point divides the distance as the radii do, so that there is no net moment; `spin` is their angular
+    velocities times the radii, `reach` the sum of these.
+    """
+    length = math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+    n = d[0] / length, d[1] / length, d[2] / length
+    share = length / reach
+    wx, wy, wz = share * spin[0], share * spin[1], share * spin[2]
+    u = (
+        v[0] - (wy * n[2] - wz * n[1]),
+        v[1] - (wz * n[0] - wx * n[2]),
+        v[2] - (wx * n[1] - wy * n[0]),
+    )
+    return length, (n, u)
+
+
+@device
+def _meeting(motion, a, b, ra, rb):
+    """Of two elements: velocity of b against a, spins times radii, the sum of spins, and the mass that meets."""
+    return (
+        (motion[b, 0] - motion[a, 0], motion[b, 1] - motion[a, 1], motion[b, 2] - motion[a, 2]),
+        (
+            ra * motion[a, 4] + rb * motion[b, 4],
+            ra * motion[a, 5] + rb * motion[b, 5],
+            ra * motion[a, 6] + rb * motion[b, 6],
+        ),
+        (motion[a, 4] + motion[b, 4], motion[a, 5] + motion[b, 5], motion[a, 6] + motion[b, 6]),
+        1.0 / (motion[a, 3] + motion[b, 3]),
+    )  # fmt: skip
+
+
+@device
+def _pair_force(law, own, ra, rb, reach, d, meeting, s, p, dt):
+    """Overlap of a pair, its force and memory as `contact_force` has them, and the torque over the radius.
+
+    Numbers only: arrays that are handed to what branches have their references counted, for each pair.
+    """
+    v, spin, both, mass = meeting
+    length, now = _at_contact(d, v, spin, ra + rb)
+    was, last = _at_contact((d[0] - dt * v[0], d[1] - dt * v[1], d[2] - dt * v[2]), v, spin, ra + rb)
+    n, overlap = now[0], max(reach - length, 0.0)
+    twist = 0.5 * (both[0] * n[0] + both[1] * n[1] + both[2] * n[2])
+    kn, part, beta = pair_spring(law, own, ra, rb, overlap)
+    before = kn
+    if part < 1.0:
+        before = pair_spring(law, 0.0, ra, rb, max(reach - was, 0.0))[0]
+    spring = spring_and_dashpot(law, kn, part, beta, before, mass)
+    found = contact_force(spring, law[FRICTION], overlap, now, last, twist, s, p, dt)
+    share, f = length / (ra + rb), found[0]
+    torque = (
+        -share * (n[1] * f[2] - n[2] * f[1]), -share * (n[2] * f[0] - n[0] * f[2]),
+        -share * (n[0] * f[1] - n[1] * f[0]),
+    )  # fmt: skip
+    return overlap, found, torque
+
+
+@loop(parallel=False)
+def some_pairs(elements, period, c, moved, dt, begin, end):
+    """Forces and memory of the pairs begin … end that touch or have just parted."""
+    pose, motion, joined, bond = elements.pose, elements.motion, c.joined, c.bond
+    slack, touch, first, second, gap, own = c.slack, c.touch, c.first, c.second, c.gap, c.own
+    radius, stretch, output = c.radius, c.stretch, c.output
+    law = c.law[0], c.law[1], c.law[2], c.law[3], c.law[4]
+    close, count = c.close, begin
+    for k in range(begin, end):
+        # without branches, as these would be guessed wrong every other time
+        bonded = (bond[k] >= 0) & (joined[max(bond[k], 0)] > 0.0)
+        apart = (slack[k] > moved) & (touch[k] == 0)
+        close[count] = k
+        count += 0 if bonded | apart else 1
+    for e in range(begin, count):
+        k = close[e]
+        a, b = first[k], second[k]
+        d, ra, rb = branch(pose, a, b, period), radius[a], radius[b]
+        reach = ra + rb + gap[k]
+        if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] >= reach * reach and touch[k] != TOUCHING:
+            touch[k] = 0
+            continue
+        s, p = (stretch[k, 0], stretch[k, 1], stretch[k, 2]), (stretch[k, 3], stretch[k, 4], stretch[k, 5])
+        meeting = _meeting(motion, a, b, ra, rb)
+        overlap, found, torque = _pair_force(law, own[k], ra, rb, reach, d, meeting, s, p, dt)
+        f, s, p, damped, rubbed = found
+        for n in range(3):
+            stretch[k, n], stretch[k, 3 + n], output[k, n], output[k, 3 + n] = s[n], p[n], f[n], torque[n]
+        output[k, 6], output[k, 7] = damped, rubbed
+        touch[k] = TOUCHING if overlap > 0.0 else PARTED
+
+
+@loop(parallel=True)
+def pair_forces(elements, period, c, moved, dt):
+    """Forces and memory of all pairs, in portions."""
+    count = (len(c.slack) + _PORTION - 1) // _PORTION
+    for q in prange(count):
+        some_pairs(elements, period, c, moved, dt, q * _PORTION, min((q + 1) * _PORTION, len(c.slack)))
+
+
+@device
+def pair_energy(pose, period, c, k):
+    """Elastic energy of a pair that touches [J]."""
+    dx, dy, dz = branch(pose, c.first[k], c.second[k], period)
+    ra, rb = c.radius[c.first[k]], c.radius[c.second[k]]
+    overlap = max(ra + rb + c.gap[k] - math.sqrt(dx * dx + dy * dy + dz * dz), 0.0)
+    slip = c.stretch[k, 0] ** 2 + c.stretch[k, 1] ** 2 + c.stretch[k, 2] ** 2
+    kn, part, _ = pair_spring(c.law, c.own[k], ra, rb, overlap)
+    return spring_energy(kn, part, c.law[SOFT] * kn, overlap, slip)
+
+
+@loop(parallel=False)
+def begin_contact(elements, bonds, contacts, sums, first_row, e):
+    """The pair of bond e, broken just now, bears what presses it together; the energy that it takes over [J].
+
+    Its force goes to the rows of the ends in `sums`, which close the step anew; its tangential spring is at rest.
+    """
+    k = contacts.of_bond[e]
+    if k < 0:
+        return 0.0
+    contacts.touch[k] = 0
+    for d in range(6):
+        contacts.stretch[k, d] = 0.0
+    some_pairs(elements, bonds.period, contacts, np.inf, 0.0, k, k + 1)
+    if contacts.touch[k] != TOUCHING:
+        return 0.0
+    a, b, output = contacts.first[k], contacts.second[k], contacts.output
+    for d in range(3):
+        sums[first_row + a, d] -= output[k, d]
+        sums[first_row + b, d] += output[k, d]
+        sums[first_row + a, 4 + d] += contacts.radius[a] * output[k, 3 + d]
+        sums[first_row + b, 4 + d] += contacts.radius[b] * output[k, 3 + d]
+    return pair_energy(elements.pose, bonds.period, contacts, k)
+
+
+@device
+def let_touch(pose, period, contacts, e):
+    """Facet e bears on nothing any more: its pair touches from its rest length on, or from where it is by now.
+
+    So it touches without a force, and takes over no energy. Returns that distance [m].
+    """
+    c, k = contacts, contacts.of_bond[e]
+    a, b = c.first[k], c.second[k]
+    x, y, z = branch(pose, a, b, period)
+    reach = min(c.apart[e], math.sqrt(x * x + y * y + z * z))
+    c.joined[e], c.apart[e] = 0.0, reach
+    c.gap[k] = reach - c.radius[a] - c.radius[b]
+    return reach
