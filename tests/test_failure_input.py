@@ -52,8 +52,10 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
         lambda: model(STRESS, bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.5, formulation="incremental")),
     ),
     "contact": (
-        "failure= and contact= together", "leave contact= out",
-        lambda: model(TRACTION, bd.CellBond(E=1e9, nu=0.2), body(), contact=bd.LinearContact(E=1e9)),
+        "failure= of cells beside contact=", "needs stress_free=True",
+        lambda: model(
+            TRACTION, bd.CellBond(E=1e9, nu=0.2), body(), contact=bd.LinearContact(E=1e9, stress_free=False)
+        ),
     ),
     "a beam's stress in cells": (
         "PeripheralStress judges beams", "use bd.MohrCoulomb",

@@ -13,6 +13,7 @@ from bondem._compile import threads
 from bondem.kernels.contact_pass import SERIAL_PAIRS
 from bondem.model.state import State
 from bondem.solve import neighbour_list as lists
+from bondem.solve.cracks import joints
 from bondem.solve.explicit import integrate
 from bondem.solve.timestep import critical_step
 
@@ -185,7 +186,9 @@ def test_the_bits_depend_on_neither_threads_nor_lists(monkeypatch: pytest.Monkey
     for count, skin in ((1, 0.6), (2, 0.6), (2, 0.8)):
         monkeypatch.setattr(lists, "_SKIN_LEAST", skin)
         model, state = cloud(edge, law, walls=walls)
-        assert len(lists.ContactList(model, model.contacts, State(model)).arrays.first) > SERIAL_PAIRS
+        rest = State(model)
+        listed = lists.ContactList(model, model.contacts, rest, joints(model, rest, rest.integrity))
+        assert len(listed.arrays.first) > SERIAL_PAIRS
         with threads(count):
             runs.append(bd.solve_explicit(model, duration=0.12, every=10, state=state))
     assert len(runs[0].state.contacts) > 50

@@ -183,5 +183,5 @@ def let_touch(pose, period, contacts, e):
     x, y, z = branch(pose, a, b, period)
     reach = min(c.apart[e], math.sqrt(x * x + y * y + z * z))
     c.joined[e], c.apart[e] = 0.0, reach
-    c.gap[k] = reach - c.radius[a] - c.radius[b]
+    c.gap[k] = reach - (c.radius[a] + c.radius[b])  # to the bit as a new list has it
     return reach

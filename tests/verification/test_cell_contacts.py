@@ -1,0 +1,130 @@
+"""Pieces of cells that touch: they meet where they parted, with a ledger that closes, bit by bit."""
+
+import functools
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.errors import InputError
+from bondem.kernels.crack_tables import FACET, PARTED, STATUS, TOP
+from bondem.solve.timestep import critical_step
+from tests.bits import assert_resumes_to, assert_same_bits
+
+E, NU, RHO = 30e9, 0.2, 2400.0
+SIDE = 1e-3
+CONTACT = bd.LinearContact(E=E, friction=0.4)
+FAILURES = {
+    "brittle": bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61),
+    "softening": bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61, fracture_energy=100.0),
+}
+
+
+@functools.cache
+def pair() -> bd.Lattice:
+    """Two cubes side by side."""
+    box = bd.Box(size=(2 * SIDE, SIDE, SIDE))
+    centres = np.array([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]]) * SIDE
+    return bd.connect(bd.Particles(centres, 0.5 * SIDE, shape=box), method="laguerre")
+
+
+@functools.cache
+def ball(count: int) -> bd.Lattice:
+    return bd.connect(bd.pack(bd.Ball(radius=0.05), count=count, method="even", seed=1), method="laguerre")
+
+
+def impact(failure: bd.Criterion, speed: float, count: int = 1000):
+    """A ball that is about to meet a plane."""
+    wall = bd.PlaneWall(point=(-0.05, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
+    law = bd.CellBond(E=E, nu=NU)
+    model = bd.Model(ball(count), law, density=RHO, failure=failure, contact=CONTACT, walls=[wall])
+    state = model.state()
+    state.set_motion(velocity=np.tile([-speed, 0.0, 0.0], (count, 1)))
+    return model, state
+
+
+@pytest.mark.parametrize("failure", FAILURES)
+def test_two_cells_that_parted_collide_as_a_spring_of_their_facet(failure: str, one_thread: None) -> None:
+    """They meet at their rest length with the spring k of the facet, and part as fast: half a period of it."""
+    criterion = FAILURES["brittle"] if failure == "brittle" else bd.Rankine(tension=4e6, fracture_energy=100.0)
+    model = bd.Model(pair(), bd.CellBond(E=E, nu=NU), density=RHO, failure=criterion, contact=CONTACT)
+    state = model.state()
+    state.set_motion(velocity=[[-20.0, 0.0, 0.0], [20.0, 0.0, 0.0]])
+    apart = bd.solve_explicit(model, duration=1.5 * SIDE / 20.0, state=state)
+    assert len(apart.events) == 1
+    gap = apart.state.position[1, 0] - apart.state.position[0, 0] - SIDE
+    assert gap > SIDE
+    assert not len(apart.state.touching)
+    back = apart.state
+    back.set_motion(velocity=[[0.5, 0.0, 0.0], [-0.5, 0.0, 0.0]])
+    if failure == "softening":  # else the faces of the crack would meet as such
+        half = 0.25 * math.pi
+        back.set_pose(orientation=np.array([[1.0, 0.0, 0.0, 0.0], [math.cos(half), 0.0, 0.0, math.sin(half)]]))
+    k, mass = float(model.bonds.kn[0]), float(model.mass[0])
+    contact = math.pi * math.sqrt(mass / (2.0 * k))
+    dt = contact / 200.0
+    assert dt < critical_step(model, bd.VelocityVerlet())
+    meeting = gap / 1.0
+    run = bd.solve_explicit(model, duration=1.02 * meeting + contact, dt=dt, every=1, state=back)
+    touching = run.history.time[run.history.energy["contact"] > 0.0] - back.time
+    assert touching[0] == pytest.approx(meeting, abs=2 * dt)
+    assert touching[-1] - touching[0] == pytest.approx(contact, rel=0.01)
+    deepest = run.history.energy["contact"].max()
+    assert deepest == pytest.approx(2 * 0.5 * mass * 0.5**2, rel=1e-4)
+    np.testing.assert_allclose(run.state.velocity[:, 0], [-0.5, 0.5], rtol=1e-4)
+    assert run.residual < (math.pi / 200.0) ** 2 / 4.0  # (ω dt)²/8 of the energy, and as much for the edges
+
+
+@pytest.mark.parametrize(
+    ("failure", "speed", "closes"), [("softening", 20.0, 6e-4), ("brittle", 20.0, 1e-3), ("softening", 100.0, 2e-3)]
+)
+def test_the_ledger_closes_through_an_impact(failure: str, speed: float, closes: float) -> None:
+    """Hundreds of pieces or dust, more friction than fracture: what there was is there."""
+    model, state = impact(FAILURES[failure], speed)
+    run = bd.solve_explicit(model, duration=4e-4, state=state)
+    energy = run.history.energy
+    there = energy["translation"][0]
+    assert np.ptp(energy["balance"]) < closes * there
+    assert energy["friction"][-1] > 0.02 * there
+    assert len(bd.fragments(model.lattice, run.state)) > 100
+
+
+def test_pieces_that_parted_under_pressure_touch_without_a_jump() -> None:
+    """From where they are, if that is nearer than at rest."""
+    model, state = impact(FAILURES["softening"], 100.0)
+    run = bd.solve_explicit(model, duration=2e-4, state=state)
+    parted = run.state.cracks[run.state.cracks[:, STATUS] == PARTED]
+    assert len(parted) > 200
+    rest = model.bonds.length[parted[:, FACET].astype(int)]
+    assert (parted[:, TOP] <= rest).all()
+    assert (parted[:, TOP] < 0.99 * rest).sum() > 10
+    assert (parted[:, TOP] == rest).sum() > 10
+
+
+@pytest.mark.parametrize("failure", FAILURES)
+def test_bits_do_not_depend_on_threads_pauses_or_restarts(failure: str, tmp_path: Path) -> None:
+    model, state = impact(FAILURES[failure], 30.0)
+
+    def run(**more: object) -> bd.ExplicitResult:
+        return bd.solve_explicit(model, duration=2e-4, state=state, **more)  # pyright: ignore[reportArgumentType]
+
+    runs = []
+    for count in (1, 2):
+        with threads(count):
+            runs.append(run(every=40))
+    assert len(runs[0].state.touching) or (runs[0].history.energy["contact"] > 0.0).any()
+    assert len(runs[0].events) > 1000
+    assert_same_bits(*runs)
+    with threads(1):
+        assert_same_bits(runs[0], run(every=7))
+        whole = run(every=40, out=tmp_path / "whole.h5")
+        assert_resumes_to(whole, functools.partial(run, every=40, save_every=40), tmp_path / "cut.h5", share=0.5)
+
+
+def test_cells_touch_where_they_parted_and_not_as_spheres() -> None:
+    loose = bd.LinearContact(E=E, stress_free=False)
+    with pytest.raises(InputError, match="stress_free=True"):
+        bd.Model(pair(), bd.CellBond(E=E, nu=NU), density=RHO, failure=FAILURES["brittle"], contact=loose)
