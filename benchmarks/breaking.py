@@ -1,9 +1,9 @@
 """What a criterion of failure costs where nothing breaks: steps with and without it, interleaved.
 
-python benchmarks/breaking.py [--elements 10000] [--repeat 15] [--threads 1] [--cells | --contact] [--out FILE]
+python benchmarks/breaking.py [--elements 10000] [--repeat 15] [--threads 1] [--cells] [--contact] [--out FILE]
 
-With --contact: a body of bonds that may break and touch, whole, and in pieces, after it was driven together until
-thousands of its bonds were broken.
+With --contact: a body of bonds or cells that may break and touch, whole, and in pieces, after it was driven together
+until thousands of its bonds were broken.
 
 The strength is far above what the bonds bear, and the motion is a random one. Times are of the processor on one
 thread, which other processes disturb less, and of the wall on more.
@@ -24,12 +24,15 @@ from kept import RESULTS, keep, origin
 from tiled import specimen
 
 
-def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
+def block(elements: int, cells: bool) -> tuple[bd.Lattice, bd.CellBond | bd.EulerBernoulli]:
     if cells:
         box = bd.pack(bd.Box(size=(2e-2, 1e-2, 1e-2)), count=elements, method="even", seed=1)
-        lattice, law = bd.connect(box, method="laguerre"), bd.CellBond(E=72.5e9, nu=0.17)
-    else:
-        lattice, law = specimen(elements, largest=elements), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+        return bd.connect(box, method="laguerre"), bd.CellBond(E=72.5e9, nu=0.17)
+    return specimen(elements, largest=elements), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+
+
+def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
+    lattice, law = block(elements, cells)
     criteria: dict[str, bd.Criterion | None] = {
         "elastic": None, "MohrCoulomb": bd.MohrCoulomb(tension=1e15, cohesion=1e15, friction_angle=0.6)
     }  # fmt: skip
@@ -49,13 +52,16 @@ def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
     return found, len(lattice.pairs)
 
 
-def touching(elements: int) -> tuple[dict[str, CpuLoop], int]:
-    lattice, law = specimen(elements, largest=elements), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+def touching(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
+    lattice, law = block(elements, cells)
     failure = bd.PeripheralStress(tension=265e6, shear=265e6)
+    if cells:
+        failure = bd.MohrCoulomb(tension=50e6, cohesion=150e6, friction_angle=0.6, fracture_energy=50.0)
     contact = bd.LinearContact(E=70e9, friction=0.4)
     inward = -(lattice.centre - lattice.centre.mean(axis=0)) / (0.5 * np.ptp(lattice.centre[:, 0]))
     found = {}
-    for name, speed, steps in (("elastic", 0.5, 3), ("whole", 0.5, 3), ("in pieces", 4.0, 600)):
+    crushing = (20.0, 1200) if cells else (4.0, 600)
+    for name, speed, steps in (("elastic", 0.5, 3), ("whole", 0.5, 3), ("in pieces", *crushing)):
         fails = name != "elastic"
         model = bd.Model(
             lattice, law, 2500.0, failure=failure if fails else None, contact=contact if fails else None
@@ -65,7 +71,8 @@ def touching(elements: int) -> tuple[dict[str, CpuLoop], int]:
         state.set_motion(velocity=speed * inward)
         found[name] = CpuLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
         found[name].run(steps)
-        print(f"{name}: {len(state.broken)} bonds broken, {len(state.touching)} contacts")
+        broken, cracked = len(state.broken), len(state.cracks)
+        print(f"{name}: {broken} bonds broken, {cracked} cracked, {len(state.touching)} contacts")
     return found, len(lattice.pairs)
 
 
@@ -80,7 +87,8 @@ def main() -> None:
     options = parser.parse_args()
     clock = time.process_time if options.threads == 1 else time.perf_counter
     with threads(options.threads):
-        found, bonds = touching(options.elements) if options.contact else loops(options.elements, options.cells)
+        made = touching if options.contact else loops
+        found, bonds = made(options.elements, options.cells)
         steps = max(20, (1_000_000 if options.contact else 4_000_000) // bonds)
         times: dict[str, list[float]] = {name: [] for name in found}
         for _ in range(options.repeat):
@@ -98,7 +106,7 @@ def main() -> None:
         }  # fmt: skip
         result[name] = row
         print(name, {key: round(value, 3) for key, value in row.items()})
-    kind = "_cells" if options.cells else "_contact" if options.contact else ""
+    kind = "_cells" * options.cells + "_contact" * options.contact
     keep(options.out or RESULTS / f"breaking{kind}.json", result)
 
 
