@@ -6,7 +6,7 @@ from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import rotation_guard
 from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.contact_pass import contact_loads, outdated
-from bondem.kernels.cracking import clear_cracks
+from bondem.kernels.crack_pass import clear_crack_loads
 from bondem.kernels.element_pass import open_step, open_step_serial
 from bondem.kernels.grip_pass import place_walls
 from bondem.kernels.press_pass import press
@@ -68,7 +68,7 @@ def set_clock(breaks, t, step):
 @device
 def _set_crack_clock(cracks, t, step):
     if cracks is not None:  # decided when compiled
-        cracks.now[0], cracks.now[1] = t, step
+        cracks.facets.now[0], cracks.facets.now[1] = t, step
 
 
 @loop(parallel=False)
@@ -82,7 +82,7 @@ def set_body_clock(body, t, step):
 def clear_loads(body):
     """Take off what cracks did a step ago, where there are any."""
     if body is not None:
-        clear_cracks(body.cracks)
+        clear_crack_loads(body.cracks)
 
 
 @kernel(parallel=False)

@@ -43,7 +43,7 @@ def known(pose, bonds, cells, cracks, c):
 def treat(bonds, cracks, c, k, status):
     """Treat a crack one by one from now on, or as a facet of its integrity among the others."""
     cracks.row[c, STATUS] = status
-    cracks.onset.listed[k] = 1 if status == ACTIVE else 2
+    cracks.listed[k] = 1 if status == ACTIVE else 2
     bonds.integrity[k] = 0.0 if status == ACTIVE else cracks.integrity[k]
 
 
@@ -57,24 +57,24 @@ def _link(bonds, cracks, c):
         if cracks.head[p] < 0:
             cracks.cell[cracks.sizes[1]] = p
             cracks.sizes[1] += 1
-    cracks.after_i[c], cracks.after_j[c] = cracks.head[i], cracks.head[j]
-    cracks.head[i] = cracks.head[j] = c
+    cracks.after[2 * c], cracks.after[2 * c + 1] = cracks.head[i], cracks.head[j]
+    cracks.head[i], cracks.head[j] = 2 * c, 2 * c + 1
     treat(bonds, cracks, c, k, cracks.row[c, STATUS])
 
 
 @loop(parallel=False)
-def begin_cracks(pose, bonds, cells, cracks):
+def begin_cracks(pose, bonds, cells, stress, onset, cracks):
     """Facets that were marked begin to crack, in their order."""
     a, v = np.empty((3, 3)), np.empty((3, 3))
-    marked, strength, force = cracks.onset.marked, cracks.onset.strength, cells.force
+    marked, strength, force = onset.marked, onset.strength, cells.force
     for k in range(bonds.m):
         if marked[k] == 0:
             continue
         c = cracks.sizes[0]
         row, start = cracks.row[c], 0.0
         if marked[k] == 1:
-            f, A = column(force, k), cracks.onset.area[k]
-            _, _, one, _ = principal_stresses(pair_stress(cracks.stress.tensor, bonds.i[k], bonds.j[k]), a, v)
+            f, A = column(force, k), cracks.area[k]
+            _, _, one, _ = principal_stresses(pair_stress(stress.tensor, bonds.i[k], bonds.j[k]), a, v)
             slope = abs(scalar(present_normal(pose, bonds, cells, k), (v[0, one], v[1, one], v[2, one])))
             start = min(math.sqrt(scalar(f, f)) / A, strength[k] * max(slope, _LEAST))
         row[:] = 0.0
@@ -91,17 +91,17 @@ def link_cracks(bonds, cells, cracks):
     for c in range(cracks.sizes[0]):
         _link(bonds, cracks, c)
     for e in range(cracks.sizes[1]):
-        weigh_cracked(bonds, cells, cracks, cracks.cell[e])
+        weigh_cracked(cells, cracks, cracks.cell[e])
 
 
 @loop(parallel=False)
-def weigh_cracked(bonds, cells, cracks, p):
+def weigh_cracked(cells, cracks, p):
     """λ / V of a cell: of what its cracks lack that are not treated one by one, they are free facets."""
-    slack, c = 0.0, cracks.head[p]
-    while c >= 0:
+    slack, h = 0.0, cracks.head[p]
+    while h >= 0:
+        c = h >> 1
         k = np.int64(cracks.row[c, FACET])
-        own = bonds.i[k] == p
         if cracks.row[c, STATUS] != ACTIVE:
-            slack += (1.0 - cracks.integrity[k]) * (cracks.slack_i[k] if own else cracks.slack_j[k])
-        c = cracks.after_i[c] if own else cracks.after_j[c]
+            slack += (1.0 - cracks.integrity[k]) * (cracks.slack_i[k] if h == 2 * c else cracks.slack_j[k])
+        h = cracks.after[h]
     cells.weight[p] = cracks.weight[p] / (1.0 + cracks.weight[p] * slack)

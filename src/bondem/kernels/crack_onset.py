@@ -4,14 +4,11 @@ They are found with the elements where they have come to, so that no bit depends
 each facet is on its own, whatever thread it is on.
 """
 
-import numpy as np
 
 from bondem._compile import device, loop, prange
-from bondem.kernels.cell_stress import add_moment, cell_stresses, pair_stress, surface_stresses
+from bondem.kernels.cell_stress import cell_stresses, pair_stress, surface_stresses
 from bondem.kernels.cell_yield import book_loads, stretch_cells, stretch_grips, yield_cells
-from bondem.kernels.crack_list import read_three
-from bondem.kernels.crack_tables import ACTIVE, FACET, STATUS
-from bondem.kernels.single_facets import column, lever, orientation
+from bondem.kernels.single_facets import column, orientation
 from bondem.laws.cell_energy import scalar, turned_by
 from bondem.laws.plasticity import below
 
@@ -83,23 +80,11 @@ def _portions(kind, pose, bonds, cells, stress, flow, onset, count):
         _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet)
 
 
-@device
-def _add_cracks(pose, bonds, cells, cracks):
-    """Add the forces of cracks that are treated one by one to V σ of their cells."""
-    for c in range(cracks.sizes[0]):
-        if cracks.row[c, STATUS] == ACTIVE:
-            k, pull = np.int64(cracks.row[c, FACET]), read_three(cracks.pull[c], 0)
-            away = -pull[0], -pull[1], -pull[2]
-            add_moment(cells.moment, pose, bonds.i[k], lever(cells.lever_i, cells.pitch, k), pull)
-            add_moment(cells.moment, pose, bonds.j[k], lever(cells.lever_j, cells.pitch, k), away)
-
-
 @loop(parallel=False)
-def judge_body(pose, bonds, body, work, cracks, threaded):
+def judge_body(pose, bonds, body, work, table, threaded):
     """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
     cells, grips, n = body.cells, body.grips, len(pose)
-    stress, flow, onset = cracks.stress, cracks.flow, cracks.onset
-    _add_cracks(pose, bonds, cells, cracks)
+    stress, flow, onset = table.stress, table.flow, table.onset
     for kind in range(3):  # one call in the code, as everything in it is compiled for each
         if kind == _FACETS and onset.hotter.max() == 0:
             return False

@@ -1,4 +1,8 @@
-"""How cracks are treated in a step: stresses of their cells, integrities, and when they rest or part."""
+"""How cracks are treated in a step: stresses of their cells, integrities, and when they rest or part.
+
+What a function does with the cracks or cells first … last of the lists concerns each of them alone, and is done by
+whatever thread; what concerns others too is done by one thread, in the order of the list: no bit depends on threads.
+"""
 
 import math
 
@@ -11,26 +15,34 @@ from bondem.kernels.crack_energy import crack_energy, halves
 from bondem.kernels.crack_list import NEW, known, read_three, treat, weigh_cracked, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
+    ALONG,
     ARM_I,
     ARM_J,
     BEFORE,
+    CLOSED,
     FACET,
     FACING,
     GAP,
+    LOOSE,
     NORMAL,
     ONSET,
     PARTED,
+    PRESSED,
+    PULLED,
     RESTING,
     RUB,
     SHARE_I,
     SHARE_J,
     SLIP,
+    SQUARE,
     STATUS,
+    SWOLLEN,
     TOP,
+    TREATED,
 )
 from bondem.kernels.single_facets import column, frame
 from bondem.laws.cell_energy import opened, scalar, turned_by
-from bondem.laws.softening import crack_softness, crack_swelling, opening_force, plus, softened, whole_force
+from bondem.laws.softening import plus, softened
 
 # By how much the integrity of a facet that softens falls in a step at most.
 _FASTEST = 0.1
@@ -39,6 +51,8 @@ _FASTEST = 0.1
 _CALM, _ASLEEP, _GRAZING = 0.98, 0.9, 0.1
 # Faces whose normals are further apart than this cosine do not bear on each other as planes any more.
 _FACING = 0.7
+# What is to be done with a crack, beside nothing: its integrity fell, it goes to rest, its faces part, or it wakes.
+_FELL, _CALMED, _TO_PART, _WAKES = 1, 2, 3, 4
 
 
 @loop(parallel=False)
@@ -59,37 +73,61 @@ def _measure(g, place, n):
 
 
 @loop(parallel=False)
-def measure_cracks(pose, bonds, cells, cracks):
-    """What is known of all cracks that are treated one by one, and V θ of their cells without these."""
-    for c in range(cracks.sizes[0]):
-        if cracks.row[c, STATUS] == ACTIVE:
-            k = np.int64(cracks.row[c, FACET])
-            _measure(cracks.geometry[c], frame(pose, bonds, cells, k), column(cells.normal, k))
-    for e in range(cracks.sizes[1]):
-        p = cracks.cell[e]
-        cracks.base[p] = pose[p, STRESS] / cells.weight[p] if cells.weight[p] != 0.0 else 0.0
+def _halve(half, g, c, k, w, s):
+    """Write the halves of a crack of stiffness k [N/m], part w of cell i and integrity s."""
+    gap, normal = read_three(g, GAP), read_three(g, NORMAL)
+    along = k * scalar(gap, normal)
+    for side in range(2):
+        share, part = (read_three(g, SHARE_I), w) if side == 0 else (read_three(g, SHARE_J), 1.0 - w)
+        swollen, across, h = scalar(share, gap), scalar(share, normal), 2 * c + side
+        half[h, SWOLLEN], half[h, PULLED], half[h, SQUARE] = swollen, k * swollen, scalar(share, share) / part
+        half[h, ALONG], half[h, PRESSED], half[h, CLOSED] = across, across / part, along
+        half[h, LOOSE], half[h, TREATED] = (1.0 - s) / k, 1.0
 
 
 @loop(parallel=False)
-def relax_cells(pose, bonds, cells, cracks):
-    """Stresses of cells with cracks, by Newton's method on a piecewise linear, rising function."""
-    for e in range(cracks.sizes[1]):
-        p = cracks.cell[e]
-        W, stress = cells.weight[p], pose[p, STRESS]
+def measure_cracks(pose, bonds, cells, cracks, first, last):
+    """What is known of the cracks first … last that are treated one by one."""
+    row, geometry, half, part, integrity = cracks.row, cracks.geometry, cracks.half, cracks.part, cracks.integrity
+    for c in range(first, last):
+        if row[c, STATUS] == ACTIVE:
+            k = np.int64(row[c, FACET])
+            _measure(geometry[c], frame(pose, bonds, cells, k), column(cells.normal, k))
+            _halve(half, geometry[c], c, cells.k[k], part[k], integrity[k])
+
+
+@loop(parallel=False)
+def begin_bases(pose, cells, cracks, first, last):
+    """V θ of the cells first … last of the list without their cracks."""
+    cell, base, weight = cracks.cell, cracks.base, cells.weight
+    for e in range(first, last):
+        p = cell[e]
+        base[p] = pose[p, STRESS] / weight[p] if weight[p] != 0.0 else 0.0
+
+
+@loop(parallel=False)
+def relax_cells(pose, cells, cracks, first, last):
+    """Stresses of the cells first … last of the list, by Newton's method on a piecewise linear, rising function.
+
+    V θ = Σ g·δ - (1 - s) g·F⁺ / k of each half (`bondem.laws.softening`), all but the stress in the table of halves.
+    """
+    cell, base, head, after, half = cracks.cell, cracks.base, cracks.head, cracks.after, cracks.half
+    weight = cells.weight
+    for e in range(first, last):
+        p = cell[e]
+        W, stress = weight[p], pose[p, STRESS]
         for _ in range(30):
-            swelling, softness, c = cracks.base[p], 0.0, cracks.head[p]
-            while c >= 0:
-                k = np.int64(cracks.row[c, FACET])
-                own = bonds.i[k] == p
-                if cracks.row[c, STATUS] == ACTIVE:
-                    g, s = cracks.geometry[c], cracks.integrity[k]
-                    gap, normal = read_three(g, GAP), read_three(g, NORMAL)
-                    share = read_three(g, SHARE_I) if own else read_three(g, SHARE_J)
-                    part = cracks.part[k] if own else 1.0 - cracks.part[k]
-                    opening, along = opening_force(whole_force(cells.k[k], part, gap, share, stress), normal)
-                    swelling += crack_swelling(cells.k[k], s, gap, share, opening)
-                    softness += crack_softness(cells.k[k], s, part, share, normal, along < 0.0)
-                c = cracks.after_i[c] if own else cracks.after_j[c]
+            swelling, softness, h = base[p], 0.0, head[p]
+            while h >= 0:
+                along, square = half[h, ALONG], half[h, SQUARE]
+                press = half[h, CLOSED] + stress * half[h, PRESSED]
+                opening = half[h, PULLED] + stress * square
+                if press < 0.0:
+                    opening -= press * along
+                    square -= half[h, PRESSED] * along
+                swelling += half[h, SWOLLEN] - half[h, LOOSE] * opening
+                softness += half[h, LOOSE] * square
+                h = after[h]
             change = (W * swelling - stress) / (1.0 + W * softness)
             stress += change
             if abs(change) <= 1e-14 * abs(stress):
@@ -104,37 +142,49 @@ def _hand_over(bonds, cells, cracks, c, k, sign):
     gap = read_three(g, GAP)
     cracks.base[bonds.i[k]] += s * scalar(read_three(g, SHARE_I), gap)
     cracks.base[bonds.j[k]] += s * scalar(read_three(g, SHARE_J), gap)
-    weigh_cracked(bonds, cells, cracks, bonds.i[k])
-    weigh_cracked(bonds, cells, cracks, bonds.j[k])
+    weigh_cracked(cells, cracks, bonds.i[k])
+    weigh_cracked(cells, cracks, bonds.j[k])
+
+
+@loop(parallel=False)
+def look_at_rest(pose, bonds, cells, cracks, first, last):
+    """Flag those of the resting cracks first … last that are about to soften or close."""
+    row, flag, at_i, at_j, stiff = cracks.row, cracks.flag, bonds.i, bonds.j, cells.k
+    for c in range(first, last):
+        flag[c] = 0
+        if row[c, STATUS] != RESTING:
+            continue
+        k = np.int64(row[c, FACET])
+        d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
+        gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
+        K, one, other = stiff[k], pose[at_i[k], STRESS], pose[at_j[k], STRESS]
+        f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), one, u), other, v)
+        across = plus(u, 1.0, v)  # about along the normal
+        square, along = scalar(f, f), scalar(f, across)
+        calm = square < (_CALM * row[c, TOP]) ** 2
+        if not (calm and along > _GRAZING * math.sqrt(square * scalar(across, across))):
+            flag[c] = _WAKES
 
 
 @loop(parallel=False)
 def wake_cracks(pose, bonds, cells, contacts, cracks):
-    """Treat those resting cracks one by one that are about to soften or close; whether there are any."""
+    """Treat those resting cracks one by one that were flagged; whether there are any."""
     woken = False
     for c in range(cracks.sizes[0]):
-        row = cracks.row[c]
-        if row[STATUS] != RESTING:
+        if cracks.flag[c] != _WAKES:
             continue
+        row = cracks.row[c]
         k = np.int64(row[FACET])
         place = frame(pose, bonds, cells, k)
-        d, p, q, a, b, u, v = place
-        gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
-        K, one, other = cells.k[k], pose[bonds.i[k], STRESS], pose[bonds.j[k], STRESS]
-        f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), one, u), other, v)
-        across = plus(u, 1.0, v)  # about along the normal
-        square = scalar(f, f)
-        if square < (_CALM * row[TOP]) ** 2:
-            if scalar(f, across) > _GRAZING * math.sqrt(square * scalar(across, across)):
-                continue
         _measure(cracks.geometry[c], place, column(cells.normal, k))
-        if cracks.integrity[k] == 0.0 and _leaves(cracks, c, k):
+        if cracks.integrity[k] == 0.0 and _leaves(cracks.geometry[c], cracks.area[k]):
             treat(bonds, cracks, c, k, PARTED)
             _part(pose, bonds, contacts, row, k)
             continue
         treat(bonds, cracks, c, k, ACTIVE)
+        _halve(cracks.half, cracks.geometry[c], c, cells.k[k], cracks.part[k], cracks.integrity[k])
         row[BEFORE] = NEW
-        normal = read_three(cracks.geometry[c], NORMAL)
+        gap, normal, p = read_three(cracks.geometry[c], GAP), read_three(cracks.geometry[c], NORMAL), place[1]
         write_three(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), plus(gap, -scalar(gap, normal), normal)))
         _hand_over(bonds, cells, cracks, c, k, -1.0)
         woken = True
@@ -142,56 +192,70 @@ def wake_cracks(pose, bonds, cells, contacts, cracks):
 
 
 @loop(parallel=False)
-def soften(pose, bonds, cells, contacts, cracks):
-    """Integrities of all cracks at the present openings; some come to rest, some part. Whether any changed."""
-    changed = False
-    for c in range(cracks.sizes[0]):
-        row = cracks.row[c]
-        if row[STATUS] != ACTIVE:
+def soften(pose, bonds, cells, cracks, first, last):
+    """Integrities of the cracks first … last at the present openings; those that rest or part now are flagged."""
+    rows, flag, integrity, half, geometry = cracks.row, cracks.flag, cracks.integrity, cracks.half, cracks.geometry
+    lasting, fastest, area = cracks.last, cracks.fastest, cracks.area
+    for c in range(first, last):
+        flag[c] = 0
+        if rows[c, STATUS] != ACTIVE:
             continue
         k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
         (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
-        s = cracks.integrity[k]
+        s, before, onset = integrity[k], rows[c, BEFORE], rows[c, ONSET]
         whole = plus((w * one[0], w * one[1], w * one[2]), 1.0 - w, other)
         force = math.sqrt(scalar(whole, whole))
-        if row[BEFORE] == NEW:
-            row[BEFORE] = s
-            row[TOP] = max(row[TOP], force)
+        rows[c, BEFORE] = s
+        if before == NEW:
+            rows[c, TOP] = max(rows[c, TOP], force)
             continue
-        row[BEFORE] = s
         new = 0.0
         if s > 0.0:
-            at_once = row[ONSET] == 0.0 or cracks.last[k] == 0.0
-            most = cracks.fastest[k] if at_once else _FASTEST
-            new = max(softened(s, force / cracks.onset.area[k], row[ONSET], cracks.last[k]), s - most)
+            most = fastest[k] if onset == 0.0 or lasting[k] == 0.0 else _FASTEST
+            new = max(softened(s, force / area[k], onset, lasting[k]), s - most)
             if new < 1e-9:
                 new = 0.0
         if new < s:
-            cracks.integrity[k] = new
-            row[TOP] = max(row[TOP], force)
-            changed = True
-        elif s == 0.0 and _leaves(cracks, c, k):
-            across, along = crack_energy(K, w, s, gap, normal, (one, other), read_three(row, RUB))
-            cracks.released[0] += across + along  # none of bending is left
-            _leave(bonds, cells, cracks, c, k, PARTED)
-            _part(pose, bonds, contacts, row, k)
-            changed = True
+            integrity[k] = new
+            half[2 * c, LOOSE] = half[2 * c + 1, LOOSE] = (1.0 - new) / K
+            rows[c, TOP] = max(rows[c, TOP], force)
+            flag[c] = _FELL
+        elif s == 0.0 and _leaves(geometry[c], area[k]):
+            flag[c] = _TO_PART
         elif press_i == 0.0 and press_j == 0.0:
-            calm = s == 0.0 or force < _ASLEEP * row[TOP]
+            calm = s == 0.0 or force < _ASLEEP * rows[c, TOP]
             if calm and scalar(whole, normal) > 2.0 * _GRAZING * force:
-                _leave(bonds, cells, cracks, c, k, RESTING)
-                changed = True
+                flag[c] = _CALMED
+
+
+@loop(parallel=False)
+def leave_cracks(pose, bonds, cells, contacts, cracks):
+    """Let cracks rest or part that were flagged; whether these, or integrities, changed."""
+    changed = False
+    for c in range(cracks.sizes[0]):
+        now = cracks.flag[c]
+        if now == 0:
+            continue
+        changed = True
+        if now == _CALMED:
+            _leave(bonds, cells, cracks, c, RESTING)
+        elif now == _TO_PART:
+            k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
+            (one, _), (other, _) = halves(K, w, gap, normal, shares, stresses)
+            across, along = crack_energy(K, w, 0.0, gap, normal, (one, other), read_three(cracks.row[c], RUB))
+            cracks.released[0] += across + along  # none of bending is left
+            _leave(bonds, cells, cracks, c, PARTED)
+            _part(pose, bonds, contacts, cracks.row[c], k)
     return changed
 
 
 @device
-def _leaves(cracks, c, k):
+def _leaves(g, area):
     """Whether the faces of a crack no longer face each other."""
-    g = cracks.geometry[c]
     gap, normal = read_three(g, GAP), read_three(g, NORMAL)
     along = max(scalar(gap, normal), 0.0)
     across = plus(gap, -scalar(gap, normal), normal)
-    return g[FACING] < _FACING or max(along * along, scalar(across, across)) > cracks.onset.area[k]
+    return g[FACING] < _FACING or max(along * along, scalar(across, across)) > area
 
 
 @device
@@ -203,13 +267,16 @@ def _part(pose, bonds, contacts, row, k):
 
 
 @device
-def _leave(bonds, cells, cracks, c, k, status):
+def _leave(bonds, cells, cracks, c, status):
     """Treat a crack one by one no longer."""
     row = cracks.row[c]
+    k = np.int64(row[FACET])
     treat(bonds, cracks, c, k, status)
     if cracks.integrity[k] == 0.0:
         row[TOP] = math.inf
-    write_three(cracks.pull[c], 0, (0.0, 0.0, 0.0))
     write_three(row, RUB, (0.0, 0.0, 0.0))
     write_three(row, SLIP, (0.0, 0.0, 0.0))
+    write_three(cracks.pull[c], 0, (0.0, 0.0, 0.0))
+    cracks.half[2 * c, :] = 0.0
+    cracks.half[2 * c + 1, :] = 0.0
     _hand_over(bonds, cells, cracks, c, k, 1.0)

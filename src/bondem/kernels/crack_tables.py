@@ -20,6 +20,13 @@ PLASTIC_COLUMNS = 17
 # cosine of the angle between the normals of both sides.
 GAP, NORMAL, SHARE_I, SHARE_J, ARM_I, ARM_J, FACING = 0, 3, 6, 9, 12, 15, 18
 GEOMETRY_COLUMNS = 19
+# Columns of a half, by which the stress of its cell is found: g·δ, k g·δ [N·m²], g²/w, g·n, g·n/w, k δ·n, (1 - s)/k;
+# and 1 where the crack is treated one by one.
+SWOLLEN, PULLED, SQUARE, ALONG, PRESSED, CLOSED, LOOSE, TREATED = range(8)
+HALF_COLUMNS = 8
+# Columns of what a crack does in a step.
+TORQUE_I, TORQUE_J, RUBBED_AWAY, LOST = 0, 3, 6, 7
+OUTPUT_COLUMNS = 8
 
 
 class CellStresses(NamedTuple):
@@ -56,30 +63,43 @@ class Onset(NamedTuple):
     listed: np.ndarray  #: 1 for facets that are treated one by one, 2 for other cracks, uint8, (m,)
 
 
-class CrackTable(NamedTuple):
-    """Facets that soften and cells that yield; m facets, n cells. From `now` on kernels write."""
+class CrackedFacets(NamedTuple):
+    """Facets that soften; m facets, n cells. A half is one side of a crack: 2 c on cell i of crack c, 2 c + 1 on j.
 
-    stress: CellStresses
-    flow: CellYield
-    onset: Onset
+    From `now` on kernels write.
+    """
+
     last: np.ndarray  #: k u / A where nothing is left of a facet, 0 where it breaks at once [Pa], (m,)
     part: np.ndarray  #: w_i: part of cell i in the compliance, (m,)
     fastest: np.ndarray  #: by how much the integrity of what breaks at once falls in a step at most, (m,)
+    area: np.ndarray  #: [m²], (m,)
     friction: float  #: μ
     weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
     slack_i: np.ndarray  #: what 1 / weight of cell i gains where the facet parts [m³/Pa], (m,)
     slack_j: np.ndarray
     now: np.ndarray  #: time [s] and step; a step below 0 where nothing is to change, (2,)
     integrity: np.ndarray  #: 1 whole … 0 broken, (m,)
+    listed: np.ndarray  #: 1 for facets that are treated one by one, 2 for other cracks, uint8, (m,)
     row: np.ndarray  #: cracked facets in the order in which they began, (m, 13)
     sizes: np.ndarray  #: how many cracked facets, how many cells that have some, rows logged, (3,)
+    flag: np.ndarray  #: what is to be done with a crack, uint8, (m,)
     geometry: np.ndarray  #: (m, 19)
+    half: np.ndarray  #: (2 m, 8), zeros for cracks that are not treated one by one
     cell: np.ndarray  #: cells with cracked facets, (n,)
-    head: np.ndarray  #: first crack of a cell, or -1, (n,)
-    after_i: np.ndarray  #: next crack of cell i of a crack, or -1, (m,)
-    after_j: np.ndarray
+    head: np.ndarray  #: first half of a cell, or -1, (n,)
+    after: np.ndarray  #: the next half of its cell, or -1, (2 m,)
     base: np.ndarray  #: V θ of cells with cracks but for these [m³], (n,)
     pull: np.ndarray  #: force of each crack on its cell i [N], (m, 3)
+    output: np.ndarray  #: torques on both cells [N·m], energy lost to friction and to the crack in a step [J], (m, 8)
     load: np.ndarray  #: force and torque of all cracks on each cell [N, N·m], (n, 6)
     log: np.ndarray  #: what broke in this call (`BROKEN_…`), (m, 9)
     released: np.ndarray  #: energy that cracks have dissipated since the start of the run [J], (1,)
+
+
+class CrackTable(NamedTuple):
+    """Facets that soften and cells that yield."""
+
+    stress: CellStresses
+    flow: CellYield
+    onset: Onset
+    facets: CrackedFacets

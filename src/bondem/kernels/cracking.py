@@ -1,12 +1,4 @@
-"""Cracked facets in a step: their forces, which they bear one by one outside of the lanes, and their energies.
-
-A facet that has begun to crack leaves the loops over facets (there its integrity is 0) and stands in a list, in the
-order in which cracks began. Between the two passes over the facets the stresses of their cells are found anew, as
-cracks open or press; then integrities fall, and forces are handed to the elements with those of contacts. A crack
-that is open and does not soften rests: it is a facet of less stiffness among the others, which is the same to
-rounding. All of it is done by one thread, in the order of the list: no bit depends on threads. See
-`bondem.laws.softening`.
-"""
+"""What cracked facets bear and dissipate: forces and torques of each crack, their sums on cells, and energies."""
 
 import math
 
@@ -14,24 +6,30 @@ import numpy as np
 
 from bondem._compile import device, loop
 from bondem.kernels.breaking import write_break
+from bondem.kernels.cell_stress import add_moment
 from bondem.kernels.cell_yield import heat
 from bondem.kernels.crack_energy import bending, crack_energy, halves, stretched
-from bondem.kernels.crack_list import begin_cracks, known, read_three, write_three
-from bondem.kernels.crack_onset import judge_body
-from bondem.kernels.crack_states import measure_cracks, relax_cells, soften, wake_cracks
+from bondem.kernels.crack_list import known, read_three, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
     ARM_I,
     ARM_J,
     BEFORE,
     FACET,
+    GAP,
+    LOST,
+    NORMAL,
     RATE,
     RUB,
+    RUBBED_AWAY,
     SLIP,
     SPENT,
     STATUS,
+    TORQUE_I,
+    TORQUE_J,
+    TREATED,
 )
-from bondem.kernels.single_facets import orientation, resistance
+from bondem.kernels.single_facets import lever, orientation, resistance
 from bondem.kernels.tables import RUBBED
 from bondem.laws.cell_energy import cross, scalar, turned_by
 from bondem.laws.failure.criterion import SHEAR, TENSION
@@ -56,37 +54,31 @@ def _half_couple(k, w, s, gap, share, stress, opening):
     return stress / w * c[0], stress / w * c[1], stress / w * c[2]
 
 
-@device
-def _add(load, p, sign, force, torque):
-    for d in range(3):
-        load[p, d] += sign * force[d]
-        load[p, 3 + d] += torque[d]
-
-
 @loop(parallel=False)
 def clear_cracks(cracks):
     """Take off `load` what cracks did a step ago; contacts write theirs anew."""
-    if cracks is not None:  # decided when compiled
-        for e in range(cracks.sizes[1]):
-            cracks.load[cracks.cell[e], :] = 0.0
+    for e in range(cracks.sizes[1]):
+        cracks.load[cracks.cell[e], :] = 0.0
 
 
 @loop(parallel=False)
-def crack_forces(elements, bonds, cells, cracks, change):
-    """Add forces and torques of all cracks to `load`; where it is to `change`, slip and energies are booked."""
-    pose, load = elements.pose, cracks.load
-    for c in range(cracks.sizes[0]):
-        row = cracks.row[c]
-        if row[STATUS] != ACTIVE:
+def crack_forces(pose, bonds, cells, cracks, change, first, last):
+    """Forces and torques of the cracks first … last; where they are to `change`, slip and energies are booked."""
+    rows, geometry, integrity = cracks.row, cracks.geometry, cracks.integrity
+    pulls, outputs = cracks.pull, cracks.output
+    at_i, at_j, flag, friction = bonds.i, bonds.j, cracks.flag, cracks.friction
+    for c in range(first, last):
+        flag[c] = 0
+        if rows[c, STATUS] != ACTIVE:
             continue
+        row, g, output = rows[c], geometry[c], outputs[c]
         k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
         (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
-        i, j, s = bonds.i[k], bonds.j[k], cracks.integrity[k]
-        g = cracks.geometry[c]
+        s = integrity[k]
         along = w * press_i + (1.0 - w) * press_j
-        p, q = orientation(pose, i), orientation(pose, j)
+        p, q = orientation(pose, at_i[k]), orientation(pose, at_j[k])
         slip = turned_by(p, read_three(row, SLIP))
-        rub, slip = rubbed(K, s, gap, normal, slip, -cracks.friction * (1.0 - s) * along)
+        rub, now = rubbed(K, s, gap, normal, slip, -friction * (1.0 - s) * along)
         f = plus(plus(rub, s * w, one), s * (1.0 - w), other)
         f = plus(f, along, normal)
         ci = _half_couple(K, w, s, gap, shares[0], stresses[0], one)
@@ -94,41 +86,87 @@ def crack_forces(elements, bonds, cells, cracks, change):
         n = crack_couple(gap, f, ci, cj)
         bent, h = bending(p, q, resistance(cells, 1.0, k))
         x, y = cross(read_three(g, ARM_I), f), cross(f, read_three(g, ARM_J))
-        ti = plus(plus(plus(x, 1.0, ci), 0.5, n), s, h)
-        tj = plus(plus(plus(y, 1.0, cj), 0.5, n), -s, h)
-        _add(load, i, 1.0, f, ti)
-        _add(load, j, -1.0, f, tj)
-        write_three(cracks.pull[c], 0, f)
+        write_three(pulls[c], 0, f)
+        write_three(output, TORQUE_I, plus(plus(plus(x, 1.0, ci), 0.5, n), s, h))
+        write_three(output, TORQUE_J, plus(plus(plus(y, 1.0, cj), 0.5, n), -s, h))
+        output[RUBBED_AWAY] = output[LOST] = 0.0
         if change:
-            _book(elements, bonds, cells, cracks, c, (one, other, rub, slip, bent))
+            rate = 0.5 / K * (w * scalar(one, one) + (1.0 - w) * scalar(other, other)) + bent - stretched(K, s, rub)
+            _book(row, output, s, rate, rub, plus(now, -1.0, slip))
+            write_three(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), now))
+            write_three(row, RUB, rub)
             if s == 0.0 and row[BEFORE] > 0.0:
-                mode = TENSION if scalar(gap, normal) > 0.0 else SHEAR
-                _log(pose, bonds, cracks, c, k, mode, scalar(gap, normal))
+                flag[c] = 1
 
 
 @device
-def _book(elements, bonds, cells, cracks, c, found):
-    """Energy that a crack has dissipated in this step, and its slip.
+def _book(row, output, s, rate, rub, came):
+    """Energy that a crack has dissipated in this step, and what it has rubbed away by the slip that came.
 
     The energy is s times a square of the opening, whose work both schemes book by the trapezoidal rule. What is left
     of its change is -Δs times the product of the openings before and after: the geometric mean of both rates, exactly
     so where the opening does not turn. (Their arithmetic mean misses Δs times the square of the change in opening.)
     """
-    one, other, rub, slip, bent = found
-    row = cracks.row[c]
-    k = np.int64(row[FACET])
-    w, s, K, i = cracks.part[k], cracks.integrity[k], cells.k[k], bonds.i[k]
-    rate = 0.5 / K * (w * scalar(one, one) + (1.0 - w) * scalar(other, other)) + bent - stretched(K, s, rub)
     lost = math.sqrt(max(row[RATE] * rate, 0.0)) * (row[BEFORE] - s)
     row[RATE] = rate
     row[SPENT] += lost
+    output[LOST] = lost
+    output[RUBBED_AWAY] = 0.5 * (scalar(read_three(row, RUB), came) + scalar(rub, came))
+
+
+@loop(parallel=False)
+def hand_out_cracks(cracks, loss, first, last):
+    """Forces and torques of the cracks of the cells first … last of the list, and what these lose."""
+    cell, head, after, half = cracks.cell, cracks.head, cracks.after, cracks.half
+    load, pull, output = cracks.load, cracks.pull, cracks.output
+    for e in range(first, last):
+        p = cell[e]
+        h = head[p]
+        while h >= 0:
+            c = h >> 1
+            if half[h, TREATED] != 0.0:
+                own = h == 2 * c
+                sign, torque = (1.0, TORQUE_I) if own else (-1.0, TORQUE_J)
+                for d in range(3):
+                    load[p, d] += sign * pull[c, d]
+                    load[p, 3 + d] += output[c, torque + d]
+                if own:
+                    loss[p, RUBBED] += output[c, RUBBED_AWAY]
+            h = after[h]
+
+
+@loop(parallel=False)
+def log_cracks(pose, bonds, cracks):
+    """Add up what cracks have dissipated in this step, and write down those of which nothing is left."""
+    lost = 0.0
+    for c in range(cracks.sizes[0]):
+        if cracks.row[c, STATUS] == ACTIVE:
+            lost += cracks.output[c, LOST]
+            if cracks.flag[c] != 0:
+                k, g = np.int64(cracks.row[c, FACET]), cracks.geometry[c]
+                gap = scalar(read_three(g, GAP), read_three(g, NORMAL))
+                _log(pose, bonds, cracks, c, k, TENSION if gap > 0.0 else SHEAR, gap)
     cracks.released[0] += lost
-    q = elements.pose[i, 4], elements.pose[i, 5], elements.pose[i, 6], elements.pose[i, 7]
-    own = turned_by((q[0], -q[1], -q[2], -q[3]), slip)
-    came = plus(slip, -1.0, turned_by(q, read_three(row, SLIP)))
-    elements.loss[i, RUBBED] += 0.5 * (scalar(read_three(row, RUB), came) + scalar(rub, came))
-    write_three(row, SLIP, own)
-    write_three(row, RUB, rub)
+
+
+@loop(parallel=False)
+def add_crack_moments(pose, cells, cracks, first, last):
+    """Add the forces of the cracks of the cells first … last of the list, a step ago, to V σ of these."""
+    cell, head, after, pull, row = cracks.cell, cracks.head, cracks.after, cracks.pull, cracks.row
+    moment, lever_i, lever_j, pitch = cells.moment, cells.lever_i, cells.lever_j, cells.pitch
+    for e in range(first, last):
+        p = cell[e]
+        h = head[p]
+        while h >= 0:
+            c = h >> 1
+            if row[c, STATUS] == ACTIVE:
+                k = np.int64(row[c, FACET])
+                if h == 2 * c:
+                    add_moment(moment, pose, p, lever(lever_i, pitch, k), read_three(pull[c], 0))
+                else:
+                    away = -pull[c, 0], -pull[c, 1], -pull[c, 2]
+                    add_moment(moment, pose, p, lever(lever_j, pitch, k), away)
+            h = after[h]
 
 
 @loop(parallel=False)
@@ -154,36 +192,11 @@ def with_cracks(pose, bonds, cells, cracks, parts):
     """Normal, shear, bending and twisting energy of a body with those of its cracks [J]."""
     if cracks is None:  # decided when compiled
         return parts
-    normal, shear, bend = crack_energies(pose, bonds, cells, cracks)
+    normal, shear, bend = crack_energies(pose, bonds, cells, cracks.facets)
     return parts[0] + normal, parts[1] + shear, parts[2] + bend, parts[3]
 
 
 @loop(parallel=False)
 def dissipated(cracks):
     """Energies that cracks and cells that yield have dissipated [J]."""
-    return cracks.released[0], heat(cracks.stress, cracks.flow)
-
-
-@loop(parallel=False)
-def crack_before(elements, bonds, body, rows, cracks, threaded):
-    """As a step begins: cells yield, and facets begin to crack."""
-    if cracks is not None:  # decided when compiled
-        if cracks.now[1] >= 0.0:
-            if judge_body(elements.pose, bonds, body, rows.work, cracks, threaded):
-                begin_cracks(elements.pose, bonds, body.cells, cracks)
-
-
-@loop(parallel=False)
-def crack_between(elements, bonds, cells, contacts, cracks):
-    """Between the passes over the facets: stresses of cells with cracks, and what these do."""
-    if cracks is not None:
-        if cracks.sizes[0] > 0:
-            change = cracks.now[1] >= 0.0
-            measure_cracks(elements.pose, bonds, cells, cracks)
-            relax_cells(elements.pose, bonds, cells, cracks)
-            if change:
-                if wake_cracks(elements.pose, bonds, cells, contacts, cracks):
-                    relax_cells(elements.pose, bonds, cells, cracks)
-                if soften(elements.pose, bonds, cells, contacts, cracks):
-                    relax_cells(elements.pose, bonds, cells, cracks)
-            crack_forces(elements, bonds, cells, cracks, change)
+    return cracks.facets.released[0], heat(cracks.stress, cracks.flow)

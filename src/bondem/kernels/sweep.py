@@ -10,7 +10,7 @@ from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.breaking import break_bonds, let_go, lists
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
 from bondem.kernels.cell_stress import take_moments, take_shared_moments
-from bondem.kernels.cracking import crack_before, crack_between
+from bondem.kernels.crack_pass import crack_before, crack_between
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
 from bondem.kernels.element_pass import collect_parts, move, move_held
 from bondem.kernels.facet_breaking import break_facets, judge_facets
@@ -127,7 +127,7 @@ def swell_body(elements, bonds, body, cut, rows, contacts, breaks):
         stress_cells(pose, cells, 0, len(pose))
     else:
         swell_domains(pose, bonds, cells, breaks, cut)
-    crack_between(elements, bonds, cells, contacts, body.cracks)
+    crack_between(elements, bonds, cells, contacts, body.cracks, threaded)
     book_presses(pose, body.presses, rows.work)
     body.presses.came[:] = 0.0
     if len(grips.cell) > 0:

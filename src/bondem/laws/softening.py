@@ -41,21 +41,6 @@ def opening_force(force, normal):
 
 
 @device
-def crack_swelling(k, s, gap, share, opening):
-    """What half a facet adds to V θ of its cell [m³]; `opening` is its F⁺."""
-    return scalar(share, gap) - (1.0 - s) / k * scalar(share, opening)
-
-
-@device
-def crack_softness(k, s, part, share, normal, closed):
-    """By how much the above falls with the stress of the cell [m³/Pa]."""
-    square = scalar(share, share)
-    if closed:
-        square -= scalar(share, normal) ** 2
-    return (1.0 - s) / (k * part) * square
-
-
-@device
 def softened(s, traction, onset, last):
     """Integrity of a facet under a traction |F⁺| / A [Pa], at most s.
 

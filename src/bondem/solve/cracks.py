@@ -13,11 +13,14 @@ from bondem.kernels.crack_tables import (
     CRACK_COLUMNS,
     FACET,
     GEOMETRY_COLUMNS,
+    HALF_COLUMNS,
+    OUTPUT_COLUMNS,
     PARTED,
     STATUS,
     TOP,
     CellStresses,
     CellYield,
+    CrackedFacets,
     CrackTable,
     Onset,
 )
@@ -96,20 +99,26 @@ def crack_table(
     pull[:count] = state.facet_force[:, facet].T
     i, j = model.layout.i, model.layout.j
     swing = np.sqrt(cells.k[:m] * (state.motion[i, 3] + state.motion[j, 3]))  # of a facet by itself [1/s]
+    listed = np.zeros(m, dtype=np.uint8)
+    facets = CrackedFacets(
+        last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0), area=table.area,
+        friction=table.friction, weight=constants.weight,
+        slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
+        listed=listed, row=row, sizes=np.array([count, 0, 0], dtype=np.int64), flag=np.zeros(m, dtype=np.uint8),
+        geometry=np.zeros((m, GEOMETRY_COLUMNS)), half=np.zeros((2 * m, HALF_COLUMNS)),
+        cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
+        after=np.full(2 * m, -1, dtype=np.int64), base=np.zeros(n),
+        pull=pull, output=np.zeros((m, OUTPUT_COLUMNS)), load=load, log=np.empty((m, BROKEN_COLUMNS)),
+        released=state.released,
+    )  # fmt: skip
     return CrackTable(
         stress=CellStresses(volume=constants.volume, tensor=np.zeros((n, 6))),
         flow=_flow(model, state, table, cells, grips, constants),
         onset=Onset(
             strength=table.strength, area=table.area, hot=table.hot, hotter=np.zeros(n, dtype=np.uint8),
-            marked=np.zeros(m, dtype=np.uint8), listed=np.zeros(m, dtype=np.uint8),
+            marked=np.zeros(m, dtype=np.uint8), listed=listed,
         ),
-        last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0),
-        friction=table.friction, weight=constants.weight,
-        slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
-        row=row, sizes=np.array([count, 0, 0], dtype=np.int64), geometry=np.zeros((m, GEOMETRY_COLUMNS)),
-        cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
-        after_i=np.full(m, -1, dtype=np.int64), after_j=np.full(m, -1, dtype=np.int64), base=np.zeros(n),
-        pull=pull, load=load, log=np.empty((m, BROKEN_COLUMNS)), released=state.released,
+        facets=facets,
     )  # fmt: skip
 
 
@@ -146,18 +155,19 @@ def _pressed(model: Model) -> Floats:
 
 def take_up(pose: Floats, bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable) -> None:
     """Go on with cracks and plastic strains as a run begins: lists, weights, levers and sums of forces."""
-    link_cracks(bonds, cells, cracks)
+    link_cracks(bonds, cells, cracks.facets)
     if cracks.flow.yielding:
         stretch_cells(cells, cracks.flow, True, 0, len(cracks.flow.plastic))
     stretch_grips(grips, cracks.flow)
-    active = cracks.row[: cracks.sizes[0], STATUS] == ACTIVE
+    rows = cracks.facets.row[: cracks.facets.sizes[0]]
+    active = rows[:, STATUS] == ACTIVE
     # these are no part of the loop over facets: what they bear stands in `pull`
     assert cells.force is not None
-    cells.force[:, cracks.row[: cracks.sizes[0], FACET][active].astype(np.int64)] = 0.0
+    cells.force[:, rows[active, FACET].astype(np.int64)] = 0.0
     sum_moments(pose, cells)
 
 
-def keep_cracks(cells: CellTable, cracks: CrackTable, state: State) -> None:
+def keep_cracks(cells: CellTable, cracks: CrackedFacets, state: State) -> None:
     """Write what has cracked and broken since the last call into the state."""
     count, logged = int(cracks.sizes[0]), int(cracks.sizes[2])
     state.cracks = cracks.row[:count].copy()

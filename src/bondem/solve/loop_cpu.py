@@ -166,7 +166,7 @@ class CpuLoop:
         if self._breaks is not None:
             self._breaks.now[1] = -1.0
         if self._cracks is not None:
-            self._cracks.now[1] = -1.0
+            self._cracks.facets.now[1] = -1.0
         run = self._run
         still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
         clear_loads(self._body)
@@ -211,7 +211,7 @@ class CpuLoop:
         if self._breaks is not None:
             keep_broken(self._breaks, self._run.bonds.integrity, self.state)
         if self._cracks is not None and self._body is not None:
-            keep_cracks(self._body.cells, self._cracks, self.state)
+            keep_cracks(self._body.cells, self._cracks.facets, self.state)
 
 
 def noticeable(model: Model, dt: float) -> float:

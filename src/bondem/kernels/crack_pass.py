@@ -1,0 +1,108 @@
+"""Cracks in a step: facets that have begun to soften, which are treated one by one outside of the lanes.
+
+A facet that has begun to crack leaves the loops over facets (there its integrity is 0) and stands in a list, in the
+order in which cracks began. Between the two passes over the facets the stresses of their cells are found anew, as
+cracks open or press; then integrities fall, and forces are handed to the elements with those of contacts. A crack
+that is open and does not soften rests: it is a facet of less stiffness among the others, which is the same to
+rounding. What is done with a crack or a cell by itself is done on all threads, the rest by one, in the order of the
+list: no bit depends on threads. See `bondem.laws.softening`.
+"""
+
+from bondem._compile import loop, prange
+from bondem.kernels.crack_list import begin_cracks
+from bondem.kernels.crack_onset import judge_body
+from bondem.kernels.crack_states import (
+    begin_bases,
+    leave_cracks,
+    look_at_rest,
+    measure_cracks,
+    relax_cells,
+    soften,
+    wake_cracks,
+)
+from bondem.kernels.cracking import add_crack_moments, clear_cracks, crack_forces, hand_out_cracks, log_cracks
+
+# Below this many cracks launching threads costs more than the loop.
+_SERIAL = 500
+# Cracks of one portion of work.
+_PORTION = 250
+# What is done to the cracks and cells of a portion.
+_MOMENTS, _MEASURE, _RELAX, _REST, _SOFTEN, _FORCES, _CHANGES, _SUMS = range(8)
+
+
+@loop(parallel=False)
+def _portion(kind, elements, bonds, cells, cracks, crack, cell):
+    """What `kind` says, of the cracks or cells from the first of a pair of numbers to the second."""
+    pose = elements.pose
+    if kind == _MOMENTS:
+        add_crack_moments(pose, cells, cracks, cell[0], cell[1])
+    elif kind == _MEASURE:
+        measure_cracks(pose, bonds, cells, cracks, crack[0], crack[1])
+        begin_bases(pose, cells, cracks, cell[0], cell[1])
+    elif kind == _RELAX:
+        relax_cells(pose, cells, cracks, cell[0], cell[1])
+    elif kind == _REST:
+        look_at_rest(pose, bonds, cells, cracks, crack[0], crack[1])
+    elif kind == _SOFTEN:
+        soften(pose, bonds, cells, cracks, crack[0], crack[1])
+    elif kind == _SUMS:
+        hand_out_cracks(cracks, elements.loss, cell[0], cell[1])
+    else:
+        crack_forces(pose, bonds, cells, cracks, kind == _CHANGES, crack[0], crack[1])
+
+
+@loop(parallel=True)
+def _portions(kind, elements, bonds, cells, cracks, count):
+    m, n = cracks.sizes[0], cracks.sizes[1]
+    for d in prange(count):
+        crack, cell = (m * d // count, m * (d + 1) // count), (n * d // count, n * (d + 1) // count)
+        _portion(kind, elements, bonds, cells, cracks, crack, cell)
+
+
+@loop(parallel=False)
+def _all(kind, elements, bonds, cells, cracks, threaded):
+    """The same of all cracks, on all threads where these are many."""
+    m, n = cracks.sizes[0], cracks.sizes[1]
+    if threaded and m >= _SERIAL:
+        _portions(kind, elements, bonds, cells, cracks, m // _PORTION)
+    else:
+        _portion(kind, elements, bonds, cells, cracks, (0, m), (0, n))
+
+
+@loop(parallel=False)
+def clear_crack_loads(table):
+    """Take off what cracks did a step ago, where there are any."""
+    if table is not None:  # decided when compiled
+        clear_cracks(table.facets)
+
+
+@loop(parallel=False)
+def crack_before(elements, bonds, body, rows, table, threaded):
+    """As a step begins: cells yield, and facets begin to crack."""
+    if table is not None:  # decided when compiled
+        if table.facets.now[1] >= 0.0:
+            _all(_MOMENTS, elements, bonds, body.cells, table.facets, threaded)
+            if judge_body(elements.pose, bonds, body, rows.work, table, threaded):
+                begin_cracks(elements.pose, bonds, body.cells, table.stress, table.onset, table.facets)
+
+
+@loop(parallel=False)
+def crack_between(elements, bonds, cells, contacts, table, threaded):
+    """Between the passes over the facets: stresses of cells with cracks, and what these do."""
+    if table is not None:  # decided when compiled
+        cracks = table.facets
+        if cracks.sizes[0] > 0:
+            change = cracks.now[1] >= 0.0
+            _all(_MEASURE, elements, bonds, cells, cracks, threaded)
+            _all(_RELAX, elements, bonds, cells, cracks, threaded)
+            if change:
+                _all(_REST, elements, bonds, cells, cracks, threaded)
+                if wake_cracks(elements.pose, bonds, cells, contacts, cracks):
+                    _all(_RELAX, elements, bonds, cells, cracks, threaded)
+                _all(_SOFTEN, elements, bonds, cells, cracks, threaded)
+                if leave_cracks(elements.pose, bonds, cells, contacts, cracks):
+                    _all(_RELAX, elements, bonds, cells, cracks, threaded)
+            _all(_CHANGES if change else _FORCES, elements, bonds, cells, cracks, threaded)
+            _all(_SUMS, elements, bonds, cells, cracks, threaded)
+            if change:
+                log_cracks(elements.pose, bonds, cracks)
