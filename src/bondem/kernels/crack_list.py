@@ -8,8 +8,23 @@ from bondem._compile import device, kernel, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.cell_yield import principal_stresses
-from bondem.kernels.crack_tables import ACTIVE, BEFORE, FACET, GAP, NORMAL, ONSET, SHARE_I, SHARE_J, STATUS
-from bondem.kernels.single_facets import column, present_normal
+from bondem.kernels.crack_tables import (
+    ACTIVE,
+    AT_REST,
+    BEFORE,
+    CELLS,
+    CRACKS,
+    FACET,
+    GAP,
+    NORMAL,
+    ONSET,
+    RESTING,
+    SHARE_I,
+    SHARE_J,
+    STATUS,
+    TREATED_ONES,
+)
+from bondem.kernels.single_facets import column, facet_of, facets_of, present_normal
 from bondem.laws.cell_energy import scalar
 
 # What stands for the integrity a step ago of a crack that begins: its rate is found first.
@@ -43,23 +58,33 @@ def known(pose, bonds, cells, cracks, c):
 def treat(bonds, cracks, c, k, status):
     """Treat a crack one by one from now on, or as a facet of its integrity among the others."""
     cracks.row[c, STATUS] = status
-    cracks.listed[k] = 1 if status == ACTIVE else 2
+    cracks.listed[k] = 1 + status
     bonds.integrity[k] = 0.0 if status == ACTIVE else cracks.integrity[k]
 
 
-@device
-def _link(bonds, cracks, c):
-    """Put crack c into the lists of its two cells."""
-    k = np.int64(cracks.row[c, FACET])
-    i, j = bonds.i[k], bonds.j[k]
-    for end in range(2):
-        p = i if end == 0 else j
-        if cracks.head[p] < 0:
-            cracks.cell[cracks.sizes[1]] = p
-            cracks.sizes[1] += 1
-    cracks.after[2 * c], cracks.after[2 * c + 1] = cracks.head[i], cracks.head[j]
-    cracks.head[i], cracks.head[j] = 2 * c, 2 * c + 1
-    treat(bonds, cracks, c, k, cracks.row[c, STATUS])
+@loop(parallel=False)
+def list_cracks(bonds, cracks):
+    """Make the lists anew: cracks that are treated one by one, those that rest, and halves of the first, by cell."""
+    sizes, active, resting, listed, facet = cracks.sizes, cracks.active, cracks.resting, cracks.listed, cracks.facet
+    cell, head, after, at_i, at_j = cracks.cell, cracks.head, cracks.after, bonds.i, bonds.j
+    for e in range(sizes[CELLS]):
+        head[cell[e]] = -1
+    treated = rest = count = 0
+    for c in range(sizes[CRACKS]):
+        k = facet[c]
+        if listed[k] == 1 + RESTING:
+            resting[rest] = c
+            rest += 1
+        elif listed[k] == 1 + ACTIVE:
+            active[treated] = c
+            treated += 1
+            for side in range(2):
+                p = at_i[k] if side == 0 else at_j[k]
+                if head[p] < 0:
+                    cell[count] = p
+                    count += 1
+                after[2 * c + side], head[p] = head[p], 2 * c + side
+    sizes[CELLS], sizes[TREATED_ONES], sizes[AT_REST] = count, treated, rest
 
 
 @loop(parallel=False)
@@ -70,7 +95,7 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
     for k in range(bonds.m):
         if marked[k] == 0:
             continue
-        c = cracks.sizes[0]
+        c = cracks.sizes[CRACKS]
         row, start = cracks.row[c], 0.0
         if marked[k] == 1:
             f, A = column(force, k), cracks.area[k]
@@ -80,28 +105,31 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
         write_three(cracks.pull[c], 0, column(force, k))
-        cracks.sizes[0] += 1
-        _link(bonds, cracks, c)
+        cracks.sizes[CRACKS] += 1
+        cracks.facet[c] = k
+        treat(bonds, cracks, c, k, ACTIVE)
         marked[k] = 0
 
 
 @kernel(parallel=False)
 def link_cracks(bonds, cells, cracks):
-    """Lists of all cracks, as a run begins."""
-    for c in range(cracks.sizes[0]):
-        _link(bonds, cracks, c)
-    for e in range(cracks.sizes[1]):
-        weigh_cracked(cells, cracks, cracks.cell[e])
+    """Lists and weights of all cracks, as a run begins."""
+    for c in range(cracks.sizes[CRACKS]):
+        k = np.int64(cracks.row[c, FACET])
+        cracks.facet[c] = k
+        treat(bonds, cracks, c, k, np.int64(cracks.row[c, STATUS]))
+    for c in range(cracks.sizes[CRACKS]):
+        weigh_cracked(cells, cracks, bonds.i[cracks.facet[c]])
+        weigh_cracked(cells, cracks, bonds.j[cracks.facet[c]])
+    list_cracks(bonds, cracks)
 
 
 @loop(parallel=False)
 def weigh_cracked(cells, cracks, p):
     """λ / V of a cell: of what its cracks lack that are not treated one by one, they are free facets."""
-    slack, h = 0.0, cracks.head[p]
-    while h >= 0:
-        c = h >> 1
-        k = np.int64(cracks.row[c, FACET])
-        if cracks.row[c, STATUS] != ACTIVE:
-            slack += (1.0 - cracks.integrity[k]) * (cracks.slack_i[k] if h == 2 * c else cracks.slack_j[k])
-        h = cracks.after[h]
+    slack, inward = 0.0, cells.in_start[p + 1] - cells.in_start[p]
+    for e in range(facets_of(cells, p)):
+        k = facet_of(cells, p, e)
+        if cracks.listed[k] > 1 + ACTIVE:
+            slack += (1.0 - cracks.integrity[k]) * (cracks.slack_j[k] if e < inward else cracks.slack_i[k])
     cells.weight[p] = cracks.weight[p] / (1.0 + cracks.weight[p] * slack)

@@ -4,7 +4,6 @@ They are found with the elements where they have come to, so that no bit depends
 each facet is on its own, whatever thread it is on.
 """
 
-
 from bondem._compile import device, loop, prange
 from bondem.kernels.cell_stress import cell_stresses, pair_stress, surface_stresses
 from bondem.kernels.cell_yield import book_loads, stretch_cells, stretch_grips, yield_cells

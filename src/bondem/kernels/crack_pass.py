@@ -9,7 +9,7 @@ list: no bit depends on threads. See `bondem.laws.softening`.
 """
 
 from bondem._compile import loop, prange
-from bondem.kernels.crack_list import begin_cracks
+from bondem.kernels.crack_list import begin_cracks, list_cracks
 from bondem.kernels.crack_onset import judge_body
 from bondem.kernels.crack_states import (
     begin_bases,
@@ -20,6 +20,7 @@ from bondem.kernels.crack_states import (
     soften,
     wake_cracks,
 )
+from bondem.kernels.crack_tables import AT_REST, CELLS, CRACKS, TREATED_ONES
 from bondem.kernels.cracking import add_crack_moments, clear_cracks, crack_forces, hand_out_cracks, log_cracks
 
 # Below this many cracks launching threads costs more than the loop.
@@ -31,42 +32,46 @@ _MOMENTS, _MEASURE, _RELAX, _REST, _SOFTEN, _FORCES, _CHANGES, _SUMS = range(8)
 
 
 @loop(parallel=False)
-def _portion(kind, elements, bonds, cells, cracks, crack, cell):
-    """What `kind` says, of the cracks or cells from the first of a pair of numbers to the second."""
-    pose = elements.pose
+def _portion(kind, elements, bonds, cells, cracks, share, count):
+    """What `kind` says, of share 0 … count - 1 of the cracks or cells of a list."""
+    sizes, listed = cracks.sizes, CELLS
+    if kind == _REST:
+        listed = AT_REST
+    elif kind in (_MEASURE, _SOFTEN, _FORCES, _CHANGES):
+        listed = TREATED_ONES
+    first, last = sizes[listed] * share // count, sizes[listed] * (share + 1) // count
+    pose, n = elements.pose, len(elements.pose)
     if kind == _MOMENTS:
-        add_crack_moments(pose, cells, cracks, cell[0], cell[1])
+        add_crack_moments(pose, cells, cracks, first, last)
     elif kind == _MEASURE:
-        measure_cracks(pose, bonds, cells, cracks, crack[0], crack[1])
-        begin_bases(pose, cells, cracks, cell[0], cell[1])
+        measure_cracks(pose, bonds, cells, cracks, first, last)
+        begin_bases(pose, cells, cracks, n * share // count, n * (share + 1) // count)
     elif kind == _RELAX:
-        relax_cells(pose, cells, cracks, cell[0], cell[1])
+        relax_cells(pose, cells, cracks, first, last)
     elif kind == _REST:
-        look_at_rest(pose, bonds, cells, cracks, crack[0], crack[1])
+        look_at_rest(pose, bonds, cells, cracks, first, last)
     elif kind == _SOFTEN:
-        soften(pose, bonds, cells, cracks, crack[0], crack[1])
+        soften(pose, bonds, cells, cracks, first, last)
     elif kind == _SUMS:
-        hand_out_cracks(cracks, elements.loss, cell[0], cell[1])
+        hand_out_cracks(cracks, elements.loss, first, last)
     else:
-        crack_forces(pose, bonds, cells, cracks, kind == _CHANGES, crack[0], crack[1])
+        crack_forces(pose, bonds, cells, cracks, kind == _CHANGES, first, last)
 
 
 @loop(parallel=True)
 def _portions(kind, elements, bonds, cells, cracks, count):
-    m, n = cracks.sizes[0], cracks.sizes[1]
     for d in prange(count):
-        crack, cell = (m * d // count, m * (d + 1) // count), (n * d // count, n * (d + 1) // count)
-        _portion(kind, elements, bonds, cells, cracks, crack, cell)
+        _portion(kind, elements, bonds, cells, cracks, d, count)
 
 
 @loop(parallel=False)
 def _all(kind, elements, bonds, cells, cracks, threaded):
-    """The same of all cracks, on all threads where these are many."""
-    m, n = cracks.sizes[0], cracks.sizes[1]
-    if threaded and m >= _SERIAL:
-        _portions(kind, elements, bonds, cells, cracks, m // _PORTION)
+    """The same of all, on all threads where these are many."""
+    many = cracks.sizes[TREATED_ONES] + cracks.sizes[AT_REST]
+    if threaded and many >= _SERIAL:
+        _portions(kind, elements, bonds, cells, cracks, many // _PORTION)
     else:
-        _portion(kind, elements, bonds, cells, cracks, (0, m), (0, n))
+        _portion(kind, elements, bonds, cells, cracks, 0, 1)
 
 
 @loop(parallel=False)
@@ -91,13 +96,15 @@ def crack_between(elements, bonds, cells, contacts, table, threaded):
     """Between the passes over the facets: stresses of cells with cracks, and what these do."""
     if table is not None:  # decided when compiled
         cracks = table.facets
-        if cracks.sizes[0] > 0:
+        if cracks.sizes[CRACKS] > 0:
             change = cracks.now[1] >= 0.0
+            list_cracks(bonds, cracks)
             _all(_MEASURE, elements, bonds, cells, cracks, threaded)
             _all(_RELAX, elements, bonds, cells, cracks, threaded)
             if change:
                 _all(_REST, elements, bonds, cells, cracks, threaded)
                 if wake_cracks(elements.pose, bonds, cells, contacts, cracks):
+                    list_cracks(bonds, cracks)
                     _all(_RELAX, elements, bonds, cells, cracks, threaded)
                 _all(_SOFTEN, elements, bonds, cells, cracks, threaded)
                 if leave_cracks(elements.pose, bonds, cells, contacts, cracks):

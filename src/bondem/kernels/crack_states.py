@@ -1,12 +1,10 @@
 """How cracks are treated in a step: stresses of their cells, integrities, and when they rest or part.
 
-What a function does with the cracks or cells first … last of the lists concerns each of them alone, and is done by
+What a function does with the cracks or cells first … last of a list concerns each of them alone, and is done by
 whatever thread; what concerns others too is done by one thread, in the order of the list: no bit depends on threads.
 """
 
 import math
-
-import numpy as np
 
 from bondem._compile import device, loop
 from bondem.kernels.cell_pass import STRESS
@@ -18,9 +16,9 @@ from bondem.kernels.crack_tables import (
     ALONG,
     ARM_I,
     ARM_J,
+    AT_REST,
     BEFORE,
     CLOSED,
-    FACET,
     FACING,
     GAP,
     LOOSE,
@@ -35,10 +33,10 @@ from bondem.kernels.crack_tables import (
     SHARE_J,
     SLIP,
     SQUARE,
-    STATUS,
     SWOLLEN,
     TOP,
     TREATED,
+    TREATED_ONES,
 )
 from bondem.kernels.single_facets import column, frame
 from bondem.laws.cell_energy import opened, scalar, turned_by
@@ -87,21 +85,21 @@ def _halve(half, g, c, k, w, s):
 
 @loop(parallel=False)
 def measure_cracks(pose, bonds, cells, cracks, first, last):
-    """What is known of the cracks first … last that are treated one by one."""
-    row, geometry, half, part, integrity = cracks.row, cracks.geometry, cracks.half, cracks.part, cracks.integrity
-    for c in range(first, last):
-        if row[c, STATUS] == ACTIVE:
-            k = np.int64(row[c, FACET])
-            _measure(geometry[c], frame(pose, bonds, cells, k), column(cells.normal, k))
-            _halve(half, geometry[c], c, cells.k[k], part[k], integrity[k])
+    """What is known of the cracks first … last of those that are treated one by one."""
+    facet, geometry, half, part, integrity = cracks.facet, cracks.geometry, cracks.half, cracks.part, cracks.integrity
+    active, normal, stiff = cracks.active, cells.normal, cells.k
+    for e in range(first, last):
+        c = active[e]
+        k = facet[c]
+        _measure(geometry[c], frame(pose, bonds, cells, k), column(normal, k))
+        _halve(half, geometry[c], c, stiff[k], part[k], integrity[k])
 
 
 @loop(parallel=False)
 def begin_bases(pose, cells, cracks, first, last):
-    """V θ of the cells first … last of the list without their cracks."""
-    cell, base, weight = cracks.cell, cracks.base, cells.weight
-    for e in range(first, last):
-        p = cell[e]
+    """V θ of the cells first … last of all, without what their cracks that are treated one by one do."""
+    base, weight = cracks.base, cells.weight
+    for p in range(first, last):
         base[p] = pose[p, STRESS] / weight[p] if weight[p] != 0.0 else 0.0
 
 
@@ -149,12 +147,11 @@ def _hand_over(bonds, cells, cracks, c, k, sign):
 @loop(parallel=False)
 def look_at_rest(pose, bonds, cells, cracks, first, last):
     """Flag those of the resting cracks first … last that are about to soften or close."""
-    row, flag, at_i, at_j, stiff = cracks.row, cracks.flag, bonds.i, bonds.j, cells.k
-    for c in range(first, last):
-        flag[c] = 0
-        if row[c, STATUS] != RESTING:
-            continue
-        k = np.int64(row[c, FACET])
+    row, flag, facet, resting = cracks.row, cracks.flag, cracks.facet, cracks.resting
+    at_i, at_j, stiff = bonds.i, bonds.j, cells.k
+    for e in range(first, last):
+        c = resting[e]
+        k, flag[c] = facet[c], 0
         d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
         gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
         K, one, other = stiff[k], pose[at_i[k], STRESS], pose[at_j[k], STRESS]
@@ -170,11 +167,11 @@ def look_at_rest(pose, bonds, cells, cracks, first, last):
 def wake_cracks(pose, bonds, cells, contacts, cracks):
     """Treat those resting cracks one by one that were flagged; whether there are any."""
     woken = False
-    for c in range(cracks.sizes[0]):
+    for e in range(cracks.sizes[AT_REST]):
+        c = cracks.resting[e]
         if cracks.flag[c] != _WAKES:
             continue
-        row = cracks.row[c]
-        k = np.int64(row[FACET])
+        k, row = cracks.facet[c], cracks.row[c]
         place = frame(pose, bonds, cells, k)
         _measure(cracks.geometry[c], place, column(cells.normal, k))
         if cracks.integrity[k] == 0.0 and _leaves(cracks.geometry[c], cracks.area[k]):
@@ -193,13 +190,16 @@ def wake_cracks(pose, bonds, cells, contacts, cracks):
 
 @loop(parallel=False)
 def soften(pose, bonds, cells, cracks, first, last):
-    """Integrities of the cracks first … last at the present openings; those that rest or part now are flagged."""
-    rows, flag, integrity, half, geometry = cracks.row, cracks.flag, cracks.integrity, cracks.half, cracks.geometry
+    """Integrities of the cracks first … last of those that are treated one by one, at their present openings.
+
+    Those that rest or part now are flagged.
+    """
+    rows, active, flag, integrity = cracks.row, cracks.active, cracks.flag, cracks.integrity
+    half, geometry = cracks.half, cracks.geometry
     lasting, fastest, area = cracks.last, cracks.fastest, cracks.area
-    for c in range(first, last):
+    for e in range(first, last):
+        c = active[e]
         flag[c] = 0
-        if rows[c, STATUS] != ACTIVE:
-            continue
         k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
         (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
         s, before, onset = integrity[k], rows[c, BEFORE], rows[c, ONSET]
@@ -232,7 +232,8 @@ def soften(pose, bonds, cells, cracks, first, last):
 def leave_cracks(pose, bonds, cells, contacts, cracks):
     """Let cracks rest or part that were flagged; whether these, or integrities, changed."""
     changed = False
-    for c in range(cracks.sizes[0]):
+    for e in range(cracks.sizes[TREATED_ONES]):
+        c = cracks.active[e]
         now = cracks.flag[c]
         if now == 0:
             continue
@@ -269,8 +270,7 @@ def _part(pose, bonds, contacts, row, k):
 @device
 def _leave(bonds, cells, cracks, c, status):
     """Treat a crack one by one no longer."""
-    row = cracks.row[c]
-    k = np.int64(row[FACET])
+    k, row = cracks.facet[c], cracks.row[c]
     treat(bonds, cracks, c, k, status)
     if cracks.integrity[k] == 0.0:
         row[TOP] = math.inf

@@ -12,6 +12,9 @@ CRACK_COLUMNS = 13
 # How cracked facets are treated: one by one; as facets of less stiffness among all others, while they are open and do
 # not soften; and not at all, once their faces no longer face each other.
 ACTIVE, RESTING, PARTED = 0, 1, 2
+# How many there are: cracks, cells with some that are treated one by one, rows logged, cracks that are treated one by
+# one, and that rest.
+CRACKS, CELLS, LOGGED, TREATED_ONES, AT_REST = range(5)
 # Columns of a cell that yields: P - 1 of its plastic deformation P in its own frame, row by row, Σ Δγ, the last
 # increment of strain in space xx, yy, zz, xy, xz, yz, energy dissipated [J].
 DEFORMATION, GAMMA, INCREMENT, HEAT = 0, 9, 10, 16
@@ -60,7 +63,7 @@ class Onset(NamedTuple):
     hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
     hotter: np.ndarray  #: 1 for cells whose facets are looked at, 2 for those without cohesion, uint8, (n,)
     marked: np.ndarray  #: 1 for facets that begin to crack, 2 for those of a cell without cohesion, uint8, (m,)
-    listed: np.ndarray  #: 1 for facets that are treated one by one, 2 for other cracks, uint8, (m,)
+    listed: np.ndarray  #: not 0 for facets that have begun, uint8, (m,)
 
 
 class CrackedFacets(NamedTuple):
@@ -79,16 +82,19 @@ class CrackedFacets(NamedTuple):
     slack_j: np.ndarray
     now: np.ndarray  #: time [s] and step; a step below 0 where nothing is to change, (2,)
     integrity: np.ndarray  #: 1 whole … 0 broken, (m,)
-    listed: np.ndarray  #: 1 for facets that are treated one by one, 2 for other cracks, uint8, (m,)
+    listed: np.ndarray  #: 0 for whole facets, 1 and how they are treated for cracks, uint8, (m,)
     row: np.ndarray  #: cracked facets in the order in which they began, (m, 13)
-    sizes: np.ndarray  #: how many cracked facets, how many cells that have some, rows logged, (3,)
+    sizes: np.ndarray  #: of the lists (`CRACKS` …), (5,)
+    facet: np.ndarray  #: of each crack, (m,)
+    active: np.ndarray  #: cracks that are treated one by one, in that order, (m,)
+    resting: np.ndarray  #: those that rest, (m,)
     flag: np.ndarray  #: what is to be done with a crack, uint8, (m,)
     geometry: np.ndarray  #: (m, 19)
     half: np.ndarray  #: (2 m, 8), zeros for cracks that are not treated one by one
-    cell: np.ndarray  #: cells with cracked facets, (n,)
+    cell: np.ndarray  #: cells with cracks that are treated one by one, (n,)
     head: np.ndarray  #: first half of a cell, or -1, (n,)
     after: np.ndarray  #: the next half of its cell, or -1, (2 m,)
-    base: np.ndarray  #: V θ of cells with cracks but for these [m³], (n,)
+    base: np.ndarray  #: V θ of cells without the cracks that are treated one by one [m³], (n,)
     pull: np.ndarray  #: force of each crack on its cell i [N], (m, 3)
     output: np.ndarray  #: torques on both cells [N·m], energy lost to friction and to the crack in a step [J], (m, 8)
     load: np.ndarray  #: force and torque of all cracks on each cell [N, N·m], (n, 6)

@@ -2,8 +2,6 @@
 
 import math
 
-import numpy as np
-
 from bondem._compile import device, loop
 from bondem.kernels.breaking import write_break
 from bondem.kernels.cell_stress import add_moment
@@ -15,8 +13,10 @@ from bondem.kernels.crack_tables import (
     ARM_I,
     ARM_J,
     BEFORE,
-    FACET,
+    CELLS,
+    CRACKS,
     GAP,
+    LOGGED,
     LOST,
     NORMAL,
     RATE,
@@ -28,6 +28,7 @@ from bondem.kernels.crack_tables import (
     TORQUE_I,
     TORQUE_J,
     TREATED,
+    TREATED_ONES,
 )
 from bondem.kernels.single_facets import lever, orientation, resistance
 from bondem.kernels.tables import RUBBED
@@ -41,8 +42,8 @@ def _log(pose, bonds, cracks, c, k, mode, gap):
     """Write down a crack of which nothing is left."""
     i, arm = bonds.i[k], read_three(cracks.geometry[c], ARM_I)
     place = pose[i, 0] + arm[0], pose[i, 1] + arm[1], pose[i, 2] + arm[2]
-    write_break(cracks.log[cracks.sizes[2]], cracks.now, k, mode, gap, cracks.row[c, SPENT], place)
-    cracks.sizes[2] += 1
+    write_break(cracks.log[cracks.sizes[LOGGED]], cracks.now, k, mode, gap, cracks.row[c, SPENT], place)
+    cracks.sizes[LOGGED] += 1
 
 
 @device
@@ -57,19 +58,24 @@ def _half_couple(k, w, s, gap, share, stress, opening):
 @loop(parallel=False)
 def clear_cracks(cracks):
     """Take off `load` what cracks did a step ago; contacts write theirs anew."""
-    for e in range(cracks.sizes[1]):
+    for e in range(cracks.sizes[CELLS]):
         cracks.load[cracks.cell[e], :] = 0.0
 
 
 @loop(parallel=False)
 def crack_forces(pose, bonds, cells, cracks, change, first, last):
-    """Forces and torques of the cracks first … last; where they are to `change`, slip and energies are booked."""
+    """Forces and torques of the cracks first … last of those that are treated one by one.
+
+    Where they are to `change`, slip and energies are booked.
+    """
     rows, geometry, integrity = cracks.row, cracks.geometry, cracks.integrity
     pulls, outputs = cracks.pull, cracks.output
     at_i, at_j, flag, friction = bonds.i, bonds.j, cracks.flag, cracks.friction
-    for c in range(first, last):
+    active, listed, facet = cracks.active, cracks.listed, cracks.facet
+    for e in range(first, last):
+        c = active[e]
         flag[c] = 0
-        if rows[c, STATUS] != ACTIVE:
+        if listed[facet[c]] != 1 + ACTIVE:  # it has just gone to rest
             continue
         row, g, output = rows[c], geometry[c], outputs[c]
         k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
@@ -139,11 +145,13 @@ def hand_out_cracks(cracks, loss, first, last):
 def log_cracks(pose, bonds, cracks):
     """Add up what cracks have dissipated in this step, and write down those of which nothing is left."""
     lost = 0.0
-    for c in range(cracks.sizes[0]):
-        if cracks.row[c, STATUS] == ACTIVE:
+    for e in range(cracks.sizes[TREATED_ONES]):
+        c = cracks.active[e]
+        k = cracks.facet[c]
+        if cracks.listed[k] == 1 + ACTIVE:
             lost += cracks.output[c, LOST]
             if cracks.flag[c] != 0:
-                k, g = np.int64(cracks.row[c, FACET]), cracks.geometry[c]
+                g = cracks.geometry[c]
                 gap = scalar(read_three(g, GAP), read_three(g, NORMAL))
                 _log(pose, bonds, cracks, c, k, TENSION if gap > 0.0 else SHEAR, gap)
     cracks.released[0] += lost
@@ -152,15 +160,16 @@ def log_cracks(pose, bonds, cracks):
 @loop(parallel=False)
 def add_crack_moments(pose, cells, cracks, first, last):
     """Add the forces of the cracks of the cells first … last of the list, a step ago, to V σ of these."""
-    cell, head, after, pull, row = cracks.cell, cracks.head, cracks.after, cracks.pull, cracks.row
+    cell, head, after, pull = cracks.cell, cracks.head, cracks.after, cracks.pull
+    listed, facet = cracks.listed, cracks.facet
     moment, lever_i, lever_j, pitch = cells.moment, cells.lever_i, cells.lever_j, cells.pitch
     for e in range(first, last):
         p = cell[e]
         h = head[p]
         while h >= 0:
             c = h >> 1
-            if row[c, STATUS] == ACTIVE:
-                k = np.int64(row[c, FACET])
+            k = facet[c]
+            if listed[k] == 1 + ACTIVE:
                 if h == 2 * c:
                     add_moment(moment, pose, p, lever(lever_i, pitch, k), read_three(pull[c], 0))
                 else:
@@ -173,7 +182,7 @@ def add_crack_moments(pose, cells, cracks, first, last):
 def crack_energies(pose, bonds, cells, cracks):
     """Elastic energy of all cracks: normal, shear and bending [J]."""
     normal = shear = bend = 0.0
-    for c in range(cracks.sizes[0]):
+    for c in range(cracks.sizes[CRACKS]):
         if cracks.row[c, STATUS] == ACTIVE:
             k, K, w, gap, n, shares, stresses = known(pose, bonds, cells, cracks, c)
             s, rub = cracks.integrity[k], read_three(cracks.row[c], RUB)

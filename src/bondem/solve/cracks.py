@@ -11,9 +11,11 @@ from bondem.kernels.crack_list import link_cracks
 from bondem.kernels.crack_tables import (
     ACTIVE,
     CRACK_COLUMNS,
+    CRACKS,
     FACET,
     GEOMETRY_COLUMNS,
     HALF_COLUMNS,
+    LOGGED,
     OUTPUT_COLUMNS,
     PARTED,
     STATUS,
@@ -104,7 +106,8 @@ def crack_table(
         last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0), area=table.area,
         friction=table.friction, weight=constants.weight,
         slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
-        listed=listed, row=row, sizes=np.array([count, 0, 0], dtype=np.int64), flag=np.zeros(m, dtype=np.uint8),
+        listed=listed, row=row, sizes=np.array([count, 0, 0, 0, 0], dtype=np.int64), flag=np.zeros(m, dtype=np.uint8),
+        facet=np.zeros(m, dtype=np.int64), active=np.zeros(m, dtype=np.int64), resting=np.zeros(m, dtype=np.int64),
         geometry=np.zeros((m, GEOMETRY_COLUMNS)), half=np.zeros((2 * m, HALF_COLUMNS)),
         cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
         after=np.full(2 * m, -1, dtype=np.int64), base=np.zeros(n),
@@ -159,7 +162,7 @@ def take_up(pose: Floats, bonds: Bonds, cells: CellTable, grips: GripTable, crac
     if cracks.flow.yielding:
         stretch_cells(cells, cracks.flow, True, 0, len(cracks.flow.plastic))
     stretch_grips(grips, cracks.flow)
-    rows = cracks.facets.row[: cracks.facets.sizes[0]]
+    rows = cracks.facets.row[: cracks.facets.sizes[CRACKS]]
     active = rows[:, STATUS] == ACTIVE
     # these are no part of the loop over facets: what they bear stands in `pull`
     assert cells.force is not None
@@ -169,7 +172,7 @@ def take_up(pose: Floats, bonds: Bonds, cells: CellTable, grips: GripTable, crac
 
 def keep_cracks(cells: CellTable, cracks: CrackedFacets, state: State) -> None:
     """Write what has cracked and broken since the last call into the state."""
-    count, logged = int(cracks.sizes[0]), int(cracks.sizes[2])
+    count, logged = int(cracks.sizes[CRACKS]), int(cracks.sizes[LOGGED])
     state.cracks = cracks.row[:count].copy()
     assert cells.force is not None
     state.facet_force[:] = cells.force[:, : state.facet_force.shape[1]]
@@ -177,4 +180,4 @@ def keep_cracks(cells: CellTable, cracks: CrackedFacets, state: State) -> None:
     state.facet_force[:, state.cracks[one_by_one, FACET].astype(np.int64)] = cracks.pull[one_by_one].T
     if logged:
         state.broken = np.concatenate([state.broken, cracks.log[:logged]])
-        cracks.sizes[2] = 0
+        cracks.sizes[LOGGED] = 0
