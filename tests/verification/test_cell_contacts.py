@@ -128,3 +128,26 @@ def test_cells_touch_where_they_parted_and_not_as_spheres() -> None:
     loose = bd.LinearContact(E=E, stress_free=False)
     with pytest.raises(InputError, match="stress_free=True"):
         bd.Model(pair(), bd.CellBond(E=E, nu=NU), density=RHO, failure=FAILURES["brittle"], contact=loose)
+
+
+def test_platens_in_contact_crush_a_specimen_at_its_strength() -> None:
+    """Compression between smooth walls: the strength of a Mohr–Coulomb material, a tenth lower at most."""
+    failure, length = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61, fracture_energy=50.0), 0.1
+    strength = 2.0 * 14e6 * math.cos(0.61) / (1.0 - math.sin(0.61))
+    box = bd.Box(size=(length, 0.5 * length, 0.5 * length))
+    body = bd.connect(bd.pack(box, count=1000, method="even", seed=1), method="laguerre")
+    sound = math.sqrt(E / RHO)
+    rise = 60.0 * length / sound
+    pushed = bd.Driven(vx=bd.Ramp(0.0, -1.6 * strength / E * length / rise, 0.2 * rise))
+    walls = [bd.PlaneWall((0, 0, 0), (1, 0, 0)), bd.PlaneWall((length, 0, 0), (-1, 0, 0), motion=pushed)]
+    contact = bd.LinearContact(E=4.0 * E)
+    model = bd.Model(body, bd.CellBond(E=E, nu=NU), RHO, failure=failure, contact=contact, walls=walls)
+    run = bd.solve_explicit(
+        model, duration=1.5 * rise, every=200, damping=bd.MassDamping(alpha=0.2 * math.pi * sound / length),
+        gauges={"far": bd.WallGauge(1, "force"), "near": bd.WallGauge(0, "force")},
+    )  # fmt: skip
+    for wall in ("far", "near"):
+        stress = np.abs(run.history[wall][:, 0]) / (0.5 * length) ** 2
+        assert 0.93 * strength < stress.max() < 1.02 * strength
+        assert stress[-1] < 0.9 * stress.max()
+    assert np.ptp(run.history.energy["balance"]) < 1e-3 * run.history.energy["work"].max()

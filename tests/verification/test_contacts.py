@@ -67,6 +67,26 @@ def test_restitution_of_a_head_on_collision(beta: float) -> None:
     assert e == pytest.approx(model.contact.restitution, abs=1e-6 if beta == 0.0 else 4e-3)
 
 
+def test_no_pair_is_passed_over_that_touches() -> None:
+    """Pairs at many gaps, both ends moving: each begins in the step in which its spheres meet."""
+    gaps = np.concatenate([np.linspace(1e-4, 0.02, 60), np.linspace(0.03, 0.3, 10)])
+    row = 5.0 * np.arange(len(gaps))
+    one = np.column_stack([np.zeros_like(row), row, np.zeros_like(row)])
+    other = one + np.column_stack([2.0 + gaps, np.zeros_like(row), np.zeros_like(row)])
+    for share in (0.5, 0.1, 1.0):  # of the speed that is of the first sphere
+        model = grains(np.concatenate([one, other]), np.ones(2 * len(gaps)), law=bd.LinearContact(E=E))
+        velocity = np.zeros((2 * len(gaps), 3))
+        velocity[: len(gaps), 0], velocity[len(gaps) :, 0] = share, share - 1.0
+        dt = 2e-5
+        run = bd.solve_explicit(model, duration=0.02, dt=dt, every=1, state=moving(model, velocity))
+        met = gaps < 0.02 - 2.0 * dt
+        kn = 0.5 * math.pi * E
+        overlap = np.maximum(run.history.time[:, None] - gaps[None, met], 0.0)
+        omega = math.sqrt(2.0 * kn / model.mass[0])
+        stored = (0.5 * kn * (np.sin(omega * overlap) / omega) ** 2 * (omega * overlap < math.pi)).sum(axis=1)
+        np.testing.assert_allclose(run.history.energy["contact"], stored, atol=2e-3 * stored.max())
+
+
 def test_a_collision_lasts_half_a_period() -> None:
     """ω² = kn / m̄: the time of contact is π / ω, and the deepest overlap v / ω."""
     model = grains([[0, 0, 0], [2.0, 0, 0]], [1.0, 1.0], law=bd.LinearContact(E=E))
