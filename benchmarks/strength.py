@@ -7,10 +7,11 @@ Without fracture energy a notched bar has the toughness of its elements: σ √(
 sizes d, with σ the largest stress of the whole section, a the depth of the notch, and no factor for the shape.
 
 Run: python benchmarks/strength.py [--kinds tension notched brittle compression triaxial] [--counts 1000 3000 10000]
-         [--seeds 1 2 3 4 5] [--out DIR]
+         [--seeds 1 2 3 4 5] [--out DIR] [--anew]
      python benchmarks/strength.py --summary
 Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped; the last command sums
-all of them up in benchmarks/results/strength.json and strength.md.
+them up in benchmarks/results/strength.json and strength.md, with those that are there already and were not done anew.
+Without --anew these are not done again.
 """
 
 import argparse
@@ -142,24 +143,37 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--counts", type=int, nargs="+", default=[1000, 3000, 10_000])
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3, 4, 5])
     parser.add_argument("--out", type=Path, default=Path("out/strength"))
-    parser.add_argument("--summary", action="store_true", help="sum up what is in --out")
+    parser.add_argument("--summary", action="store_true", help="sum up what is in --out and in the results")
+    parser.add_argument("--anew", action="store_true", help="cases that are in the results too")
     given = parser.parse_args(arguments)
     given.out.mkdir(parents=True, exist_ok=True)
     if given.summary:
         sum_up(given.out)
         return
+    done = {} if given.anew else kept()
     for count, seed, case in product(given.counts, given.seeds, CASES):
         file = given.out / f"{case.kind}-{case.energy:g}-{case.pressure / 1e6:g}-{count}-seed{seed}.json"
-        if case.kind in given.kinds and not file.exists():
+        known = (case.kind, case.energy, case.pressure, count, seed) in done
+        if case.kind in given.kinds and not known and not file.exists():
             found = measured(case, count, seed)
             file.write_text(json.dumps(found | {"commit": commit()}))
             print(f"{file.stem}: {found['ratios']}, {found['seconds']:.0f} s", flush=True)
 
 
+def kept() -> dict[tuple[object, ...], dict[str, Any]]:
+    """Cases of the results, by kind, energy, pressure, count and seed."""
+    file = RESULTS / "strength.json"
+    cases = json.loads(file.read_text())["cases"] if file.exists() else []
+    return {tuple(one[name] for name in ("kind", "energy", "pressure", "count", "seed")): one for one in cases}
+
+
 def sum_up(out: Path) -> None:
-    """All cases in a folder as one table."""
-    begun = origin()
-    cases = sorted((json.loads(file.read_text()) for file in out.glob("*.json")), key=lambda one: one["seed"])
+    """All cases in a folder and in the results as one table."""
+    begun, found = origin(), kept()
+    for file in out.glob("*.json"):
+        one = json.loads(file.read_text())
+        found[tuple(one[name] for name in ("kind", "energy", "pressure", "count", "seed"))] = one
+    cases = sorted(found.values(), key=lambda one: one["seed"])
     judged = [one for one in cases if one["ratios"]]
     within = sum(all(abs(ratio - 1.0) <= LIMIT for ratio in one["ratios"].values()) for one in judged)
     told = f"{within} of {len(judged)} specimens within {100 * LIMIT:g} % in all that was measured"
