@@ -104,6 +104,8 @@ USUAL: dict[str, dict[str, Any]] = {
     "Pressure": {"region": FACE, "pressure": 1e5, "schedule": bd.Constant(1.0)},
     "Ramp": {"start": 0.0, "end": 1.0, "duration": 1.0, "begin": 0.0},
     "Response": {"lattice": LATTICE, "law": LAW, "guess": None},
+    "Free": {"mass": 1.0, "velocity": (1.0, 0.0, 0.0), "force": (0.0, 0.0, 0.0)},
+    "SphereWall": {"radius": 1.0, "centre": (0.0, 0.0, 0.0), "inside": False, "motion": None, "friction": 0.1},
     "Servo": {"force": 1e3, "speed": 1.0, "mass": 1.0},
     "Sieve": {"diameters": (1.0, 2.0), "mass_passing": (0.0, 1.0)},
     "State": {"model": MODEL},

@@ -53,7 +53,7 @@ _PUBLIC = {
     "bondem.model.gauges": ("AnyGauge", "Gauge", "WallGauge"),
     "bondem.model.model": ("Model",),
     "bondem.model.state": ("State",),
-    "bondem.model.walls": ("CylinderWall", "Driven", "PlaneWall", "Servo", "Wall"),
+    "bondem.model.walls": ("CylinderWall", "Driven", "Free", "PlaneWall", "Servo", "SphereWall", "Wall"),
     "bondem.observe.bond_strain": ("BondStrain",),
     "bondem.observe.breakage": ("BrokenBonds", "failure_index"),
     "bondem.observe.cell_forces": ("SmallMotion",),

@@ -64,8 +64,10 @@ from bondem.model.schedules import Table as Table
 from bondem.model.state import State as State
 from bondem.model.walls import CylinderWall as CylinderWall
 from bondem.model.walls import Driven as Driven
+from bondem.model.walls import Free as Free
 from bondem.model.walls import PlaneWall as PlaneWall
 from bondem.model.walls import Servo as Servo
+from bondem.model.walls import SphereWall as SphereWall
 from bondem.model.walls import Wall as Wall
 from bondem.observe.bond_strain import BondStrain as BondStrain
 from bondem.observe.breakage import BrokenBonds as BrokenBonds

@@ -23,7 +23,7 @@ from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.gauges import Gauge, WallGauge
 from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.model.schedules import Constant, Ramp, Table
-from bondem.model.walls import CylinderWall, Driven, PlaneWall, Servo
+from bondem.model.walls import CylinderWall, Driven, Free, PlaneWall, Servo, SphereWall
 from bondem.solve.events import AtRest
 from bondem.solve.plan import Plan
 from bondem.solve.schemes import TchamwaWielgosz, VelocityVerlet
@@ -37,7 +37,7 @@ _TYPES: dict[str, type] = {
     for cls in (
         *LAWS.values(), *CELL_LAWS.values(), NonLocal, *CRITERIA.values(), Weibull, Normal,
         LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
-        LinearContact, HertzMindlin, PlaneWall, CylinderWall, Driven, Servo,
+        LinearContact, HertzMindlin, PlaneWall, CylinderWall, SphereWall, Driven, Servo, Free,
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
         Difference, Everything, Face, Index, Intersection, Union, Within,

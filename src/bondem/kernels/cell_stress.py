@@ -47,10 +47,11 @@ def sum_moments(pose, cells):
     moment, force = cells.moment, cells.force
     moment[:, :] = 0.0
     for p in range(len(pose)):
+        inward = cells.in_start[p + 1] - cells.in_start[p]
         for e in range(facets_of(cells, p)):
             k = facet_of(cells, p, e)
             f = column(force, k)
-            if k < cells.in_start[p + 1] and k >= cells.in_start[p]:
+            if e < inward:
                 add_moment(moment, pose, p, lever(cells.lever_j, cells.pitch, k), (-f[0], -f[1], -f[2]))
             else:
                 add_moment(moment, pose, p, lever(cells.lever_i, cells.pitch, k), f)

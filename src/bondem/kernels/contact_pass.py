@@ -17,7 +17,7 @@ from bondem.kernels.contact_pairs import (
     spring_and_dashpot,
 )
 from bondem.kernels.tables import DAMPED, RUBBED
-from bondem.kernels.walls import KIND, OUTSIDE, RATE, load_walls, wall_gap, wall_travel
+from bondem.kernels.walls import KIND, RATE, among, load_walls, wall_gap, wall_travel
 from bondem.laws.contact import SOFT, contact_force, spring_energy, wall_spring
 
 # Below this many candidates launching threads costs more than the loop.
@@ -90,7 +90,7 @@ def _with_wall(pose, motion, c, p, e, dt, total):
         return total
     n, spin = (nx, ny, nz), (motion[p, 4], motion[p, 5], motion[p, 6])
     v = motion[p, 0] - walls[w, RATE], motion[p, 1] - walls[w, RATE + 1], motion[p, 2] - walls[w, RATE + 2]
-    grow = walls[w, RATE + 3] if shape[w, KIND] == OUTSIDE else -walls[w, RATE + 3]
+    grow = walls[w, RATE + 3] if among(shape[w, KIND]) else -walls[w, RATE + 3]
     was, mx, my, mz = wall_gap(x - dt * v[0], y - dt * v[1], z - dt * v[2], r, shape, walls, w)
     was += dt * grow
     arm = r + distance  # from the centre to the wall

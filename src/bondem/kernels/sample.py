@@ -40,9 +40,10 @@ from bondem.kernels.tables import (
     TWISTING,
     WALL_DISPLACEMENT,
     WALL_GROWTH,
+    WALL_VELOCITY,
     WORK,
 )
-from bondem.kernels.walls import FORCE, GROWTH
+from bondem.kernels.walls import FORCE, GROWTH, RATE
 from bondem.kernels.walls import NORMAL as NORMAL_FORCE
 from bondem.kernels.walls import WORK as WALL_WORK
 
@@ -104,7 +105,11 @@ def of_contacts(pose, period, contacts, gauges, record):
         quantity, column = gauges.quantity[g], FIXED_COLUMNS + 3 * g
         if quantity >= WALL_DISPLACEMENT:
             wall = walls[gauges.element[gauges.start[g]]]
-            first = 0 if quantity == WALL_DISPLACEMENT else FORCE
+            first = FORCE
+            if quantity == WALL_DISPLACEMENT:
+                first = 0
+            elif quantity == WALL_VELOCITY:
+                first = RATE
             for d in range(3):
                 record[column + d] = wall[first + d]
             if quantity == WALL_GROWTH:

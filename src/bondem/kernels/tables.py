@@ -34,7 +34,8 @@ BROKEN_COLUMNS = 9
 # What a gauge reads of elements, and from WALL_DISPLACEMENT on of a wall.
 (
     OF_DISPLACEMENT, OF_VELOCITY, OF_ROTATION, OF_SPIN, OF_FORCE, WALL_DISPLACEMENT, WALL_FORCE, WALL_GROWTH,
-) = range(8)  # fmt: skip
+    WALL_VELOCITY,
+) = range(9)  # fmt: skip
 # How it makes one number of many.
 MEAN, SUM, LARGEST = range(3)
 
@@ -372,6 +373,9 @@ class ContactTable(NamedTuple):
     servo_schedule: np.ndarray
     servo_speed: np.ndarray
     servo_mass: np.ndarray
+    free_wall: np.ndarray  #: walls that move by what presses on them, (f,)
+    free_mass: np.ndarray  #: [kg], (f,)
+    free_force: np.ndarray  #: on them beside that of elements [N], (f, 3)
 
 
 def lines(n: int) -> np.ndarray:

@@ -13,8 +13,14 @@ COLUMNS = 14
 GROWTH, RATE, FORCE, WORK, NORMAL = 3, 4, 8, 12, 13
 # A row of their shapes is a point (3), the normal or the axis (3), the radius [m] and the kind.
 AXIS, RADIUS, KIND = 3, 6, 7
-# Kinds: a plane, a cylinder around the elements, a cylinder among them.
-PLANE, INSIDE, OUTSIDE = 0.0, 1.0, 2.0
+# Kinds: a plane, a cylinder around the elements, a cylinder among them, a sphere around them, a sphere among them.
+PLANE, INSIDE, OUTSIDE, SHELL, BALL = 0.0, 1.0, 2.0, 3.0, 4.0
+
+
+@device
+def among(kind):
+    """Whether elements are outside of a round wall."""
+    return kind in (OUTSIDE, BALL)
 
 
 @device
@@ -23,13 +29,13 @@ def wall_gap(x, y, z, radius, shape, walls, w):
     dx = x - shape[w, 0] - walls[w, 0]
     dy = y - shape[w, 1] - walls[w, 1]
     dz = z - shape[w, 2] - walls[w, 2]
-    nx, ny, nz = shape[w, AXIS], shape[w, AXIS + 1], shape[w, AXIS + 2]
+    nx, ny, nz = shape[w, AXIS], shape[w, AXIS + 1], shape[w, AXIS + 2]  # zeros of a sphere
     along = dx * nx + dy * ny + dz * nz
     if shape[w, KIND] == PLANE:
         return along - radius, nx, ny, nz
     dx, dy, dz = dx - along * nx, dy - along * ny, dz - along * nz
     distance = math.sqrt(dx * dx + dy * dy + dz * dz)
-    sign = 1.0 if shape[w, KIND] == OUTSIDE else -1.0
+    sign = 1.0 if among(shape[w, KIND]) else -1.0
     scale = sign / distance if distance > 0.0 else 0.0
     return sign * (distance - shape[w, RADIUS] - walls[w, GROWTH]) - radius, scale * dx, scale * dy, scale * dz
 
@@ -38,6 +44,15 @@ def wall_gap(x, y, z, radius, shape, walls, w):
 def _wanted(contacts, s, t):
     """Value of a schedule of the walls at time t."""
     return interpolate(contacts.times, contacts.values, contacts.start[s], contacts.start[s + 1], t)
+
+
+@device
+def _kick(c, walls, dt):
+    """Velocities of free walls dt later: half a step before they move, half when the forces on them are known."""
+    for e in range(len(c.free_wall)):
+        w = c.free_wall[e]
+        for d in range(3):
+            walls[w, RATE + d] += dt * (walls[w, FORCE + d] + c.free_force[e, d]) / c.free_mass[e]
 
 
 @loop(parallel=False)
@@ -60,7 +75,8 @@ def move_walls(t, dt, contacts):
             for d in range(3):
                 walls[w, RATE + d] = inward * shape[w, AXIS + d]
         else:
-            walls[w, RATE + 3] = inward if shape[w, KIND] == OUTSIDE else -inward
+            walls[w, RATE + 3] = inward if among(shape[w, KIND]) else -inward
+    _kick(c, walls, 0.5 * dt)
     for w in range(len(walls)):
         for d in range(4):
             walls[w, d] += dt * walls[w, RATE + d]
@@ -82,8 +98,9 @@ def load_walls(dt, contacts):
         walls[w, NORMAL] += output[e, 3]
     for w in range(len(walls)):
         if shape[w, KIND] != PLANE:
-            walls[w, FORCE + 3] = -walls[w, NORMAL] if shape[w, KIND] == OUTSIDE else walls[w, NORMAL]
+            walls[w, FORCE + 3] = -walls[w, NORMAL] if among(shape[w, KIND]) else walls[w, NORMAL]
         walls[w, WORK] -= 0.5 * dt * _power(walls, w)
+    _kick(contacts, walls, 0.5 * dt)
 
 
 @device
@@ -95,7 +112,7 @@ def _inward(shape, walls, w):
             + walls[w, RATE + 1] * shape[w, AXIS + 1]
             + walls[w, RATE + 2] * shape[w, AXIS + 2]
         )
-    return walls[w, RATE + 3] if shape[w, KIND] == OUTSIDE else -walls[w, RATE + 3]
+    return walls[w, RATE + 3] if among(shape[w, KIND]) else -walls[w, RATE + 3]
 
 
 @device

@@ -6,7 +6,7 @@ from bondem._checks import choice, count
 from bondem.specimen.regions import Region, as_region
 
 QUANTITIES = ("displacement", "velocity", "rotation", "angular_velocity", "force")
-WALL_QUANTITIES = ("displacement", "force", "growth")
+WALL_QUANTITIES = ("displacement", "velocity", "force", "growth")
 REDUCTIONS = ("mean", "sum", "max_abs")
 
 
@@ -40,8 +40,9 @@ class WallGauge:
 
     Attributes:
         wall: its number among the walls of the model.
-        quantity: "displacement" [m]; "force" of the elements on the wall [N]; or "growth": change of a cylinder's
-            radius [m], force on it that would change the radius [N], sum of the normal forces [N].
+        quantity: "displacement" [m]; "velocity" [m/s], of a driven wall that over the last step; "force" of the
+            elements on the wall [N]; or "growth": change of the radius [m], force on it that would change the
+            radius [N], sum of the normal forces [N].
     """
 
     wall: int

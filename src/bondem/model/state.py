@@ -10,9 +10,9 @@ from bondem.errors import InputError
 from bondem.kernels.crack_tables import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, PLASTIC_COLUMNS
 from bondem.kernels.non_local import STORED, TAKEN
 from bondem.kernels.tables import BROKEN_COLUMNS, lines
-from bondem.kernels.walls import COLUMNS, FORCE, WORK
+from bondem.kernels.walls import COLUMNS, FORCE, RATE, WORK
 from bondem.model.origin import Origin, difference
-from bondem.model.walls import Wall
+from bondem.model.walls import Free, Servo, Wall
 
 
 class State:
@@ -83,6 +83,7 @@ class State:
         self.wall_touching = np.zeros((0, 2), dtype=np.int64)
         self.wall_stretch = np.zeros((0, 6))
         self.walls = np.zeros((len(model.walls), COLUMNS))
+        self._set_off((), model.walls)
         self.broken = np.zeros((0, BROKEN_COLUMNS))
         self.released = np.zeros(1)
         soft = model.softening
@@ -134,7 +135,8 @@ class State:
             self.history[TAKEN] = 0.0
         if model.contact is None:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
-        self._take_walls(model.walls)
+        before = self._take_walls(model.walls)
+        self._set_off(before, model.walls)
         self.walls[:, WORK] = 0.0
         self.released = np.zeros(1)
         self._take_damage(model)
@@ -159,8 +161,18 @@ class State:
             self.plastic = fresh.plastic
         self.plastic[:, HEAT] = 0.0
 
-    def _take_walls(self, walls: Sequence[Wall]) -> None:
-        """Carry displacement and contacts of the walls that go on, known by where they are defined."""
+    def _set_off(self, before: Sequence[Wall | None], walls: Sequence[Wall]) -> None:
+        """Velocities of walls that stand still now, or are free now and were not before."""
+        for k, wall in enumerate(walls):
+            was = before[k] if k < len(before) else None
+            goes_on = was is not None and type(wall.motion) is type(was.motion)
+            if isinstance(wall.motion, Free) and not goes_on:
+                self.walls[k, RATE : RATE + 4] = [*wall.motion.velocity, 0.0]
+            elif not (goes_on and isinstance(wall.motion, Free | Servo)):
+                self.walls[k, RATE : RATE + 4] = 0.0
+
+    def _take_walls(self, walls: Sequence[Wall]) -> list[Wall | None]:
+        """Carry displacement and contacts of walls that go on, known by where they are defined; what each was."""
         rows = [wall.row.tolist() for wall in self.model.walls]
         came: list[int] = []
         for wall in walls:
@@ -168,8 +180,9 @@ class State:
             came.append(rows.index(row) if row in rows else -1)
             if came[-1] >= 0:
                 rows[came[-1]] = []  # of two walls in one place each goes on by itself
+        were = [None if before < 0 else self.model.walls[before] for before in came]
         if came == list(range(len(self.walls))):
-            return
+            return were
         old, number = self.walls, np.full(len(self.walls), -1)
         self.walls = np.zeros((len(came), COLUMNS))
         for new, before in enumerate(came):
@@ -180,6 +193,7 @@ class State:
         order = np.lexsort((wall, element))
         self.wall_touching = np.column_stack([element, wall])[order]
         self.wall_stretch = self.wall_stretch[kept][order]
+        return were
 
     def _by_user(self, internal: np.ndarray) -> np.ndarray:
         return internal[self.layout.rank]

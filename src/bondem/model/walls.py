@@ -1,4 +1,4 @@
-"""Walls: rigid planes and cylinders that elements touch, held, driven or servo-controlled."""
+"""Walls: rigid planes, cylinders and spheres that elements touch, held, driven, servo-controlled or free."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from bondem.errors import InputError
 from bondem.model.schedules import Schedule, as_schedule
 
 # What a row of `WallTable.shape` ends with.
-PLANE, INSIDE, OUTSIDE = 0, 1, 2
+PLANE, INSIDE, OUTSIDE, SHELL, BALL = range(5)
 _COMPONENTS = ("x", "y", "z", "growth")
 
 
@@ -73,6 +73,33 @@ class Servo:
         object.__setattr__(self, "speed", float(speed))
 
 
+@dataclass(frozen=True)
+class Free:
+    """A rigid body that moves as elements push it, without turning: an impactor, a dropped weight, a flyer plate.
+
+    It is outside of the ledger of energies: what it gives to the elements is "work", what it has left is ½ m v² of
+    its `bd.WallGauge(..., "velocity")`. In a later stage it goes on as fast as it was.
+
+    Attributes:
+        mass: [kg].
+        velocity: at first [m/s], (3,).
+        force: on it, beside that of the elements, such as its weight [N], (3,).
+
+    Raises:
+        InputError: a mass that is not positive, or what are not three numbers.
+    """
+
+    mass: float
+    velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    force: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        number("Free", "mass", self.mass, unit="kg", above=0.0, advice="the positive mass of the body in kg")
+        for name, unit in (("velocity", "m/s"), ("force", "N")):
+            given = vector("Free", name, getattr(self, name), advice=f"three finite components [{unit}]")
+            object.__setattr__(self, name, given)
+
+
 def _direction(owner: str, value: object) -> tuple[float, float, float]:
     wanted = "three finite components, not all zero"
     components = np.array(vector("", owner, value, advice=wanted))
@@ -89,8 +116,8 @@ def _point(owner: str, value: object) -> tuple[float, float, float]:
 
 def _check_motion(owner: str, motion: object, friction: object) -> None:
     if motion is not None:
-        wanted = "bd.Driven(x=schedule) or bd.Servo(force, speed=...), or None"
-        instance(owner, "motion", motion, (Driven, Servo), wanted)
+        wanted = "bd.Driven(x=schedule), bd.Servo(force, speed=...) or bd.Free(mass), or None"
+        instance(owner, "motion", motion, (Driven, Servo, Free), wanted)
     if friction is not None:
         number(owner, "friction", friction, least=0.0, advice="a coefficient of zero or more, or None")
 
@@ -108,7 +135,7 @@ class PlaneWall:
 
     point: tuple[float, float, float]
     normal: tuple[float, float, float]
-    motion: Driven | Servo | None = None
+    motion: Driven | Servo | Free | None = None
     friction: float | None = None
 
     def __post_init__(self) -> None:
@@ -141,7 +168,7 @@ class CylinderWall:
     point: tuple[float, float, float] = (0.0, 0.0, 0.0)
     axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
     outside: bool = False
-    motion: Driven | Servo | None = None
+    motion: Driven | Servo | Free | None = None
     friction: float | None = None
 
     def __post_init__(self) -> None:
@@ -157,7 +184,37 @@ class CylinderWall:
         return np.array([*self.point, *self.axis, self.radius, OUTSIDE if self.outside else INSIDE])
 
 
-Wall = PlaneWall | CylinderWall
+@dataclass(frozen=True)
+class SphereWall:
+    """A sphere among the elements (an impactor), or around them.
+
+    Attributes:
+        radius: [m].
+        centre: [m], (3,).
+        inside: whether the elements are inside of it.
+        motion: how it moves; None stands still. A servo changes the radius.
+        friction: μ against the elements [-]; None for that of the contact law.
+    """
+
+    radius: float
+    centre: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    inside: bool = False
+    motion: Driven | Servo | Free | None = None
+    friction: float | None = None
+
+    def __post_init__(self) -> None:
+        number("SphereWall", "radius", self.radius, unit="m", above=0.0, advice="a positive radius")
+        object.__setattr__(self, "centre", _point("SphereWall: centre", self.centre))
+        _check_motion("SphereWall", self.motion, self.friction)
+        instance("SphereWall", "inside", self.inside, bool, "True or False")
+
+    @property
+    def row(self) -> Floats:
+        """Centre, zeros, radius and its kind, (8,)."""
+        return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, SHELL if self.inside else BALL])
+
+
+Wall = PlaneWall | CylinderWall | SphereWall
 
 
 def check_walls(walls: object) -> tuple[Wall, ...]:
@@ -166,7 +223,8 @@ def check_walls(walls: object) -> tuple[Wall, ...]:
     Raises:
         InputError: something else than walls.
     """
-    return several("Model", "walls", walls, (PlaneWall, CylinderWall), "bd.PlaneWall and bd.CylinderWall")
+    kinds = PlaneWall, CylinderWall, SphereWall
+    return several("Model", "walls", walls, kinds, "bd.PlaneWall, bd.CylinderWall and bd.SphereWall")
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,6 +237,7 @@ class WallTable:
         start, times, values: schedules one after the other.
         drive_wall, drive_component, drive_schedule, drive_rate: what is prescribed, (d,).
         servo_wall, servo_schedule, servo_speed, servo_mass: what is controlled, (s,).
+        free_wall, free_mass, free_force: what is free, (f,) and (f, 3).
     """
 
     shape: Floats
@@ -194,6 +253,14 @@ class WallTable:
     servo_schedule: Ints
     servo_speed: Floats
     servo_mass: Floats
+    free_wall: Ints
+    free_mass: Floats
+    free_force: Floats
+
+    @property
+    def platens(self) -> Floats:
+        """Masses of the walls that a force moves [kg], (s + f,)."""
+        return np.concatenate([self.servo_mass, self.free_mass])
 
     @classmethod
     def of(cls, walls: Sequence[Wall], friction: float, elements: float) -> "WallTable":
@@ -210,6 +277,7 @@ class WallTable:
                 case Servo(force=force, speed=speed, mass=mass):
                     servos.append((k, len(tables), speed, elements if mass is None else mass))
                     tables.append(force.table)
+        free = [(k, wall.motion) for k, wall in enumerate(walls) if isinstance(wall.motion, Free)]
         lengths = [len(times) for times, _ in tables]
         drive = np.array(drives, dtype=np.int64).reshape(-1, 4)
         return cls(
@@ -226,4 +294,7 @@ class WallTable:
             servo_schedule=np.array([s for _, s, *_ in servos], dtype=np.int64),
             servo_speed=np.array([v for *_, v, _ in servos], dtype=float),
             servo_mass=np.array([m for *_, m in servos], dtype=float),
+            free_wall=np.array([k for k, _ in free], dtype=np.int64),
+            free_mass=np.array([body.mass for _, body in free], dtype=float),
+            free_force=np.array([body.force for _, body in free], dtype=float).reshape(-1, 3),
         )

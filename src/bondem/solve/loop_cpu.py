@@ -53,7 +53,8 @@ _QUANTITIES = {
     "force": tables.OF_FORCE,
 }
 _WALL_QUANTITIES = {
-    "displacement": tables.WALL_DISPLACEMENT, "force": tables.WALL_FORCE, "growth": tables.WALL_GROWTH
+    "displacement": tables.WALL_DISPLACEMENT, "velocity": tables.WALL_VELOCITY, "force": tables.WALL_FORCE,
+    "growth": tables.WALL_GROWTH,
 }  # fmt: skip
 _REDUCTIONS = {"mean": tables.MEAN, "sum": tables.SUM, "max_abs": tables.LARGEST}
 

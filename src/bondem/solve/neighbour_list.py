@@ -95,7 +95,8 @@ class ContactList:
             times=walls.times, values=walls.values, start=walls.start, drive_wall=walls.drive_wall,
             drive_component=walls.drive_component, drive_schedule=walls.drive_schedule, drive_rate=walls.drive_rate,
             servo_wall=walls.servo_wall, servo_schedule=walls.servo_schedule, servo_speed=walls.servo_speed,
-            servo_mass=walls.servo_mass,
+            servo_mass=walls.servo_mass, free_wall=walls.free_wall, free_mass=walls.free_mass,
+            free_force=walls.free_force,
         )  # fmt: skip
         return True
 

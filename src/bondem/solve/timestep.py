@@ -154,7 +154,7 @@ def critical_step(
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
     if model.contacts is not None:
         motions += model.contacts.law.stiffest(
-            model.contact_radius, model.mass, model.contacts.walls.servo_mass
+            model.contact_radius, model.mass, model.contacts.walls.platens
         )
     limits = [math.inf]
     for frequency, delay in motions:
