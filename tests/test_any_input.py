@@ -122,6 +122,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "carve": {"lattice": LATTICE, "shape": BALL},
     "connect": {"particles": SPHERES, "tolerance": None, "reach": 1.1},
     "fabric": {"lattice": LATTICE},
+    "cracks": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
     "failure_index": {"model": BREAKING, "state": BREAKING.state()},
     "fragments": {"lattice": LATTICE, "state": BREAKING.state()},
     "pack": {"shape": BOX, "count": 40, "spread": 0.2, "sizes": None, "method": "quench", "seed": 1,
@@ -153,7 +154,7 @@ ELSEWHERE = {
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
     "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
-    "BrokenBonds", "ContactLaw", "Criterion", "Fragments",
+    "BrokenBonds", "ContactLaw", "CrackPolygons", "CrackSurfaces", "Cracks", "Criterion", "Fragments",
     # whole tests to failure (`test_strength`)
     "labtests.direct_tension", "labtests.uniaxial_compression",
 }  # fmt: skip

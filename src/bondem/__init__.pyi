@@ -6,6 +6,10 @@ from bondem.calibration.elastic import calibrate as calibrate
 from bondem.calibration.response import Response as Response
 from bondem.calibration.response import Slope as Slope
 from bondem.calibration.uncertainty import Sample as Sample
+from bondem.fracture.crack_polygons import CrackPolygons as CrackPolygons
+from bondem.fracture.crack_surfaces import CrackSurfaces as CrackSurfaces
+from bondem.fracture.cracks import Cracks as Cracks
+from bondem.fracture.cracks import cracks as cracks
 from bondem.fracture.fragments import Fragments as Fragments
 from bondem.fracture.fragments import fragments as fragments
 from bondem.io.importing import read_lattice as read_lattice
