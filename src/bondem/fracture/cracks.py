@@ -8,11 +8,12 @@ from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 from scipy.spatial import KDTree
 
-from bondem._checks import instance, number, vector
+from bondem._checks import instance, number
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.fracture.crack_polygons import CrackPolygons, crack_polygons
 from bondem.fracture.crack_surfaces import CrackSurfaces, crack_surfaces
+from bondem.fracture.directions import unit_vector
 from bondem.fracture.faces import Faces, faces_of
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -103,19 +104,6 @@ def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
         facets=chosen, areas=faces.area, centroid=faces.centroid, normal=faces.normal, opening=faces.opening,
         sliding=faces.sliding, surface=label, surfaces=surfaces, polygons=polygons,
     )  # fmt: skip
-
-
-def unit_vector(owner: str, name: str, value: object) -> Floats:
-    """A direction.
-
-    Raises:
-        InputError: something else than three finite components, or a vector of no length.
-    """
-    found = np.array(vector(owner, name, value))
-    size = float(np.linalg.norm(found))
-    if size == 0.0:
-        raise InputError(f"{owner}: {name} has no length; give a direction such as (1, 0, 0)")
-    return found / size
 
 
 def _edges(lattice: Lattice, polygons: CrackPolygons, k: int) -> tuple[Ints, Ints]:
