@@ -131,6 +131,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "crack_speed": {"events": EVENTS, "origin": (0.0, 0.0, 0.0), "direction": (1.0, 0.0, 0.0), "between": (0.0, 9.0),
                     "beyond": 0.0},
     "cracks": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
+    "explain": {"model": BREAKING, "state": BREAKING.state(), "most": 3},
     "failure_index": {"model": BREAKING, "state": BREAKING.state()},
     "fragments": {"lattice": LATTICE, "state": BREAKING.state()},
     "pack": {"shape": BOX, "count": 40, "spread": 0.2, "sizes": None, "method": "quench", "seed": 1,
@@ -163,7 +164,7 @@ ELSEWHERE = {
     "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
     "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
-    "CrackPolygons", "CrackSurfaces", "Cracks",
+    "CrackPolygons", "CrackSurfaces", "Cracks", "Explanation", "ImpliedFracture",
     # whole tests to failure (`test_strength`)
     "labtests.direct_tension", "labtests.uniaxial_compression",
 }  # fmt: skip

@@ -14,6 +14,8 @@ from bondem.fracture.cracks import Cracks as Cracks
 from bondem.fracture.cracks import cracks as cracks
 from bondem.fracture.emission import AcousticEmission as AcousticEmission
 from bondem.fracture.emission import acoustic_emission as acoustic_emission
+from bondem.fracture.explain import Explanation as Explanation
+from bondem.fracture.explain import explain as explain
 from bondem.fracture.fragments import Fragments as Fragments
 from bondem.fracture.fragments import fragments as fragments
 from bondem.fracture.magnitudes import BValue as BValue
@@ -61,6 +63,7 @@ from bondem.model.boundary import Load as Load
 from bondem.model.gauges import AnyGauge as AnyGauge
 from bondem.model.gauges import Gauge as Gauge
 from bondem.model.gauges import WallGauge as WallGauge
+from bondem.model.implied_fracture import ImpliedFracture as ImpliedFracture
 from bondem.model.loads import Absorbing as Absorbing
 from bondem.model.loads import BodyForce as BodyForce
 from bondem.model.loads import Eigenstrain as Eigenstrain
