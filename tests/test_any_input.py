@@ -52,6 +52,11 @@ ISOTROPIC = {"E": 1e7, "nu": 0.2, "gyration": None, "stress": 1e3, "depth": 0.02
 MOVING = {"density": 1e3, "E": 1e7, "nu": 0.2, "rho": 9e2, "depth": 0.02}
 STATIC = Later(lambda: bd.solve_static(MODEL))
 
+EVENTS = bd.BrokenBonds(
+    time=np.arange(4.0), step=np.arange(4), bond=np.arange(4), mode=np.array(["tension"] * 4), gap=np.zeros(4),
+    energy=np.ones(4), position=GRID[::9],
+)  # fmt: skip
+
 # The usual arguments of each public function; one of them at a time is replaced.
 USUAL: dict[str, dict[str, Any]] = {
     "Absorbing": {"region": FACE, "density": 1e3, "E": 1e9, "nu": 0.2, "c": 10.0},
@@ -118,12 +123,17 @@ USUAL: dict[str, dict[str, Any]] = {
     "Weibull": {"modulus": 8.0, "volume": 1e-6, "seed": 1},
     "WallGauge": {"wall": 0, "quantity": "force"},
     "Within": {"shape": BALL},
+    "acoustic_emission": {"events": EVENTS, "time": 1.0, "distance": 1.0, "model": BREAKING},
     "bulk_moduli": {"lattice": CELL, "law": LAW, "guess": None},
     "calibrate": {"lattice": BAR, "material": GLASS, "law": bd.EulerBernoulli, "nu_mu": 0.3, "search": (0.3, 0.9),
                   "tolerance": 1e-3},
     "carve": {"lattice": LATTICE, "shape": BALL},
     "connect": {"particles": SPHERES, "tolerance": None, "reach": 1.1},
     "fabric": {"lattice": LATTICE},
+    "crack_speed": {"events": EVENTS, "origin": (0.0, 0.0, 0.0), "direction": (1.0, 0.0, 0.0), "between": (0.0, 9.0),
+                    "beyond": 0.0},
+    "cracks": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
+    "explain": {"model": BREAKING, "state": BREAKING.state(), "most": 3},
     "failure_index": {"model": BREAKING, "state": BREAKING.state()},
     "fragments": {"lattice": LATTICE, "state": BREAKING.state()},
     "pack": {"shape": BOX, "count": 40, "spread": 0.2, "sizes": None, "method": "quench", "seed": 1,
@@ -155,7 +165,8 @@ ELSEWHERE = {
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
     "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
-    "BrokenBonds", "ContactLaw", "Criterion", "Fragments",
+    "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
+    "CrackPolygons", "CrackSurfaces", "Cracks", "Explanation", "ImpliedFracture",
     # whole tests to failure (`test_strength`)
     "labtests.direct_tension", "labtests.uniaxial_compression",
 }  # fmt: skip

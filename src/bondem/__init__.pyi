@@ -6,8 +6,19 @@ from bondem.calibration.elastic import calibrate as calibrate
 from bondem.calibration.response import Response as Response
 from bondem.calibration.response import Slope as Slope
 from bondem.calibration.uncertainty import Sample as Sample
+from bondem.fracture.crack_growth import CrackGrowth as CrackGrowth
+from bondem.fracture.crack_growth import crack_speed as crack_speed
+from bondem.fracture.crack_polygons import CrackPolygons as CrackPolygons
+from bondem.fracture.crack_surfaces import CrackSurfaces as CrackSurfaces
+from bondem.fracture.cracks import Cracks as Cracks
+from bondem.fracture.cracks import cracks as cracks
+from bondem.fracture.emission import AcousticEmission as AcousticEmission
+from bondem.fracture.emission import acoustic_emission as acoustic_emission
+from bondem.fracture.explain import Explanation as Explanation
+from bondem.fracture.explain import explain as explain
 from bondem.fracture.fragments import Fragments as Fragments
 from bondem.fracture.fragments import fragments as fragments
+from bondem.fracture.magnitudes import BValue as BValue
 from bondem.io.importing import read_lattice as read_lattice
 from bondem.io.importing import read_particles as read_particles
 from bondem.io.particles_file import load_particles as load_particles
@@ -52,6 +63,7 @@ from bondem.model.boundary import Load as Load
 from bondem.model.gauges import AnyGauge as AnyGauge
 from bondem.model.gauges import Gauge as Gauge
 from bondem.model.gauges import WallGauge as WallGauge
+from bondem.model.implied_fracture import ImpliedFracture as ImpliedFracture
 from bondem.model.loads import Absorbing as Absorbing
 from bondem.model.loads import BodyForce as BodyForce
 from bondem.model.loads import Eigenstrain as Eigenstrain

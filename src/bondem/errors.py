@@ -49,6 +49,10 @@ class UnitWarning(UserWarning):
     """A value that is possible, but so far off that its unit may be another one."""
 
 
+class StrengthWarning(UserWarning):
+    """Strengths that mean a fracture energy which no such material has, so that nothing will break as it does."""
+
+
 class FillingWarning(UserWarning):
     """Particles that do not fill the shape they are said to fill, or stick out of it."""
 

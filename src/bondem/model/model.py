@@ -23,6 +23,7 @@ from bondem.model.constraints import Constraints
 from bondem.model.contacts import ContactModel
 from bondem.model.failure_table import FailureTable, check_failure
 from bondem.model.grips import Holds, holds_wall
+from bondem.model.implied_fracture import ImpliedFracture, implied_fracture
 from bondem.model.layout import Layout
 from bondem.model.non_local_constants import NonLocalConstants
 from bondem.model.softening_table import SofteningTable
@@ -30,7 +31,7 @@ from bondem.model.state import State
 from bondem.model.walls import Wall, WallTable, check_walls
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
-from bondem.specimen.plausibility import question_bond_radius
+from bondem.specimen.plausibility import question_bond_radius, question_strength
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +86,9 @@ class Model:
             question_bond_radius(self.bond.radius, self.lattice.particles.mean_radius)
         self._check_strain()
         self.breaking  # noqa: B018  as is the criterion of failure
+        implied = self.implied_fracture
+        if implied is not None:
+            question_strength(implied.strength, implied.E, implied.density, implied.fracture_energy)
 
     def _check_magnitudes(self) -> None:
         with np.errstate(all="ignore"):
@@ -206,6 +210,13 @@ class Model:
         if self.failure is None or found is None or self.cells is None:
             return None
         return SofteningTable.of(self.lattice, self.layout, self.cells, found, self.failure.factors)
+
+    @property
+    def implied_fracture(self) -> ImpliedFracture | None:
+        """What the criterion means with these elements, or None."""
+        if self.failure is None:
+            return None
+        return implied_fracture(self.lattice, self.failure, self.stiffness, self._cells, self.mass)
 
     @property
     def pressed(self) -> PerElement:

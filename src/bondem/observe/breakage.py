@@ -24,6 +24,7 @@ from bondem.model.model import Model
 from bondem.model.origin import difference
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
+from bondem.observe.crack_index import crack_index
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,6 +72,9 @@ class BrokenBonds:
 def failure_index(model: Model, state: State) -> PerBond:
     """How near each bond is to breaking: the index of the model's criterion, 1 where it breaks, 0 of broken bonds.
 
+    Of criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) the largest principal stress
+    over the strength, 0 where a facet is not pulled, 1 where it softens.
+
     Args:
         model: with a criterion of failure.
         state: of this model, at any rotation.
@@ -86,6 +90,8 @@ def failure_index(model: Model, state: State) -> PerBond:
     other = difference(state.model, model)
     if other:
         raise InputError(f"failure_index: the state belongs to another {other}; give one of this model")
+    if model.softening is not None:
+        return crack_index(model, state)
     table = model.breaking
     if table is None:
         raise InputError("failure_index needs a criterion: give the model failure=bd.PeripheralStress(...)")

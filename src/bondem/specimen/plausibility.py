@@ -4,7 +4,7 @@ import math
 import re
 import warnings
 
-from bondem.errors import UnitWarning
+from bondem.errors import StrengthWarning, UnitWarning
 
 # Young's modulus [Pa] and density [kg/m³], to the order of magnitude, by a word in the name of a material.
 _USUAL: dict[str, tuple[float, float]] = {
@@ -43,6 +43,12 @@ _MODULUS, _DENSITY, _SPEED = (1e3, 2e12), (0.1, 3e4), (0.3, 5e4)
 # Radius of a bond over the mean radius of the elements.
 _BOND_RADIUS = (1e-3, 30.0)
 
+# Stone, glass, ceramics, concrete: stiffer than this [Pa] and lighter than that [kg/m³]; and what they take at most
+# to part, with a margin of three [J/m²].
+_STIFF, _LIGHT, _TOUGH = 1e10, 5e3, 1e3
+# Strength over E: a tenth of it tears atoms apart; what is beyond the other is meant never to break.
+_IDEAL, _NEVER = 0.1, 10.0
+
 
 def question_material(name: str, E: float, rho: float) -> None:
     """Warn of a modulus [Pa] or a density [kg/m³] that no solid has, or that is off by 10³ for the material named."""
@@ -79,6 +85,30 @@ def question_bond_radius(radius: float, mean_radius: float) -> None:
         )
 
 
-def _question(text: str) -> None:
+def question_strength(strength: float, E: float, density: float, energy: float) -> None:
+    """Warn of a tensile strength [Pa] or a fracture energy [J/m²] that no stone, glass, ceramic or concrete has."""
+    for text in strength_doubts(strength, E, density, energy):
+        _question(text, StrengthWarning)
+
+
+def strength_doubts(strength: float, E: float, density: float, energy: float) -> list[str]:
+    """What is said of them; nothing of materials that are soft or heavy."""
+    if E < _STIFF or density > _LIGHT or strength > _NEVER * E:
+        return []
+    if strength > _IDEAL * E:
+        return [
+            f"strength {strength:.3g} Pa is {strength / E:.2g} of E = {E:.3g} Pa, and no solid bears more than about"
+            " a tenth: nothing will break; check the units of the strengths (Pa)"
+        ]
+    if energy > _TOUGH:
+        return [
+            f"a strength of {strength:.3g} Pa means a fracture energy of {energy:.2g} J/m² and K_Ic ="
+            f" {math.sqrt(E * energy) / 1e6:.2g} MPa√m with these elements; glass has about 8 J/m², ceramics 20 to"
+            " 50, rock and concrete 10 to 300: hardly anything will break; print(bd.explain(model)) tells more"
+        ]
+    return []
+
+
+def _question(text: str, category: type[Warning] = UnitWarning) -> None:
     # the caller of the frozen dataclass whose __post_init__ asks
-    warnings.warn(text, UnitWarning, stacklevel=5)
+    warnings.warn(text, category, stacklevel=5)

@@ -1,0 +1,73 @@
+"""Outlines of broken facets, which go with their cells; of broken beams discs."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints
+from bondem.fracture.faces import Faces, moved_points
+from bondem.model.state import State
+from bondem.specimen.cells.polyhedra import polyhedra
+from bondem.specimen.cells.solids import ranges
+from bondem.specimen.lattice import Lattice
+
+# Corners of the polygon of a beam.
+_CORNERS = 24
+
+
+@dataclass(frozen=True, eq=False)
+class CrackPolygons:
+    """Polygons of facets, p of them; a facet on which walls or pieces of cells meet may have several.
+
+    Attributes:
+        vertex: corners, polygon by polygon, half-way between both faces of the facet [m], shape (v, 3).
+        start: corners of polygon q are start[q] … start[q + 1] - 1, shape (p + 1,).
+        facet: row in `Cracks.facets` of each polygon, shape (p,).
+        reference: the corners in the reference, next to element i [m], shape (v, 3).
+    """
+
+    vertex: Floats
+    start: Ints
+    facet: Ints
+    reference: Floats
+
+    def __len__(self) -> int:
+        return len(self.facet)
+
+
+def crack_polygons(lattice: Lattice, state: State, chosen: Ints, faces: Faces) -> CrackPolygons:
+    """Polygons of some facets, by their user's numbers; regular ones of the area of the section of beams."""
+    reference, start, facet = _discs(faces) if lattice.facets is None else _outlines(lattice, chosen)
+    number = chosen[np.repeat(facet, np.diff(start))]
+    on_i, gap = moved_points(lattice, state, number, reference)
+    return CrackPolygons(on_i + 0.5 * gap, start, facet, reference)
+
+
+def _outlines(lattice: Lattice, chosen: Ints) -> tuple[Floats, Ints, Ints]:
+    if not len(chosen):
+        return np.zeros((0, 3)), np.zeros(1, dtype=np.int64), np.zeros(0, dtype=np.int64)
+    solid, n = polyhedra(lattice), len(lattice.particles)
+    i, j = lattice.pairs[chosen].T
+    key = i * n + j
+    order = np.argsort(key)
+    wanted = np.where(solid.neighbour >= 0, solid.cell * n + solid.neighbour, -1)
+    place = np.minimum(np.searchsorted(key, wanted, sorter=order), len(key) - 1)
+    polygon = np.flatnonzero(key[order[place]] == wanted)
+    facet = order[place[polygon]]
+    by_facet = np.argsort(facet, kind="stable")
+    corners, start = ranges(solid.start, polygon[by_facet])
+    return solid.vertex[corners], start, facet[by_facet]
+
+
+def _discs(faces: Faces) -> tuple[Floats, Ints, Ints]:
+    k, n = len(faces.area), faces.straight
+    aside = np.eye(3)[np.abs(n).argmin(axis=1)]
+    u = np.cross(n, aside)
+    u /= np.linalg.norm(u, axis=1, keepdims=True)
+    v = np.cross(n, u)
+    angle = 2.0 * np.pi * np.arange(_CORNERS) / _CORNERS
+    # a regular polygon of c corners has the area ½ c sin(2π/c) r²
+    r = np.sqrt(faces.area / (0.5 * _CORNERS * np.sin(2.0 * np.pi / _CORNERS)))
+    around = np.cos(angle)[None, :, None] * u[:, None, :] + np.sin(angle)[None, :, None] * v[:, None, :]
+    corner = faces.reference[:, None, :] + r[:, None, None] * around
+    return corner.reshape(-1, 3), _CORNERS * np.arange(k + 1), np.arange(k)

@@ -1,0 +1,150 @@
+"""The surfaces that cracks have made: broken facets where they are now, and how they hang together."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_array, csr_array
+from scipy.sparse.csgraph import breadth_first_order, connected_components
+from scipy.spatial import KDTree
+
+from bondem._checks import instance, number
+from bondem._types import Floats, Ints
+from bondem.errors import InputError
+from bondem.fracture.crack_polygons import CrackPolygons, crack_polygons
+from bondem.fracture.crack_surfaces import CrackSurfaces, crack_surfaces
+from bondem.fracture.directions import unit_vector
+from bondem.fracture.faces import Faces, faces_of
+from bondem.model.state import State
+from bondem.specimen.lattice import Lattice
+
+# Corners of facets that are nearer than this, in mean radii, are one.
+_SAME = 1e-6
+# Broken beams whose middles lie within this many mean diameters belong to one surface.
+_NEAR = 1.5
+
+
+@dataclass(frozen=True, eq=False)
+class Cracks:
+    """Broken facets of cells, or broken beams as discs of their sections, k of them, where they are in a state.
+
+    Each lies half-way between its two faces, which have gone with their cells.
+
+    Attributes:
+        facets: user's numbers, ascending, shape (k,).
+        areas: of each in the reference, of a beam that of its section [m²], shape (k,).
+        centroid: [m], shape (k, 3).
+        normal: mean of the normals of both faces, from element i to j [-], shape (k, 3).
+        opening: distance of the two faces along the normal, below 0 where they overlap [m], shape (k,).
+        sliding: across the normal [m], shape (k,).
+        surface: which surface each belongs to, shape (k,).
+        surfaces: facets that hang together: those of cells by a common edge, broken beams whose middles lay within
+            1.5 mean diameters of each other.
+        polygons: outlines, for pictures and files.
+    """
+
+    facets: Ints
+    areas: Floats
+    centroid: Floats
+    normal: Floats
+    opening: Floats
+    sliding: Floats
+    surface: Ints
+    surfaces: CrackSurfaces
+    polygons: CrackPolygons
+
+    @property
+    def area(self) -> float:
+        """Of all facets, each counted once though it has two faces [m²]."""
+        return float(self.areas.sum())
+
+    def __len__(self) -> int:
+        return len(self.facets)
+
+    def projected_area(self, direction: Sequence[float]) -> float:
+        """Area of all facets seen along a direction, Σ A |n·d| [m²]; what hangs over counts as often.
+
+        Raises:
+            InputError: a direction that is no vector, or of no length.
+        """
+        return float(self.areas @ np.abs(self.normal @ unit_vector("projected_area", "direction", direction)))
+
+
+def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
+    """The crack surfaces of a state.
+
+    Args:
+        lattice: what it is a state of.
+        state: of an explicit run, such as `run.state`.
+        integrity: facets at or below it count, in [0, 1): 0 for broken ones, more for those that soften too.
+
+    Raises:
+        InputError: a state of another lattice, or an integrity outside [0, 1).
+    """
+    instance("cracks", "lattice", lattice, Lattice, "the lattice of the model")
+    instance("cracks", "state", state, State, "the state of a run, or model.state()")
+    number("cracks", "integrity", integrity, least=0.0, below=1.0, advice="a share in [0, 1), 0 for broken facets")
+    whole = state.bond_integrity
+    if len(state.pose) != len(lattice.particles) or len(whole) != len(lattice.pairs):
+        raise InputError(f"cracks: the state has {len(state.pose)} elements and other bonds; give its own lattice")
+    chosen = np.flatnonzero(whole <= integrity)
+    faces = faces_of(lattice, state, chosen)
+    polygons = crack_polygons(lattice, state, chosen, faces)
+    first, second = _edges(lattice, polygons, len(chosen)) if lattice.facets else _near(lattice, faces)
+    k = len(chosen)
+    links = coo_array((np.ones(len(first), dtype=bool), (first, second)), shape=(k, k)).tocsr()
+    _, found = connected_components(links, directed=False)
+    order = np.argsort(-np.bincount(found, faces.area), kind="stable")
+    place = np.empty_like(order)
+    place[order] = np.arange(len(order))
+    label = place[found].astype(np.int64)
+    shift = _unwrapped(lattice, links, faces.centroid, label)
+    surfaces = crack_surfaces(faces, polygons, label, shift)
+    return Cracks(
+        facets=chosen, areas=faces.area, centroid=faces.centroid, normal=faces.normal, opening=faces.opening,
+        sliding=faces.sliding, surface=label, surfaces=surfaces, polygons=polygons,
+    )  # fmt: skip
+
+
+def _edges(lattice: Lattice, polygons: CrackPolygons, k: int) -> tuple[Ints, Ints]:
+    """Pairs of facets that share an edge, two corners, in the reference."""
+    corner, size = polygons.reference, np.diff(polygons.start)
+    facet = np.repeat(polygons.facet, size)
+    period = lattice.particles.period
+    place = corner if period is None else np.mod(corner, period)
+    if period is not None:
+        place = np.where(place >= period, 0.0, place)  # rounding
+    near = KDTree(place, boxsize=period).query_pairs(_SAME * lattice.particles.mean_radius, output_type="ndarray")
+    count = len(corner)
+    same = coo_array((np.ones(len(near), dtype=bool), near.T), shape=(count, count))
+    points, spot = connected_components(same, directed=False)
+    at = coo_array((np.ones(count, dtype=np.int32), (facet, spot)), shape=(k, points)).tocsr()
+    at.data[:] = 1  # of several polygons of one facet
+    shared = (at @ at.T).tocoo()
+    pairs = (shared.data >= 2) & (shared.row < shared.col)
+    return shared.row[pairs], shared.col[pairs]
+
+
+def _near(lattice: Lattice, faces: Faces) -> tuple[Ints, Ints]:
+    """Pairs of broken beams whose middles lie near each other in the reference."""
+    period, middle = lattice.particles.period, faces.reference
+    place = middle if period is None else np.mod(middle, period)
+    if period is not None:
+        place = np.where(place >= period, 0.0, place)
+    reach = _NEAR * 2.0 * lattice.particles.mean_radius
+    near = KDTree(place, boxsize=period).query_pairs(reach, output_type="ndarray")
+    return near[:, 0], near[:, 1]
+
+
+def _unwrapped(lattice: Lattice, links: csr_array, centroid: Floats, label: Ints) -> Floats:
+    """What brings the facets of each surface of a periodic cell side by side [m], (k, 3)."""
+    shift = np.zeros_like(centroid)
+    if lattice.particles.period is None:
+        return shift
+    for surface in range(int(label.max(initial=-1)) + 1):
+        order, before = breadth_first_order(links, int(np.argmax(label == surface)), directed=False)
+        for one in order[1:]:
+            there = centroid[before[one]] + shift[before[one]]
+            branch = lattice.particles.nearest((centroid[one] - there)[None])[0]
+            shift[one] = there + branch - centroid[one]
+    return shift

@@ -1,0 +1,20 @@
+"""Directions that users give."""
+
+import numpy as np
+
+from bondem._checks import vector
+from bondem._types import Floats
+from bondem.errors import InputError
+
+
+def unit_vector(owner: str, name: str, value: object) -> Floats:
+    """A direction.
+
+    Raises:
+        InputError: something else than three finite components, or a vector of no length.
+    """
+    found = np.array(vector(owner, name, value))
+    size = float(np.linalg.norm(found))
+    if size == 0.0:
+        raise InputError(f"{owner}: {name} has no length; give a direction such as (1, 0, 0)")
+    return found / size

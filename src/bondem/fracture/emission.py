@@ -1,0 +1,172 @@
+"""Acoustic emission: what breaks close together in space and time is one event, with an energy and a magnitude."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import KDTree
+
+from bondem._checks import instance, number
+from bondem._types import Floats, Ints
+from bondem.errors import InputError
+from bondem.fracture.magnitudes import BValue, b_value_of, magnitude_of
+from bondem.laws.failure.criterion import MODES
+from bondem.model.model import Model
+from bondem.observe.breakage import BrokenBonds
+
+# Bonds or facets that break within this many of their mean lengths belong to one emission, if no time or distance is
+# given.
+_REACH = 2.0
+
+
+@dataclass(frozen=True, eq=False)
+class AcousticEmission:
+    """Emissions, c clusters of what broke, in the order in which they begin.
+
+    The energy is what breaking released, all of it: how much of that would reach a sensor is not known. A share that
+    is the same for all shifts all magnitudes alike, and does not change b.
+
+    Attributes:
+        time: when each begins [s], shape (c,).
+        duration: from the first to the last that broke [s], shape (c,).
+        position: mean by energy [m], shape (c, 3); of a periodic cell next to where it began.
+        energy: released [J], shape (c,).
+        magnitude: 2/3 log10(E / J) - 3.2, from log10(E / J) = 1.5 M + 4.8; -inf of no energy, shape (c,).
+        count: how many broke, shape (c,).
+        mode: the one in which most energy was released, shape (c,).
+        label: emission of each row of the events, shape (e,).
+
+    Reference: Gutenberg and Richter (1956), log10(E / erg) = 1.5 M + 11.8.
+    """
+
+    time: Floats
+    duration: Floats
+    position: Floats
+    energy: Floats
+    magnitude: Floats
+    count: Ints
+    mode: np.ndarray
+    label: Ints
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def b_value(self, *, completeness: float | None = None, width: float = 0.1) -> BValue:
+        """Slope b of log10 N(≥ M) = a - b M by maximum likelihood, b = log10(e) / (mean(M) - M_c) over all M ≥ M_c.
+
+        Magnitudes here are no multiples of a bin, so that nothing is taken off M_c for the width of one. Cracks that
+        run through the whole specimen and single breaks, all of about one energy, do not follow a power law: look at
+        the magnitudes before you believe a slope.
+
+        Args:
+            completeness: M_c, above which no emission is missing; by default the middle of the bin that holds
+                most, the point of maximum curvature, which is often a little low.
+            width: of these bins [-].
+
+        Raises:
+            InputError: fewer than 10 emissions above M_c, or all of one magnitude.
+
+        Reference: Aki (1965); Utsu (1965); error by Shi and Bolt (1982); M_c by Wiemer and Wyss (2000).
+        """
+        return b_value_of(self.magnitude, completeness, width)
+
+
+def acoustic_emission(
+    events: BrokenBonds, *, time: float | None = None, distance: float | None = None, model: Model | None = None
+) -> AcousticEmission:
+    """Gather what broke into emissions: single links of what is near in space and in time.
+
+    Two that broke belong together where they are at most `distance` apart and at most `time` apart, and so do all
+    that such links join; Hazzard and Young (2002) gather broken bonds in much the same way. Both numbers decide what
+    an emission is: try others.
+
+    Args:
+        events: what broke, `run.events`.
+        time: [s]; by default as long as a wave in a thin rod, √(E/ρ), runs over `distance`.
+        distance: [m]; by default twice the mean length of the bonds, or spacing of the cells.
+        model: of which the defaults are; without it give both numbers. Of a periodic one distances go through the
+            edges of its cell. Of beams the wave is that of a chain, L √(k_n / m), median of all bonds.
+
+    Raises:
+        InputError: neither a model nor both numbers, or numbers that are not positive.
+    """
+    instance("acoustic_emission", "events", events, BrokenBonds, "run.events")
+    if model is not None:
+        instance("acoustic_emission", "model", model, Model, "bd.Model(...) or None")
+    if model is None and (time is None or distance is None):
+        raise InputError("acoustic_emission: what is near is not known; give time= [s] and distance= [m], or model=")
+    if distance is None:
+        assert model is not None
+        distance = _REACH * float(model.lattice.length.mean())
+    reach = number("acoustic_emission", "distance", distance, unit="m", above=0.0)
+    if time is None:
+        assert model is not None
+        time = reach / _wave_speed(model)
+    span = number("acoustic_emission", "time", time, unit="s", above=0.0)
+    period = None if model is None else model.lattice.particles.period
+    label = _clusters(events, reach, span, period)
+    return _emissions(events, label, period)
+
+
+def _wave_speed(model: Model) -> float:
+    """Speed of a wave in a thin rod of the material, or in a chain of bonds [m/s]."""
+    lattice, mass = model.lattice, model.mass
+    if model.cells is not None and lattice.cells is not None:
+        G, lame = model.cell_constants.G, model.cell_constants.lame
+        E = G * (3.0 * lame + 2.0 * G) / (lame + G)
+        return float(np.median(np.sqrt(E * lattice.cells.volume / mass)))
+    i, j = lattice.pairs.T
+    return float(np.median(lattice.length * np.sqrt(2.0 * model.stiffness.kn / (mass[i] + mass[j]))))
+
+
+def _clusters(events: BrokenBonds, reach: float, span: float, period: Floats | None) -> Ints:
+    """Number of the cluster of each, in the order in which they begin, (e,)."""
+    e = len(events)
+    near = np.zeros((0, 2), dtype=np.int64)
+    if e:
+        place, box = events.position / reach, None
+        if period is not None:
+            edge = period / reach
+            place = np.mod(place, edge)
+            place, box = np.where(place >= edge, 0.0, place), np.append(edge, 0.0)
+        # cubes first, so that time is no length; then distances
+        tree = KDTree(np.column_stack([place, (events.time - events.time.min()) / span]), boxsize=box)
+        near = tree.query_pairs(1.0, p=np.inf, output_type="ndarray")
+        apart = place[near[:, 1]] - place[near[:, 0]]
+        if period is not None:
+            apart -= period / reach * np.rint(apart * reach / period)
+        near = near[(apart**2).sum(axis=1) <= 1.0]
+    links = coo_array((np.ones(len(near), dtype=bool), (near[:, 0], near[:, 1])), shape=(e, e))
+    many, found = connected_components(links, directed=False)
+    begin = np.full(many, np.inf)
+    np.minimum.at(begin, found, events.time)
+    rank = np.empty(many, dtype=np.int64)
+    rank[np.argsort(begin, kind="stable")] = np.arange(many)
+    return rank[found]
+
+
+def _emissions(events: BrokenBonds, label: Ints, period: Floats | None) -> AcousticEmission:
+    c = int(label.max(initial=-1)) + 1
+    order = np.lexsort((events.time, label))
+    first = order[np.searchsorted(label[order], np.arange(c))]
+    last = np.full(c, -np.inf)
+    np.maximum.at(last, label, events.time)
+    energy = np.bincount(label, events.energy, c).astype(float)
+    # where nothing was released all count alike
+    weight = np.where(energy[label] > 0.0, events.energy, 1.0)
+    begun = events.position[first]
+    way = events.position - begun[label]
+    if period is not None:
+        way -= period * np.rint(way / period)
+    moment = np.zeros((c, 3))
+    np.add.at(moment, label, weight[:, None] * way)
+    share = np.zeros((c, len(MODES)))
+    for column, mode in enumerate(MODES):
+        share[:, column] = np.bincount(label, weight * (events.mode == mode), c)
+    return AcousticEmission(
+        time=events.time[first], duration=last - events.time[first],
+        position=begun + moment / np.bincount(label, weight, c)[:, None], energy=energy,
+        magnitude=magnitude_of(energy), count=np.bincount(label, minlength=c),
+        mode=np.array(MODES)[share.argmax(axis=1)], label=label,
+    )  # fmt: skip

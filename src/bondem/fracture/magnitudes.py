@@ -1,0 +1,80 @@
+"""Magnitudes of emissions, and how many large ones there are for many small ones."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import number
+from bondem._types import Floats
+from bondem.errors import InputError
+
+# Fewer tell nothing of a slope: its error is b / √n.
+_FEWEST = 10
+# Normal quantile of an interval of 95 %.
+_CONFIDENCE = 1.96
+# More bins than this in the range of magnitudes is a width in another unit.
+_BINS = 1_000_000
+
+
+@dataclass(frozen=True)
+class BValue:
+    """Slope of the distribution of magnitudes, log10 N(≥ M) = a - b M.
+
+    Attributes:
+        b: maximum likelihood [-].
+        error: its standard error, ln(10) b² s / √n with s² = Σ (M - mean)² / (n - 1) [-].
+        interval: b ± 1.96 standard errors, which holds b with 95 % confidence [-].
+        completeness: magnitude M_c from which on emissions were counted.
+        count: how many there were, n.
+    """
+
+    b: float
+    error: float
+    interval: tuple[float, float]
+    completeness: float
+    count: int
+
+
+def magnitude_of(energy: Floats) -> Floats:
+    """2/3 log10(E / J) - 3.2; -inf where no energy is released."""
+    with np.errstate(divide="ignore"):
+        return 2.0 / 3.0 * np.log10(energy) - 3.2
+
+
+def b_value_of(magnitude: Floats, completeness: float | None, width: float) -> BValue:
+    """See `AcousticEmission.b_value`."""
+    bin_width = number("b_value", "width", width, above=0.0)
+    known = magnitude[np.isfinite(magnitude)]
+    if completeness is None:
+        _enough(len(known), "of any energy")
+        least = _fullest(known, bin_width)
+    else:
+        least = number("b_value", "completeness", completeness)
+    counted = known[known >= least]
+    n = len(counted)
+    _enough(n, f"of magnitude {least:.2f} or more")
+    above = float(counted.mean()) - least
+    if above <= 0.0 or float(np.ptp(counted)) == 0.0:
+        raise InputError("b_value: all emissions are of one magnitude; gather them over more time= and distance=")
+    b = math.log10(math.e) / above
+    error = math.log(10.0) * b**2 * float(counted.std(ddof=1)) / math.sqrt(n)
+    reach = _CONFIDENCE * error
+    return BValue(b=b, error=error, interval=(b - reach, b + reach), completeness=least, count=n)
+
+
+def _enough(count: int, which: str) -> None:
+    if count < _FEWEST:
+        raise InputError(
+            f"b_value: {count} emissions {which} are too few for a slope; it takes {_FEWEST}, better 100: use more"
+            " elements, or gather over less time= and distance="
+        )
+
+
+def _fullest(magnitude: Floats, width: float) -> float:
+    """Middle of the bin that holds most; the lowest of those that hold as many."""
+    if float(np.ptp(magnitude)) / width > _BINS:
+        raise InputError(f"b_value: width = {width:g} makes too many bins; give one of about 0.1")
+    number_of = np.floor(magnitude / width).astype(np.int64)
+    bins, many = np.unique(number_of, return_counts=True)
+    return float((bins[int(many.argmax())] + 0.5) * width)

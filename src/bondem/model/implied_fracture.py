@@ -1,0 +1,125 @@
+"""What strengths, stiffnesses and the size of elements mean together: a fracture energy and a toughness."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import PerBond, PerElement
+from bondem.laws.bond import BondStiffness
+from bondem.laws.failure.criterion import BondCriterion, Criterion, Joint
+from bondem.laws.failure.elliptic import Elliptic
+from bondem.laws.failure.mohr_coulomb import MohrCoulomb
+from bondem.model.cell_constants import CellConstants
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True)
+class ImpliedFracture:
+    """Fracture of a lattice, by medians of its bonds or facets.
+
+    With a fracture energy G_c is what was given, and K_Ic = √(E G_c). Brittle facets of cells have K_Ic = f_t √L
+    (notched bars: 0.89 to 1.08 of it) and so G_c = K_Ic² / E = f_t² L / E, twice the energy f_t² L / 2E that a facet
+    frees for each area of its own: both grow with the size of the elements. Brittle beams have for each area of a
+    plane crack what the bonds through it hold in tension, (1/2V) Σ U L with U = N_t² / 2 k_n, and E is the affine
+    estimate, from above.
+
+    Attributes:
+        softens: whether a fracture energy was given.
+        strength: f_t, tensile, of a beam its largest axial force over its section [Pa].
+        E: Young's modulus [Pa].
+        density: of the specimen, air included [kg/m³].
+        length: L, of bonds or between cells across their facet [m].
+        bond_energy: what one bond or facet holds in tension when it breaks, over its own area [J/m²].
+        fracture_energy: G_c [J/m²].
+        extent: longest edge of the specimen [m].
+    """
+
+    softens: bool
+    strength: float
+    E: float
+    density: float
+    length: float
+    bond_energy: float
+    fracture_energy: float
+    extent: float
+
+    @property
+    def toughness(self) -> float:
+        """K_Ic [Pa √m]."""
+        return math.sqrt(self.E * self.fracture_energy)
+
+    @property
+    def irwin(self) -> float:
+        """E G_c / f_t², Irwin's length [m]: about that of the process zone."""
+        return self.E * self.fracture_energy / (self.strength * self.strength)
+
+
+def implied_fracture(
+    lattice: Lattice, failure: Criterion, stiffness: BondStiffness, cells: CellConstants | None, mass: PerElement
+) -> ImpliedFracture | None:
+    """What a criterion means on a lattice; None without bonds.
+
+    Args:
+        lattice: bonds or facets.
+        failure: when they break.
+        stiffness: of the bonds.
+        cells: constants of a body, user's order; None of beams.
+        mass: of the elements [kg], shape (n,).
+    """
+    if not len(lattice.pairs):
+        return None
+    with np.errstate(all="ignore"):
+        return _implied(lattice, failure, stiffness, cells, mass)
+
+
+def _implied(
+    lattice: Lattice, failure: Criterion, stiffness: BondStiffness, cells: CellConstants | None, mass: PerElement
+) -> ImpliedFracture:
+    volume = lattice.particles.envelope.volume
+    lower, upper = lattice.particles.envelope.bounds
+    if cells is not None and lattice.facets is not None:
+        area, length = lattice.facets.area, lattice.facets.span
+        E = float(np.median(cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)))
+        held = None
+    else:
+        area, length, held = np.pi * stiffness.radius**2, lattice.length, stiffness
+        E = _affine_modulus(length, stiffness, volume)
+    pull = _tensile_force(failure, Joint(area, length, area * length, held))
+    stored = 0.5 * pull**2 * (length / (E * area) if held is None else 1.0 / stiffness.kn)
+    strength, L = float(np.median(pull / area)), float(np.median(length))
+    softening = failure.softening
+    softens = softening is not None and softening.fracture_energy > 0.0
+    if softening is not None and softens:
+        energy = softening.fracture_energy
+    elif held is None:
+        energy = strength * strength * L / E
+    else:
+        energy = float((stored * length).sum() / (2.0 * volume))
+    return ImpliedFracture(
+        softens=softens, strength=strength, E=E, density=float(mass.sum()) / volume, length=L,
+        bond_energy=float(np.median(stored / area)), fracture_energy=energy,
+        extent=float(np.max(np.subtract(upper, lower))),
+    )  # fmt: skip
+
+
+def _tensile_force(failure: Criterion, joint: Joint) -> PerBond:
+    """Tension that breaks each bond by itself [N], (m,)."""
+    factor = failure.factors(joint.volume)
+    if failure.softening is not None:
+        return joint.area * failure.softening.tension * factor
+    assert isinstance(failure, BondCriterion)
+    each = failure.coefficients(joint, factor).T
+    if isinstance(failure, Elliptic):
+        return joint.beam.kn * joint.length / each[0]
+    if isinstance(failure, MohrCoulomb):  # where tension is beyond the tip of the cone, it is the tip
+        return 1.0 / np.maximum(each[0], each[1] * each[2])
+    return 1.0 / each[0]
+
+
+def _affine_modulus(length: PerBond, stiffness: BondStiffness, volume: float) -> float:
+    """E of an isotropic lattice whose elements all move with a uniform strain [Pa]."""
+    normal = float((length**2 * stiffness.kn).sum()) / volume
+    across = float((length**2 * stiffness.ks).sum()) / volume
+    bulk, shear = normal / 9.0, normal / 15.0 + across / 10.0
+    return 9.0 * bulk * shear / (3.0 * bulk + shear)

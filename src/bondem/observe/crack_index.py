@@ -1,0 +1,67 @@
+"""How near facets are to begin to crack, and cells to yield, by the stress of the material."""
+
+import numpy as np
+
+from bondem._types import PerBond, PerElement
+from bondem.model.cell_constants import body_of
+from bondem.model.model import Model
+from bondem.model.softening_table import SofteningTable
+from bondem.model.state import State
+from bondem.observe.cell_forces import CellForces
+from bondem.observe.cell_stress import mean_stress
+from bondem.observe.turned_vectors import turned_vectors
+
+
+def crack_index(model: Model, state: State) -> PerBond:
+    """Largest principal stress of σ* over the strength (`bd.Rankine`), 0 of facets that are not pulled.
+
+    1 of those that soften, 0 of broken ones. Runs look at the facets of a cell only where its own largest principal
+    stress, or that of the neighbour, is beyond 0.7 of the strength: the index is not above its share of that.
+
+    Returns:
+        Index [-], user's order, shape (m,).
+    """
+    table, body = _table(model), model.lattice
+    facets, _ = body_of(body)
+    i, j = body.pairs.T
+    forces = CellForces.of(model, state)
+    stress = mean_stress(model, forces)
+    mean = 0.5 * (stress[i] + stress[j])
+    n, t = turned_vectors(state.orientation[i], facets.normal), forces.force / facets.area[:, None]
+    off = t - np.einsum("mab,mb->ma", mean, n)
+    both = off[:, :, None] * n[:, None, :]
+    along = (off * n).sum(axis=1)[:, None, None]
+    agreed = mean + both + np.swapaxes(both, 1, 2) - along * n[:, :, None] * n[:, None, :]
+    strength = np.empty(len(i))
+    strength[model.layout.bond_order] = table.strength
+    hot = np.linalg.eigvalsh(stress)[:, 2] / table.hot
+    index = np.minimum(np.linalg.eigvalsh(agreed)[:, 2] / strength, np.maximum(hot[i], hot[j]))
+    index = np.where((t * n).sum(axis=1) > 0.0, np.maximum(index, 0.0), 0.0)
+    whole = state.bond_integrity
+    return np.where(whole == 1.0, index, np.where(whole > 0.0, 1.0, 0.0))
+
+
+def yield_index(model: Model, state: State) -> PerElement:
+    """(σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ over c cos φ of each cell, c what its slip has left of the cohesion.
+
+    Cells without cohesion have 1. Zeros where no cell yields.
+
+    Returns:
+        Index [-], user's order, shape (n,).
+    """
+    table = _table(model)
+    slip = table.slip
+    if slip is None:
+        return np.zeros(len(model.lattice.particles))
+    principal = np.linalg.eigvalsh(mean_stress(model, CellForces.of(model, state)))
+    low, high = principal[:, 0], principal[:, 2]
+    fade = table.fade[model.layout.rank]
+    left = 1.0 - fade * state.slipped
+    bears = slip.cohesion * np.cos(slip.friction_angle) * np.maximum(left, 0.0)
+    load = 0.5 * (high - low) + 0.5 * (high + low) * np.sin(slip.friction_angle)
+    return np.where(bears > 0.0, np.maximum(load, 0.0) / np.where(bears > 0.0, bears, 1.0), 1.0)
+
+
+def _table(model: Model) -> SofteningTable:
+    assert model.softening is not None
+    return model.softening

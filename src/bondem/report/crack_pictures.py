@@ -1,0 +1,108 @@
+"""What fracture leaves, drawn: pieces as the cells that they are made of, and the surfaces of cracks."""
+
+from itertools import product
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import Normalize, to_rgb
+
+from bondem._types import Floats, PerElement3
+from bondem.fracture.cracks import Cracks
+from bondem.fracture.fragments import Fragments
+from bondem.model.state import State
+from bondem.observe.turned_vectors import turned_vectors
+from bondem.report.cell_pictures import draw_cells
+from bondem.report.spheres import View
+from bondem.report.style import GREY, SEQUENTIAL
+from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
+from bondem.specimen.lattice import Lattice
+
+# Of the heaviest pieces, in turns; of those of a few cells.
+_PIECES = ("#cfd8df", "#8db9d3", "#e6bd8a", "#a5cdb2", "#c9b2d6", "#d8cf9a")
+_CRUMB, _FEW = "#d55e00", 10
+# Share of light that falls on a surface seen edge-on.
+_AMBIENT = 0.55
+
+
+def corners_moved(solid: Polyhedra, body: Lattice, state: State, reach: float = 1.0) -> Floats:
+    """How the corners of cells have gone with them, displacements of these times `reach` [m], (v, 3).
+
+    Cells turn as they do: turns of crumbs cannot be exaggerated.
+    """
+    owner = np.repeat(solid.cell, np.diff(solid.start))
+    arm = solid.vertex - body.centre[owner]
+    turned = turned_vectors(state.orientation[owner], arm)
+    return reach * state.displacement[owner] + turned - arm
+
+
+def draw_fragments(
+    ax: Axes, body: Lattice, state: State, pieces: Fragments, *, view: View, reach: float = 1.0
+) -> None:
+    """Draw the cells where they are, each piece in a colour of its own; crumbs of less than ten cells in orange.
+
+    Args:
+        ax: where to, in mm.
+        body: cells.
+        state: where they are.
+        pieces: of this state, from `bd.fragments`.
+        view: where one looks from.
+        reach: by how much displacements are exaggerated [-].
+    """
+    solid = polyhedra(body)
+    draw_cells(ax, solid, piece_colours(pieces), view=view, moved=corners_moved(solid, body, state, reach))
+
+
+def piece_colours(pieces: Fragments) -> Floats:
+    """Red, green, blue of each element by its piece, in 0 … 1, (n, 3)."""
+    colour = np.array([to_rgb(_PIECES[k % len(_PIECES)]) for k in range(len(pieces))])
+    colour[pieces.size < _FEW] = to_rgb(_CRUMB)
+    return colour[pieces.label]
+
+
+def draw_cracks(
+    ax: Axes, body: Lattice, found: Cracks, *, view: View, top: float | None = None
+) -> ScalarMappable:
+    """Draw the surfaces of cracks, coloured by their opening [µm], in the edges of the box about the specimen.
+
+    Args:
+        ax: where to, in mm.
+        body: whose cracks they are.
+        found: from `bd.cracks`.
+        view: where one looks from.
+        top: opening of the brightest colour [m]; by default that of one facet in twenty.
+
+    Returns:
+        The scale of colours, for a bar.
+    """
+    if top is None:
+        top = float(np.quantile(found.opening, 0.95)) if len(found) else 1e-6
+    norm = Normalize(0.0, 1e6 * max(top, 1e-12))
+    outline, size = found.polygons, np.diff(found.polygons.start)
+    placed = 1e3 * outline.vertex @ view.axes.T
+    facing = np.abs(found.normal[outline.facet] @ view.axes[2])
+    tint = np.asarray(colormaps[SEQUENTIAL](norm(1e6 * found.opening[outline.facet])))
+    tint[:, :3] *= (_AMBIENT + (1.0 - _AMBIENT) * facing)[:, None]
+    if len(size):
+        depth = np.add.reduceat(placed[:, 2], outline.start[:-1]) / size
+        order = np.argsort(depth)
+        shapes = [placed[outline.start[k] : outline.start[k + 1], :2] for k in order]
+        ax.add_collection(PolyCollection(shapes, facecolors=tint[order], edgecolors=tint[order], linewidths=0.2))
+    lower, upper = body.particles.envelope.bounds
+    edges = 1e3 * _box(np.array(lower), np.array(upper)) @ view.axes.T
+    ax.add_collection(LineCollection(list(edges[:, :, :2]), colors=GREY, linewidths=0.7, zorder=0))
+    flat = edges.reshape(-1, 3)[:, :2]
+    margin = 0.02 * np.ptp(flat, axis=0).max()
+    low, high = flat.min(axis=0) - margin, flat.max(axis=0) + margin
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+    ax.axis("off")
+    return ScalarMappable(norm, SEQUENTIAL)
+
+
+def _box(lower: Floats, upper: Floats) -> PerElement3:
+    """Edges of a box, (12, 2, 3)."""
+    corner = np.array(list(product(*zip(lower, upper, strict=True))))
+    pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if bin(a ^ b).count("1") == 1]
+    return corner[np.array(pairs)]

@@ -1,0 +1,87 @@
+"""Pictures of what fracture leaves, and the example that draws them."""
+
+import importlib.util
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import bondem as bd
+from bondem.report.crack_pictures import corners_moved, draw_cracks, draw_fragments, piece_colours
+from bondem.report.spheres import View
+
+EXAMPLE = Path(__file__).parents[1] / "examples" / "cracks.py"
+LAW = bd.CellBond(E=1e9, nu=0.2)
+
+
+def example():
+    spec = importlib.util.spec_from_file_location("cracks_example", EXAMPLE)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def broken() -> tuple[bd.Lattice, bd.State]:
+    """Cubic cells, 4 × 3 × 2, parted in the middle and drawn 0.5 apart."""
+    x = np.indices((4, 3, 2)).reshape(3, -1).T + 0.5
+    body = bd.connect(bd.Particles(x, 0.5, shape=bd.Box((4.0, 3.0, 2.0))), method="laguerre")
+    state = bd.Model(body, LAW, 1e3).state()
+    side = x[:, 0] > 2.0
+    between = side[body.pairs[:, 0]] != side[body.pairs[:, 1]]
+    state.integrity[between[state.layout.bond_order]] = 0.0
+    state.set_pose(position=x + 0.5 * side[:, None] * [1.0, 0.0, 0.0])
+    return body, state
+
+
+def test_a_plate_breaks_with_branches_and_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """A crack starts once the waves have been at the notch, 20 mm / 3.8 km/s, and stays below Rayleigh's speed."""
+    growth = example().main(count=1000, folder=tmp_path)
+    assert 0.25 < growth.speed / 2125.0 < 0.6
+    assert 5e-6 < growth.time[0] < 25e-6
+    assert growth.length[-1] == pytest.approx(50e-3, abs=4e-3)
+    for file, least in (("cracks.png", 50_000), ("plate.vtkhdf", 10_000)):
+        assert (tmp_path / file).stat().st_size > least
+    told = capsys.readouterr().out
+    assert "Fracture of 1000 cells" in told
+    assert "surfaces: 1" in told
+
+
+def test_corners_go_with_their_cells() -> None:
+    body, state = broken()
+    solid = bd.polyhedra(body)
+    owner = np.repeat(solid.cell, np.diff(solid.start))
+    moved = corners_moved(solid, body, state, reach=3.0)
+    np.testing.assert_allclose(moved, 3.0 * state.displacement[owner], atol=1e-12)
+    half = np.sqrt(0.5)
+    state.set_pose(position=body.centre, orientation=np.tile([half, 0.0, 0.0, half], (24, 1)))
+    arm = solid.vertex - body.centre[owner]
+    quarter = np.stack([-arm[:, 1], arm[:, 0], arm[:, 2]], axis=1)
+    np.testing.assert_allclose(corners_moved(solid, body, state), quarter - arm, atol=1e-12)
+
+
+def test_pieces_have_colours_of_their_own_and_crumbs_one() -> None:
+    body, state = broken()
+    pieces = bd.fragments(body, state)
+    colour = piece_colours(pieces)
+    assert len(np.unique(colour, axis=0)) == 2
+    assert all(len(np.unique(colour[pieces.label == k], axis=0)) == 1 for k in range(2))
+    state.integrity[:] = 0.0
+    assert len(np.unique(piece_colours(bd.fragments(body, state)), axis=0)) == 1
+
+
+def test_surfaces_of_cracks_are_drawn_facet_by_facet() -> None:
+    body, state = broken()
+    ax = Figure().subplots()
+    scale = draw_cracks(ax, body, bd.cracks(body, state), view=View(), top=1.0)
+    polygons, box = ax.collections
+    assert len(polygons.get_paths()) == 6
+    assert len(box.get_paths()) == 12
+    assert scale.get_clim() == (0.0, 1e6)
+    whole = bd.Model(body, LAW, 1e3).state()
+    bare = Figure().subplots()
+    draw_cracks(bare, body, bd.cracks(body, whole), view=View())
+    assert len(bare.collections[-1].get_paths()) == 12
+    draw_fragments(Figure().subplots(), body, whole, bd.fragments(body, whole), view=View())
