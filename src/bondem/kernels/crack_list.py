@@ -10,6 +10,7 @@ from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.cell_yield import principal_stresses
 from bondem.kernels.crack_tables import ACTIVE, BEFORE, FACET, GAP, NORMAL, ONSET, SHARE_I, SHARE_J, STATUS
 from bondem.kernels.single_facets import column, present_normal
+from bondem.kernels.stress_index import strength_along
 from bondem.laws.cell_energy import scalar
 
 # What stands for the integrity a step ago of a crack that begins: its rate is found first.
@@ -74,9 +75,13 @@ def begin_cracks(pose, bonds, cells, cracks):
         row, start = cracks.row[c], 0.0
         if marked[k] == 1:
             f, A = column(force, k), cracks.onset.area[k]
-            _, _, one, _ = principal_stresses(pair_stress(cracks.stress.tensor, bonds.i[k], bonds.j[k]), a, v)
+            mean = pair_stress(cracks.stress.tensor, bonds.i[k], bonds.j[k])
+            high, _, one, _ = principal_stresses(mean, a, v)
             slope = abs(scalar(present_normal(pose, bonds, cells, k), (v[0, one], v[1, one], v[2, one])))
-            start = min(math.sqrt(scalar(f, f)) / A, strength[k] * max(slope, _LEAST))
+            most = strength[k]
+            if cracks.onset.judge != 0:
+                most = strength_along(cracks.onset, mean, high, most, a)
+            start = min(math.sqrt(scalar(f, f)) / A, most * max(slope, _LEAST))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
         write_three(cracks.pull[c], 0, column(force, k))

@@ -1,7 +1,5 @@
 """Tables of the kernels for facets that crack and cells that yield, and what comes back from them."""
 
-import math
-
 import numpy as np
 
 from bondem._types import Floats
@@ -78,7 +76,9 @@ def crack_table(
         stress=CellStresses(volume=constants.volume, tensor=np.zeros((n, 6))),
         flow=_flow(model, state, table, cells, grips, constants),
         onset=Onset(
-            strength=table.strength, area=table.area, hot=table.hot, hotter=np.zeros(n, dtype=np.uint8),
+            strength=table.strength, area=table.area, hot=table.hot,
+            judge=0 if table.judge is None else table.judge.address, given=table.given, tension=table.tension,
+            hotter=np.zeros(n, dtype=np.uint8),
             marked=np.zeros(m, dtype=np.uint8), listed=np.zeros(m, dtype=np.uint8),
         ),
         last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0),
@@ -96,11 +96,10 @@ def _flow(
 ) -> CellYield:
     """How cells yield; nothing of it is used where none do."""
     slip, bare, n = table.slip, np.zeros((3, 0), dtype=np.int32), len(constants.volume)
-    angle = 0.0 if slip is None else slip.friction_angle
     return CellYield(
-        yielding=slip is not None,
-        cohesion=np.full(n, 0.0 if slip is None else slip.cohesion * math.cos(angle)), sine=math.sin(angle),
-        dilation=0.0 if slip is None else math.sin(slip.dilatancy), fade=table.fade, G=constants.G,
+        yielding=slip is not None, cone=slip is not None and slip.cone,
+        cohesion=np.full(n, 0.0 if slip is None else slip.strength), sine=0.0 if slip is None else slip.slope,
+        dilation=0.0 if slip is None else slip.dilation, fade=table.fade, G=constants.G,
         base_i=bare if slip is None else cells.lever_i.copy(), base_j=bare if slip is None else cells.lever_j.copy(),
         base_grip=grips.lever.copy(), pressed=_pressed(model), plastic=state.plastic,
     )  # fmt: skip
