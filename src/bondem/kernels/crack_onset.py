@@ -12,7 +12,7 @@ from bondem.kernels.cell_yield import book_loads, stretch_cells, stretch_grips, 
 from bondem.kernels.crack_list import read_three
 from bondem.kernels.crack_tables import ACTIVE, FACET, STATUS
 from bondem.kernels.single_facets import column, lever, orientation
-from bondem.kernels.stress_index import cool_cells, stress_index
+from bondem.kernels.stress_index import cool_cells, reaches
 from bondem.laws.cell_energy import scalar, turned_by
 from bondem.laws.plasticity import below
 
@@ -67,7 +67,7 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
             if onset.judge == 0:
                 if not below(s, strength[k]):
                     marked[k] = 1
-            elif stress_index(onset, s, onset.tension / strength[k], matrix) >= 1.0:
+            elif reaches(onset, s, onset.tension / strength[k], matrix):
                 marked[k] = 1
 
 

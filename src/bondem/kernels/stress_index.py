@@ -8,7 +8,7 @@ from bondem._compile import called, device, loop
 
 # How far the σ* of a facet may be beyond the stresses of its two cells, over the size of these: towards tension from
 # all sides, in which criteria weaken.
-_BEYOND = 0.1
+_BEYOND = 0.2
 
 
 @device
@@ -21,25 +21,39 @@ def stress_index(onset, s, scale, matrix):
     return called(onset.judge, matrix, onset.given)
 
 
+@device
+def _size(s):
+    return math.sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]))
+
+
+@device
+def reaches(onset, s, scale, matrix):
+    """Whether a stress s times `scale` reaches the criterion; a small one does without a call."""
+    if scale * _size(s) < onset.least:
+        return False
+    return stress_index(onset, s, scale, matrix) >= 1.0
+
+
 @loop(parallel=False)
 def cool_cells(stress, onset, first, last):
     """Let the facets of those cells first … last be that are far below the criterion, into `onset.hotter`.
 
-    Its index is below 1 at the stress of a cell over a share of the strength, and at that with a tension from all
-    sides, a share of the size of the stress.
+    They have no cracks, and stay below it at their stress over a share of the strength, and at that with a tension
+    from all sides, a share of its size. (The stress of a cell with cracks says little about its other facets.)
     """
     matrix, tensor, scale = np.empty((3, 3)), stress.tensor, onset.tension / onset.hot
     for p in range(first, last):
         if onset.hotter[p] == 2:
             continue
-        s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
-        onset.hotter[p] = 1
-        if stress_index(onset, s, scale, matrix) < 1.0:
-            square = s[0] * s[0] + s[1] * s[1] + s[2] * s[2]
-            more = _BEYOND * math.sqrt(square + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]))
-            s = s[0] + more, s[1] + more, s[2] + more, s[3], s[4], s[5]
-            if stress_index(onset, s, scale, matrix) < 1.0:
-                onset.hotter[p] = 0
+        hot = onset.head[p] >= 0
+        if not hot:
+            s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
+            hot = reaches(onset, s, scale, matrix)
+            if not hot:
+                more = _BEYOND * _size(s)
+                s = s[0] + more, s[1] + more, s[2] + more, s[3], s[4], s[5]
+                hot = reaches(onset, s, scale, matrix)
+        onset.hotter[p] = 1 if hot else 0
 
 
 @device

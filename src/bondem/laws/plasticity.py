@@ -8,8 +8,9 @@ Mohr–Coulomb:
 Drucker–Prager, where the mean stress presses, and with k in place of c in r:
 
     F = √J2 + α I1 - r k,     Δε = Δγ [s / 2√J2 + β 1],     s the deviator
+    Δγ = F / (G + 9 K α β), half of it a step
 
-so that in pure shear τ both do the same: σ:Δε = τ Δγ.
+so that in pure shear τ both dissipate τ Δγ.
 
 Stresses and strains: xx, yy, zz, xy, xz, yz; tension positive. The plastic strain is an eigenstrain of the cell: its
 levers are P b, P ← (1 + Δε) P, so that what it dissipates is V σ:Δε exactly, at large strain too.
@@ -102,15 +103,16 @@ def flow(high, low, sine, strength, G):
 
 
 @device
-def cone_flow(p, q, slope, strength, G):
+def cone_flow(p, q, slope, strength, stiffness):
     """Δγ of a step on Drucker–Prager's cone, from `invariants`; 0 where a cell does not yield.
 
-    Under tension facets crack on this surface, and cells do not flow.
+    `stiffness` is G + 9 K α β: by how much F falls with Δγ in a cell that cannot give way. Under tension facets crack
+    on this surface, and cells do not flow.
     """
     if p > 0.0:
         return 0.0
     F = q + 3.0 * slope * p - strength
-    return _SHARE * max(min(F, 2.0 * q), 0.0) / (2.0 * G)
+    return _SHARE * max(min(F, 2.0 * q), 0.0) / stiffness
 
 
 @device

@@ -17,6 +17,8 @@ from bondem.specimen.lattice import Lattice
 # Share of its strength at which the facets of a cell are looked at: the stress of a pair of cells agrees with the
 # traction of their facet, which may be above that of both (`kernels/stress_index.py`).
 _MARGIN = 0.7
+# The same of other criteria, and of the size of a stress at which they are reached, found in a few directions.
+_WIDER, _NEARER = 0.5, 0.7
 # Opening where nothing is left of a facet that is too long for its fracture energy, over that at its strength.
 _SNAP = 1.05
 
@@ -34,6 +36,7 @@ class SofteningTable:
             in uniaxial tension.
         judge: the index of another criterion, or None for the largest principal stress.
         given: its parameters.
+        least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
         tension: f_t without scatter [Pa].
         friction: μ [-].
         slip: how cells yield, or None.
@@ -47,6 +50,7 @@ class SofteningTable:
     hot: float
     judge: Callback | None
     given: Floats
+    least: float
     tension: float
     friction: float
     slip: Slip | None
@@ -91,9 +95,10 @@ class SofteningTable:
             fade = np.cbrt(cells.volume) * softening.slip.cohesion / (2.0 * softening.slip.fracture_energy)
         return cls(
             strength=strength, last=last, area=area, part=soft_i / (soft_i + soft_j),
-            hot=_MARGIN * float(strength.min(initial=softening.tension)),
+            hot=(_MARGIN if surface is None else _WIDER) * float(strength.min(initial=softening.tension)),
             judge=None if surface is None else callback(surface.function, len(surface.values)),
-            given=np.array(() if surface is None else surface.values, dtype=float), tension=softening.tension,
+            given=np.array(() if surface is None else surface.values, dtype=float),
+            least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,
             friction=softening.friction, slip=softening.slip, fade=fade,
         )  # fmt: skip
 

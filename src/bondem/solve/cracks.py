@@ -72,20 +72,21 @@ def crack_table(
     pull[:count] = state.facet_force[:, facet].T
     i, j = model.layout.i, model.layout.j
     swing = np.sqrt(cells.k[:m] * (state.motion[i, 3] + state.motion[j, 3]))  # of a facet by itself [1/s]
+    head = np.full(n, -1, dtype=np.int64)
     return CrackTable(
         stress=CellStresses(volume=constants.volume, tensor=np.zeros((n, 6))),
         flow=_flow(model, state, table, cells, grips, constants),
         onset=Onset(
             strength=table.strength, area=table.area, hot=table.hot,
-            judge=0 if table.judge is None else table.judge.address, given=table.given, tension=table.tension,
-            hotter=np.zeros(n, dtype=np.uint8),
+            judge=0 if table.judge is None else table.judge.address, given=table.given, head=head,
+            least=table.least, tension=table.tension, hotter=np.zeros(n, dtype=np.uint8),
             marked=np.zeros(m, dtype=np.uint8), listed=np.zeros(m, dtype=np.uint8),
         ),
         last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0),
         friction=table.friction, weight=constants.weight,
         slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
         row=row, sizes=np.array([count, 0, 0], dtype=np.int64), geometry=np.zeros((m, GEOMETRY_COLUMNS)),
-        cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
+        cell=np.zeros(n, dtype=np.int64), head=head,
         after_i=np.full(m, -1, dtype=np.int64), after_j=np.full(m, -1, dtype=np.int64), base=np.zeros(n),
         pull=pull, load=load, log=np.empty((m, BROKEN_COLUMNS)), released=state.released,
     )  # fmt: skip
@@ -96,10 +97,13 @@ def _flow(
 ) -> CellYield:
     """How cells yield; nothing of it is used where none do."""
     slip, bare, n = table.slip, np.zeros((3, 0), dtype=np.int32), len(constants.volume)
+    G = constants.G
+    if slip is not None and slip.cone:
+        G = G + (9.0 * constants.lame + 6.0 * G) * slip.slope * slip.dilation
     return CellYield(
         yielding=slip is not None, cone=slip is not None and slip.cone,
         cohesion=np.full(n, 0.0 if slip is None else slip.strength), sine=0.0 if slip is None else slip.slope,
-        dilation=0.0 if slip is None else slip.dilation, fade=table.fade, G=constants.G,
+        dilation=0.0 if slip is None else slip.dilation, fade=table.fade, G=G,
         base_i=bare if slip is None else cells.lever_i.copy(), base_j=bare if slip is None else cells.lever_j.copy(),
         base_grip=grips.lever.copy(), pressed=_pressed(model), plastic=state.plastic,
     )  # fmt: skip

@@ -4,6 +4,24 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+import numpy as np
+from scipy.special import ndtri
+
+from bondem._compile import callback
+from bondem._types import Floats
+from bondem.laws.failure.counter import uniform_by_counter
+
+# Largest strength that is looked for [Pa], and in how many directions drawn by chance.
+_STRONGEST = 1e15
+_DIRECTIONS = 200
+_EYE = np.eye(3)
+#: Stresses of size about 1 that a criterion is tried at: along x, y and z, from all sides, in a plane, in shear, any.
+TRIED = (
+    *(np.outer(e, e) for e in _EYE), _EYE, _EYE - np.outer(_EYE[2], _EYE[2]),
+    np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]),
+    np.array([[0.7, -0.2, 0.4], [-0.2, -0.5, 0.1], [0.4, 0.1, 0.3]]),
+)  # fmt: skip
+
 
 @dataclass(frozen=True, kw_only=True)
 class Slip:
@@ -47,6 +65,31 @@ class Surface:
 
     function: Callable[..., float]
     values: tuple[float, ...]
+
+    def reached(self, direction: Floats) -> float:
+        """How many times a stress reaches the criterion first, to a millionth; inf beyond 10^15 Pa."""
+        compiled = callback(self.function, len(self.values)).function
+        high = 1.0
+        while compiled(high * direction, *self.values) < 1.0:
+            high *= 2.0
+            if high > _STRONGEST:
+                return math.inf
+        low = 0.5 * high if high > 1.0 else 0.0
+        while high - low > 1e-6 * high and high > 1.0 / _STRONGEST:
+            middle = 0.5 * (low + high)
+            if compiled(middle * direction, *self.values) >= 1.0:
+                high = middle
+            else:
+                low = middle
+        return high
+
+    def nearest(self) -> float:
+        """Smallest size √(σ:σ) of a stress that reaches the criterion, of a few hundred directions [Pa]."""
+        drawn = ndtri(uniform_by_counter(0, 9 * _DIRECTIONS)).reshape(-1, 3, 3)
+        found = math.inf
+        for matrix in (*TRIED, *(-one for one in TRIED), *(drawn + drawn.transpose(0, 2, 1))):
+            found = min(found, self.reached(np.ascontiguousarray(matrix / np.linalg.norm(matrix))))
+        return found
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,19 +14,11 @@ from bondem._compile import callback
 from bondem.errors import InputError
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.scatter import Normal, Weibull
-from bondem.laws.failure.softening import Softening, Surface
+from bondem.laws.failure.softening import TRIED, Softening, Surface
 
 _NAME = "StressCriterion"
-_EYE = np.eye(3)
-# A function is tried at stresses of these sizes [Pa], in these directions.
+# A function is tried at stresses of these sizes [Pa].
 _SIZES = (1.0, 1e3, 1e6, 1e9)
-_TRIED = (
-    *(np.outer(e, e) for e in _EYE), _EYE, _EYE - np.outer(_EYE[2], _EYE[2]),
-    np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]),
-    np.array([[0.7, -0.2, 0.4], [-0.2, -0.5, 0.1], [0.4, 0.1, 0.3]]),
-)  # fmt: skip
-# Largest strength that is looked for [Pa].
-_STRONGEST = 1e15
 
 
 @dataclass(frozen=True, init=False)
@@ -43,9 +35,10 @@ class StressCriterion(Criterion):
     The stress is a symmetric matrix (3, 3) [Pa], in space, tension positive, as of `bd.cell_stress`. Numba compiles
     the function, alone: it can be made of what Numba knows of Python and NumPy. Strengths that scatter divide the
     stress. A crack softens to the opening 2 G_f / f_t, as of `bd.Rankine`, with f_t the least uniaxial tension along
-    x, y or z at which the function reaches 1; without a fracture energy it breaks at once. The facets of a cell are
-    looked at where the function reaches 1 at 1/0.7 of its stress, or of that with a tension from all sides of a tenth
-    of its size; so an index must not fall below 1 again along a stress that grows. Bodies of cells only.
+    x, y or z at which the function reaches 1; without a fracture energy it breaks at once. The facets of a cell
+    without cracks are looked at where the function reaches 1 at twice its stress, or at twice that with a tension
+    from all sides of a fifth of its size; so an index must not fall below 1 again along a stress that grows. Bodies
+    of cells only.
 
     Args:
         function: of the stress and the parameters; it returns the index [-].
@@ -84,11 +77,11 @@ class StressCriterion(Criterion):
             number(_NAME, "fracture_energy", fracture_energy, unit="J/m²", above=0.0,
                    advice="a positive energy in J/m², or None for brittle facets")  # fmt: skip
         number(_NAME, "friction", friction, least=0.0, advice="a coefficient of zero or more")
-        index = self._tried()
-        object.__setattr__(self, "_tension", min(_strength(index, direction) for direction in _TRIED[:3]))
+        self._try()
+        object.__setattr__(self, "_tension", min(self._surface.reached(direction) for direction in TRIED[:3]))
         if not math.isfinite(self._tension):
             raise InputError(
-                f"{_NAME}: {self.name} stays below 1 in uniaxial tension up to {_STRONGEST:g} Pa; give an index that"
+                f"{_NAME}: {self.name} stays below 1 in uniaxial tension, whatever its size; give an index that"
                 " reaches 1 where the material fails, tension positive"
             )
 
@@ -103,11 +96,15 @@ class StressCriterion(Criterion):
     def softening(self) -> Softening:
         return Softening(
             tension=self._tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slip=None,
-            surface=Surface(function=self.function, values=tuple(self.parameters.values())),
+            surface=self._surface,
         )  # fmt: skip
 
-    def _tried(self) -> Callable[[np.ndarray], float]:
-        """The compiled function of a stress, after some trials."""
+    @property
+    def _surface(self) -> Surface:
+        return Surface(function=self.function, values=tuple(self.parameters.values()))
+
+    def _try(self) -> None:
+        """Compile the function, and call it for some stresses."""
         values = tuple(self.parameters.values())
         try:
             compiled = callback(self.function, len(values)).function
@@ -136,10 +133,9 @@ class StressCriterion(Criterion):
         if at_rest >= 1.0:
             raise InputError(f"{_NAME}: {self.name} is {at_rest:g} without stress; give an index below 1 there")
         for size in _SIZES:
-            for direction in _TRIED:
+            for direction in TRIED:
                 index(size * direction)
                 index(-size * direction)
-        return index
 
 
 def _own_parameters(function: object, given: Mapping[str, object]) -> dict[str, float]:
@@ -166,27 +162,6 @@ def _own_parameters(function: object, given: Mapping[str, object]) -> dict[str, 
             raise InputError(f"{_NAME}: {plain.__qualname__} needs '{one.name}'; give {one.name}=")
         found[one.name] = number(_NAME, one.name, value)
     return found
-
-
-def _strength(index: Callable[[np.ndarray], float], direction: np.ndarray) -> float:
-    """Stress along a direction at which an index reaches 1 first [Pa], to rounding; inf where it does not."""
-    high = 1.0
-    while index(high * direction) >= 1.0:
-        high *= 0.5
-        if high < 1.0 / _STRONGEST:
-            return high
-    while index(high * direction) < 1.0:
-        high *= 2.0
-        if high > _STRONGEST:
-            return math.inf
-    low = 0.5 * high
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        if index(middle * direction) >= 1.0:
-            high = middle
-        else:
-            low = middle
-    return high
 
 
 def _listed(stress: np.ndarray) -> str:
