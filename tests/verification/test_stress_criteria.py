@@ -148,7 +148,8 @@ def torn(failure: bd.Criterion, share: float = 0.9) -> bd.ExplicitResult:
     softening = failure.softening
     assert softening is not None
     pull = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
-    model = bd.Model(body(250), bd.CellBond(E=E, nu=0.2), density=RHO, failure=failure, boundary=pull)
+    law = bd.CellBond(E=E, nu=0.2, facet_rotation="full")
+    model = bd.Model(body(250), law, density=RHO, failure=failure, boundary=pull)
     dt = share * critical_step(model, bd.VelocityVerlet())
     opening = 1.2 * 2.0 * softening.fracture_energy / softening.tension or 1e-6
     return bd.solve_explicit(model, duration=(softening.tension / E * 16e-3 + opening) / 0.1, dt=dt, every=50)
@@ -164,15 +165,20 @@ ABRUPT = [bd.DruckerPrager(tension=4e6, compression=40e6), bd.Hydrostatic(tensio
 
 @pytest.mark.parametrize("failure", SOFT, ids=lambda one: type(one).__name__)
 def test_a_bar_gives_back_its_fracture_energy(failure: bd.Criterion) -> None:
-    assert torn(failure).history.energy["work"][-1] / 64e-6 == pytest.approx(50.0, rel=0.05)
+    """And has the strength of its closed form, slowly torn between smooth platens (as `test_strength`)."""
+    particles = bd.pack(bd.Box((20e-3, 10e-3, 10e-3)), count=250, method="even", seed=1)
+    test = bd.labtests.direct_tension(bd.connect(particles, method="laguerre"), bd.CellBond(E=E, nu=0.2), failure)
+    assert test.peak == pytest.approx(4e6, rel=0.05)
+    assert test.work == pytest.approx(50.0, rel=0.08)
 
 
 @pytest.mark.parametrize("failure", [*SOFT, *ABRUPT], ids=lambda one: type(one).__name__)
 def test_the_ledger_closes_and_is_of_second_order(failure: bd.Criterion) -> None:
-    coarse, fine = torn(failure), torn(failure, 0.45)
+    """A quarter of the step: what breaks at once breaks otherwise in another step, and scatters from half to half."""
+    coarse, fine = torn(failure), torn(failure, 0.225)
     assert len(coarse.state.cracks) > 20
-    assert coarse.residual < (1e-4 if failure in SOFT else 1e-3)
-    assert fine.residual < 0.35 * coarse.residual
+    assert coarse.residual < (1e-4 if failure in SOFT else 2e-3)
+    assert fine.residual < 0.35**2 * coarse.residual
 
 
 def pulled(failure: bd.Criterion, steps: int = 240, **options) -> bd.ExplicitResult:
@@ -188,8 +194,8 @@ def pulled(failure: bd.Criterion, steps: int = 240, **options) -> bd.ExplicitRes
 
 @pytest.mark.parametrize("energy", [None, 2.0], ids=["at once", "softening"])
 def test_a_function_that_repeats_rankine_breaks_the_same(energy: float | None) -> None:
-    one = pulled(bd.Rankine(tension=4e6, fracture_energy=energy)).events
-    other = pulled(bd.StressCriterion(largest, tension=4e6, fracture_energy=energy)).events
+    one = pulled(bd.Rankine(tension=4e6, fracture_energy=energy), 160).events
+    other = pulled(bd.StressCriterion(largest, tension=4e6, fracture_energy=energy), 160).events
     assert len(one) > 1000
     np.testing.assert_array_equal(other.bond, one.bond)
     np.testing.assert_array_equal(other.step, one.step)
