@@ -7,7 +7,7 @@ from typing import Any
 from bondem._checks import number
 from bondem.errors import InputError
 from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.softening import Slip, Softening, Surface
+from bondem.laws.failure.softening import Slip, Softening, StressIndex
 
 _ROOT = math.sqrt(3.0)
 _NAME = "DruckerPrager"
@@ -125,7 +125,7 @@ class DruckerPrager(Criterion):
             )  # fmt: skip
         return Softening(
             tension=k / (1.0 / _ROOT + slope), fracture_energy=energy or 0.0, friction=self.friction, slip=slip,
-            surface=Surface(function=cone_index, values=(slope, k, 0.0 if slip is None else 1.0)),
+            surface=StressIndex(function=cone_index, values=(slope, k, 0.0 if slip is None else 1.0)),
         )  # fmt: skip
 
 

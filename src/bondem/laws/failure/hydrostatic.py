@@ -5,7 +5,7 @@ from typing import Any
 
 from bondem._checks import number
 from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.softening import Softening, Surface
+from bondem.laws.failure.softening import Softening, StressIndex
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,7 +42,7 @@ class Hydrostatic(Criterion):
     def softening(self) -> Softening:
         return Softening(
             tension=3.0 * self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction,
-            slip=None, surface=Surface(function=mean_index, values=(self.tension,)),
+            slip=None, surface=StressIndex(function=mean_index, values=(self.tension,)),
         )  # fmt: skip
 
 

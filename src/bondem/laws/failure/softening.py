@@ -55,7 +55,7 @@ class Slip:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Surface:
+class StressIndex:
     """A criterion that is a function of the stress tensor: reached where its index is 1.
 
     Attributes:
@@ -108,4 +108,4 @@ class Softening:
     fracture_energy: float
     friction: float
     slip: Slip | None
-    surface: Surface | None = None
+    surface: StressIndex | None = None

@@ -14,7 +14,7 @@ from bondem._compile import callback
 from bondem.errors import InputError
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.scatter import Normal, Weibull
-from bondem.laws.failure.softening import TRIED, Softening, Surface
+from bondem.laws.failure.softening import TRIED, Softening, StressIndex
 
 _NAME = "StressCriterion"
 # A function is tried at stresses of these sizes [Pa].
@@ -100,8 +100,8 @@ class StressCriterion(Criterion):
         )  # fmt: skip
 
     @property
-    def _surface(self) -> Surface:
-        return Surface(function=self.function, values=tuple(self.parameters.values()))
+    def _surface(self) -> StressIndex:
+        return StressIndex(function=self.function, values=tuple(self.parameters.values()))
 
     def _try(self) -> None:
         """Compile the function, and call it for some stresses."""
