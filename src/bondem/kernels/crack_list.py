@@ -87,6 +87,7 @@ def begin_cracks(pose, bonds, cells, cracks):
         write_three(cracks.pull[c], 0, column(force, k))
         cracks.sizes[0] += 1
         _link(bonds, cracks, c)
+        cracks.onset.cracked[bonds.i[k]] = cracks.onset.cracked[bonds.j[k]] = 1
         marked[k] = 0
 
 

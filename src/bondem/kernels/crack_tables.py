@@ -54,7 +54,7 @@ class Onset(NamedTuple):
     hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
     judge: int  #: address of the function that judges a stress, 0 for the largest principal stress
     given: np.ndarray  #: parameters of that function
-    head: np.ndarray  #: that of `CrackTable`, (n,)
+    cracked: np.ndarray  #: 1 for cells with cracks, however treated, uint8, (n,)
     least: float  #: size √(σ:σ) below which no stress is judged: its index is below 1 [Pa]
     tension: float  #: f_t without scatter [Pa]: a facet is judged by its stress times this over its own
     hotter: np.ndarray  #: 1 for cells whose facets are looked at, 2 for those without cohesion, uint8, (n,)

@@ -45,7 +45,7 @@ def cool_cells(stress, onset, first, last):
     for p in range(first, last):
         if onset.hotter[p] == 2:
             continue
-        hot = onset.head[p] >= 0
+        hot = onset.cracked[p] != 0
         if not hot:
             s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
             hot = reaches(onset, s, scale, matrix)

@@ -72,13 +72,14 @@ def crack_table(
     pull[:count] = state.facet_force[:, facet].T
     i, j = model.layout.i, model.layout.j
     swing = np.sqrt(cells.k[:m] * (state.motion[i, 3] + state.motion[j, 3]))  # of a facet by itself [1/s]
-    head = np.full(n, -1, dtype=np.int64)
+    cracked = np.zeros(n, dtype=np.uint8)
+    cracked[i[facet]] = cracked[j[facet]] = 1
     return CrackTable(
         stress=CellStresses(volume=constants.volume, tensor=np.zeros((n, 6))),
         flow=_flow(model, state, table, cells, grips, constants),
         onset=Onset(
             strength=table.strength, area=table.area, hot=table.hot,
-            judge=0 if table.judge is None else table.judge.address, given=table.given, head=head,
+            judge=0 if table.judge is None else table.judge.address, given=table.given, cracked=cracked,
             least=table.least, tension=table.tension, hotter=np.zeros(n, dtype=np.uint8),
             marked=np.zeros(m, dtype=np.uint8), listed=np.zeros(m, dtype=np.uint8),
         ),
@@ -86,7 +87,7 @@ def crack_table(
         friction=table.friction, weight=constants.weight,
         slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
         row=row, sizes=np.array([count, 0, 0], dtype=np.int64), geometry=np.zeros((m, GEOMETRY_COLUMNS)),
-        cell=np.zeros(n, dtype=np.int64), head=head,
+        cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
         after_i=np.full(m, -1, dtype=np.int64), after_j=np.full(m, -1, dtype=np.int64), base=np.zeros(n),
         pull=pull, load=load, log=np.empty((m, BROKEN_COLUMNS)), released=state.released,
     )  # fmt: skip
