@@ -26,7 +26,6 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bondem.labtests.compression import mohr_coulomb_strength
 from kept import RESULTS, commit, keep, origin
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
@@ -82,7 +81,7 @@ def measured(case: Case, count: int, seed: int) -> dict[str, Any]:
         test = bd.labtests.uniaxial_compression(body, LAW, failure, pressure=case.pressure)
         assert failure.softening is not None
         assert failure.softening.slip is not None
-        rows["strength"] = test.peak / mohr_coulomb_strength(failure.softening.slip, case.pressure)
+        rows["strength"] = test.peak / failure.softening.slip.compressive(case.pressure)
     else:
         failure = bd.Rankine(tension=TENSION, fracture_energy=case.energy or None)
         test = bd.labtests.direct_tension(body, LAW, failure)

@@ -35,6 +35,11 @@ class Later:
         self.made = functools.cache(make)
 
 
+def along(stress, tension):
+    """Index of a criterion."""
+    return stress[0, 0] / tension
+
+
 GRID = np.indices((4, 3, 3)).reshape(3, -1).T.astype(float)
 SPHERES = bd.Particles(GRID, 0.5)
 LATTICE = bd.connect(SPHERES, reach=1.1)
@@ -76,11 +81,16 @@ USUAL: dict[str, dict[str, Any]] = {
     "Driven": {"x": 1e-6, "vy": bd.Ramp(0.0, 1.0, 1.0)},
     "Eigenstrain": {"strain": 1e-4, "region": EVERYTHING, "schedule": bd.Constant(1.0)},
     "Elliptic": {"elongation": 0.01, "rotation": 0.1, "scatter": None},
+    "DruckerPrager": {
+        "tension": 1e6, "compression": 1e7, "hydrostatic": None, "fracture_energy": 50.0,
+        "fracture_energy_shear": 500.0, "dilatancy": 0.1, "friction": 0.3, "scatter": None,
+    },
     "EulerBernoulli": BEAM | {"radius": None},
     "Face": {"name": "x_min", "depth": 0.02},
     "Fix": {"region": FACE, "translation": "xyz", "rotation": "xyz"},
     "Gauge": {"region": FACE, "quantity": "displacement", "reduction": "mean"},
     "HertzMindlin": {"E": 1e9, "nu": 0.2, "friction": 0.1, "restitution": 0.9, "overlap": 0.01, "stress_free": True},
+    "Hydrostatic": {"tension": 1e6, "fracture_energy": 50.0, "friction": 0.3, "scatter": None},
     "Index": {"elements": [0, 1], "size": 4},
     "Lattice": {"particles": SPHERES, "pairs": [[0, 1], [1, 2]]},
     "LinearContact": {"E": 1e9, "friction": 0.1, "kappa": 2.0, "damping": 0.1, "stress_free": True},
@@ -97,7 +107,7 @@ USUAL: dict[str, dict[str, Any]] = {
         "fracture_energy_shear": 500.0, "dilatancy": 0.1, "scatter": None,
     },
     "Rankine": {"tension": 1e6, "fracture_energy": 50.0, "friction": 0.3, "scatter": None},
-    "Normal": {"deviation": 0.1, "seed": 1},
+    "Normal": {"deviation": 0.1, "seed": 1, "correlation": 1e-3},
     "Obermayr": BEAM | {"alpha_s": 0.9},
     "ParallelBond": BEAM | {"kappa": 1.0},
     "Particles": {"position": GRID, "radius": 0.5, "period": None, "shape": None},
@@ -114,13 +124,16 @@ USUAL: dict[str, dict[str, Any]] = {
     "Servo": {"force": 1e3, "speed": 1.0, "mass": 1.0},
     "Sieve": {"diameters": (1.0, 2.0), "mass_passing": (0.0, 1.0)},
     "State": {"model": MODEL},
+    "StressCriterion": {
+        "function": along, "fracture_energy": 50.0, "friction": 0.3, "scatter": None, "tension": 1e6,
+    },
     "Surface": {"file": None, "unit": None, "vertices": np.eye(4, 3), "triangles": [[0, 2, 1], [0, 1, 3], [1, 2, 3],
                                                                                      [0, 3, 2]]},
     "Table": {"times": [0.0, 1.0], "values": [0.0, 1.0]},
     "TchamwaWielgosz": {"phi": 1.1},
     "Timoshenko": BEAM | {"radius": None},
     "Uniform": {"spread": 0.2},
-    "Weibull": {"modulus": 8.0, "volume": 1e-6, "seed": 1},
+    "Weibull": {"modulus": 8.0, "volume": 1e-6, "seed": 1, "correlation": 1e-3},
     "WallGauge": {"wall": 0, "quantity": "force"},
     "Within": {"shape": BALL},
     "acoustic_emission": {"events": EVENTS, "time": 1.0, "distance": 1.0, "model": BREAKING},

@@ -40,6 +40,48 @@ def other_state() -> bd.State:
     return bd.Model(bd.Lattice(ROW.particles, ROW.pairs[:1]), LAW, density=1000.0, failure=STRESS).state()
 
 
+def along(stress, tension, weight=1.0):
+    return weight * stress[0, 0] / tension
+
+
+def no_number(stress):
+    return math.sqrt(stress[0, 0])
+
+
+def a_matrix(stress):
+    return stress
+
+
+def nothing(stress):
+    pass
+
+
+def a_file(stress):
+    return open("index.txt")
+
+
+def at_rest(stress):
+    return 2.0
+
+
+def never(stress):
+    return -1.0
+
+
+def complains(stress):
+    if stress[0, 1] > 0.0:
+        raise ValueError("no shear, please")
+    return stress[0, 0] / 1e6
+
+
+def by_name(stress, *, tension):
+    return stress[0, 0] / tension
+
+
+def own(function: object, **parameters: object) -> object:
+    return bd.StressCriterion(function, **parameters)  # type: ignore[arg-type]
+
+
 # What is wrong, in the words of the message; what to do, likewise; how to get there.
 REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "a number": ("4000000", "a criterion such as bd.PeripheralStress", lambda: model(4e6)),
@@ -72,6 +114,53 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
         lambda: model(bd.Elliptic(elongation=0.1, rotation=0.1), bd.CellBond(E=1e9, nu=0.2), body()),
     ),
     "bonds of two kinds": ("at the ends or at contact points", "give bonds of one kind", mixed),
+    "a stress of the material in beams": (
+        "DruckerPrager with softening or stresses", "use bd.CellBond",
+        lambda: model(bd.DruckerPrager(tension=1e6, compression=1e7)),
+    ),
+    "one strength of a cone": (
+        "DruckerPrager: tension given", "give two of", lambda: bd.DruckerPrager(tension=1e6)
+    ),
+    "no strength of a cone": ("no strength given", "give two of", lambda: bd.DruckerPrager()),
+    "three strengths of a cone": (
+        "tension, compression, hydrostatic given", "give two of",
+        lambda: bd.DruckerPrager(tension=1e6, compression=1e7, hydrostatic=1e6),
+    ),
+    "a cone upside down": (
+        "compression = 1e+06 Pa is below tension", "give at least as much",
+        lambda: bd.DruckerPrager(tension=2e6, compression=1e6),
+    ),
+    "a cone that never ends": (
+        "hydrostatic = 26 Pa is no more than 2/3 of tension", "give more",
+        lambda: bd.DruckerPrager(tension=40.0, hydrostatic=26.0),
+    ),
+    "more dilatancy than friction": (
+        "dilatancy = 0.5", "give β in [0, α]",
+        lambda: bd.DruckerPrager(tension=1e6, compression=1e7, fracture_energy=1.0, dilatancy=0.5),
+    ),
+    "a brittle cone that slips": (
+        "are of cells that yield", "give fracture_energy too",
+        lambda: bd.DruckerPrager(tension=1e6, compression=1e7, fracture_energy_shear=5.0),
+    ),
+    "no function": ("function = 3", "give a function of a stress (3, 3)", lambda: own(3)),
+    "a class for a function": ("function = <class", "give a function of a stress", lambda: own(bd.Box)),
+    "a function of Python's": ("function = <built-in", "give a function of a stress", lambda: own(len)),
+    "an argument by name alone": (
+        "by_name(stress, *, tension)", "give a function", lambda: own(by_name, tension=1.0)
+    ),
+    "a parameter missing": ("along needs 'tension'", "give tension=", lambda: own(along)),
+    "a parameter misspelt": (
+        "along has no parameter 'tensio'", "give tension, weight", lambda: own(along, tension=1e6, tensio=1e6)
+    ),
+    "a parameter that is no number": ("tension = 'high'", "give a finite number", lambda: own(along, tension="high")),
+    "an index that is no number": ("no_number is nan at a stress", "return a finite number", lambda: own(no_number)),
+    "an index that is a matrix": ("a_matrix cannot be compiled", "returns a number", lambda: own(a_matrix)),
+    "an index that is nothing": ("nothing cannot be compiled", "returns a number", lambda: own(nothing)),
+    "what cannot be compiled": ("a_file cannot be compiled", "in what Numba knows", lambda: own(a_file)),
+    "an index that fails at rest": ("at_rest is 2 without stress", "give an index below 1", lambda: own(at_rest)),
+    "an index that never fails": ("never stays below 1", "give an index that reaches 1", lambda: own(never)),
+    "an index of the wrong sign": ("along stays below 1", "tension positive", lambda: own(along, tension=-1e6)),
+    "an index that raises": ("complains raises 'no shear, please'", "return a number", lambda: own(complains)),
     "statics": ("explicit runs only", "leave failure= out", lambda: bd.solve_static(free_model())),
     "modes": ("explicit runs only", "leave failure= out", lambda: bd.solve_modes(free_model(), count=1)),
     "relaxation": ("explicit runs only", "leave failure= out", lambda: bd.solve_relaxed(free_model())),
@@ -89,6 +178,7 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
 # Parameters: the class and the parameter are named, and what would do.
 PERIPHERAL, COULOMB = {"tension": 1.0, "shear": 1.0}, {"tension": 1.0, "cohesion": 1.0, "friction_angle": 0.5}
 LINEAR = {"force": 1.0, "shear": 1.0, "bending": 1.0, "twisting": 1.0}
+CONE, OWN = {"tension": 1.0, "compression": 9.0, "fracture_energy": 1.0}, {"function": along, "tension": 1e6}
 ELLIPTIC, WEIBULL = {"elongation": 0.1, "rotation": 0.1}, {"modulus": 5.0, "volume": 1.0}
 WRONG = [
     *((bd.PeripheralStress, PERIPHERAL, name, bad, "in Pa") for name in PERIPHERAL for bad in (0.0, -1.0, math.nan)),
@@ -98,6 +188,15 @@ WRONG = [
     *((bd.LinearSum, LINEAR, name, bad, "a positive N") for name in LINEAR for bad in (0.0, -1.0, "strong")),
     *((bd.Elliptic, ELLIPTIC, name, bad, "") for name in ELLIPTIC for bad in (0.0, -1.0)),
     *((bd.Weibull, WEIBULL, name, bad, "") for name in WEIBULL for bad in (0.0, -1.0)),
+    *((bd.DruckerPrager, CONE, name, bad, "") for name in CONE for bad in (0.0, -1.0, math.nan, "strong")),
+    *((bd.DruckerPrager, CONE, name, bad, "") for name in ("dilatancy", "friction") for bad in (-0.1, math.inf)),
+    (bd.DruckerPrager, CONE, "fracture_energy_shear", 0.0, "J/m²"),
+    *((bd.Hydrostatic, {"tension": 1.0}, "tension", bad, "in Pa") for bad in (0.0, -1.0, math.nan)),
+    (bd.Hydrostatic, {"tension": 1.0}, "fracture_energy", 0.0, "None for brittle"),
+    (bd.Hydrostatic, {"tension": 1.0}, "friction", -0.1, "zero or more"),
+    (bd.StressCriterion, OWN, "fracture_energy", 0.0, "None for brittle"),
+    (bd.StressCriterion, OWN, "friction", -0.1, "zero or more"),
+    (bd.StressCriterion, OWN, "scatter", 0.1, "bd.Weibull(...), bd.Normal(...) or None"),
     (bd.Weibull, WEIBULL, "seed", 1.5, "whole number"),
     *((bd.Normal, {"deviation": 0.1}, "deviation", bad, "[0, 1/3)") for bad in (-0.1, 0.34)),
     (bd.PeripheralStress, PERIPHERAL, "scatter", 0.1, "bd.Weibull(...), bd.Normal(...) or None"),

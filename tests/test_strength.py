@@ -57,6 +57,27 @@ def test_a_prism_has_the_strength_of_a_mohr_coulomb_continuum(pressure: float) -
     assert (slip > 0.0).mean() > 0.5
 
 
+@pytest.mark.parametrize("pressure", [0.0, 3e6])
+def test_a_prism_has_the_strength_of_a_drucker_prager_continuum(pressure: float) -> None:
+    """(k + p (1/√3 + 2 α)) / (1/√3 - α): 54.94 MPa, and 115.25 MPa at 3 MPa; no facet cracks under pressure."""
+    cone = bd.DruckerPrager(tension=4e6, compression=UCS, fracture_energy=20.0, fracture_energy_shear=2000.0)
+    test = bd.labtests.uniaxial_compression(body(1000), LAW, cone, pressure=pressure, reach=1.5)
+    third = 1.0 / math.sqrt(3.0)
+    slope, k = third * (UCS - 4e6) / (UCS + 4e6), 2.0 * third * UCS * 4e6 / (UCS + 4e6)
+    assert test.peak == pytest.approx((k + pressure * (third + 2.0 * slope)) / (third - slope), rel=0.03)
+    assert test.residual < 2e-3
+    assert (test.state.slipped > 0.0).mean() > 0.5
+    assert (test.state.bond_integrity < 1.0).mean() < 0.01
+
+
+def test_a_prism_is_torn_as_the_cone_has_it() -> None:
+    cone = bd.DruckerPrager(tension=4e6, compression=UCS, fracture_energy=20.0)
+    test = bd.labtests.direct_tension(body(), LAW, cone)
+    assert test.peak == pytest.approx(4e6, rel=0.05)
+    assert test.work == pytest.approx(20.0, rel=0.08)
+    assert not (test.state.slipped > 0.0).any()
+
+
 def test_stresses_of_a_failing_body_are_in_equilibrium_with_its_platens() -> None:
     """Mean axial stress of the cells, where they have yielded: that of the platens; the pressure on the sides."""
     test = bd.labtests.uniaxial_compression(body(), LAW, FAILURE, pressure=5e6, reach=1.2)
@@ -109,11 +130,25 @@ def test_a_study_tears_and_crushes(tmp_path: Path) -> None:
     assert "Tests to failure" in (tmp_path / "report.html").read_text()
 
 
+def test_a_study_knows_the_criteria_of_the_stress() -> None:
+    """Their keys, with units; a brittle cone has no shear strength to crush."""
+    cone = {"criterion": "DruckerPrager", "tension": "4 MPa", "hydrostatic": "3 MPa", "fracture_energy": 20.0}
+    found = parse_study(STUDY | {"failure": cone}).failure
+    assert found == bd.DruckerPrager(tension=4e6, hydrostatic=3e6, fracture_energy=20.0)
+    mean = {"criterion": "Hydrostatic", "tension": "2 MPa", "friction": 0.2}
+    found = parse_study(STUDY | {"failure": mean, "tests": ["direct_tension"]}).failure
+    assert found == bd.Hydrostatic(tension=2e6, friction=0.2)
+
+
 REFUSED = {
     "no table": ("give \\[failure\\]", {"failure": None}),
     "no test": ("no test needs it", {"tests": ["static_tension"]}),
     "spheres": ("CellBond", {"bond": {}, "specimen": {"shape": "box", "size": [2e-2] * 3, "count": 250}}),
     "no shear": ("MohrCoulomb", {"failure": {"criterion": "Rankine", "tension": 4e6, "fracture_energy": 20.0}}),
+    "brittle cone": (
+        "DruckerPrager", {"failure": {"criterion": "DruckerPrager", "tension": 4e6, "compression": 4e7}}
+    ),
+    "one strength": ("give two of", {"failure": {"criterion": "DruckerPrager", "tension": 4e6}}),
     "misspelt": ("unknown key 'failure.cohesio'", {"failure": STUDY["failure"] | {"cohesio": 1.0}}),
     "unit": ("failure.tension", {"failure": STUDY["failure"] | {"tension": "4 mm"}}),
     "angle": ("friction_angle", {"failure": STUDY["failure"] | {"friction_angle": 2.0}}),

@@ -42,13 +42,16 @@ from bondem.laws.damping import LocalDamping as LocalDamping
 from bondem.laws.damping import MassDamping as MassDamping
 from bondem.laws.euler_bernoulli import EulerBernoulli as EulerBernoulli
 from bondem.laws.failure.criterion import Criterion as Criterion
+from bondem.laws.failure.drucker_prager import DruckerPrager as DruckerPrager
 from bondem.laws.failure.elliptic import Elliptic as Elliptic
+from bondem.laws.failure.hydrostatic import Hydrostatic as Hydrostatic
 from bondem.laws.failure.linear_sum import LinearSum as LinearSum
 from bondem.laws.failure.mohr_coulomb import MohrCoulomb as MohrCoulomb
 from bondem.laws.failure.peripheral_stress import PeripheralStress as PeripheralStress
 from bondem.laws.failure.rankine import Rankine as Rankine
 from bondem.laws.failure.scatter import Normal as Normal
 from bondem.laws.failure.scatter import Weibull as Weibull
+from bondem.laws.failure.stress_criterion import StressCriterion as StressCriterion
 from bondem.laws.free_parameter import FreeParameter as FreeParameter
 from bondem.laws.hertz_mindlin import HertzMindlin as HertzMindlin
 from bondem.laws.non_local import NonLocal as NonLocal

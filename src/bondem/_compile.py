@@ -12,12 +12,14 @@ that can enter a kernel. It is set only while our own functions are decorated, s
 the same process keep theirs.
 """
 
+import functools
 import hashlib
 import os
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar, cast
@@ -25,17 +27,21 @@ from typing import Any, TypeVar, cast
 import llvmlite.binding as llvm
 import numba
 import numba.core.config
+from llvmlite import ir
 from numba import prange
 from numba.core import event, types
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.registry import CPUDispatcher
+from numba.extending import intrinsic
+from numba.np.numpy_support import carray
+from numba.np.unsafe.ndarray import to_fixed_tuple
 
 from bondem._lock import alone
 from bondem._pruning import Pruned
 
 __all__ = [
-    "LANES", "cache_directory", "compiled_before", "current_threads", "device", "kernel", "loop", "most_threads",
-    "prange", "say_nothing", "threads",
+    "LANES", "Callback", "cache_directory", "callback", "called", "compiled_before", "current_threads", "device",
+    "kernel", "loop", "most_threads", "prange", "say_nothing", "threads",
 ]  # fmt: skip
 
 # set by numba at import, so that type checkers do not know its attributes
@@ -242,6 +248,62 @@ def loop(*, parallel: bool) -> Callable[[F], F]:
         parallel: its `prange` runs on all threads.
     """
     return lambda function: _compiled(function, _Within, parallel=parallel, no_cpython_wrapper=True)
+
+
+@dataclass(frozen=True, eq=False)
+class Callback:
+    """A function compiled by itself, which loops call by its address: none of them is compiled for it.
+
+    Attributes:
+        address: of a C function of two pointers, to nine numbers and to the parameters, that returns a number.
+        function: the same for Python, of a matrix (3, 3) and each parameter.
+        kept: what must live as long as the address is used.
+    """
+
+    address: int
+    function: Callable[..., Any]
+    kept: Any
+
+
+@functools.cache  # for good: addresses stand in the tables of models
+def callback(function: Callable[..., Any], count: int) -> Callback:
+    """Compile a function of a matrix (3, 3) and of `count` numbers, which returns a number.
+
+    Raises:
+        Exception: of any kind, where it cannot be compiled.
+    """
+    inner: Any = numba.njit(error_model="numpy")(getattr(function, "py_func", function))
+    spread: Any = to_fixed_tuple
+    if count:
+
+        def outer(matrix: Any, given: Any) -> Any:
+            return inner(carray(matrix, (3, 3)), *spread(carray(given, (count,)), count))
+    else:
+
+        def outer(matrix: Any, given: Any) -> Any:
+            return inner(carray(matrix, (3, 3)))
+
+    pointer = types.CPointer(types.float64)
+    made: Any = numba.cfunc(types.float64(pointer, pointer), error_model="numpy")(outer)
+    return Callback(address=int(made.address), function=inner, kept=made)
+
+
+def _called(_: Any, address: Any, matrix: Any, given: Any) -> Any:
+    """In compiled code: what the function at an address (`Callback`) gives for two contiguous arrays of numbers."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        pointer = ir.DoubleType().as_pointer()
+        kind = ir.FunctionType(ir.DoubleType(), [pointer, pointer])
+        data = [
+            context.make_array(of)(context, builder, value).data
+            for of, value in zip(signature.args[1:], arguments[1:], strict=True)
+        ]
+        return builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), data)
+
+    return types.float64(types.int64, matrix, given), build
+
+
+called: Any = intrinsic(_called)
 
 
 def current_threads() -> int:

@@ -9,6 +9,7 @@ from bondem._checks import instance, shown
 from bondem.errors import InputError
 from bondem.io.runfile import RunFile, read_run
 from bondem.laws.damping import AnyDamping
+from bondem.laws.failure.criterion import Criterion
 from bondem.model.gauges import AnyGauge
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -108,7 +109,11 @@ def solve_explicit(
 
 
 def resume(
-    path: str | Path, *, device: str = "cpu", progress: Callable[[float], None] | None = None
+    path: str | Path,
+    *,
+    device: str = "cpu",
+    failure: Criterion | None = None,
+    progress: Callable[[float], None] | None = None,
 ) -> ExplicitResult:
     """Go on with a run from the last checkpoint in its run file, to the bit as if it had never stopped.
 
@@ -117,13 +122,14 @@ def resume(
     Args:
         path: run file, from `solve_explicit(..., out=path, save_every=...)`.
         device: "cpu" or "gpu"; to the bit on the one it was begun on.
+        failure: the criterion of the run, where that is a `bd.StressCriterion`: no file holds its function.
         progress: called now and then with the share done, 0 … 1.
 
     Raises:
-        RunFileError: no such file, not a run file, damaged, or of a newer bondem.
+        RunFileError: no such file, not a run file, damaged, of a newer bondem, or of another criterion.
         InputError: the file cannot be written.
     """
-    kept = read_run(path)
+    kept = read_run(path, failure=failure)
     if kept.state.step and any(event.happened(kept.state) for event in kept.plan.events):
         return ExplicitResult(
             status=Status.STOPPED,

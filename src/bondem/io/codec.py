@@ -17,6 +17,7 @@ from bondem.laws.contact import LinearContact
 from bondem.laws.damping import BondDamping, LocalDamping, MassDamping
 from bondem.laws.failure.catalogue import CRITERIA
 from bondem.laws.failure.scatter import Normal, Weibull
+from bondem.laws.failure.stress_criterion import StressCriterion
 from bondem.laws.hertz_mindlin import HertzMindlin
 from bondem.laws.non_local import NonLocal
 from bondem.model.boundary import Drive, Fix, Load
@@ -69,6 +70,9 @@ def encode(value: Any) -> Any:
 
 
 def _arguments(value: Any) -> dict[str, Any]:
+    if isinstance(value, StressCriterion):  # the name stands for the function
+        kept = ("fracture_energy", "friction", "scatter", "parameters")
+        return {"function": value.name} | {name: getattr(value, name) for name in kept}
     if isinstance(value, Drive):
         names = ("x", "y", "z", "rx", "ry", "rz"), ("vx", "vy", "vz", "wx", "wy", "wz")
         return {"region": value.region} | {names[rate][dof]: schedule for dof, schedule, rate in value.motion}
@@ -100,6 +104,11 @@ def decode(data: Any) -> Any:
 def _rebuild(name: str, given: dict[str, Any]) -> Any:
     if name not in _TYPES:
         raise RunFileError(f"unknown type '{name}'; read the file with the bondem version that wrote it")
+    if name == StressCriterion.__name__:
+        raise RunFileError(
+            f"the run breaks by a function of its own, {given.get('function')}, which no file holds; give it again:"
+            " failure=bd.StressCriterion(...) as it was"
+        )
     try:
         return _TYPES[name](**{key: decode(item) for key, item in given.items()})
     except TypeError as error:

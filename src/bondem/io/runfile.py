@@ -20,12 +20,13 @@ import h5py
 import numpy as np
 
 from bondem import __version__
-from bondem._checks import place
+from bondem._checks import instance, place
 from bondem.errors import RunFileError
 from bondem.io.atomic import replacing, require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
 from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
+from bondem.laws.failure.criterion import Criterion
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.history import History
@@ -111,12 +112,18 @@ class RunFile:
             file["history"].attrs["gauges"] = json.dumps(history.gauges)
 
 
-def read_run(path: str | Path) -> Checkpoint:
+def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoint:
     """Read a run file.
 
+    Args:
+        path: of the file.
+        failure: the criterion of the run, where that is a `bd.StressCriterion`: no file holds its function.
+
     Raises:
-        RunFileError: no such file, not a run file, damaged, or of a newer bondem.
+        RunFileError: no such file, not a run file, damaged, of a newer bondem, or of another criterion.
     """
+    if failure is not None:
+        instance("read_run", "failure", failure, Criterion, "the criterion of the run, or None")
     path = place("path", path)
     if not path.is_file():
         raise RunFileError(f"there is no run file '{path}'; check the path")
@@ -138,7 +145,7 @@ def read_run(path: str | Path) -> Checkpoint:
                 f"'{path}' was written by an older bondem, before there were contacts; start the run again"
             )
         try:
-            return _checkpoint(file, head["schema"])
+            return _checkpoint(file, head["schema"], failure)
         except (KeyError, ValueError, OSError) as error:
             raise RunFileError(f"'{path}' is damaged ({error}); start the run again") from error
 
@@ -157,8 +164,11 @@ def _json(file: h5py.File, name: str) -> Any:
     return json.loads(_array(file, name).item())
 
 
-def _checkpoint(file: h5py.File, schema: int) -> Checkpoint:
-    made_of = {key: decode(value) for key, value in _json(file, "model").items()}
+def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Checkpoint:
+    text = _json(file, "model")
+    if failure is not None and encode(failure) != text.pop("failure", None):
+        raise RunFileError("failure= is not the criterion of the run; give that, with its parameters, or None")
+    made_of = {key: decode(value) for key, value in text.items()}
     period = _array(file, "elements/period") if "elements/period" in file else None
     particles = filled(
         Particles(_array(file, "elements/position"), _array(file, "elements/radius"), period), made_of["shape"]
@@ -171,7 +181,7 @@ def _checkpoint(file: h5py.File, schema: int) -> Checkpoint:
         boundary=made_of["boundary"],
         contact=made_of["contact"],
         walls=made_of["walls"],
-        failure=made_of.get("failure"),
+        failure=failure or made_of.get("failure"),
     )
     state = State(model)
     for name in State.ARRAYS:

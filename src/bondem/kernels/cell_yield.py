@@ -6,7 +6,7 @@ from bondem._compile import device, kernel, loop
 from bondem.kernels.crack_tables import DEFORMATION, GAMMA, HEAT, INCREMENT
 from bondem.kernels.single_facets import orientation
 from bondem.laws.cell_energy import turned_by
-from bondem.laws.plasticity import flow, invariants, largest_at_most, principal, yield_bound
+from bondem.laws.plasticity import cone_flow, flow, invariants, largest_at_most, principal, yield_bound
 
 
 @device
@@ -46,6 +46,21 @@ def _deform(deformation, size, e):
 
 
 @loop(parallel=False)
+def _flow_on_cone(pose, s, plastic, p, gamma, dilation):
+    """Let cell p yield by Δγ on Drucker–Prager's cone."""
+    a, v = np.empty((3, 3)), np.empty((3, 3))
+    mean, deviator = invariants(s)
+    principal_stresses(s, a, v)
+    increment, deformation = plastic[p, INCREMENT:HEAT], plastic[p, DEFORMATION:GAMMA]
+    w, x, y, z = orientation(pose, p)
+    for d in range(3):
+        size = gamma * (0.5 * (a[d, d] - mean) / deviator + dilation)
+        e = v[0, d], v[1, d], v[2, d]
+        _add_flow(increment, size, e)
+        _deform(deformation, size, turned_by((w, -x, -y, -z), e))
+
+
+@loop(parallel=False)
 def yield_cells(pose, stress, cells, hot, hotter, first, last):
     """Let the cells first … last yield, and find those whose facets are to be looked at, from `hot` on [Pa].
 
@@ -75,6 +90,13 @@ def yield_cells(pose, stress, cells, hot, hotter, first, last):
             if kept == 0.0:
                 hotter[p] = 2
         strength = kept * cells.cohesion[p]
+        if cells.cone:
+            gamma = cone_flow(mean, deviator, cells.sine, strength, cells.G[p])
+            if gamma > 0.0:
+                _flow_on_cone(pose, s, plastic, p, gamma, cells.dilation)
+                plastic[p, GAMMA] += gamma
+                plastic[p, HEAT] += 0.5 * V * _work(s, plastic[p, INCREMENT:HEAT])
+            continue
         if yield_bound(mean, deviator, cells.sine, strength) <= 0.0:
             continue
         increment = plastic[p, INCREMENT:HEAT]

@@ -25,6 +25,7 @@ from bondem.kernels.crack_tables import (
     TREATED_ONES,
 )
 from bondem.kernels.single_facets import column, facet_of, facets_of, present_normal
+from bondem.kernels.stress_index import strength_along
 from bondem.laws.cell_energy import scalar
 
 # What stands for the integrity a step ago of a crack that begins: its rate is found first.
@@ -99,15 +100,20 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
         row, start = cracks.row[c], 0.0
         if marked[k] == 1:
             f, A = column(force, k), cracks.area[k]
-            _, _, one, _ = principal_stresses(pair_stress(stress.tensor, bonds.i[k], bonds.j[k]), a, v)
+            mean = pair_stress(stress.tensor, bonds.i[k], bonds.j[k])
+            high, _, one, _ = principal_stresses(mean, a, v)
             slope = abs(scalar(present_normal(pose, bonds, cells, k), (v[0, one], v[1, one], v[2, one])))
-            start = min(math.sqrt(scalar(f, f)) / A, strength[k] * max(slope, _LEAST))
+            most = strength[k]
+            if onset.judge != 0:
+                most = strength_along(onset, mean, high, most, a)
+            start = min(math.sqrt(scalar(f, f)) / A, most * max(slope, _LEAST))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
         write_three(cracks.pull[c], 0, column(force, k))
         cracks.sizes[CRACKS] += 1
         cracks.facet[c] = k
         treat(bonds, cracks, c, k, ACTIVE)
+        onset.cracked[bonds.i[k]] = onset.cracked[bonds.j[k]] = 1
         marked[k] = 0
 
 

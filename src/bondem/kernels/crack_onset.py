@@ -4,10 +4,13 @@ They are found with the elements where they have come to, so that no bit depends
 each facet is on its own, whatever thread it is on.
 """
 
+import numpy as np
+
 from bondem._compile import device, loop, prange
 from bondem.kernels.cell_stress import cell_stresses, pair_stress, surface_stresses
 from bondem.kernels.cell_yield import book_loads, stretch_cells, stretch_grips, yield_cells
 from bondem.kernels.single_facets import column, orientation
+from bondem.kernels.stress_index import cool_cells, reaches
 from bondem.laws.cell_energy import scalar, turned_by
 from bondem.laws.plasticity import below
 
@@ -38,9 +41,13 @@ def _agreed(s, n, t):
 
 @loop(parallel=False)
 def _begin_facets(pose, bonds, cells, stress, onset, first, last):
-    """Mark facets that begin to crack: the largest principal stress reaches f_t, and they are pulled."""
+    """Mark facets that begin to crack: they are pulled, and σ* reaches the strength of the criterion.
+
+    That is f_t for the largest principal stress, or 1 for the index of another criterion.
+    """
     at_i, at_j, hotter, marked, listed = bonds.i, bonds.j, onset.hotter, onset.marked, onset.listed
     force, normal, tensor, area, strength = cells.force, cells.normal, stress.tensor, onset.area, onset.strength
+    matrix = np.empty((3, 3))
     for k in range(first, last):
         i, j = at_i[k], at_j[k]
         marked[k] = 0
@@ -54,7 +61,11 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
         f, A = column(force, k), area[k]
         t = f[0] / A, f[1] / A, f[2] / A
         if scalar(t, n) > 0.0:
-            if not below(_agreed(pair_stress(tensor, i, j), n, t), strength[k]):
+            s = _agreed(pair_stress(tensor, i, j), n, t)
+            if onset.judge == 0:
+                if not below(s, strength[k]):
+                    marked[k] = 1
+            elif reaches(onset, s, onset.tension / strength[k], matrix):
                 marked[k] = 1
 
 
@@ -65,6 +76,8 @@ def _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet):
         cell_stresses(cells.moment, stress, cell[0], cell[1])
     elif kind == _YIELDING:
         yield_cells(pose, stress, flow, onset.hot, onset.hotter, cell[0], cell[1])
+        if onset.judge != 0:
+            cool_cells(stress, onset, cell[0], cell[1])
         if flow.yielding:
             stretch_cells(cells, flow, False, cell[0], cell[1])
     else:

@@ -43,11 +43,12 @@ class CellYield(NamedTuple):
     """Cells that yield; n cells, g walls that hold some, l loads on free facets. Kernels write `plastic`."""
 
     yielding: bool  #: whether any do
-    cohesion: np.ndarray  #: c cos φ of each cell [Pa], (n,)
-    sine: float  #: sin φ
-    dilation: float  #: sin ψ
-    fade: np.ndarray  #: V^(1/3) c / 2 G_II: share of the cohesion lost by Δγ of 1, (n,)
-    G: np.ndarray  #: [Pa], (n,)
+    cone: bool  #: by Drucker–Prager, else by Mohr–Coulomb
+    cohesion: np.ndarray  #: c cos φ of each cell, or k of a cone [Pa], (n,)
+    sine: float  #: sin φ, or α
+    dilation: float  #: sin ψ, or β
+    fade: np.ndarray  #: V^(1/3) c / 2 G_II, k in place of c: share of the cohesion lost by Δγ of 1, (n,)
+    G: np.ndarray  #: [Pa], of a cone G + 9 K α β, (n,)
     base_i: np.ndarray  #: levers without plastic strain, int32, (3, m) or (3, 0)
     base_j: np.ndarray
     base_grip: np.ndarray  #: the same of walls [m], (g, 3)
@@ -61,6 +62,11 @@ class Onset(NamedTuple):
     strength: np.ndarray  #: f_t of each facet [Pa], (m,)
     area: np.ndarray  #: [m²], (m,)
     hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
+    judge: int  #: address of the function that judges a stress, 0 for the largest principal stress
+    given: np.ndarray  #: parameters of that function
+    cracked: np.ndarray  #: 1 for cells with cracks, however treated, uint8, (n,)
+    least: float  #: size √(σ:σ) below which no stress is judged: its index is below 1 [Pa]
+    tension: float  #: f_t without scatter [Pa]: a facet is judged by its stress times this over its own
     hotter: np.ndarray  #: 1 for cells whose facets are looked at, 2 for those without cohesion, uint8, (n,)
     marked: np.ndarray  #: 1 for facets that begin to crack, 2 for those of a cell without cohesion, uint8, (m,)
     listed: np.ndarray  #: not 0 for facets that have begun, uint8, (m,)

@@ -1,6 +1,5 @@
 """Compression between smooth platens, with a pressure on the sides or without: UCS and triaxial strength."""
 
-import math
 from collections.abc import Callable
 
 from bondem._checks import number
@@ -8,7 +7,6 @@ from bondem.errors import InputError
 from bondem.labtests.loading import Loading, StrengthTest, load_to_failure, softening_of
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.softening import Slip
 from bondem.specimen.lattice import Lattice
 
 
@@ -28,7 +26,7 @@ def uniaxial_compression(
     Args:
         body: cut into cells.
         law: its material.
-        failure: `bd.MohrCoulomb` with a fracture energy.
+        failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy.
         pressure: on the sides, a membrane [Pa]; 0 is uniaxial compression.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
@@ -44,19 +42,13 @@ def uniaxial_compression(
     """
     number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
     number("labtests.uniaxial_compression", "reach", reach, above=0.0)
-    wanted = "bd.MohrCoulomb with a fracture_energy"
+    wanted = "bd.MohrCoulomb or bd.DruckerPrager with a fracture_energy"
     softening = softening_of("uniaxial_compression", failure, wanted)
     if softening.slip is None:
         raise InputError(f"labtests.uniaxial_compression needs the shear strength of a material; give {wanted}")
-    expected = mohr_coulomb_strength(softening.slip, pressure)
+    expected = softening.slip.compressive(pressure)
     loading = Loading(
         sign=-1.0, expected=expected, reach=reach * expected / law.E, opening=0.0, ending=0.5,
         pressure=pressure, traverses=traverses,
     )  # fmt: skip
     return load_to_failure("uniaxial_compression", body, law, failure, loading, density=density, progress=progress)
-
-
-def mohr_coulomb_strength(slip: Slip, pressure: float = 0.0) -> float:
-    """What a continuum bears under a pressure on its sides: (2 c cos φ + p (1 + sin φ)) / (1 - sin φ) [Pa]."""
-    sine = math.sin(slip.friction_angle)
-    return (2.0 * slip.cohesion * math.cos(slip.friction_angle) + pressure * (1.0 + sine)) / (1.0 - sine)

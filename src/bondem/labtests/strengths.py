@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from bondem.errors import InputError
-from bondem.labtests.compression import mohr_coulomb_strength, uniaxial_compression
+from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.loading import StrengthTest
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tearing import direct_tension
@@ -42,7 +42,7 @@ def strength_outcome(
         theory = softening.tension
         test = direct_tension(body, law, failure, density=density, progress=progress)
     elif name == "ucs" and softening.slip is not None:
-        theory = mohr_coulomb_strength(softening.slip)
+        theory = softening.slip.compressive()
         test = uniaxial_compression(body, law, failure, density=density, progress=progress)
     else:
         raise InputError(f"labtests: {name} is no test to failure of such a material; there are direct_tension, ucs")

@@ -24,7 +24,7 @@ def direct_tension(
     Args:
         body: cut into cells.
         law: its material.
-        failure: `bd.Rankine`, or `bd.MohrCoulomb` with a fracture energy.
+        failure: `bd.Rankine` or another criterion of the stress, or `bd.MohrCoulomb` with a fracture energy.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
         progress: called now and then with the share done, 0 … 1.

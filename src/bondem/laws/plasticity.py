@@ -1,7 +1,16 @@
-"""Cells that yield: Mohr–Coulomb on the mean stress of a cell, cohesion that falls with slip, friction that stays.
+"""Cells that yield on their mean stress: cohesion that falls with slip, friction that stays.
+
+Mohr–Coulomb:
 
     F = (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ - r c cos φ,     r = 1 - Σ Δγ V^(1/3) c / 2 G_II, at least 0
     Δγ = F / 2 G, half of it a step,     Δε = ½ Δγ [(1 + sin ψ) e1⊗e1 - (1 - sin ψ) e3⊗e3]
+
+Drucker–Prager, where the mean stress presses, and with k in place of c in r:
+
+    F = √J2 + α I1 - r k,     Δε = Δγ [s / 2√J2 + β 1],     s the deviator
+    Δγ = F / (G + 9 K α β), half of it a step
+
+so that in pure shear τ both dissipate τ Δγ.
 
 Stresses and strains: xx, yy, zz, xy, xz, yz; tension positive. The plastic strain is an eigenstrain of the cell: its
 levers are P b, P ← (1 + Δε) P, so that what it dissipates is V σ:Δε exactly, at large strain too.
@@ -91,6 +100,19 @@ def flow(high, low, sine, strength, G):
     F = 0.5 * (high - low) + 0.5 * (high + low) * sine - strength
     # slip takes no more than the shear there is: cohesionless cells under tension do not flow
     return _SHARE * max(min(F, high - low), 0.0) / (2.0 * G)
+
+
+@device
+def cone_flow(p, q, slope, strength, stiffness):
+    """Δγ of a step on Drucker–Prager's cone, from `invariants`; 0 where a cell does not yield.
+
+    `stiffness` is G + 9 K α β: by how much F falls with Δγ in a cell that cannot give way. Under tension facets crack
+    on this surface, and cells do not flow.
+    """
+    if p > 0.0:
+        return 0.0
+    F = q + 3.0 * slope * p - strength
+    return _SHARE * max(min(F, 2.0 * q), 0.0) / stiffness
 
 
 @device

@@ -63,11 +63,13 @@ class FailureTable:
         """
         if stiffness is None:
             facets, _ = body_of(lattice)
-            joint = Joint(facets.area, facets.span, facets.area * facets.span, None)
+            joint = Joint(facets.area, facets.span, facets.area * facets.span, facets.centroid, None)
         else:
             area = np.pi * stiffness.radius**2
-            joint = Joint(area, lattice.length, area * lattice.length, stiffness)
-        coefficient = criterion.coefficients(joint, criterion.factors(joint.volume))
+            middle = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
+            joint = Joint(area, lattice.length, area * lattice.length, middle, stiffness)
+        factor = criterion.factors(joint.volume, joint.place, lattice.particles.period)
+        coefficient = criterion.coefficients(joint, factor)
         a, b = criterion.bounds(joint, coefficient)
         order, flipped = layout.bond_order, layout.flipped
         # each part of the bound weighs as on an average bond

@@ -79,13 +79,14 @@ def _implied(
     volume = lattice.particles.envelope.volume
     lower, upper = lattice.particles.envelope.bounds
     if cells is not None and lattice.facets is not None:
-        area, length = lattice.facets.area, lattice.facets.span
+        area, length, place = lattice.facets.area, lattice.facets.span, lattice.facets.centroid
         E = float(np.median(cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)))
         held = None
     else:
         area, length, held = np.pi * stiffness.radius**2, lattice.length, stiffness
+        place = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
         E = _affine_modulus(length, stiffness, volume)
-    pull = _tensile_force(failure, Joint(area, length, area * length, held))
+    pull = _tensile_force(failure, Joint(area, length, area * length, place, held), lattice.particles.period)
     stored = 0.5 * pull**2 * (length / (E * area) if held is None else 1.0 / stiffness.kn)
     strength, L = float(np.median(pull / area)), float(np.median(length))
     softening = failure.softening
@@ -103,9 +104,9 @@ def _implied(
     )  # fmt: skip
 
 
-def _tensile_force(failure: Criterion, joint: Joint) -> PerBond:
+def _tensile_force(failure: Criterion, joint: Joint, period: Floats | None) -> PerBond:
     """Tension that breaks each bond by itself [N], (m,)."""
-    factor = failure.factors(joint.volume)
+    factor = failure.factors(joint.volume, joint.place, period)
     if failure.softening is not None:
         return joint.area * failure.softening.tension * factor
     assert isinstance(failure, BondCriterion)

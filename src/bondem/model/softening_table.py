@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import PerBond, PerElement
+from bondem._compile import Callback, callback
+from bondem._types import Floats, PerBond, PerBond3, PerElement
 from bondem.errors import InputError
 from bondem.laws.failure.softening import Slip, Softening
 from bondem.model.cell_constants import CellConstants, body_of
@@ -14,8 +15,10 @@ from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
 
 # Share of its strength at which the facets of a cell are looked at: the stress of a pair of cells agrees with the
-# traction of their facet, which may be above that of both.
+# traction of their facet, which may be above that of both (`kernels/stress_index.py`).
 _MARGIN = 0.7
+# The same of other criteria, and of the size of a stress at which they are reached, found in a few directions.
+_WIDER, _NEARER = 0.5, 0.7
 # Opening where nothing is left of a facet that is too long for its fracture energy, over that at its strength.
 _SNAP = 1.05
 
@@ -29,7 +32,12 @@ class SofteningTable:
         last: k u / A at the opening where nothing is left [Pa], 0 where facets break at once, (m,).
         area: [m²], (m,).
         part: part of cell i in the compliance of a facet [-], (m,).
-        hot: largest principal stress of a cell from which its facets are looked at [Pa].
+        hot: largest principal stress of a cell from which its facets are looked at [Pa]; of another criterion that
+            in uniaxial tension.
+        judge: the index of another criterion, or None for the largest principal stress.
+        given: its parameters.
+        least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
+        tension: f_t without scatter [Pa].
         friction: μ [-].
         slip: how cells yield, or None.
         fade: share of its cohesion that a cell loses by a slip of 1, (n,).
@@ -40,6 +48,10 @@ class SofteningTable:
     area: PerBond
     part: PerBond
     hot: float
+    judge: Callback | None
+    given: Floats
+    least: float
+    tension: float
     friction: float
     slip: Slip | None
     fade: PerElement
@@ -51,7 +63,7 @@ class SofteningTable:
         layout: Layout,
         cells: CellConstants,
         softening: Softening,
-        factors: Callable[[PerBond], PerBond],
+        factors: Callable[[PerBond, PerBond3, Floats | None], PerBond],
     ) -> "SofteningTable":
         """The table of a body.
 
@@ -60,14 +72,14 @@ class SofteningTable:
             layout: their order in the kernels.
             cells: constants of the law, in that order.
             softening: how they fail.
-            factors: strengths over the parameter, of facets of a volume [m³], user's order.
+            factors: strengths over the parameter (`Criterion.factors`).
 
         Raises:
             InputError: elements that are too long for the fracture energy.
         """
         facets, _ = body_of(body)
         order = layout.bond_order
-        factor = factors(facets.area * facets.span)[order]
+        factor = factors(facets.area * facets.span, facets.centroid, body.particles.period)[order]
         area, strength = facets.area[order], softening.tension * factor
         last = np.zeros(len(area))
         if softening.fracture_energy > 0.0:
@@ -78,13 +90,16 @@ class SofteningTable:
         depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])
         other = np.where(layout.flipped, facets.depth_i[order], facets.depth_j[order])
         soft_i, soft_j = depth / cells.G[layout.i], other / cells.G[layout.j]
-        fade = np.zeros(len(cells.volume))
+        fade, surface = np.zeros(len(cells.volume)), softening.surface
         if softening.slip is not None and math.isfinite(softening.slip.fracture_energy):
             fade = np.cbrt(cells.volume) * softening.slip.cohesion / (2.0 * softening.slip.fracture_energy)
         return cls(
             strength=strength, last=last, area=area, part=soft_i / (soft_i + soft_j),
-            hot=_MARGIN * float(strength.min(initial=softening.tension)), friction=softening.friction,
-            slip=softening.slip, fade=fade,
+            hot=(_MARGIN if surface is None else _WIDER) * float(strength.min(initial=softening.tension)),
+            judge=None if surface is None else callback(surface.function, len(surface.values)),
+            given=np.array(() if surface is None else surface.values, dtype=float),
+            least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,
+            friction=softening.friction, slip=softening.slip, fade=fade,
         )  # fmt: skip
 
 

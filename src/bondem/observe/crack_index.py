@@ -13,10 +13,11 @@ from bondem.observe.turned_vectors import turned_vectors
 
 
 def crack_index(model: Model, state: State) -> PerBond:
-    """Largest principal stress of σ* over the strength (`bd.Rankine`), 0 of facets that are not pulled.
+    """Index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength), user's order.
 
-    1 of those that soften, 0 of broken ones. Runs look at the facets of a cell only where its own largest principal
-    stress, or that of the neighbour, is beyond 0.7 of the strength: the index is not above its share of that.
+    0 of facets that are not pulled, 1 of those that soften, 0 of broken ones. By the largest principal stress, runs
+    look at the facets of a cell only where that of the cell itself, or of the neighbour, is beyond 0.7 of the
+    strength: the index is not above its share of that.
 
     Returns:
         Index [-], user's order, shape (m,).
@@ -34,8 +35,12 @@ def crack_index(model: Model, state: State) -> PerBond:
     agreed = mean + both + np.swapaxes(both, 1, 2) - along * n[:, :, None] * n[:, None, :]
     strength = np.empty(len(i))
     strength[model.layout.bond_order] = table.strength
-    hot = np.linalg.eigvalsh(stress)[:, 2] / table.hot
-    index = np.minimum(np.linalg.eigvalsh(agreed)[:, 2] / strength, np.maximum(hot[i], hot[j]))
+    if table.judge is None:
+        hot = np.linalg.eigvalsh(stress)[:, 2] / table.hot
+        index = np.minimum(np.linalg.eigvalsh(agreed)[:, 2] / strength, np.maximum(hot[i], hot[j]))
+    else:
+        scaled = agreed * (table.tension / strength)[:, None, None]
+        index = np.array([table.judge.function(one, *table.given) for one in scaled])
     index = np.where((t * n).sum(axis=1) > 0.0, np.maximum(index, 0.0), 0.0)
     whole = state.bond_integrity
     return np.where(whole == 1.0, index, np.where(whole > 0.0, 1.0, 0.0))
@@ -44,7 +49,8 @@ def crack_index(model: Model, state: State) -> PerBond:
 def yield_index(model: Model, state: State) -> PerElement:
     """(σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ over c cos φ of each cell, c what its slip has left of the cohesion.
 
-    Cells without cohesion have 1. Zeros where no cell yields.
+    On Drucker and Prager's cone √J2 + α I1 over k, 0 where the mean stress is tension. Cells without cohesion have 1.
+    Zeros where no cell yields.
 
     Returns:
         Index [-], user's order, shape (n,).
@@ -54,11 +60,15 @@ def yield_index(model: Model, state: State) -> PerElement:
     if slip is None:
         return np.zeros(len(model.lattice.particles))
     principal = np.linalg.eigvalsh(mean_stress(model, CellForces.of(model, state)))
-    low, high = principal[:, 0], principal[:, 2]
+    low, high, first = principal[:, 0], principal[:, 2], principal.sum(axis=1)
     fade = table.fade[model.layout.rank]
     left = 1.0 - fade * state.slipped
-    bears = slip.cohesion * np.cos(slip.friction_angle) * np.maximum(left, 0.0)
-    load = 0.5 * (high - low) + 0.5 * (high + low) * np.sin(slip.friction_angle)
+    bears = slip.strength * np.maximum(left, 0.0)
+    if slip.cone:
+        shear = np.sqrt(0.5 * ((principal - first[:, None] / 3.0) ** 2).sum(axis=1))
+        load = np.where(first <= 0.0, shear + slip.slope * first, 0.0)
+    else:
+        load = 0.5 * (high - low) + 0.5 * (high + low) * slip.slope
     return np.where(bears > 0.0, np.maximum(load, 0.0) / np.where(bears > 0.0, bears, 1.0), 1.0)
 
 

@@ -1,7 +1,5 @@
 """Tables of the kernels for facets that crack and cells that yield, and what comes back from them."""
 
-import math
-
 import numpy as np
 
 from bondem._types import Floats, PerBond
@@ -114,11 +112,15 @@ def crack_table(
         pull=pull, output=np.zeros((m, OUTPUT_COLUMNS)), load=load, log=np.empty((m, BROKEN_COLUMNS)),
         released=state.released,
     )  # fmt: skip
+    cracked = np.zeros(n, dtype=np.uint8)
+    cracked[i[facet]] = cracked[j[facet]] = 1
     return CrackTable(
         stress=CellStresses(volume=constants.volume, tensor=np.zeros((n, 6))),
         flow=_flow(model, state, table, cells, grips, constants),
         onset=Onset(
-            strength=table.strength, area=table.area, hot=table.hot, hotter=np.zeros(n, dtype=np.uint8),
+            strength=table.strength, area=table.area, hot=table.hot,
+            judge=0 if table.judge is None else table.judge.address, given=table.given, cracked=cracked,
+            least=table.least, tension=table.tension, hotter=np.zeros(n, dtype=np.uint8),
             marked=np.zeros(m, dtype=np.uint8), listed=listed,
         ),
         facets=facets,
@@ -130,11 +132,13 @@ def _flow(
 ) -> CellYield:
     """How cells yield; nothing of it is used where none do."""
     slip, bare, n = table.slip, np.zeros((3, 0), dtype=np.int32), len(constants.volume)
-    angle = 0.0 if slip is None else slip.friction_angle
+    G = constants.G
+    if slip is not None and slip.cone:
+        G = G + (9.0 * constants.lame + 6.0 * G) * slip.slope * slip.dilation
     return CellYield(
-        yielding=slip is not None,
-        cohesion=np.full(n, 0.0 if slip is None else slip.cohesion * math.cos(angle)), sine=math.sin(angle),
-        dilation=0.0 if slip is None else math.sin(slip.dilatancy), fade=table.fade, G=constants.G,
+        yielding=slip is not None, cone=slip is not None and slip.cone,
+        cohesion=np.full(n, 0.0 if slip is None else slip.strength), sine=0.0 if slip is None else slip.slope,
+        dilation=0.0 if slip is None else slip.dilation, fade=table.fade, G=G,
         base_i=bare if slip is None else cells.lever_i.copy(), base_j=bare if slip is None else cells.lever_j.copy(),
         base_grip=grips.lever.copy(), pressed=_pressed(model), plastic=state.plastic,
     )  # fmt: skip

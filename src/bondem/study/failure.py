@@ -4,10 +4,13 @@ from typing import Any
 
 from bondem.errors import InputError, StudyError
 from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.drucker_prager import DruckerPrager
+from bondem.laws.failure.hydrostatic import Hydrostatic
 from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.laws.failure.rankine import Rankine
 from bondem.study.toml_table import TomlTable
 
+_KNOWN = (Rankine, Hydrostatic, DruckerPrager, MohrCoulomb)
 #: Tests to failure, and which criterion each needs.
 STRENGTH_TESTS = ("direct_tension", "ucs")
 
@@ -19,18 +22,31 @@ def read_failure(table: TomlTable) -> Criterion:
         StudyError: a key that is unknown, missing or out of range.
     """
     with table:
-        name = table.text("criterion", choices=(Rankine.__name__, MohrCoulomb.__name__))
-        given: dict[str, Any] = {"tension": table.number("tension", "Pa", above=0.0)}
-        if name == Rankine.__name__:
-            given["fracture_energy"] = table.number("fracture_energy", "J/m²", default=None, above=0.0)
-            given["friction"] = table.number("friction", "-", default=0.0, above=-1e-300)
-            return _made(table, Rankine, given)
+        name = table.text("criterion", choices=tuple(kind.__name__ for kind in _KNOWN))
+        if name == DruckerPrager.__name__:
+            strengths = ("tension", "compression", "hydrostatic")
+            given: dict[str, Any] = {one: table.number(one, "Pa", default=None, above=0.0) for one in strengths}
+            given |= _cracks(table)
+            given["fracture_energy_shear"] = table.number("fracture_energy_shear", "J/m²", default=None, above=0.0)
+            given["dilatancy"] = table.number("dilatancy", "-", default=0.0)
+            return _made(table, DruckerPrager, given)
+        given = {"tension": table.number("tension", "Pa", above=0.0)}
+        if name in (Rankine.__name__, Hydrostatic.__name__):
+            return _made(table, Rankine if name == Rankine.__name__ else Hydrostatic, given | _cracks(table))
         given["cohesion"] = table.number("cohesion", "Pa", above=0.0)
         given["friction_angle"] = table.number("friction_angle", "rad")
         given["fracture_energy"] = table.number("fracture_energy", "J/m²", above=0.0)
         given["fracture_energy_shear"] = table.number("fracture_energy_shear", "J/m²", default=None, above=0.0)
         given["dilatancy"] = table.number("dilatancy", "rad", default=0.0)
         return _made(table, MohrCoulomb, given)
+
+
+def _cracks(table: TomlTable) -> dict[str, Any]:
+    """What is asked of facets that crack by the stress of the material."""
+    return {
+        "fracture_energy": table.number("fracture_energy", "J/m²", default=None, above=0.0),
+        "friction": table.number("friction", "-", default=0.0, above=-1e-300),
+    }
 
 
 def _made(table: TomlTable, kind: type[Criterion], given: dict[str, Any]) -> Criterion:
@@ -59,4 +75,7 @@ def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: b
         raise StudyError('[failure] is for bodies of cells: set law = "CellBond" in [bond]')
     softening = failure.softening
     if "ucs" in asked and (softening is None or softening.slip is None):
-        raise StudyError("'tests' asks for ucs, which needs a shear strength; set criterion = \"MohrCoulomb\"")
+        raise StudyError(
+            "'tests' asks for ucs, which needs a shear strength; set criterion = \"MohrCoulomb\", or"
+            ' "DruckerPrager" with a fracture_energy'
+        )

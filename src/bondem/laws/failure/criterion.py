@@ -12,7 +12,7 @@ from typing import ClassVar
 import numpy as np
 
 from bondem._checks import instance
-from bondem._types import Floats, PerBond
+from bondem._types import Floats, PerBond, PerBond3
 from bondem.laws.bond import BondStiffness, Section
 from bondem.laws.failure.scatter import Normal, Weibull
 from bondem.laws.failure.softening import Softening
@@ -33,12 +33,14 @@ class Joint:
         area: of the section or facet [m²].
         length: of the bond [m].
         volume: area times length [m³], by which strengths scatter.
+        place: middle of the bond, or centroid of the facet [m], shape (m, 3).
         stiffness: of the bond; None of a facet, which has a traction and no section.
     """
 
     area: PerBond
     length: PerBond
     volume: PerBond
+    place: PerBond3
     stiffness: BondStiffness | None
 
     @property
@@ -73,9 +75,15 @@ class Criterion(ABC):
     def softening(self) -> Softening | None:
         """What cracks and cells that yield need of it; None of a criterion that breaks single bonds."""
 
-    def factors(self, volume: PerBond) -> PerBond:
-        """Strengths over the parameter [-], of bonds or facets of a volume [m³], user's order, (m,)."""
-        return np.ones_like(volume) if self.scatter is None else self.scatter.factors(volume)
+    def factors(self, volume: PerBond, place: PerBond3, period: Floats | None) -> PerBond:
+        """Strengths over the parameter [-], user's order, (m,).
+
+        Args:
+            volume: of bonds or facets [m³], (m,).
+            place: their middle [m], (m, 3).
+            period: edges of a periodic cell [m], (3,), or None.
+        """
+        return np.ones_like(volume) if self.scatter is None else self.scatter.factors(volume, place, period)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -82,7 +82,8 @@ class MohrCoulomb(BondCriterion):
             return None
         shear = self.fracture_energy_shear
         slip = Slip(
-            cohesion=self.cohesion, friction_angle=self.friction_angle, dilatancy=self.dilatancy,
+            cone=False, cohesion=self.cohesion, strength=self.cohesion * math.cos(self.friction_angle),
+            slope=math.sin(self.friction_angle), dilation=math.sin(self.dilatancy),
             fracture_energy=10.0 * self.fracture_energy if shear is None else shear,
         )  # fmt: skip
         return Softening(

@@ -1,18 +1,23 @@
 """Strengths that differ from bond to bond, by a counter: the number of a bond, not a stream, decides what it gets.
 
-So the strength of a bond depends on neither threads nor the order in which anything is computed.
+So the strength of a bond depends on neither threads nor the order in which anything is computed. Strengths that are
+correlated depend on the place of a bond, not on its number (`bondem.laws.failure.correlated`).
 """
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import ndtri
+from scipy.special import ndtr, ndtri
 
 from bondem._checks import count, number
-from bondem._types import PerBond
+from bondem._types import Floats, PerBond, PerBond3
+from bondem.errors import InputError
+from bondem.laws.failure.correlated import normal_field
+from bondem.laws.failure.counter import uniform_by_counter
 
-_GOLDEN = np.uint64(0x9E3779B97F4A7C15)
+# Numbers in (0, 1) stay that far from its ends, as those of the counter do.
+_EDGE = 2.0**-54
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,27 +27,38 @@ class Weibull:
     s₀ is the parameter of the criterion: what a bond of volume V₀ survives with probability 1/e. The mean strength of
     such bonds is Γ(1 + 1/m) s₀. All strengths of a bond share one factor. Reference: Weibull (1939).
 
+    With a correlation length l, u = Φ(z) of a normal field z of covariance exp(-(r/l)²) between bonds r apart, and V
+    is the volume of the bond or that of the field's correlation, ∫ exp(-(r/l)²) dV = π^(3/2) l³, whichever is larger.
+    A patch of that volume has one strength however finely it is divided; many of them are a weakest link again.
+
     Attributes:
         modulus: m [-]; the larger, the less scatter.
         volume: V₀ [m³].
         seed: of the random numbers.
+        correlation: l [m]; None for strengths that know nothing of each other.
 
     Raises:
-        InputError: a modulus or volume that is not positive, or a seed that is no whole number.
+        InputError: a modulus, volume or correlation that is not positive, or a seed that is no whole number.
     """
 
     modulus: float
     volume: float
     seed: int = 0
+    correlation: float | None = None
 
     def __post_init__(self) -> None:
         number("Weibull", "modulus", self.modulus, above=0.0)
         number("Weibull", "volume", self.volume, unit="m³", above=0.0)
         count("Weibull", "seed", self.seed)
+        _check_length("Weibull", self.correlation)
 
-    def factors(self, volume: PerBond) -> PerBond:
-        """Strength of each bond over s₀ [-], user's order, (m,)."""
-        u = uniform_by_counter(self.seed, len(volume))
+    def factors(
+        self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None
+    ) -> PerBond:
+        """Strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
+        u = _uniform(self.seed, len(volume), self.correlation, place, period)
+        if self.correlation is not None:
+            volume = np.maximum(volume, math.pi**1.5 * self.correlation**3)
         return np.asarray((-np.log(u) * self.volume / volume) ** (1.0 / self.modulus))
 
 
@@ -55,34 +71,43 @@ class Normal:
     Attributes:
         deviation: c [-], below a third.
         seed: of the random numbers.
+        correlation: l [m]: the normal field that strengths are made of has the covariance exp(-(r/l)²) between bonds
+            r apart; None for strengths that know nothing of each other.
 
     Raises:
-        InputError: a deviation outside [0, 1/3), or a seed that is no whole number.
+        InputError: a deviation outside [0, 1/3), a seed that is no whole number, or a correlation that is not
+            positive.
     """
 
     deviation: float
     seed: int = 0
+    correlation: float | None = None
 
     def __post_init__(self) -> None:
         number("Normal", "deviation", self.deviation, least=0.0, below=1.0 / 3.0, advice="a share in [0, 1/3)")
         count("Normal", "seed", self.seed)
+        _check_length("Normal", self.correlation)
 
-    def factors(self, volume: PerBond) -> PerBond:
-        """Strength of each bond over s₀ [-], user's order, (m,)."""
+    def factors(
+        self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None
+    ) -> PerBond:
+        """Strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
         low = 0.5 * math.erfc(3.0 / math.sqrt(2.0))
-        u = low + (1.0 - 2.0 * low) * uniform_by_counter(self.seed, len(volume))
+        u = low + (1.0 - 2.0 * low) * _uniform(self.seed, len(volume), self.correlation, place, period)
         return np.asarray(1.0 + self.deviation * ndtri(u))
 
 
-def uniform_by_counter(seed: int, many: int) -> PerBond:
-    """Numbers in (0, 1) of the counters 0 … many, by the hash of splitmix64 (Steele, Lea and Flood 2014), (many,)."""
-    with np.errstate(over="ignore"):
-        start = _mixed(np.array([seed % 2**64], dtype=np.uint64) + _GOLDEN)
-        bits = _mixed(start + (np.arange(many, dtype=np.uint64) + np.uint64(1)) * _GOLDEN)
-    return ((bits >> np.uint64(11)).astype(float) + 0.5) * 2.0**-53
+def _check_length(owner: str, correlation: float | None) -> None:
+    if correlation is not None:
+        number(owner, "correlation", correlation, unit="m", above=0.0, advice="a length in m, or None")
 
 
-def _mixed(z: np.ndarray) -> np.ndarray:
-    z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
-    z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
-    return z ^ (z >> np.uint64(31))
+def _uniform(
+    seed: int, many: int, correlation: float | None, place: PerBond3 | None, period: Floats | None
+) -> PerBond:
+    """Uniform numbers in (0, 1), of bonds by their number or by their place."""
+    if correlation is None:
+        return uniform_by_counter(seed, many)
+    if place is None:
+        raise InputError("strengths that are correlated need the places of the bonds; give place= too")
+    return np.clip(ndtr(normal_field(seed, correlation, place, period)), _EDGE, 1.0 - _EDGE)

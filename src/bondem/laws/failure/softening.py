@@ -1,23 +1,95 @@
 """What the failure of a body of cells is made of: cracks of facets, and cells that yield."""
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import ndtri
+
+from bondem._compile import callback
+from bondem._types import Floats
+from bondem.laws.failure.counter import uniform_by_counter
+
+# Largest strength that is looked for [Pa], and in how many directions drawn by chance.
+_STRONGEST = 1e15
+_DIRECTIONS = 200
+_EYE = np.eye(3)
+#: Stresses of size about 1 that a criterion is tried at: along x, y and z, from all sides, in a plane, in shear, any.
+TRIED = (
+    *(np.outer(e, e) for e in _EYE), _EYE, _EYE - np.outer(_EYE[2], _EYE[2]),
+    np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]),
+    np.array([[0.7, -0.2, 0.4], [-0.2, -0.5, 0.1], [0.4, 0.1, 0.3]]),
+)  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
 class Slip:
-    """How cells yield in shear (`bondem.laws.plasticity`).
+    """How cells yield in shear (`bondem.laws.plasticity`): by Mohr–Coulomb, or on Drucker–Prager's cone.
 
     Attributes:
-        cohesion: c [Pa].
-        friction_angle: φ [rad].
-        dilatancy: ψ [rad].
+        cone: whether on the cone.
+        cohesion: c, or k of the cone [Pa]; it falls with slip.
+        strength: c cos φ, or k [Pa].
+        slope: sin φ, or α [-].
+        dilation: sin ψ, or β [-].
         fracture_energy: G_II, which slip dissipates until the cohesion is gone [J/m²]; inf where it stays.
     """
 
+    cone: bool
     cohesion: float
-    friction_angle: float
-    dilatancy: float
+    strength: float
+    slope: float
+    dilation: float
     fracture_energy: float
+
+    def compressive(self, pressure: float = 0.0) -> float:
+        """What a continuum bears along one axis under a pressure on its sides [Pa].
+
+        (2 c cos φ + p (1 + sin φ)) / (1 - sin φ), or (k + p (1/√3 + 2 α)) / (1/√3 - α).
+        """
+        if self.cone:
+            third = 1.0 / math.sqrt(3.0)
+            return (self.strength + pressure * (third + 2.0 * self.slope)) / (third - self.slope)
+        return (2.0 * self.strength + pressure * (1.0 + self.slope)) / (1.0 - self.slope)
+
+
+@dataclass(frozen=True, kw_only=True)
+class StressIndex:
+    """A criterion that is a function of the stress tensor: reached where its index is 1.
+
+    Attributes:
+        function: of the stress (3, 3) [Pa], tension positive, and of the values; it returns the index.
+        values: its parameters, in order.
+    """
+
+    function: Callable[..., float]
+    values: tuple[float, ...]
+
+    def reached(self, direction: Floats) -> float:
+        """How many times a stress reaches the criterion first, to a millionth; inf beyond 10^15 Pa."""
+        compiled = callback(self.function, len(self.values)).function
+        high = 1.0
+        while compiled(high * direction, *self.values) < 1.0:
+            high *= 2.0
+            if high > _STRONGEST:
+                return math.inf
+        low = 0.5 * high if high > 1.0 else 0.0
+        while high - low > 1e-6 * high and high > 1.0 / _STRONGEST:
+            middle = 0.5 * (low + high)
+            if compiled(middle * direction, *self.values) >= 1.0:
+                high = middle
+            else:
+                low = middle
+        return high
+
+    def nearest(self) -> float:
+        """Smallest size √(σ:σ) of a stress that reaches the criterion, of a few hundred directions [Pa]."""
+        drawn = ndtri(uniform_by_counter(0, 9 * _DIRECTIONS)).reshape(-1, 3, 3)
+        found = math.inf
+        for matrix in (*TRIED, *(-one for one in TRIED), *(drawn + drawn.transpose(0, 2, 1))):
+            found = min(found, self.reached(np.ascontiguousarray(matrix / np.linalg.norm(matrix))))
+        return found
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,13 +97,15 @@ class Softening:
     """How facets crack in tension, and cells yield.
 
     Attributes:
-        tension: f_t, the largest principal stress [Pa].
+        tension: f_t, the strength in uniaxial tension [Pa].
         fracture_energy: G_f of tension [J/m²]; 0 where facets break at once.
         friction: μ on the faces of cracks that have closed [-].
         slip: how cells yield, or None where they do not.
+        surface: when facets begin to crack; None where the largest principal stress reaches `tension`.
     """
 
     tension: float
     fracture_energy: float
     friction: float
     slip: Slip | None
+    surface: StressIndex | None = None

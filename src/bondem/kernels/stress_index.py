@@ -1,0 +1,66 @@
+"""Criteria that are functions of the stress tensor: called by their address, compiled apart from all loops."""
+
+import math
+
+import numpy as np
+
+from bondem._compile import called, device, loop
+
+# How far the σ* of a facet may be beyond the stresses of its two cells, over the size of these: towards tension from
+# all sides, in which criteria weaken.
+_BEYOND = 0.2
+
+
+@device
+def stress_index(onset, s, scale, matrix):
+    """Index of a stress s times `scale`; `matrix` is (3, 3) to use."""
+    matrix[0, 0], matrix[1, 1], matrix[2, 2] = scale * s[0], scale * s[1], scale * s[2]
+    matrix[0, 1] = matrix[1, 0] = scale * s[3]
+    matrix[0, 2] = matrix[2, 0] = scale * s[4]
+    matrix[1, 2] = matrix[2, 1] = scale * s[5]
+    return called(onset.judge, matrix, onset.given)
+
+
+@device
+def _size(s):
+    return math.sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]))
+
+
+@device
+def reaches(onset, s, scale, matrix):
+    """Whether a stress s times `scale` reaches the criterion; a small one does without a call."""
+    if scale * _size(s) < onset.least:
+        return False
+    return stress_index(onset, s, scale, matrix) >= 1.0
+
+
+@loop(parallel=False)
+def cool_cells(stress, onset, first, last):
+    """Let the facets of those cells first … last be that are far below the criterion, into `onset.hotter`.
+
+    They have no cracks, and stay below it at their stress over a share of the strength, and at that with a tension
+    from all sides, a share of its size. (The stress of a cell with cracks says little about its other facets.)
+    """
+    matrix, tensor, scale = np.empty((3, 3)), stress.tensor, onset.tension / onset.hot
+    for p in range(first, last):
+        if onset.hotter[p] == 2:
+            continue
+        hot = onset.cracked[p] != 0
+        if not hot:
+            s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
+            hot = reaches(onset, s, scale, matrix)
+            if not hot:
+                more = _BEYOND * _size(s)
+                s = s[0] + more, s[1] + more, s[2] + more, s[3], s[4], s[5]
+                hot = reaches(onset, s, scale, matrix)
+        onset.hotter[p] = 1 if hot else 0
+
+
+@device
+def strength_along(onset, s, high, strength, matrix):
+    """Largest principal stress at which a stress like s, of which it is `high`, reaches the criterion [Pa].
+
+    `strength` is that of the facet in uniaxial tension, and what it is where s is far below.
+    """
+    index = stress_index(onset, s, onset.tension / strength, matrix)
+    return high / index if index > 0.5 and high > 0.0 else strength

@@ -1,0 +1,21 @@
+"""Random numbers by a counter: the number of a value, not a stream, decides what it is."""
+
+import numpy as np
+
+from bondem._types import Floats
+
+_GOLDEN = np.uint64(0x9E3779B97F4A7C15)
+
+
+def uniform_by_counter(seed: int, many: int) -> Floats:
+    """Numbers in (0, 1) of the counters 0 … many, by the hash of splitmix64 (Steele, Lea and Flood 2014), (many,)."""
+    with np.errstate(over="ignore"):
+        start = _mixed(np.array([seed % 2**64], dtype=np.uint64) + _GOLDEN)
+        bits = _mixed(start + (np.arange(many, dtype=np.uint64) + np.uint64(1)) * _GOLDEN)
+    return ((bits >> np.uint64(11)).astype(float) + 0.5) * 2.0**-53
+
+
+def _mixed(z: np.ndarray) -> np.ndarray:
+    z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    return z ^ (z >> np.uint64(31))

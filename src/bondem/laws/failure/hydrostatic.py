@@ -1,0 +1,51 @@
+"""The mean stress of the material: tension from all sides."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from bondem._checks import number
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.softening import Softening, StressIndex
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hydrostatic(Criterion):
+    """Facets of cells crack where the mean stress reaches the strength.
+
+        (σ1 + σ2 + σ3) / 3 ≥ tension     of σ* of `bd.Rankine`, where the facet is pulled
+
+    A bar breaks at three times this stress. A crack softens to the opening 2 G_f / f_t, f_t = 3 `tension`, as of
+    `bd.Rankine`; without a fracture energy it breaks at once. Bodies of cells only.
+
+    Attributes:
+        tension: largest mean stress [Pa].
+        fracture_energy: G_f, of a bar that is torn apart [J/m²]; None is brittle.
+        friction: μ on the faces of closed cracks [-].
+
+    Raises:
+        InputError: a strength or energy that is not positive, or a negative friction.
+    """
+
+    tension: float
+    fracture_energy: float | None = None
+    friction: float = 0.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        number("Hydrostatic", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
+        if self.fracture_energy is not None:
+            number("Hydrostatic", "fracture_energy", self.fracture_energy, unit="J/m²", above=0.0,
+                   advice="a positive energy in J/m², or None for brittle facets")  # fmt: skip
+        number("Hydrostatic", "friction", self.friction, least=0.0, advice="a coefficient of zero or more")
+
+    @property
+    def softening(self) -> Softening:
+        return Softening(
+            tension=3.0 * self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction,
+            slip=None, surface=StressIndex(function=mean_index, values=(self.tension,)),
+        )  # fmt: skip
+
+
+def mean_index(stress: Any, tension: float) -> float:
+    """Mean of a stress (3, 3) over the strength."""
+    return (stress[0, 0] + stress[1, 1] + stress[2, 2]) / (3.0 * tension)

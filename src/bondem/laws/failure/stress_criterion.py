@@ -1,0 +1,177 @@
+"""A criterion of the user's own: any function of the stress tensor."""
+
+import inspect
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import FunctionType
+from typing import Any
+
+import numpy as np
+
+from bondem._checks import number, shown
+from bondem._compile import callback
+from bondem.errors import InputError
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.scatter import Normal, Weibull
+from bondem.laws.failure.softening import TRIED, Softening, StressIndex
+
+_NAME = "StressCriterion"
+# A function is tried at stresses of these sizes [Pa].
+_SIZES = (1.0, 1e3, 1e6, 1e9)
+
+
+@dataclass(frozen=True, init=False)
+class StressCriterion(Criterion):
+    """Facets of cells crack where a function of the stress reaches 1.
+
+        function(σ*, **parameters) ≥ 1     σ* of `bd.Rankine`, where the facet is pulled
+
+        def largest(stress, tension):
+            return np.linalg.eigvalsh(stress)[2] / tension
+
+        failure = bd.StressCriterion(largest, tension=4e6, fracture_energy=50.0)
+
+    The stress is a symmetric matrix (3, 3) [Pa], in space, tension positive, as of `bd.cell_stress`. Numba compiles
+    the function, alone: it can be made of what Numba knows of Python and NumPy. Strengths that scatter divide the
+    stress. A crack softens to the opening 2 G_f / f_t, as of `bd.Rankine`, with f_t the least uniaxial tension along
+    x, y or z at which the function reaches 1; without a fracture energy it breaks at once. The facets of a cell
+    without cracks are looked at where the function reaches 1 at twice its stress, or at twice that with a tension
+    from all sides of a fifth of its size; so an index must not fall below 1 again along a stress that grows. Bodies
+    of cells only.
+
+    Args:
+        function: of the stress and the parameters; it returns the index [-].
+        fracture_energy: G_f [J/m²]; None is brittle.
+        friction: μ on the faces of closed cracks [-].
+        scatter: how strengths differ from facet to facet.
+        **parameters: numbers, by the names of the function's arguments.
+
+    Raises:
+        InputError: a function that cannot be compiled, or that gives no finite number at one of the stresses at which
+            it is tried, 1 or more without stress, or less in any tension; parameters that are not its own or no
+            numbers.
+    """
+
+    function: Callable[..., Any]
+    fracture_energy: float | None
+    friction: float
+    parameters: Mapping[str, float] = field(hash=False)
+
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        *,
+        fracture_energy: float | None = None,
+        friction: float = 0.0,
+        scatter: Weibull | Normal | None = None,
+        **parameters: float,
+    ) -> None:
+        object.__setattr__(self, "function", function)
+        object.__setattr__(self, "fracture_energy", fracture_energy)
+        object.__setattr__(self, "friction", friction)
+        object.__setattr__(self, "scatter", scatter)
+        object.__setattr__(self, "parameters", _own_parameters(function, parameters))
+        self.__post_init__()
+        if fracture_energy is not None:
+            number(_NAME, "fracture_energy", fracture_energy, unit="J/m²", above=0.0,
+                   advice="a positive energy in J/m², or None for brittle facets")  # fmt: skip
+        number(_NAME, "friction", friction, least=0.0, advice="a coefficient of zero or more")
+        self._try()
+        object.__setattr__(self, "_tension", min(self._surface.reached(direction) for direction in TRIED[:3]))
+        if not math.isfinite(self._tension):
+            raise InputError(
+                f"{_NAME}: {self.name} stays below 1 in uniaxial tension, whatever its size; give an index that"
+                " reaches 1 where the material fails, tension positive"
+            )
+
+    _tension: float = field(init=False, repr=False, compare=False)
+
+    @property
+    def name(self) -> str:
+        """Of the function."""
+        return str(getattr(self.function, "__qualname__", "the function"))
+
+    @property
+    def softening(self) -> Softening:
+        return Softening(
+            tension=self._tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slip=None,
+            surface=self._surface,
+        )  # fmt: skip
+
+    @property
+    def _surface(self) -> StressIndex:
+        return StressIndex(function=self.function, values=tuple(self.parameters.values()))
+
+    def _try(self) -> None:
+        """Compile the function, and call it for some stresses."""
+        values = tuple(self.parameters.values())
+        try:
+            compiled = callback(self.function, len(values)).function
+        except Exception as error:  # whatever Numba says
+            raise InputError(
+                f"{_NAME}: {self.name} cannot be compiled ({_reason(error)}); give a function of a matrix (3, 3) and"
+                " numbers that returns a number, in what Numba knows of Python"
+            ) from None
+
+        def index(stress: np.ndarray) -> float:
+            try:
+                found = float(compiled(stress.copy(), *values))
+            except Exception as error:  # the user's own
+                raise InputError(
+                    f"{_NAME}: {self.name} raises '{_reason(error)}' at a stress of {_listed(stress)} Pa; let it"
+                    " return a number for any stress"
+                ) from None
+            if not math.isfinite(found):
+                raise InputError(
+                    f"{_NAME}: {self.name} is {found} at a stress of {_listed(stress)} Pa; let it return a finite"
+                    " number for any stress"
+                )
+            return found
+
+        at_rest = index(np.zeros((3, 3)))
+        if at_rest >= 1.0:
+            raise InputError(f"{_NAME}: {self.name} is {at_rest:g} without stress; give an index below 1 there")
+        for size in _SIZES:
+            for direction in TRIED:
+                index(size * direction)
+                index(-size * direction)
+
+
+def _own_parameters(function: object, given: Mapping[str, object]) -> dict[str, float]:
+    """Parameters in the order of the function's arguments, with its defaults."""
+    plain = getattr(function, "py_func", function)
+    wanted = "a function of a stress (3, 3) and numbers that returns an index"
+    if not isinstance(plain, FunctionType):
+        raise InputError(f"{_NAME}: function = {shown(function)}; give {wanted}")
+    arguments = list(inspect.signature(plain).parameters.values())
+    if not arguments or any(one.kind is not inspect.Parameter.POSITIONAL_OR_KEYWORD for one in arguments):
+        raise InputError(
+            f"{_NAME}: {plain.__qualname__}{inspect.signature(plain)} has other than plain arguments; give {wanted}"
+        )
+    names = [one.name for one in arguments[1:]]
+    for name in given:
+        if name not in names:
+            raise InputError(
+                f"{_NAME}: {plain.__qualname__} has no parameter '{name}'; give {', '.join(names) or 'none'}"
+            )
+    found = {}
+    for one in arguments[1:]:
+        value = given.get(one.name, one.default)
+        if value is inspect.Parameter.empty:
+            raise InputError(f"{_NAME}: {plain.__qualname__} needs '{one.name}'; give {one.name}=")
+        found[one.name] = number(_NAME, one.name, value)
+    return found
+
+
+def _listed(stress: np.ndarray) -> str:
+    return str((stress + 0.0).tolist())
+
+
+def _reason(error: Exception) -> str:
+    """The line of an error that says most."""
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    told = "Failed in", "-", "During", "File", "This error", "For"
+    telling = [line for line in lines if not line.startswith(told)]
+    text = (telling or lines or [type(error).__name__])[0].partition(", defined at None")[0]
+    return text if len(text) <= 120 else f"{text[:117]}..."
