@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import PerBond, PerElement
+from bondem._types import Floats, PerBond, PerElement
 from bondem.laws.bond import BondStiffness
 from bondem.laws.failure.criterion import BondCriterion, Criterion, Joint
 from bondem.laws.failure.elliptic import Elliptic
