@@ -3,6 +3,7 @@
 import functools
 import math
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -175,12 +176,31 @@ def test_a_crack_across_the_edge_of_a_periodic_cell_is_one_plane() -> None:
     np.testing.assert_allclose(x, [0.0, 0.4], atol=0.05)
 
 
+def test_paraview_reads_the_surfaces(tmp_path: Path) -> None:
+    pyvista = pytest.importorskip("pyvista")
+    body = packed(bd.Cylinder(0.5, 1.0))
+    found = bd.cracks(body, parted(body, body.centre[:, 0] > 0.5))
+    found.write_vtkhdf(tmp_path / "cracks.vtkhdf")
+    mesh = pyvista.read(tmp_path / "cracks.vtkhdf")
+    assert mesh.n_cells == len(found.polygons)
+    assert mesh.area == pytest.approx(found.area, rel=1e-6)
+    row = found.polygons.facet
+    np.testing.assert_array_equal(mesh.cell_data["facet"], found.facets[row])
+    np.testing.assert_array_equal(mesh.cell_data["opening"], found.opening[row])
+    none = bd.cracks(body, bd.Model(body, LAW, 1e3).state())
+    none.write_vtkhdf(tmp_path / "none.vtkhdf")
+    assert pyvista.read(tmp_path / "none.vtkhdf").n_cells == 0
+
+
 REFUSED: dict[str, tuple[str, Callable[[], object]]] = {
     "another state": ("its own lattice", lambda: bd.cracks(grid((4, 3, 2)), parted(grid((4, 1, 6)), np.zeros(24)))),
     "no lattice": ("the lattice of the model", lambda: bd.cracks(None, None)),
     "no state": ("the state of a run", lambda: bd.cracks(grid((4, 3, 2)), None)),
     "whole facets": (
         "integrity = 1.0", lambda: bd.cracks(grid((4, 3, 2)), parted(grid((4, 3, 2)), np.zeros(24)), integrity=1.0)
+    ),
+    "no file": (
+        "give a path", lambda: bd.cracks(grid((4, 3, 2)), parted(grid((4, 3, 2)), np.zeros(24))).write_vtkhdf(3)
     ),
     "no direction": (
         "direction has no length",

@@ -2,19 +2,21 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 from scipy.spatial import KDTree
 
-from bondem._checks import instance, number
+from bondem._checks import instance, number, place
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.fracture.crack_polygons import CrackPolygons, crack_polygons
 from bondem.fracture.crack_surfaces import CrackSurfaces, crack_surfaces
 from bondem.fracture.directions import unit_vector
 from bondem.fracture.faces import Faces, faces_of
+from bondem.io.vtk_polygons import write_polygons
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
@@ -69,6 +71,25 @@ class Cracks:
         """
         return float(self.areas @ np.abs(self.normal @ unit_vector("projected_area", "direction", direction)))
 
+    def write_vtkhdf(self, path: str | Path) -> None:
+        """Write the polygons as VTKHDF PolyData, which ParaView 5.11 and later opens.
+
+        Each has the number of its facet, of its surface, the area of the facet, opening, sliding and normal.
+
+        Args:
+            path: file to write, by custom ending in .vtkhdf.
+
+        Raises:
+            InputError: the file cannot be written.
+        """
+        row = self.polygons.facet
+        fields = {
+            "facet": self.facets, "surface": self.surface, "area": self.areas, "opening": self.opening,
+            "sliding": self.sliding, "normal": self.normal,
+        }  # fmt: skip
+        shown = {name: values[row] for name, values in fields.items()}
+        write_polygons(place("Cracks.write_vtkhdf: path", path), self.polygons.vertex, self.polygons.start, shown)
+
 
 def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
     """The crack surfaces of a state.
@@ -95,9 +116,9 @@ def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
     links = coo_array((np.ones(len(first), dtype=bool), (first, second)), shape=(k, k)).tocsr()
     _, found = connected_components(links, directed=False)
     order = np.argsort(-np.bincount(found, faces.area), kind="stable")
-    place = np.empty_like(order)
-    place[order] = np.arange(len(order))
-    label = place[found].astype(np.int64)
+    rank = np.empty_like(order)
+    rank[order] = np.arange(len(order))
+    label = rank[found].astype(np.int64)
     shift = _unwrapped(lattice, links, faces.centroid, label)
     surfaces = crack_surfaces(faces, polygons, label, shift)
     return Cracks(
@@ -111,10 +132,10 @@ def _edges(lattice: Lattice, polygons: CrackPolygons, k: int) -> tuple[Ints, Int
     corner, size = polygons.reference, np.diff(polygons.start)
     facet = np.repeat(polygons.facet, size)
     period = lattice.particles.period
-    place = corner if period is None else np.mod(corner, period)
+    inside = corner if period is None else np.mod(corner, period)
     if period is not None:
-        place = np.where(place >= period, 0.0, place)  # rounding
-    near = KDTree(place, boxsize=period).query_pairs(_SAME * lattice.particles.mean_radius, output_type="ndarray")
+        inside = np.where(inside >= period, 0.0, inside)  # rounding
+    near = KDTree(inside, boxsize=period).query_pairs(_SAME * lattice.particles.mean_radius, output_type="ndarray")
     count = len(corner)
     same = coo_array((np.ones(len(near), dtype=bool), near.T), shape=(count, count))
     points, spot = connected_components(same, directed=False)
@@ -128,11 +149,11 @@ def _edges(lattice: Lattice, polygons: CrackPolygons, k: int) -> tuple[Ints, Int
 def _near(lattice: Lattice, faces: Faces) -> tuple[Ints, Ints]:
     """Pairs of broken beams whose middles lie near each other in the reference."""
     period, middle = lattice.particles.period, faces.reference
-    place = middle if period is None else np.mod(middle, period)
+    inside = middle if period is None else np.mod(middle, period)
     if period is not None:
-        place = np.where(place >= period, 0.0, place)
+        inside = np.where(inside >= period, 0.0, inside)
     reach = _NEAR * 2.0 * lattice.particles.mean_radius
-    near = KDTree(place, boxsize=period).query_pairs(reach, output_type="ndarray")
+    near = KDTree(inside, boxsize=period).query_pairs(reach, output_type="ndarray")
     return near[:, 0], near[:, 1]
 
 
