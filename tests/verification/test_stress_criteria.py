@@ -247,12 +247,17 @@ def test_a_run_by_a_function_goes_on_when_it_is_given_again(tmp_path: Path) -> N
     same(whole, bd.resume(kept, failure=own).state)
 
 
-def test_the_facets_of_calm_cells_are_let_be_without_a_miss(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    "failure", [bd.DruckerPrager(tension=4e6, hydrostatic=2.78e6), bd.Rankine(tension=4e6)], ids=["cone", "Rankine"]
+)
+def test_the_facets_of_calm_cells_are_let_be_without_a_miss(
+    failure: bd.Criterion, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The same cracks as where every facet is judged in every step."""
-    failure = bd.DruckerPrager(tension=4e6, hydrostatic=2.78e6)
     few = pulled(failure, 100).state
     monkeypatch.setattr("bondem.model.softening_table._WIDER", 1e-9)
     monkeypatch.setattr("bondem.model.softening_table._NEARER", 0.0)
+    monkeypatch.setattr("bondem.model.softening_table._MARGIN", -1e6)
     every = pulled(failure, 100).state
     assert len(every.cracks) > 1000
     same(few, every)

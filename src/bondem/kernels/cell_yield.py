@@ -61,7 +61,7 @@ def _flow_on_cone(pose, s, plastic, p, gamma, dilation):
 
 
 @loop(parallel=False)
-def yield_cells(pose, stress, cells, hot, hotter, first, last):
+def yield_cells(pose, stress, cells, hot, cracked, hotter, first, last):
     """Let the cells first … last yield, and find those whose facets are to be looked at, from `hot` on [Pa].
 
     Args:
@@ -69,6 +69,7 @@ def yield_cells(pose, stress, cells, hot, hotter, first, last):
         stress: `CellStresses`.
         cells: `CellYield`.
         hot: largest principal stress from which facets are looked at [Pa].
+        cracked: 1 for cells with cracks: their stress says little about their other facets, all are looked at.
         hotter: 0, 1, or 2 for cells without cohesion, into it.
         first: number of the first cell.
         last: one behind the last.
@@ -78,7 +79,7 @@ def yield_cells(pose, stress, cells, hot, hotter, first, last):
     for p in range(first, last):
         s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
         mean, deviator = invariants(s)
-        hotter[p] = 1 if largest_at_most(mean, deviator) > hot else 0
+        hotter[p] = 1 if cracked[p] != 0 or largest_at_most(mean, deviator) > hot else 0
         if not cells.yielding:
             continue
         kept, V = 1.0, stress.volume[p]

@@ -75,7 +75,7 @@ def _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet):
     if kind == _STRESSES:
         cell_stresses(cells.moment, stress, cell[0], cell[1])
     elif kind == _YIELDING:
-        yield_cells(pose, stress, flow, onset.hot, onset.hotter, cell[0], cell[1])
+        yield_cells(pose, stress, flow, onset.hot, onset.cracked, onset.hotter, cell[0], cell[1])
         if onset.judge != 0:
             cool_cells(stress, onset, cell[0], cell[1])
         if flow.yielding:

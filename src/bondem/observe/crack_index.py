@@ -15,9 +15,7 @@ from bondem.observe.turned_vectors import turned_vectors
 def crack_index(model: Model, state: State) -> PerBond:
     """Index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength), user's order.
 
-    0 of facets that are not pulled, 1 of those that soften, 0 of broken ones. By the largest principal stress, runs
-    look at the facets of a cell only where that of the cell itself, or of the neighbour, is beyond 0.7 of the
-    strength: the index is not above its share of that.
+    0 of facets that are not pulled, 1 of those that soften, 0 of broken ones.
 
     Returns:
         Index [-], user's order, shape (m,).
@@ -36,8 +34,7 @@ def crack_index(model: Model, state: State) -> PerBond:
     strength = np.empty(len(i))
     strength[model.layout.bond_order] = table.strength
     if table.judge is None:
-        hot = np.linalg.eigvalsh(stress)[:, 2] / table.hot
-        index = np.minimum(np.linalg.eigvalsh(agreed)[:, 2] / strength, np.maximum(hot[i], hot[j]))
+        index = np.linalg.eigvalsh(agreed)[:, 2] / strength
     else:
         scaled = agreed * (table.tension / strength)[:, None, None]
         index = np.array([table.judge.function(one, *table.given) for one in scaled])
