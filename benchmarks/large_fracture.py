@@ -18,6 +18,11 @@ from bondem._compile import threads
 from kept import RESULTS, keep, origin
 
 DURATION, PARTS = 90e-6, 10
+# Where the work has gone.
+PLACES = (
+    "translation", "rotation", "normal", "shear", "bending", "twisting", "contact", "loss", "friction", "fracture",
+    "plastic",
+)  # fmt: skip
 
 
 def plate(count: int) -> bd.Model:
@@ -47,7 +52,7 @@ def main() -> None:
                 "time": state.time, "ms_a_step": 1e3 * (now - last[0]) / (state.step - last[1]),
                 "memory_GiB": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20,
                 "cracked": len(state.cracks), "broken": len(state.broken),
-                "missing": float(abs(energy["balance"][-1] / energy["work"][-1])),
+                "missing": abs(sum(float(energy[name][-1]) for name in PLACES) / float(energy["work"][-1]) - 1.0),
             }  # fmt: skip
             parts.append(row)
             print({name: f"{value:.4g}" for name, value in row.items()}, flush=True)
