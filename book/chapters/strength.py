@@ -40,8 +40,8 @@ def _tension() -> Section:
         before=(
             "Peak over f_t, and work of the platens over the ligament and G_f. Notched bars: a third of the width"
             " from one side. The limit for the energy is 5 % for the mean of a size and 8 % for each specimen. Facets"
-            " that are sheared under pressure do not begin to crack, and closed faces catch on each other: in two bars"
-            " of 1000 cells, 80 J/m², seeds 4 and 5, these hold the halves together to the end of the test."
+            " that are sheared under pressure do not begin to crack, and closed faces catch on each other: in two"
+            " bars of 1000 cells, 80 J/m², seeds 4 and 5, these hold the halves together to the end of the test."
         ),
         rows=(*_rows(("tension", "notched", "brittle"), "strength"), *_rows(("tension", "notched"), "energy")),
     )

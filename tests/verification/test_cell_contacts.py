@@ -131,7 +131,7 @@ def test_cells_touch_where_they_parted_and_not_as_spheres() -> None:
 
 
 def test_platens_in_contact_crush_a_specimen_at_its_strength() -> None:
-    """Compression between smooth walls: the strength of a Mohr–Coulomb material, a tenth lower at most."""
+    """Compression between smooth walls: the strength of a Mohr–Coulomb material, 7 % less at most."""
     failure, length = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61, fracture_energy=50.0), 0.1
     strength = 2.0 * 14e6 * math.cos(0.61) / (1.0 - math.sin(0.61))
     box = bd.Box(size=(length, 0.5 * length, 0.5 * length))

@@ -7,7 +7,7 @@ from typing import Any
 from bondem._checks import number
 from bondem.errors import InputError
 from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.softening import Slip, Softening, StressIndex
+from bondem.laws.failure.softening import Slip, Softening, StressIndex, check_crack, check_slip
 
 _ROOT = math.sqrt(3.0)
 _NAME = "DruckerPrager"
@@ -66,21 +66,11 @@ class DruckerPrager(Criterion):
                 " hydrostatic, the third follows"
             )
         self._check_cone()
-        energy = "a positive energy in J/m²"
-        if self.fracture_energy is not None:
-            number(_NAME, "fracture_energy", self.fracture_energy, unit="J/m²", above=0.0,
-                   advice=f"{energy}, or None for brittle facets")  # fmt: skip
-        shear = self.fracture_energy_shear
-        if shear is not None and not (isinstance(shear, float) and shear == math.inf):
-            number(_NAME, "fracture_energy_shear", shear, unit="J/m²", above=0.0, advice=energy)
+        check_crack(_NAME, self.fracture_energy, self.friction)
         number(_NAME, "dilatancy", self.dilatancy, least=0.0)
         if self.dilatancy > self.slope:
             raise InputError(f"{_NAME}: dilatancy = {self.dilatancy:g}; give β in [0, α] = [0, {self.slope:.4g}]")
-        if self.fracture_energy is None and (shear is not None or self.dilatancy != 0.0):
-            raise InputError(
-                f"{_NAME}: fracture_energy_shear and dilatancy are of cells that yield; give fracture_energy too"
-            )
-        number(_NAME, "friction", self.friction, least=0.0, advice="a coefficient of zero or more")
+        check_slip(_NAME, self.fracture_energy, self.fracture_energy_shear, self.dilatancy)
 
     def _check_cone(self) -> None:
         ft, fc, fh = self.tension, self.compression, self.hydrostatic

@@ -5,7 +5,7 @@ from typing import Any
 
 from bondem._checks import number
 from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.softening import Softening, StressIndex
+from bondem.laws.failure.softening import Softening, StressIndex, check_crack
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,10 +33,7 @@ class Hydrostatic(Criterion):
     def __post_init__(self) -> None:
         super().__post_init__()
         number("Hydrostatic", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
-        if self.fracture_energy is not None:
-            number("Hydrostatic", "fracture_energy", self.fracture_energy, unit="J/m²", above=0.0,
-                   advice="a positive energy in J/m², or None for brittle facets")  # fmt: skip
-        number("Hydrostatic", "friction", self.friction, least=0.0, advice="a coefficient of zero or more")
+        check_crack("Hydrostatic", self.fracture_energy, self.friction)
 
     @property
     def softening(self) -> Softening:

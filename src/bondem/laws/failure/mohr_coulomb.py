@@ -9,9 +9,8 @@ import numpy as np
 from bondem._checks import number
 from bondem._compile import device
 from bondem._types import Floats, PerBond
-from bondem.errors import InputError
 from bondem.laws.failure.criterion import SHEAR, TENSION, BondCriterion, Joint, columns
-from bondem.laws.failure.softening import Slip, Softening
+from bondem.laws.failure.softening import Slip, Softening, check_crack, check_slip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,17 +63,8 @@ class MohrCoulomb(BondCriterion):
         )  # fmt: skip
         number("MohrCoulomb", "dilatancy", self.dilatancy, unit="rad", least=0.0, advice="an angle in [0, φ] rad")
         number("MohrCoulomb", "friction_angle - dilatancy", self.friction_angle - self.dilatancy, least=0.0)
-        energy = "a positive energy in J/m²"
-        if self.fracture_energy is not None:
-            number("MohrCoulomb", "fracture_energy", self.fracture_energy, unit="J/m²", above=0.0, advice=energy)
-        elif self.fracture_energy_shear is not None or self.dilatancy != 0.0:
-            raise InputError(
-                "MohrCoulomb: fracture_energy_shear and dilatancy are of cells that yield; give fracture_energy too"
-            )
-        shear = self.fracture_energy_shear
-        stays = isinstance(shear, float) and shear == math.inf
-        if shear is not None and not stays:
-            number("MohrCoulomb", "fracture_energy_shear", shear, above=0.0, advice=energy)
+        check_crack("MohrCoulomb", self.fracture_energy, 0.0)
+        check_slip("MohrCoulomb", self.fracture_energy, self.fracture_energy_shear, self.dilatancy)
 
     @property
     def softening(self) -> Softening | None:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from bondem._checks import number
 from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.softening import Softening
+from bondem.laws.failure.softening import Softening, check_crack
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,10 +34,7 @@ class Rankine(Criterion):
     def __post_init__(self) -> None:
         super().__post_init__()
         number("Rankine", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
-        if self.fracture_energy is not None:
-            number("Rankine", "fracture_energy", self.fracture_energy, unit="J/m²", above=0.0,
-                   advice="a positive energy in J/m², or None for brittle facets")  # fmt: skip
-        number("Rankine", "friction", self.friction, least=0.0, advice="a coefficient of zero or more")
+        check_crack("Rankine", self.fracture_energy, self.friction)
 
     @property
     def softening(self) -> Softening:

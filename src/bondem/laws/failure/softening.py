@@ -7,8 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtri
 
+from bondem._checks import number
 from bondem._compile import callback
 from bondem._types import Floats
+from bondem.errors import InputError
 from bondem.laws.failure.counter import uniform_by_counter
 
 # Largest strength that is looked for [Pa], and in how many directions drawn by chance.
@@ -109,3 +111,29 @@ class Softening:
     friction: float
     slip: Slip | None
     surface: StressIndex | None = None
+
+
+def check_crack(owner: str, fracture_energy: float | None, friction: float) -> None:
+    """Refuse what no crack has: G_f [J/m²] and μ [-] of a criterion of the name `owner`.
+
+    Raises:
+        InputError: an energy that is not positive, or a negative friction.
+    """
+    if fracture_energy is not None:
+        advice = "a positive energy in J/m², or None for brittle facets"
+        number(owner, "fracture_energy", fracture_energy, unit="J/m²", above=0.0, advice=advice)
+    number(owner, "friction", friction, least=0.0, advice="a coefficient of zero or more")
+
+
+def check_slip(owner: str, fracture_energy: float | None, shear: float | None, dilatancy: float) -> None:
+    """The same of cells that yield: G_II [J/m²], inf for a cohesion that stays, and the dilatancy [rad, or -].
+
+    Raises:
+        InputError: an energy that is not positive, or either without a fracture energy of tension.
+    """
+    if fracture_energy is None and (shear is not None or dilatancy != 0.0):
+        raise InputError(
+            f"{owner}: fracture_energy_shear and dilatancy are of cells that yield; give fracture_energy too"
+        )
+    if shear is not None and not (isinstance(shear, float) and shear == math.inf):
+        number(owner, "fracture_energy_shear", shear, unit="J/m²", above=0.0, advice="a positive energy in J/m²")

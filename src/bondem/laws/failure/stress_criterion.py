@@ -14,7 +14,7 @@ from bondem._compile import callback
 from bondem.errors import InputError
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.scatter import Normal, Weibull
-from bondem.laws.failure.softening import TRIED, Softening, StressIndex
+from bondem.laws.failure.softening import TRIED, Softening, StressIndex, check_crack
 
 _NAME = "StressCriterion"
 # A function is tried at stresses of these sizes [Pa].
@@ -73,10 +73,7 @@ class StressCriterion(Criterion):
         object.__setattr__(self, "scatter", scatter)
         object.__setattr__(self, "parameters", _own_parameters(function, parameters))
         self.__post_init__()
-        if fracture_energy is not None:
-            number(_NAME, "fracture_energy", fracture_energy, unit="J/m²", above=0.0,
-                   advice="a positive energy in J/m², or None for brittle facets")  # fmt: skip
-        number(_NAME, "friction", friction, least=0.0, advice="a coefficient of zero or more")
+        check_crack(_NAME, fracture_energy, friction)
         self._try()
         object.__setattr__(self, "_tension", min(self._surface.reached(direction) for direction in TRIED[:3]))
         if not math.isfinite(self._tension):
