@@ -59,6 +59,7 @@ def integrate(
     state = State(model) if state is None else state
     loop = (CpuLoop if loop_of is None else loop_of)(model, plan, state, dt)
     total = plan.steps
+    joined, beyond = ("bonds", _BEAMS) if model.cells is None else ("facets", _CELLS)
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     kept = (state.copy(),)
     begun = loop.look()  # whether it is kept or not: guards need its energy
@@ -77,7 +78,7 @@ def integrate(
         records, wide, lost, sick = loop.run(goal - state.step)
         fresh.append(records)
         if lost or sick != FINE:
-            cause = _CAUSES.get(sick, f"{lost} unbroken bonds are turned beyond 90 degrees")
+            cause = _CAUSES.get(sick, f"{lost} unbroken {joined} are turned beyond 90 degrees")
             good = kept[-1] if state.step - kept[-1].step >= _RISE else kept[0]
             status = Status.UNSTABLE
             message = (
@@ -87,10 +88,7 @@ def integrate(
             state = good
             break
         if wide:
-            turned = (
-                f"; {wide} bonds were turned so far (c < 0.7 or w² < 0.75) that the bond energy is no longer that of"
-                " a beam: use shorter bonds or lower loads"
-            )
+            turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {beyond}"
         if progress is not None:
             progress(state.step / total)
         if plan.save_every and state.step % plan.save_every == 0 and sink is not None:
@@ -115,6 +113,8 @@ def integrate(
     )  # fmt: skip
 
 
+_BEAMS = "the bond energy is no longer that of a beam: use shorter bonds or lower loads"
+_CELLS = "the strains of their cells are not small: use lower loads"
 _CAUSES = {
     NOT_FINITE: "a number is not finite",
     RUNAWAY: "the kinetic energy is a thousand times what was there and was put in",
