@@ -4,10 +4,11 @@ A concrete: E = 40 GPa, ν = 0.2, f_t = 4 MPa, c = 14.3 MPa, φ = 35°. Direct t
 side to a third of its depth: peak over f_t, and work over the ligament and G_f. Compression between smooth platens,
 with a pressure on the sides or without: peak over what a Mohr–Coulomb continuum bears. Nothing is calibrated.
 Without fracture energy a notched bar has the toughness of its elements: σ √(π a) over f_t √d is the same for all
-sizes d, with σ the largest stress of the whole section, a the depth of the notch, and no factor for the shape.
+sizes d, with σ the largest stress of the whole section, a the depth of the notch, and no factor for the shape; "slit"
+is a notch half a cell wide, where the root of the notch has no size of its own.
 
-Run: python benchmarks/strength.py [--kinds tension notched brittle compression triaxial] [--counts 1000 3000 10000]
-         [--seeds 1 2 3 4 5] [--out DIR] [--anew]
+Run: python benchmarks/strength.py [--kinds tension notched slit brittle compression triaxial]
+         [--counts 1000 3000 10000] [--seeds 1 2 3 4 5] [--out DIR] [--anew]
      python benchmarks/strength.py --summary
 Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped; the last command sums
 them up in benchmarks/results/strength.json and strength.md, with those that are there already and were not done anew.
@@ -53,7 +54,7 @@ class Case:
 
 CASES = (
     Case("tension", 20.0), Case("tension", 80.0), Case("notched", 20.0), Case("notched", 80.0), Case("brittle", 0.0),
-    Case("notched", 0.0),
+    Case("notched", 0.0), Case("slit", 0.0),
     Case("compression", 50.0), Case("compression", 500.0), Case("compression", 5000.0),
     Case("triaxial", 500.0, 5e6), Case("triaxial", 500.0, 10e6), Case("triaxial", 5000.0, 5e6),
     Case("triaxial", 5000.0, 10e6),
@@ -62,9 +63,10 @@ CASES = (
 
 def specimen(kind: str, count: int, seed: int) -> bd.Lattice:
     shape: bd.Shape = bd.Box(SIZE)
-    if kind == "notched":
-        slot = bd.Box((NOTCH[0], NOTCH[1], 2.0 * SIZE[2]))
-        shape = shape - slot.moved((0.5 * (SIZE[0] - NOTCH[0]), 0.0, -0.5 * SIZE[2]))
+    if kind in ("notched", "slit"):
+        width = NOTCH[0] if kind == "notched" else 0.5 * (math.prod(SIZE) / count) ** (1.0 / 3.0)
+        slot = bd.Box((width, NOTCH[1], 2.0 * SIZE[2]))
+        shape = shape - slot.moved((0.5 * (SIZE[0] - width), 0.0, -0.5 * SIZE[2]))
     return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
 
 
@@ -85,14 +87,14 @@ def measured(case: Case, count: int, seed: int) -> dict[str, Any]:
     else:
         failure = bd.Rankine(tension=TENSION, fracture_energy=case.energy or None)
         test = bd.labtests.direct_tension(body, LAW, failure)
-        if case.kind != "notched":
+        if case.kind not in ("notched", "slit"):
             rows["strength"] = test.peak / TENSION
         if case.energy:
             rows["energy"] = test.work / case.energy  # over the section at mid-length, the ligament
     assert body.facets is not None
     length = float(np.median(body.facets.span))
     toughness = {}
-    if case.kind == "notched" and not case.energy:
+    if case.kind in ("notched", "slit") and not case.energy:
         gross = test.peak * (1.0 - NOTCH[1] / SIZE[1])
         toughness = {"toughness": gross * math.sqrt(math.pi * NOTCH[1]) / (TENSION * math.sqrt(length))}
     return toughness | {
@@ -114,7 +116,7 @@ def table(cases: list[dict[str, Any]]) -> str:
     groups: dict[tuple, list[dict[str, Any]]] = {}
     for one in cases:
         groups.setdefault((one["kind"], one["energy"], one["pressure"], one["count"]), []).append(one)
-    order = ["tension", "notched", "brittle", "compression", "triaxial"]
+    order = ["tension", "notched", "slit", "brittle", "compression", "triaxial"]
     for group in sorted(groups, key=lambda one: (order.index(one[0]), *one[1:])):
         kind, energy, pressure, count = group
         ones = groups[group]

@@ -27,6 +27,7 @@ from bondem.kernels.crack_tables import (
 from bondem.kernels.single_facets import column, facet_of, facets_of, present_normal
 from bondem.kernels.stress_index import strength_along
 from bondem.laws.cell_energy import scalar
+from bondem.laws.softening import opening_force
 
 # What stands for the integrity a step ago of a crack that begins: its rate is found first.
 NEW = 2.0
@@ -102,7 +103,9 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
             f, A = column(force, k), cracks.area[k]
             mean = pair_stress(stress.tensor, bonds.i[k], bonds.j[k])
             high, _, one, _ = principal_stresses(mean, a, v)
-            slope = abs(scalar(present_normal(pose, bonds, cells, k), (v[0, one], v[1, one], v[2, one])))
+            normal = present_normal(pose, bonds, cells, k)
+            slope = abs(scalar(normal, (v[0, one], v[1, one], v[2, one])))
+            f, _ = opening_force(f, normal)
             most = strength[k]
             if onset.judge != 0:
                 most = strength_along(onset, mean, high, most, a)

@@ -39,11 +39,18 @@ def _agreed(s, n, t):
     )
 
 
+@device
+def _sheared(t, across, strength):
+    """Whether the traction t of a pressed facet has a principal stress beyond `strength` by itself."""
+    return scalar(t, t) - across * across >= strength * (strength - across)
+
+
 @loop(parallel=False)
 def _begin_facets(pose, bonds, cells, stress, onset, first, last):
-    """Mark facets that begin to crack: they are pulled, and σ* reaches the strength of the criterion.
+    """Mark facets that begin to crack: they are pulled or sheared, and σ* reaches the strength of the criterion.
 
-    That is f_t for the largest principal stress, or 1 for the index of another criterion.
+    That is f_t for the largest principal stress, or 1 for the index of another criterion, of which no facet cracks
+    that is not pulled.
     """
     at_i, at_j, hotter, marked, listed = bonds.i, bonds.j, onset.hotter, onset.marked, onset.listed
     force, normal, tensor, area, strength = cells.force, cells.normal, stress.tensor, onset.area, onset.strength
@@ -60,13 +67,15 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
         n = turned_by(orientation(pose, i), column(normal, k))
         f, A = column(force, k), area[k]
         t = f[0] / A, f[1] / A, f[2] / A
-        if scalar(t, n) > 0.0:
-            s = _agreed(pair_stress(tensor, i, j), n, t)
-            if onset.judge == 0:
-                if not below(s, strength[k]):
-                    marked[k] = 1
-            elif reaches(onset, s, onset.tension / strength[k], matrix):
+        across = scalar(t, n)
+        if across <= 0.0 and (onset.judge != 0 or not _sheared(t, across, strength[k])):
+            continue
+        s = _agreed(pair_stress(tensor, i, j), n, t)
+        if onset.judge == 0:
+            if not below(s, strength[k]):
                 marked[k] = 1
+        elif reaches(onset, s, onset.tension / strength[k], matrix):
+            marked[k] = 1
 
 
 @loop(parallel=False)

@@ -6,7 +6,7 @@ from bondem._compile import device, loop
 from bondem.kernels.breaking import write_break
 from bondem.kernels.cell_stress import add_moment
 from bondem.kernels.cell_yield import heat
-from bondem.kernels.crack_energy import bending, crack_energy, halves, stretched
+from bondem.kernels.crack_energy import bending, crack_energy, halves
 from bondem.kernels.crack_list import known, read_three, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -97,8 +97,8 @@ def crack_forces(pose, bonds, cells, cracks, change, first, last):
         write_three(output, TORQUE_J, plus(plus(plus(y, 1.0, cj), 0.5, n), -s, h))
         output[RUBBED_AWAY] = output[LOST] = 0.0
         if change:
-            rate = 0.5 / K * (w * scalar(one, one) + (1.0 - w) * scalar(other, other)) + bent - stretched(K, s, rub)
-            _book(row, output, s, rate, rub, plus(now, -1.0, slip))
+            rate = 0.5 / K * (w * scalar(one, one) + (1.0 - w) * scalar(other, other)) + bent
+            _book(row, output, K, s, rate, rub, plus(now, -1.0, slip))
             write_three(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), now))
             write_three(row, RUB, rub)
             if s == 0.0 and row[BEFORE] > 0.0:
@@ -106,18 +106,28 @@ def crack_forces(pose, bonds, cells, cracks, change, first, last):
 
 
 @device
-def _book(row, output, s, rate, rub, came):
+def _book(row, output, K, s, rate, rub, came):
     """Energy that a crack has dissipated in this step, and what it has rubbed away by the slip that came.
 
     The energy is s times a square of the opening, whose work both schemes book by the trapezoidal rule. What is left
     of its change is -Δs times the product of the openings before and after: the geometric mean of both rates, exactly
     so where the opening does not turn. (Their arithmetic mean misses Δs times the square of the change in opening.)
+    The spring of friction has 1 - s times the square of its stretch, and takes up Δs times the product of both.
     """
-    lost = math.sqrt(max(row[RATE] * rate, 0.0)) * (row[BEFORE] - s)
+    before, last = row[BEFORE], read_three(row, RUB)
+    lost = 0.0
+    if s < before:
+        lost = math.sqrt(max(row[RATE] * rate, 0.0)) * (before - s)
+        after = 1.0 / (K * (1.0 - s))
+        stretch = after * rub[0], after * rub[1], after * rub[2]
+        if before < 1.0:
+            lost -= 0.5 * scalar(last, stretch) * (before - s) / (1.0 - before)
+        else:
+            lost -= 0.5 * K * scalar(plus(stretch, 1.0, came), stretch) * (before - s)
     row[RATE] = rate
     row[SPENT] += lost
     output[LOST] = lost
-    output[RUBBED_AWAY] = 0.5 * (scalar(read_three(row, RUB), came) + scalar(rub, came))
+    output[RUBBED_AWAY] = 0.5 * (scalar(last, came) + scalar(rub, came))
 
 
 @loop(parallel=False)

@@ -15,7 +15,8 @@ from bondem.observe.turned_vectors import turned_vectors
 def crack_index(model: Model, state: State) -> PerBond:
     """Index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength), user's order.
 
-    0 of facets that are not pulled, 1 of those that soften, 0 of broken ones.
+    0 of facets that are not pulled (but of `bd.Rankine` the smaller one of that and of the traction by itself), 1 of
+    those that soften, 0 of broken ones.
 
     Returns:
         Index [-], user's order, shape (m,).
@@ -27,6 +28,7 @@ def crack_index(model: Model, state: State) -> PerBond:
     stress = mean_stress(model, forces)
     mean = 0.5 * (stress[i] + stress[j])
     n, t = turned_vectors(state.orientation[i], facets.normal), forces.force / facets.area[:, None]
+    across = (t * n).sum(axis=1)
     off = t - np.einsum("mab,mb->ma", mean, n)
     both = off[:, :, None] * n[:, None, :]
     along = (off * n).sum(axis=1)[:, None, None]
@@ -34,11 +36,14 @@ def crack_index(model: Model, state: State) -> PerBond:
     strength = np.empty(len(i))
     strength[model.layout.bond_order] = table.strength
     if table.judge is None:
-        index = np.linalg.eigvalsh(agreed)[:, 2] / strength
+        index = np.linalg.eigvalsh(agreed)[:, 2]
+        alone = 0.5 * across + np.sqrt(np.maximum((t * t).sum(axis=1) - 0.75 * across**2, 0.0))
+        index = np.where(across > 0.0, index, np.minimum(index, alone)) / strength
     else:
         scaled = agreed * (table.tension / strength)[:, None, None]
         index = np.array([table.judge.function(one, *table.given) for one in scaled])
-    index = np.where((t * n).sum(axis=1) > 0.0, np.maximum(index, 0.0), 0.0)
+        index[across <= 0.0] = 0.0
+    index = np.maximum(index, 0.0)
     whole = state.bond_integrity
     return np.where(whole == 1.0, index, np.where(whole > 0.0, 1.0, 0.0))
 

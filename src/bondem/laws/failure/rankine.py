@@ -13,10 +13,11 @@ class Rankine(Criterion):
 
         σ1(σ*) ≥ tension,     σ* = σ̄ + Δ⊗n + n⊗Δ - (Δ·n) n⊗n,     Δ = t - σ̄ n
 
-    with σ̄ the mean stress of the two cells and t the traction of the facet, which is pulled (t·n > 0): σ* is the mean
-    tensor made to agree with that traction. A crack softens linearly in its opening, from the traction that the
-    facet has then to the opening 2 G_f / f_t, so that it dissipates G_f per area of the crack whatever way its facets
-    zigzag. Without a fracture energy it breaks at once. Bodies of cells only.
+    with σ̄ the mean stress of the two cells and t the traction of the facet: σ* is the mean tensor made to agree with
+    that traction. A facet that is pressed cracks where its traction alone has such a principal stress, too:
+    t_s² ≥ tension (tension - t_n). A crack softens linearly in its opening, from the traction that the facet has then
+    (its shear where it is pressed) to the opening 2 G_f / f_t, so that it dissipates G_f per area of the crack
+    whatever way its facets zigzag. Without a fracture energy it breaks at once. Bodies of cells only.
 
     Attributes:
         tension: f_t [Pa].
