@@ -79,7 +79,7 @@ def test_two_cells_that_parted_collide_as_a_spring_of_their_facet(failure: str, 
 
 
 @pytest.mark.parametrize(
-    ("failure", "speed", "closes"), [("softening", 20.0, 6e-4), ("brittle", 20.0, 1e-3), ("softening", 100.0, 2e-3)]
+    ("failure", "speed", "closes"), [("softening", 20.0, 3e-4), ("brittle", 20.0, 1e-3), ("softening", 100.0, 1e-3)]
 )
 def test_the_ledger_closes_through_an_impact(failure: str, speed: float, closes: float) -> None:
     """Hundreds of pieces or dust, more friction than fracture: what there was is there."""

@@ -9,7 +9,7 @@ import math
 from bondem._compile import device, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.contact_pairs import let_touch
-from bondem.kernels.crack_energy import crack_energy, halves
+from bondem.kernels.crack_energy import halves, stretched
 from bondem.kernels.crack_list import NEW, known, read_three, treat, weigh_cracked, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -241,13 +241,42 @@ def leave_cracks(pose, bonds, cells, contacts, cracks):
         if now == _CALMED:
             _leave(bonds, cells, cracks, c, RESTING)
         elif now == _TO_PART:
-            k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
-            (one, _), (other, _) = halves(K, w, gap, normal, shares, stresses)
-            across, along = crack_energy(K, w, 0.0, gap, normal, (one, other), read_three(cracks.row[c], RUB))
-            cracks.released[0] += across + along  # none of bending is left
+            cracks.released[0] += _let_go(pose, bonds, cells, cracks, c)
             _leave(bonds, cells, cracks, c, PARTED)
-            _part(pose, bonds, contacts, cracks.row[c], k)
+            _part(pose, bonds, contacts, cracks.row[c], cracks.facet[c])
     return changed
+
+
+@device
+def _let_go(pose, bonds, cells, cracks, c):
+    """Energy of a broken facet whose faces no longer bear on each other [J].
+
+    Of each half that of the force that presses, less what its cell takes up as its stress changes by it; and that of
+    friction.
+    """
+    k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
+    (_, press_i), (_, press_j) = halves(K, w, gap, normal, shares, stresses)
+    lost = stretched(K, 0.0, read_three(cracks.row[c], RUB))
+    for side in range(2):
+        p, part, press = (bonds.i[k], w, press_i) if side == 0 else (bonds.j[k], 1.0 - w, press_j)
+        if press < 0.0:
+            h = 2 * c + side
+            more = press / K * cracks.half[h, ALONG]
+            lost += 0.5 * (part * press * press / K - more * more * _stiffness(pose, cells, cracks, p, h))
+    return lost
+
+
+@device
+def _stiffness(pose, cells, cracks, p, without):
+    """By how much the stress of a cell changes with V θ [Pa/m³], with the half `without` open."""
+    half, after, h, softness = cracks.half, cracks.after, cracks.head[p], 0.0
+    while h >= 0:
+        square = half[h, SQUARE]
+        if h != without and half[h, CLOSED] + pose[p, STRESS] * half[h, PRESSED] < 0.0:
+            square -= half[h, PRESSED] * half[h, ALONG]
+        softness += half[h, LOOSE] * square
+        h = after[h]
+    return cells.weight[p] / (1.0 + cells.weight[p] * softness)
 
 
 @device

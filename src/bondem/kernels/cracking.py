@@ -30,7 +30,7 @@ from bondem.kernels.crack_tables import (
     TREATED,
     TREATED_ONES,
 )
-from bondem.kernels.single_facets import lever, orientation, resistance
+from bondem.kernels.single_facets import column, lever, orientation, resistance
 from bondem.kernels.tables import RUBBED
 from bondem.laws.cell_energy import cross, scalar, turned_by
 from bondem.laws.failure.criterion import SHEAR, TENSION
@@ -55,6 +55,25 @@ def _half_couple(k, w, s, gap, share, stress, opening):
     return stress / w * c[0], stress / w * c[1], stress / w * c[2]
 
 
+@device
+def _normal_couples(both, slid, p, own, normal):
+    """Torques on cells i and j of the normal (n_i + n_j) / |n_i + n_j| that turns with both, and of slip with i.
+
+    Args:
+        both: their sum, from the balance of angular momentum.
+        slid: that of the slip, which turns with cell i.
+        p: orientation of cell i.
+        own: n_i in its frame.
+        normal: that of the crack.
+    """
+    turning = plus(both, -1.0, slid)
+    ni, m = turned_by(p, own), cross(turning, normal)
+    t = cross(ni, m)
+    half = 0.5 / scalar(ni, normal)  # 1 / |n_i + n_j|
+    t = half * t[0], half * t[1], half * t[2]
+    return plus(slid, 1.0, t), plus(turning, -1.0, t)
+
+
 @loop(parallel=False)
 def clear_cracks(cracks):
     """Take off `load` what cracks did a step ago; contacts write theirs anew."""
@@ -71,7 +90,7 @@ def crack_forces(pose, bonds, cells, cracks, change, first, last):
     rows, geometry, integrity = cracks.row, cracks.geometry, cracks.integrity
     pulls, outputs = cracks.pull, cracks.output
     at_i, at_j, flag, friction = bonds.i, bonds.j, cracks.flag, cracks.friction
-    active, listed, facet = cracks.active, cracks.listed, cracks.facet
+    active, listed, facet, facing = cracks.active, cracks.listed, cracks.facet, cells.normal
     for e in range(first, last):
         c = active[e]
         flag[c] = 0
@@ -89,12 +108,13 @@ def crack_forces(pose, bonds, cells, cracks, change, first, last):
         f = plus(f, along, normal)
         ci = _half_couple(K, w, s, gap, shares[0], stresses[0], one)
         cj = _half_couple(K, 1.0 - w, s, gap, shares[1], stresses[1], other)
-        n = crack_couple(gap, f, ci, cj)
+        both, slid = crack_couple(gap, f, ci, cj), cross(now, rub)
+        ni, nj = _normal_couples(both, slid, p, column(facing, k), normal)
         bent, h = bending(p, q, resistance(cells, 1.0, k))
         x, y = cross(read_three(g, ARM_I), f), cross(f, read_three(g, ARM_J))
         write_three(pulls[c], 0, f)
-        write_three(output, TORQUE_I, plus(plus(plus(x, 1.0, ci), 0.5, n), s, h))
-        write_three(output, TORQUE_J, plus(plus(plus(y, 1.0, cj), 0.5, n), -s, h))
+        write_three(output, TORQUE_I, plus(plus(plus(x, 1.0, ci), 1.0, ni), s, h))
+        write_three(output, TORQUE_J, plus(plus(plus(y, 1.0, cj), 1.0, nj), -s, h))
         output[RUBBED_AWAY] = output[LOST] = 0.0
         if change:
             rate = 0.5 / K * (w * scalar(one, one) + (1.0 - w) * scalar(other, other)) + bent
