@@ -1,5 +1,6 @@
 """Whether two runs have the same bits, and a run that is cut off and goes on."""
 
+import hashlib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -16,6 +17,12 @@ def assert_same_bits(first: bd.ExplicitResult, second: bd.ExplicitResult) -> Non
     assert first.state.step == second.state.step
     for name in State.ARRAYS:
         np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
+
+
+def digest(run: bd.ExplicitResult) -> str:
+    """Status, step and every array of the state, as one hash."""
+    parts = (getattr(run.state, name).tobytes() for name in State.ARRAYS)
+    return f"{run.status.value} {run.state.step} {hashlib.sha256(b''.join(parts)).hexdigest()}"
 
 
 class EnoughError(Exception):

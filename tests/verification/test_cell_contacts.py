@@ -2,6 +2,9 @@
 
 import functools
 import math
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +15,7 @@ from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.kernels.crack_tables import FACET, PARTED, STATUS, TOP
 from bondem.solve.timestep import critical_step
-from tests.bits import assert_resumes_to, assert_same_bits
+from tests.bits import assert_resumes_to, digest
 
 E, NU, RHO = 30e9, 0.2, 2400.0
 SIDE = 1e-3
@@ -104,24 +107,41 @@ def test_pieces_that_parted_under_pressure_touch_without_a_jump() -> None:
     assert (parted[:, TOP] == rest).sum() > 10
 
 
-@pytest.mark.parametrize("failure", FAILURES)
-def test_bits_do_not_depend_on_threads_pauses_or_restarts(failure: str, tmp_path: Path) -> None:
+def shattered(failure: str, **more: object) -> bd.ExplicitResult:
+    """A ball that shatters on a wall at 30 m/s."""
     model, state = impact(FAILURES[failure], 30.0)
+    return bd.solve_explicit(model, duration=2e-4, state=state, **more)  # pyright: ignore[reportArgumentType]
 
-    def run(**more: object) -> bd.ExplicitResult:
-        return bd.solve_explicit(model, duration=2e-4, state=state, **more)  # pyright: ignore[reportArgumentType]
 
-    runs = []
-    for count in (1, 2):
+ON_FOUR = """
+from bondem._compile import threads
+from tests.bits import digest
+from tests.verification.test_cell_contacts import FAILURES, shattered
+
+for failure in FAILURES:
+    for count, every in ((2, 40), (4, 25)):
         with threads(count):
-            runs.append(run(every=40))
-    assert len(runs[0].state.touching) or (runs[0].history.energy["contact"] > 0.0).any()
-    assert len(runs[0].events) > 1000
-    assert_same_bits(*runs)
+            print(digest(shattered(failure, every=every)))
+"""
+
+
+def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> None:
+    """On 1, 2 and 4 threads, the latter in a process of their own."""
+    expected: list[str] = []
     with threads(1):
-        assert_same_bits(runs[0], run(every=7))
-        whole = run(every=40, out=tmp_path / "whole.h5")
-        assert_resumes_to(whole, functools.partial(run, every=40, save_every=40), tmp_path / "cut.h5", share=0.5)
+        for failure in FAILURES:
+            whole = shattered(failure, every=40, out=tmp_path / f"{failure}.h5")
+            assert len(whole.state.touching) or (whole.history.energy["contact"] > 0.0).any()
+            assert len(whole.events) > 1000
+            run = functools.partial(shattered, failure, every=40, save_every=40)
+            assert_resumes_to(whole, run, tmp_path / f"{failure} cut.h5", share=0.5)
+            expected += 2 * [digest(whole)]
+    found = subprocess.run(
+        [sys.executable, "-c", ON_FOUR], cwd=Path(__file__).parents[2],
+        env=os.environ | {"NUMBA_NUM_THREADS": "4"}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert found.returncode == 0, found.stderr
+    assert found.stdout.splitlines() == expected
 
 
 def test_cells_touch_where_they_parted_and_not_as_spheres() -> None:
