@@ -5,9 +5,10 @@ and smooth platens press on the flats. Theory is the elastic stress at the centr
 
     σ = k 2P / (π D t),     k = (2 cos³α + cos α + sin α/α)² / (8 (cos α + sin α/α)) · α/sin α     = 0.960 at 10°
 
-in plane stress. Without failure "centre" is σ_z of the cells near the axis over it, and "largest" the largest principal
-stress of all cells: on both end faces, as the disc is thick. A brittle disc splits where that is f_t; one that softens
-bears more, the more so the longer E G_f / f_t² is beside D. Nothing is calibrated; all discs that were tried are kept.
+in plane stress. Without failure "centre" is σ_z of the cells near the axis over it, and "largest" the largest
+principal stress of all cells: on both end faces, as the disc is thick. A brittle disc splits where that is f_t; one
+that softens bears more, the more so the longer E G_f / f_t² is beside D. Nothing is calibrated; all discs that were
+tried are kept.
 
 Run: python benchmarks/brazilian.py [--counts 3000 10000] [--seeds 1 2 3] [--energies 5 20 80] [--out FILE]
 """
@@ -83,7 +84,7 @@ def pressed(body: bd.Lattice, failure: bd.Criterion | None) -> bd.ExplicitResult
 
 
 def elastic(body: bd.Lattice) -> dict[str, float]:
-    """Stress across the loaded diameter in the cells near the axis, and the largest principal one, over the theory."""
+    """Stress across the loaded diameter in the cells near the axis, and the largest principal one, over theory."""
     run = pressed(body, None)
     stress = bd.cell_stress(run.state.model, run.state)
     place, middle = body.particles.position, np.mean(body.particles.envelope.bounds, axis=0)
