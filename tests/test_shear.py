@@ -16,7 +16,7 @@ from bondem.specimen.fabric import Fabric
 BOX = bd.Box(size=(1.0, 0.8, 0.8))
 CYLINDER = bd.Cylinder(radius=0.4, length=1.0)
 BOTH = [pytest.param(BOX, id="box"), pytest.param(CYLINDER, id="cylinder", marks=pytest.mark.validate)]
-CYCLES = 4
+CYCLES = 3
 # of the recipe: strain to either side, inertial number, pressure over modulus, cycles after the radii are fitted
 STRAIN, INERTIAL, SOFT, FITTING = 0.1, 0.01, 1e-3, 2
 
@@ -99,13 +99,12 @@ def test_the_energy_ledger_closes(compacted):
 def test_same_seed_same_bits_and_the_share_done_rises():
     def once(seed: int, told: list[float]) -> Compaction:
         random = draw(seed)
-        return compact(BOX, bd.Uniform(0.25).radii(60, random), random, cycles=1, on_share=told.append)
+        return compact(BOX, bd.Uniform(0.25).radii(40, random), random, cycles=1, on_share=told.append)
 
     shares: list[float] = []
-    one, two, other = once(3, shares), once(3, []), once(4, [])
+    one, two = once(3, shares), once(3, [])
     np.testing.assert_array_equal(one.position, two.position)
     np.testing.assert_array_equal(one.history.records, two.history.records)
-    assert not np.allclose(one.position, other.position)
     assert shares[-1] == 1.0
     assert (np.diff(shares) >= 0.0).all()
 

@@ -66,8 +66,17 @@ def _known(name: str, roots: Mapping[str, Path]) -> bool:
 
 
 def _imports(name: str, roots: Mapping[str, Path]) -> list[str]:
+    names, asked = _named(_file(name, roots).read_text(encoding="utf-8"))
+    found = [one for one in names if _known(one, roots)]
+    # the package loads what it is asked for when it is asked for it: any of its modules may be meant
+    return found + _all_of("bondem", roots["bondem"]) if asked else found
+
+
+@cache
+def _named(text: str) -> tuple[list[str], bool]:
+    """Modules, or names in them, that a source imports, and whether it asks the package itself for names."""
     found: list[str] = []
-    tree = ast.parse(_file(name, roots).read_text(encoding="utf-8"))
+    tree = ast.parse(text)
     whole: set[str] = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
@@ -76,13 +85,9 @@ def _imports(name: str, roots: Mapping[str, Path]) -> list[str]:
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
             # a name of a package may be a module in it
             found += [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
-    found = [one for one in found if _known(one, roots)]
-    # the package loads what it is asked for when it is asked for it: any of its modules may be meant
     asked = {node.attr for node in ast.walk(tree)
              if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in whole}
-    if not all(attribute.startswith("__") for attribute in asked):
-        found += _all_of("bondem", roots["bondem"])
-    return found
+    return found, not all(attribute.startswith("__") for attribute in asked)
 
 
 def _all_of(name: str, folder: Path) -> list[str]:
