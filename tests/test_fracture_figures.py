@@ -1,6 +1,7 @@
-"""Pictures of what fracture leaves, and the example that draws them."""
+"""Pictures of what fracture leaves and of waves, and the scripts that draw them."""
 
 import importlib.util
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,15 +12,17 @@ import bondem as bd
 from bondem.report.crack_pictures import corners_moved, draw_cracks, draw_fragments, piece_colours
 from bondem.report.spheres import View
 
-EXAMPLE = Path(__file__).parents[1] / "examples" / "cracks.py"
+ROOT = Path(__file__).parents[1]
 LAW = bd.CellBond(E=1e9, nu=0.2)
 
 
-def example():
-    spec = importlib.util.spec_from_file_location("cracks_example", EXAMPLE)
+def script(path: str):
+    name = Path(path).stem
+    spec = importlib.util.spec_from_file_location(name, ROOT / path)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
     spec.loader.exec_module(module)
     return module
 
@@ -38,7 +41,7 @@ def broken() -> tuple[bd.Lattice, bd.State]:
 
 def test_a_plate_breaks_with_branches_and_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     """A crack starts once the waves have been at the notch, 20 mm / 3.8 km/s, and stays below Rayleigh's speed."""
-    growth = example().main(count=1000, folder=tmp_path)
+    growth = script("examples/cracks.py").main(count=1000, folder=tmp_path)
     assert 0.25 < growth.speed / 2125.0 < 0.6
     assert 5e-6 < growth.time[0] < 25e-6
     assert growth.length[-1] == pytest.approx(50e-3, abs=4e-3)
@@ -85,3 +88,12 @@ def test_surfaces_of_cracks_are_drawn_facet_by_facet() -> None:
     draw_cracks(bare, body, bd.cracks(body, whole), view=View())
     assert len(bare.collections[-1].get_paths()) == 12
     draw_fragments(Figure().subplots(), body, whole, bd.fragments(body, whole), view=View())
+
+
+def test_waves_of_a_struck_plate_run_at_the_speed_of_the_material(tmp_path: Path) -> None:
+    """9 elements in the pulse: waves of pressure are slow by 2 % there, and the crest is found to some per cent."""
+    speed, pressures = script("benchmarks/stress_waves.py").main(count=5000, folder=tmp_path)
+    assert speed == pytest.approx(np.sqrt(70e9 / 2500.0 / (1.0 - 0.22**2)), rel=0.03)
+    first, second = [(np.abs(p) < 1e-3 * np.abs(p).max()).mean() for p in pressures]
+    assert first > 0.4 > second
+    assert (tmp_path / "stress_waves.png").stat().st_size > 50_000

@@ -5,9 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize
 
 from bondem._types import Floats, Mask
 from bondem.report.spheres import View
+from bondem.report.style import DIVERGING
 from bondem.specimen.cells.polyhedra import Polyhedra
 
 _LIGHT = np.array([-0.45, 0.60, 0.66]) / np.linalg.norm([-0.45, 0.60, 0.66])
@@ -129,6 +131,25 @@ def draw_section(ax: Axes, section: CellSection, colour: Floats, *, scale: float
     ax.add_collection(
         PolyCollection([scale * one for one in section.outline], facecolors=face, edgecolors="white", linewidths=0.35)
     )
+    _frame(ax, section, scale)
+
+
+def draw_field(ax: Axes, section: CellSection, value: Floats, *, scale: float = 1e3) -> PolyCollection:
+    """Draw a section with the values of the cells, (n,), about zero; what a colour bar is made from.
+
+    The strongest colours begin at the value that 1.5 % of the cells exceed.
+    """
+    top = float(np.quantile(np.abs(value), 0.985))
+    field = PolyCollection(
+        [scale * one for one in section.outline], array=value[section.cell], cmap=DIVERGING,
+        norm=Normalize(-top, top), edgecolors="face", linewidths=0.35,
+    )  # fmt: skip
+    ax.add_collection(field)
+    _frame(ax, section, scale)
+    return field
+
+
+def _frame(ax: Axes, section: CellSection, scale: float) -> None:
     every = scale * np.concatenate(section.outline)
     margin = 0.02 * np.ptp(every, axis=0).max()
     lower, upper = every.min(axis=0) - margin, every.max(axis=0) + margin
