@@ -114,7 +114,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
     while done < span.steps:
         t = scheme.origin + (span.step + done) * dt
         if paused and not moved:
-            apply_schedules(t, dt, schedules, rows)
+            apply_schedules(t, dt, schedules, rows, elements.pose)
             if threaded:
                 open_step(elements, rows, scheme, added)
             else:

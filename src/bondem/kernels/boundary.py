@@ -8,6 +8,7 @@ import math
 
 from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import branch
+from bondem.laws.rotations import rotate
 
 
 @device
@@ -30,11 +31,26 @@ def value_at(schedules, s, t):
 
 
 @loop(parallel=False)
-def apply_schedules(t, dt, schedules, rows):
+def _turned_load(force, load, amplitude, x):
+    """Add a load that has turned with its element, whose row of the pose is x."""
+    for d in (0, 3):
+        a, b, c = rotate(x[4], x[5], x[6], x[7], load[d], load[d + 1], load[d + 2])
+        force[d] += amplitude * a
+        force[d + 1] += amplitude * b
+        force[d + 2] += amplitude * c
+
+
+@loop(parallel=False)
+def apply_schedules(t, dt, schedules, rows, pose):
     """Set the rows' forces at time t, their velocities at t, and those over the step from t to t + dt."""
     rows.force[:] = 0.0
+    turning = len(schedules.load_turns) > 0
     for e in range(len(schedules.load_row)):
         amplitude = value_at(schedules, schedules.load_schedule[e], t)
+        if turning and schedules.load_turns[e] >= 0:
+            x = pose[schedules.load_turns[e]]
+            _turned_load(rows.force[schedules.load_row[e]], schedules.load_value[e], amplitude, x)
+            continue
         for d in range(6):
             rows.force[schedules.load_row[e], d] += amplitude * schedules.load_value[e, d]
     for e in range(len(schedules.drive_row)):
@@ -103,7 +119,7 @@ def strain_bonds(t, dt, first, strain, schedules, pose, bonds, work):
 @kernel(parallel=False)
 def set_boundary(t, dt, first, schedules, rows, pose, bonds, added, strain):
     """Loads, drives, body forces and strains of time t; `first` where it is not reached by a step."""
-    apply_schedules(t, dt, schedules, rows)
+    apply_schedules(t, dt, schedules, rows, pose)
     if added is not None:
         pull_bodies(t, added, schedules)
     if strain is not None:

@@ -220,6 +220,7 @@ class Schedules(NamedTuple):
     load_row: np.ndarray
     load_schedule: np.ndarray
     load_value: np.ndarray  #: [N, N·m], (…, 6)
+    load_turns: np.ndarray  #: element with which each turns, or -1; (0,) where none does
 
 
 class Gauges(NamedTuple):

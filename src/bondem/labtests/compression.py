@@ -27,7 +27,7 @@ def uniaxial_compression(
         body: cut into cells.
         law: its material.
         failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy.
-        pressure: on the sides, a membrane [Pa]; 0 is uniaxial compression.
+        pressure: on the sides, a membrane that turns with the cells [Pa]; 0 is uniaxial compression.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
         reach: strain at which it ends at the latest, over that of the expected peak [-].

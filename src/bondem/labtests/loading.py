@@ -162,7 +162,8 @@ def _platens(body: Lattice, loading: Loading, speed: float, begin: float) -> lis
         Drive(Face("x_max"), vx=Ramp(0.0, speed, begin)),
     ]
     if loading.pressure > 0.0:
-        found += [Pressure(Face(name), loading.pressure, schedule=Ramp(0.0, 1.0, begin)) for name in sides]
+        rise, follows = Ramp(0.0, 1.0, begin), body.cells is not None
+        found += [Pressure(Face(name), loading.pressure, schedule=rise, follows=follows) for name in sides]
     return found
 
 

@@ -29,6 +29,7 @@ class Constraints:
         drive_row, drive_dof, drive_schedule, drive_rate: one entry a driven degree of freedom; `drive_rate`
             tells velocities (1) from displacements (0).
         load_row, load_schedule, load_value: one entry a loaded element; values [N, N·m] are (…, 6).
+        load_turns: element with which each load turns, or -1; (0,) where none does.
         absorbing: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], zero where motion is prescribed,
             shape (r, 6), or (0, 6) without any.
         body_on: which elements each body force acts on, shape (b, n); body_value, body_schedule: its
@@ -52,6 +53,7 @@ class Constraints:
     load_row: np.ndarray
     load_schedule: np.ndarray
     load_value: Floats
+    load_turns: np.ndarray
     absorbing: Floats
     body_on: np.ndarray
     body_value: Floats
@@ -87,7 +89,7 @@ class Constraints:
         owns = np.zeros(n, dtype=bool)
         schedules: list[Schedule] = []
         drives: list[tuple[np.ndarray, int, int, bool]] = []
-        loads: list[tuple[np.ndarray, int, Floats]] = []
+        loads: list[tuple[np.ndarray, int, Floats, bool]] = []
         presses: list[tuple[PerElement, int]] = []
         dashpots = np.zeros((n, 6))
         bodies: list[tuple[np.ndarray, tuple[float, float, float], int]] = []
@@ -110,7 +112,7 @@ class Constraints:
                 case Load() | Pressure():
                     chosen, nodal = condition.nodal(lattice)
                     chosen = layout.rank[chosen]
-                    loads.append((chosen, len(schedules), nodal))
+                    loads.append((chosen, len(schedules), nodal, _follows(condition, lattice)))
                     if cells is not None and is_face(condition.region):
                         presses.append((_pressed(condition, lattice, cells)[layout.order], len(schedules)))
                     schedules.append(condition.schedule)
@@ -154,8 +156,11 @@ class Constraints:
             drive_schedule=_joined_rows([np.full(len(c), s) for c, _, s, _ in drives]),
             drive_rate=_joined_rows([np.full(len(c), rate) for c, _, _, rate in drives]).astype(np.uint8),
             load_row=_joined_rows([row_of[chosen] for chosen, *_ in loads]),
-            load_schedule=_joined_rows([np.full(len(c), s) for c, s, _ in loads]),
-            load_value=np.concatenate([nodal for *_, nodal in loads]) if loads else np.zeros((0, 6)),
+            load_schedule=_joined_rows([np.full(len(c), s) for c, s, *_ in loads]),
+            load_value=np.concatenate([nodal for _, _, nodal, _ in loads]) if loads else np.zeros((0, 6)),
+            load_turns=_joined_rows(
+                [np.where(turns, chosen, -1) for chosen, *_, turns in loads] if any(t for *_, t in loads) else []
+            ),
             absorbing=dashpots[element] if dashpots.any() else np.zeros((0, 6)),
             body_on=np.array([on for on, *_ in bodies], dtype=bool).reshape(len(bodies), n),
             body_value=np.array([value for _, value, _ in bodies], dtype=float).reshape(-1, 3),
@@ -175,6 +180,7 @@ class Constraints:
             times=self.times, values=self.values, start=self.start, drive_row=self.drive_row,
             drive_dof=self.drive_dof, drive_schedule=self.drive_schedule, drive_rate=self.drive_rate,
             load_row=self.load_row, load_schedule=self.load_schedule, load_value=self.load_value,
+            load_turns=self.load_turns,
         )  # fmt: skip
 
     def rows(self, reaction: Floats, work: Floats) -> Rows:
@@ -230,6 +236,17 @@ class Constraints:
         held = np.zeros((n, 6), dtype=bool)
         held[self.element] = self.fixed.astype(bool)
         return held
+
+
+def _follows(condition: Load | Pressure, body: Lattice) -> bool:
+    if not isinstance(condition, Pressure) or not condition.follows:
+        return False
+    if body.cells is None:
+        raise InputError(
+            "Pressure(follows=True) turns with facets, and bonded spheres have none; connect them with"
+            " method='laguerre', or leave follows out"
+        )
+    return True
 
 
 def _pressed(condition: Load | Pressure, body: Lattice, cells: CellConstants) -> PerElement:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import KDTree
 
-from bondem._checks import number, vector
+from bondem._checks import instance, number, vector
 from bondem._types import Floats, Ints, PerBond
 from bondem.errors import InputError
 from bondem.model.balance import balanced_forces
@@ -48,22 +48,26 @@ class Pressure:
     The face is cut into patches of a quarter of the mean radius; each hands its force to the nearest element of the
     face. Resultant and moment are those of the patches: what moving their forces to the centres of the elements adds
     to the moment is taken out by the smallest forces. Cells take it on their own facets. The normals are those of the
-    reference.
+    reference, or turn with the cells: a membrane, also about what has come loose. Static solutions, being linear,
+    take those of the reference.
 
     Attributes:
         region: a face, or part of one: `Face("side") & Within(...)`, `Face("x_max") - Index(...)`.
         pressure: [Pa]; tension is negative.
         schedule: factor over time [-].
+        follows: whether the normals turn with the cells; of bodies of cells only.
     """
 
     region: Region
     pressure: float
     schedule: Schedule = Constant(1.0)
+    follows: bool = False
 
     def __post_init__(self) -> None:
         face_of("Pressure", self.region)
         object.__setattr__(self, "pressure", number("Pressure", "pressure", self.pressure, unit="Pa"))
         object.__setattr__(self, "schedule", as_schedule("Pressure", "schedule", self.schedule))
+        instance("Pressure", "follows", self.follows, bool, "True or False")
 
     def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
         """Facets of a body, numbers in `cells.free`, and the force on each [N], (p, 3), at full load."""
