@@ -308,9 +308,6 @@ def test_bad_input_is_refused_in_one_line():
     beam = bd.EulerBernoulli(E=1.0, nu=0.3, radius_ratio=0.5)
     with pytest.raises(bd.errors.InputError, match="all cells of a body"):
         bd.Model(block(4, 4, 4), {bd.Everything(): bd.CellBond(E=1.0, nu=0.3), bd.Face("x_min"): beam}, 1.0)
-    hot = bd.Model(block(4, 4, 4), bd.CellBond(E=1.0, nu=0.3), 1.0, boundary=[bd.Eigenstrain(1e-3)])
-    with pytest.raises(bd.errors.InputError, match="set_eigenstrain"):
-        bd.solve_explicit(hot, duration=1.0)
     with pytest.raises(bd.errors.InputError, match="follow no law"):
         bd.Model(block(4, 4, 4), {bd.Face("x_min"): bd.CellBond(E=1.0, nu=0.3)}, 1.0)
 

@@ -71,8 +71,9 @@ def moved_points(lattice: Lattice, state: State, facet: Ints, points: Floats) ->
     i, j = lattice.pairs[facet].T
     q, P = state.orientation, state.plastic_deformation
     stretch = np.ones(len(lattice.pairs))
-    if state.eigenstrain.size:
-        stretch[state.layout.bond_order] += state.eigenstrain
+    strain = state.stress_free_strain
+    if strain.size:
+        stretch[state.layout.bond_order] += strain
     arm = points - lattice.centre[i]
     other = arm - lattice.branch[facet]
     grown = stretch[facet, None]

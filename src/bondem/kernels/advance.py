@@ -5,6 +5,7 @@ import numpy as np
 from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import rotation_guard
 from bondem.kernels.boundary import apply_schedules, set_boundary
+from bondem.kernels.cell_strain import strain_body
 from bondem.kernels.contact_pass import contact_loads, outdated
 from bondem.kernels.crack_pass import clear_crack_loads
 from bondem.kernels.element_pass import open_step, open_step_serial
@@ -51,11 +52,12 @@ def guard(motion, work, contacts, budget):
 
 
 @loop(parallel=False)
-def move_holds(t, schedules, body):
-    """Bring walls that hold cells, and tractions on them, to time t, where there are any."""
+def move_holds(t, dt, schedules, body):
+    """Bring walls that hold cells, tractions on them and their stress-free strains to time t, where there are any."""
     if body is not None:  # decided when compiled
         place_walls(t, body.grips)
         press(t, schedules, body.presses, body.cells.given)
+        strain_body(t, dt, False, schedules, body, body.strain)
 
 
 @device
@@ -135,7 +137,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
         looked = now % GUARD_INTERVAL == 0 or done == span.steps
         paused = sampled or looked
         set_boundary(t, dt, False, schedules, rows, elements.pose, bonds, added, strain)
-        move_holds(t, schedules, body)
+        move_holds(t, dt, schedules, body)
         set_clock(breaks, t, now)
         set_body_clock(body, t, now)
         all_forces(run, same, history, body, non_local, scheme, added, contacts, breaks, not paused)

@@ -9,6 +9,7 @@ from bondem._compile import kernel, loop, prange
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.breaking import break_bonds, let_go, lists
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
+from bondem.kernels.cell_strain import book_strains
 from bondem.kernels.cell_stress import take_moments, take_shared_moments
 from bondem.kernels.crack_pass import crack_before, crack_between
 from bondem.kernels.dashpots import collect_dashpots, damp_bonds
@@ -132,6 +133,7 @@ def swell_body(elements, bonds, body, cut, rows, contacts, breaks):
     body.presses.came[:] = 0.0
     if len(grips.cell) > 0:
         hand_on(pose, rest, grips, rows)
+    book_strains(pose, bonds, body, body.strain, rows.work)
     if breaks is not None:
         judge_facets(pose, bonds, cells, breaks)
 

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem.kernels.crack_tables import CrackTable
+from bondem.kernels.strain_tables import StrainedCells
 
 # Columns of a row of the pose, and of the motion.
 QUATERNION = 4
@@ -173,6 +174,7 @@ class Body(NamedTuple):
     grips: GripTable
     presses: PressTable
     cracks: CrackTable | None  #: facets that soften and cells that yield
+    strain: StrainedCells | None  #: stress-free strains that change
 
 
 class StepCut(NamedTuple):

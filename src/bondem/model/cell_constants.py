@@ -157,16 +157,19 @@ class CellConstants:
             pitch=self.pitch,
         )
 
-    def stretched(self, strain: PerBond) -> "CellConstants":
+    def stretched(self, strain: PerBond, layout: Layout) -> "CellConstants":
         """The same with cells that would be larger without stress, as their facets' ε* say.
 
+        Those at walls reach for them by the mean of their facets.
+
         Args:
-            strain: ε* [-], kernels' order, shape (m,), or (0,) for none.
+            strain: ε* [-], kernels' order, as these constants are in, shape (m,), or (0,) for none.
+            layout: that order.
         """
         if strain.size == 0:
             return self
-        stretch = 1.0 + strain[:, None]
-        return replace(self, lever_i=self.lever_i * stretch, lever_j=self.lever_j * stretch)
+        stretch, grips = 1.0 + strain[:, None], self.grips.grown(layout.of_elements(strain))
+        return replace(self, lever_i=self.lever_i * stretch, lever_j=self.lever_j * stretch, grips=grips)
 
     def damaged(self, integrity: PerBond, i: Ints, j: Ints) -> "CellConstants":
         """The same with facets of some integrity s: of what they lack, 1 - s, they are free facets of both cells.
@@ -289,8 +292,9 @@ def _grips(cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: 
     # a wall that holds the normal keeps the facet plane
     flat = ((axes * normal) ** 2).sum(axis=1)
     H = _resistance(free.moment[facet], normal, stiffness * flat, rotation)
+    lever = free.centroid[facet] - cells.centroid[cell]
     return Grips(
-        cell=cell, k=stiffness * free.area[facet], lever=free.centroid[facet] - cells.centroid[cell],
+        cell=cell, k=stiffness * free.area[facet], lever=lever, arm=lever,
         share=axes * free.area[facet, None] * n_free[facet], H=H, axes=axes, motion=holds.final_motion(),
         holds=holds,
     )  # fmt: skip

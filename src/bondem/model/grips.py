@@ -6,11 +6,11 @@ in the others the facet stays free.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bondem._types import Floats, Ints, Mask, PerElement3, PerElement6
+from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
 from bondem.kernels.tables import GripTable
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.layout import Layout
@@ -82,6 +82,7 @@ class Grips:
         cell: of each, shape (g,).
         k: 2 G A / d [N/m], shape (g,).
         lever: from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
+        arm: the same without stress: longer where cells have a stress-free strain [m], shape (g, 3).
         share: A M⁻¹n along the held axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
         H: resistance to rotation, where the normal is held [N·m], shape (g, 3, 3).
         axes: whether the facet is held along x, y, z, as 0 and 1, shape (g, 3).
@@ -92,11 +93,16 @@ class Grips:
     cell: Ints
     k: Floats
     lever: Floats
+    arm: Floats
     share: Floats
     H: Floats
     axes: Floats
     motion: Floats
     holds: Holds
+
+    def grown(self, strain: PerElement) -> "Grips":
+        """The same of cells with a stress-free strain [-], user's order, (n,)."""
+        return replace(self, arm=self.lever * (1.0 + strain[self.cell, None]))
 
     def gap(self, displacement: PerElement3, rotation: PerElement3, wall: Floats | None = None) -> Floats:
         """How far walls are from their facets along the held axes, for small motions [m], shape (g, 3).
@@ -152,7 +158,7 @@ class Grips:
         cell, count, holds = layout.rank[self.cell], len(self.cell), self.holds
         tables = [schedule.table for schedule in holds.drives]
         return GripTable(
-            cell=cell, row=row_of[cell], k=self.k, lever=self.lever, arm=self.lever.copy(),
+            cell=cell, row=row_of[cell], k=self.k, lever=self.lever, arm=self.arm.copy(),
             share=self.share,
             H=np.ascontiguousarray(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]), axes=self.axes, drive=holds.drive,
             rate=np.array(holds.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Ints
+from bondem._types import Ints, PerBond, PerElement
 from bondem.kernels.tables import Adjacency
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.morton import morton_code
@@ -64,6 +64,13 @@ class Layout:
             out_start=_starts(i, n),
             out_bond=out_bond.astype(np.uint32),
         )
+
+    def of_elements(self, value: PerBond) -> PerElement:
+        """Mean over the bonds of each element, user's order, (n,), of what bonds have, (m,); 0 without bonds."""
+        n = len(self.order)
+        ends = np.concatenate([self.i, self.j]).astype(np.int64)
+        count = np.maximum(np.bincount(ends, minlength=n), 1)
+        return (np.bincount(ends, np.concatenate([value, value]), minlength=n) / count)[self.rank]
 
     @property
     def adjacency(self) -> Adjacency:

@@ -11,6 +11,7 @@ from bondem.kernels.crack_tables import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT,
 from bondem.kernels.non_local import STORED, TAKEN
 from bondem.kernels.tables import BROKEN_COLUMNS, lines
 from bondem.kernels.walls import COLUMNS, FORCE, RATE, WORK
+from bondem.model.loads import Eigenstrain
 from bondem.model.origin import Origin, difference
 from bondem.model.walls import Free, Servo, Wall
 
@@ -296,6 +297,16 @@ class State:
             raise InputError(f"eigenstrain: give finite values above -1, one or ({count},), not {values.shape}")
         self.eigenstrain = np.broadcast_to(values, (count,))[self.layout.bond_order].copy()
         self.stale = True
+
+    @property
+    def stress_free_strain(self) -> PerBond:
+        """ε* of each bond now [-], that of the state and of `Eigenstrain`, kernels' order, (m,), or (0,) for none."""
+        strain = self.eigenstrain
+        for condition in self.model.boundary:
+            if isinstance(condition, Eigenstrain):
+                part = condition.parts(self.model.lattice)[self.layout.bond_order]
+                strain = (strain if strain.size else 0.0) + condition.schedule.at(self.time) * part
+        return strain
 
     def set_pose(self, *, position: np.ndarray | None = None, orientation: np.ndarray | None = None) -> None:
         """Move the elements to centres [m] (n, 3) and unit quaternions (n, 4), user's order.

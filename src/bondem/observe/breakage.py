@@ -96,14 +96,14 @@ def failure_index(model: Model, state: State) -> PerBond:
     if table is None:
         raise InputError("failure_index needs a criterion: give the model failure=bd.PeripheralStress(...)")
     layout = model.layout
-    bonds = model.bonds.stretched(state.eigenstrain).rows(layout, model.period, state.integrity)
+    bonds = model.bonds.stretched(state.stress_free_strain).rows(layout, model.period, state.integrity)
     if model.cells is None:
         found = bond_indices(state.pose, bonds, table.kind, table.coefficient, table.station)
     else:
         found = np.empty(bonds.m)
         pose = state.pose.copy()
         pose[:, STRESS] = CellForces.of(model, state).stress[layout.order]
-        cells = model.cells.stretched(state.eigenstrain).rows(layout.i)
+        cells = model.cells.stretched(state.stress_free_strain, layout).rows(layout.i)
         facet_indices(pose, bonds, cells, table.kind, table.coefficient, found)
     own = np.empty_like(found)
     own[layout.bond_order] = found

@@ -1,6 +1,6 @@
 """Forces on the facets of the cells of a body, and where they act: in small motions, or in the pose of a state."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
@@ -10,11 +10,11 @@ from bondem._types import Floats, PerBond3, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.grip_pass import place_walls
-from bondem.model.cell_constants import body_of
+from bondem.model.cell_constants import CellConstants, body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
-from bondem.observe.energy import stress_free_gap
+from bondem.observe.energy import stress_free_gap, wall_motion
 from bondem.observe.facet_loads import loads_on_facets
 from bondem.observe.turned_vectors import turned_vectors
 
@@ -81,9 +81,10 @@ class CellForces:
 
 def _small(model: Model, result: SmallMotion) -> CellForces:
     body, constants = model.lattice, model.cell_constants
-    grips, slip = constants.grips, stress_free_gap(model, model.constraints.final_strain())
+    strain = model.constraints.final_strain()
+    grips, slip, wall = constants.grips, stress_free_gap(model, strain), wall_motion(model, strain)
     found = CellStrain.of(
-        body, constants, result.displacement, result.rotation, slip=slip, wall=grips.motion, pressed=model.pressed
+        body, constants, result.displacement, result.rotation, slip=slip, wall=wall, pressed=model.pressed
     )
     stress = found.stress(constants)
     _, cells = body_of(body)
@@ -99,18 +100,14 @@ def _turned(model: Model, state: State) -> CellForces:
     body, constants = model.lattice, model.cell_constants
     _, cells = body_of(body)
     i, j = body.pairs.T
-    if state.eigenstrain.size:
-        own = np.empty_like(state.eigenstrain)
-        own[model.layout.bond_order] = state.eigenstrain
-        constants = constants.stretched(own)
-    q = state.orientation
     if model.softening is not None and (len(state.cracks) or state.plastic.any()):
         return _failing(model, state)
+    q, constants = state.orientation, _grown(model, state)
     a, b = turned_vectors(q[i], constants.lever_i), turned_vectors(q[j], constants.lever_j)
     gap = body.particles.nearest(state.position[j] - state.position[i]) + b - a
     share_i, share_j = turned_vectors(q[i], constants.share_i), turned_vectors(q[j], constants.share_j)
     grips, n = constants.grips, len(cells.volume)
-    arm = turned_vectors(q[grips.cell], grips.lever)
+    arm = turned_vectors(q[grips.cell], grips.arm)
     came = state.displacement[grips.cell] + arm - grips.lever
     opened = grips.axes * (_walls(model, state.time) - came)
     whole = state.bond_integrity
@@ -126,7 +123,7 @@ def _turned(model: Model, state: State) -> CellForces:
     return CellForces(
         force=whole[:, None] * force, arm_i=a, arm_j=b,
         held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
-        load=loads_on_facets(model, state.time),
+        load=loads_on_facets(model, state.time, q),
         load_arm=turned_vectors(q[free.cell], outwards),
         stress=stress,
     )  # fmt: skip
@@ -136,14 +133,14 @@ def _failing(model: Model, state: State) -> CellForces:
     """Those of the last step of a state with cracks, or with cells that have yielded, as the run has left them."""
     if state.stale:
         raise InputError("cell_stress: the state has cracks and was changed by hand; run a step first")
-    body, constants, layout = model.lattice, model.cell_constants, model.layout
+    body, constants, layout = model.lattice, _grown(model, state), model.layout
     _, cells = body_of(body)
     i, j = body.pairs.T
     q, grips, free = state.orientation, constants.grips, cells.free
     force = np.empty((len(i), 3))
     force[layout.bond_order] = np.where(layout.flipped[:, None], -1.0, 1.0) * state.facet_force.T
     P = state.plastic_deformation
-    arm = turned_vectors(q[grips.cell], np.einsum("gab,gb->ga", P[grips.cell], grips.lever))
+    arm = turned_vectors(q[grips.cell], np.einsum("gab,gb->ga", P[grips.cell], grips.arm))
     opened = grips.axes * (_walls(model, state.time) - (state.displacement[grips.cell] + arm - grips.lever))
     stress = state.pose[layout.rank, STRESS]
     return CellForces(
@@ -151,10 +148,21 @@ def _failing(model: Model, state: State) -> CellForces:
         arm_i=turned_vectors(q[i], np.einsum("mab,mb->ma", P[i], constants.lever_i)),
         arm_j=turned_vectors(q[j], np.einsum("mab,mb->ma", P[j], constants.lever_j)),
         held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
-        load=loads_on_facets(model, state.time),
+        load=loads_on_facets(model, state.time, q),
         load_arm=turned_vectors(q[free.cell], free.centroid - cells.centroid[free.cell]),
         stress=stress,
     )  # fmt: skip
+
+
+def _grown(model: Model, state: State) -> CellConstants:
+    """The constants, user's order, with the stress-free strain of a state."""
+    constants, layout, strain = model.cell_constants, model.layout, state.stress_free_strain
+    if not strain.size:
+        return constants
+    stretch = np.empty((len(strain), 1))
+    stretch[layout.bond_order, 0] = 1.0 + strain
+    grips = constants.grips.grown(layout.of_elements(strain))
+    return replace(constants, lever_i=constants.lever_i * stretch, lever_j=constants.lever_j * stretch, grips=grips)
 
 
 def _walls(model: Model, time: float) -> Floats:

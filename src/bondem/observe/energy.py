@@ -67,9 +67,9 @@ def _cell_energy(
 ) -> EnergyParts:
     body, constants = model.lattice, model.cell_constants
     grips = constants.grips
-    slip = stress_free_gap(model, strain)
+    slip, wall = stress_free_gap(model, strain), wall_motion(model, strain)
     pressed = model.pressed
-    found = CellStrain.of(body, constants, displacement, rotation, slip=slip, wall=grips.motion, pressed=pressed)
+    found = CellStrain.of(body, constants, displacement, rotation, slip=slip, wall=wall, pressed=pressed)
     facets, cells = body_of(body)
     # ½ V λ θ² is the potential of cells and loads; less the work of the loads on the openings of their facets
     force = loads_on_facets(model)
@@ -99,23 +99,39 @@ def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
     return -own[:, None] * model.lattice.branch
 
 
-def elastic_energy(model: Model, state: State, *, wall: Floats | None = None) -> EnergyParts:
+def wall_motion(model: Model, strain: PerBond | None) -> Floats:
+    """How far walls have come towards facets of cells, less what these have grown by the same strains [m], (g, 3)."""
+    grips = model.cell_constants.grips
+    if strain is None:
+        return grips.motion
+    return grips.motion + grips.lever - grips.grown(model.layout.of_elements(strain)).arm
+
+
+def elastic_energy(model: Model, state: State) -> EnergyParts:
     """Energy of a state under the total formulation, at any rotation.
 
-    Walls that hold cells, and tractions on them, are where the time of the state has brought them; or walls where
-    `wall` [m], (g, 3), says, and tractions as the model's own cells have them.
+    Walls that hold cells, tractions on them and stress-free strains are those of the time of the state.
 
     Raises:
         InputError: a state with cracks that soften, or with cells that have yielded.
+    """
+    return energy_of(model, state, state.stress_free_strain)
+
+
+def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | None = None) -> EnergyParts:
+    """That of a state with stress-free strains ε* [-], kernels' order, (m,) or (0,) for none.
+
+    Walls are where `wall` [m], (g, 3), says, and tractions as the model's own cells have them, or as of
+    `elastic_energy`.
     """
     if len(state.cracks) or state.plastic.any():
         raise InputError(
             "elastic_energy: a state with cracks or plastic strains; run.history.energy has its energies"
         )
-    bonds = model.bonds.rows(model.layout, model.period, state.integrity)
+    bonds = model.bonds.stretched(strain).rows(model.layout, model.period, state.integrity)
     if model.cells is None:
         return EnergyParts(*bond_energies(state.pose, bonds))
-    layout, constants = model.layout, model.cells.stretched(state.eigenstrain)
+    layout, constants = model.layout, model.cells.stretched(strain, model.layout)
     grips = constants.grips.table(layout, model.constraints.row_of, 0)
     if wall is None:
         place_walls(state.time, grips)

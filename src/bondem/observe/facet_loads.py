@@ -7,15 +7,22 @@ from bondem.model.boundary import Load
 from bondem.model.cell_constants import body_of
 from bondem.model.loads import Pressure, is_face
 from bondem.model.model import Model
+from bondem.observe.turned_vectors import turned_vectors
 
 
-def loads_on_facets(model: Model, time: float | None = None) -> Floats:
-    """Forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end."""
+def loads_on_facets(model: Model, time: float | None = None, orientation: Floats | None = None) -> Floats:
+    """Forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end.
+
+    Pressures that follow have turned with their cells, whose quaternions are given, (n, 4); without they are in the
+    axes of their cells.
+    """
     _, cells = body_of(model.lattice)
     force = np.zeros((len(cells.free.cell), 3))
     for condition in model.boundary:
         if isinstance(condition, Pressure) or (isinstance(condition, Load) and is_face(condition.region)):
             numbers, values = condition.on_facets(model.lattice)
             schedule = condition.schedule
+            if orientation is not None and isinstance(condition, Pressure) and condition.follows:
+                values = turned_vectors(orientation[cells.free.cell[numbers]], values)
             force[numbers] += (schedule.final if time is None else schedule.at(time)) * values
     return force

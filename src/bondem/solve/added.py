@@ -3,6 +3,8 @@
 import numpy as np
 
 from bondem._types import Floats
+from bondem.kernels.cell_strain import PORTION
+from bondem.kernels.strain_tables import StrainedCells
 from bondem.kernels.tables import Added, Strain
 from bondem.laws.damping import DampingTerms
 from bondem.model.bond_table import with_zeros
@@ -59,6 +61,23 @@ def changing_strain(model: Model, state: State) -> Strain | None:
         factor=np.zeros((4, len(held.strain_part))),
         place=held.works[1],
     )
+
+
+def changing_cells(model: Model, state: State) -> StrainedCells | None:
+    """The same of cells."""
+    held, cells, layout = model.constraints, model.cells, model.layout
+    if cells is None or not len(held.strain_part):
+        return None
+    count, still = len(held.strain_part), state.eigenstrain if state.eigenstrain.size else np.zeros(len(layout.i))
+    wall = cells.grips.cell
+    return StrainedCells(
+        schedule=held.strain_schedule, base_i=np.ascontiguousarray(cells.lever_i.T),
+        base_j=np.ascontiguousarray(cells.lever_j.T), still=1.0 + still, part=held.strain_part,
+        wall_base=cells.grips.lever, wall_still=1.0 + layout.of_elements(still)[wall],
+        wall_part=np.array([layout.of_elements(part)[wall] for part in held.strain_part]),
+        place=held.works[1], factor=np.zeros((4, count)), power=np.zeros((-(-len(still) // PORTION), count)),
+        due=np.zeros(1, dtype=np.uint8),
+    )  # fmt: skip
 
 
 def bond_dashpots(model: Model, terms: DampingTerms) -> Floats:

@@ -20,7 +20,7 @@ def body_tables(model: Model, integrity: Floats) -> tuple[Bonds, Body]:
     grips.wall[:] = cells.grips.motion
     # tractions are those of the constants, and do not change
     none = PressTable(np.zeros((0, len(layout.order))), np.zeros(0, dtype=np.int64), 0, np.zeros(0), np.zeros(0))
-    return model.bonds.rows(layout, model.period, integrity), Body(cells.rows(layout.i), grips, none, None)
+    return model.bonds.rows(layout, model.period, integrity), Body(cells.rows(layout.i), grips, none, None, None)
 
 
 def _cells(model: Model) -> CellConstants:
@@ -89,7 +89,7 @@ def current_forms(model: Model, pose: Floats, pattern: bsr_array) -> bsr_array:
             forms[diagonal[leaving] + 1 + place - layout.out_start[leaving], 0] = towards[layout.out_bond]
     grips = cells.grips
     held = layout.rank[grips.cell]
-    lever = turned_vectors(pose[held, 4:], grips.lever)
+    lever = turned_vectors(pose[held, 4:], grips.arm)
     np.add.at(forms[:, 0], diagonal[held], -np.hstack([grips.share, np.cross(lever, grips.share)]))
     return bsr_array((forms, pattern.indices, start), shape=(len(pose), 6 * len(pose)))
 
@@ -98,7 +98,7 @@ def grip_blocks(model: Model, pose: Floats) -> tuple[np.ndarray, Floats]:
     """Cells that walls hold, and what the walls add to their diagonal blocks in the present pose, (g,), (g, 6, 6)."""
     order, grips = model.layout.order, _cells(model).grips
     held = model.layout.rank[grips.cell]
-    arm = turned_vectors(pose[held, 4:], grips.lever)
+    arm = turned_vectors(pose[held, 4:], grips.arm)
     moved = pose[held, :3] + arm - model.lattice.centre[order][held] - grips.lever
     force = grips.k[:, None] * grips.axes * (grips.motion - moved) + pose[held, STRESS, None] * grips.share
     own, _ = grips.blocks(arm)

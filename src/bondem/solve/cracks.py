@@ -64,7 +64,7 @@ def joints(model: Model, state: State, integrity: PerBond) -> tuple[PerBond, Per
         state: what has cracked so far.
         integrity: of the bonds as the loop over them has it; at least (m,).
     """
-    apart = model.bonds.stretched(state.eigenstrain).length.copy()
+    apart = model.bonds.stretched(state.stress_free_strain).length.copy()
     if model.softening is None:
         return integrity, apart
     joined = (state.integrity > 0.0).astype(float)
@@ -140,7 +140,7 @@ def _flow(
         cohesion=np.full(n, 0.0 if slip is None else slip.strength), sine=0.0 if slip is None else slip.slope,
         dilation=0.0 if slip is None else slip.dilation, fade=table.fade, G=G,
         base_i=bare if slip is None else cells.lever_i.copy(), base_j=bare if slip is None else cells.lever_j.copy(),
-        base_grip=grips.lever.copy(), pressed=_pressed(model), plastic=state.plastic,
+        base_grip=grips.arm.copy(), pressed=_pressed(model), plastic=state.plastic,
     )  # fmt: skip
 
 

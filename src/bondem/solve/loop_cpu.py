@@ -7,6 +7,7 @@ from bondem.errors import InputError
 from bondem.kernels import tables
 from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance, clear_loads
 from bondem.kernels.boundary import set_boundary
+from bondem.kernels.cell_strain import book_strains, strain_body
 from bondem.kernels.contact_pass import contact_loads
 from bondem.kernels.crack_tables import FACET
 from bondem.kernels.facet_breaking import weigh_all
@@ -32,7 +33,7 @@ from bondem.model.bond_table import with_zeros
 from bondem.model.gauges import AnyGauge, Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.added import added, changing_strain
+from bondem.solve.added import added, changing_cells, changing_strain
 from bondem.solve.breakage import breaking, keep_broken
 from bondem.solve.cracks import crack_table, joints, keep_cracks, take_up, with_forces
 from bondem.solve.neighbour_list import ContactList
@@ -71,7 +72,7 @@ class CpuLoop:
         terms = DampingTerms.of(plan.damping)
         self._scheme = tables.StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, self._origin)
         bonds = model.bonds.stretched(state.eigenstrain)
-        changing = len(held.strain_part) > 0
+        changing = len(held.strain_part) > 0 and model.cells is None
         if changing:  # their lengths change while it runs
             bonds = bonds.separate()
         self._same = None if changing or model.cells is not None or model.non_local is not None else bonds.alike
@@ -107,7 +108,7 @@ class CpuLoop:
         self._still = noticeable(model, dt)
         self._body, self._cracks = None, None
         if model.cells is not None:
-            strained = model.cells.stretched(state.eigenstrain)
+            strained = model.cells.stretched(state.eigenstrain, layout)
             if model.softening is None:
                 strained = strained.damaged(state.integrity, layout.i, layout.j)
             grips = strained.grips.table(layout, held.row_of, held.works[2])
@@ -119,13 +120,15 @@ class CpuLoop:
             if model.softening is not None:
                 table = with_forces(table, model, state, blocks.rows)
             self._cracks = crack_table(model, state, table, grips, load, dt)
-            self._body = Body(table, grips, presses, self._cracks)
+            self._body = Body(table, grips, presses, self._cracks, changing_cells(model, state))
+            now = self._origin + state.step * dt
+            strain_body(now, dt, True, held.schedules, self._body, self._body.strain)
             if self._cracks is not None:
                 take_up(state.pose, self._run.bonds, table, grips, self._cracks)
             if self._breaks is not None:  # as they are weighed anew where a facet breaks, to the bit
                 weigh_all(self._run.bonds, self._body.cells, self._breaks)
         self._added = added(model, terms, state, blocks.rows + waiting)
-        self._strain = changing_strain(model, state)
+        self._strain = changing_strain(model, state) if model.cells is None else None
         self._history = with_zeros(state.history) if model.formulation == "incremental" else None
         self._non_local = None
         if model.non_local is not None and self._history is not None:
@@ -144,11 +147,14 @@ class CpuLoop:
         if self._body is not None:
             press(t, run.schedules, self._body.presses, self._body.cells.given)
             self._body.presses.came[:] = 0.0
+            strain_body(t, dt, True, run.schedules, self._body, self._body.strain)
         if self._body is not None and len(self._body.grips.cell):
             place_walls(t, self._body.grips)
             self._body.grips.came[:] = 0.0
             grip_loads(pose, run.elements.rest, self._body.grips)
             give(self._body.grips, run.rows)
+        if self._body is not None and not self.state.stale:
+            book_strains(pose, bonds, self._body, self._body.strain, run.rows.work)
         if self.state.stale:
             self._evaluate()
             self._keep()

@@ -92,9 +92,10 @@ def strained(model: Model, share: float) -> Model:
     twin = copy(model)
     twin.__dict__["bonds"] = model.bonds.stretched(strain)
     if model.cells is not None:
-        grips = replace(model.cells.grips, motion=share * model.cells.grips.motion)
+        cells = model.cells.stretched(strain, model.layout)
+        grips = replace(cells.grips, motion=share * cells.grips.motion)
         pressed = share * model.constraints.final_press()
-        twin.__dict__["cells"] = replace(model.cells.stretched(strain), grips=grips, pressed=pressed)
+        twin.__dict__["cells"] = replace(cells, grips=grips, pressed=pressed)
     return twin
 
 

@@ -10,7 +10,7 @@ from bondem.kernels.dynamic_relaxation import Relaxation, relax_bonds
 from bondem.kernels.tables import lines
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observe.energy import elastic_energy
+from bondem.observe.energy import energy_of
 from bondem.solve.nonlinear import rotation_vector, strained
 from bondem.solve.static import StaticResult
 from bondem.solve.timestep import stiffest
@@ -93,7 +93,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     values = turned[layout.rank]
     reaction = np.where(held, -relaxation.before - load, 0.0)[layout.rank]
     return StaticResult(
-        values[:, :3].copy(), values[:, 3:].copy(), reaction, elastic_energy(model, state),
+        values[:, :3].copy(), values[:, 3:].copy(), reaction, energy_of(model, state, state.eigenstrain),
         iterations=done, residual=float(ratio),
     )  # fmt: skip
 

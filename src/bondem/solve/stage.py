@@ -37,10 +37,6 @@ def begin(model: Model, state: State | None) -> State:
     Warns:
         StageWarning: a schedule that began before the state's time, and was not in the run that made the state.
     """
-    if model.cells is not None and len(model.constraints.strain_part):
-        raise InputError(
-            "Eigenstrain of cells acts in static solutions; give an explicit run its strain by state.set_eigenstrain"
-        )
     own = State(model) if state is None else state.copy()
     before = None if state is None or state.time == 0.0 else state.model
     if state is not None:

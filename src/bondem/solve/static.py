@@ -9,7 +9,7 @@ from bondem._types import Floats, PerBond, PerElement, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.observe.cell_strain import CellStrain
-from bondem.observe.energy import EnergyParts, elastic_energy, linear_energy, stress_free_gap
+from bondem.observe.energy import EnergyParts, energy_of, linear_energy, stress_free_gap, wall_motion
 from bondem.solve.lagged import LaggedStatics
 from bondem.solve.linear import System, solver
 from bondem.solve.nonlinear import follow, strained
@@ -74,7 +74,8 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     values = bent.motion[layout.rank]
     reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n), 0.0)
     end = strained(model, 1.0)
-    energy = elastic_energy(end, bent.state, wall=None if end.cells is None else end.cells.grips.motion)
+    wall = None if end.cells is None else end.cells.grips.motion
+    energy = energy_of(end, bent.state, bent.state.eigenstrain, wall=wall)
     return StaticResult(
         values[:, :3].copy(), values[:, 3:].copy(), (reaction + bent.walls)[layout.rank], energy,
         iterations=bent.rounds, residual=bent.residual,
@@ -185,7 +186,7 @@ def strain_load(model: Model, strain: PerBond) -> Floats:
     if model.cells is not None:
         body, still = model.lattice, np.zeros((len(layout.order), 3))
         constants, slip = model.cell_constants, stress_free_gap(model, strain)
-        wall = constants.grips.motion
+        wall = wall_motion(model, strain)
         found = CellStrain.of(body, constants, still, still, slip=slip, wall=wall, pressed=model.pressed)
         return found.nodal(body, constants)[layout.order].ravel()
     push = bonds.kn * bonds.length * strain * bonds.direction
@@ -209,7 +210,7 @@ def of_walls(model: Model, displacement: PerElement3, rotation: PerElement3, str
     if model.cells is None:
         return 0.0
     constants, slip = model.cell_constants, stress_free_gap(model, strain)
-    wall, pressed = constants.grips.motion, model.pressed
+    wall, pressed = wall_motion(model, strain), model.pressed
     found = CellStrain.of(model.lattice, constants, displacement, rotation, slip=slip, wall=wall, pressed=pressed)
     return found.of_walls(len(displacement), constants)
 
