@@ -241,6 +241,23 @@ def same(one: State, other: State) -> None:
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
 
 
+@pytest.mark.parametrize("pressure", [1e6, 6e6])
+def test_a_pressed_facet_cracks_by_its_own_shear(pressure: float) -> None:
+    """σ_zz of the strength everywhere: facets across x, under (-p, τ), crack from τ² = f_t (f_t + p) on."""
+    model = model_of(grid((3, 3, 3)), 0.0)
+    lattice, least = model.lattice, np.sqrt(STRENGTH * (STRENGTH + pressure))
+    assert lattice.facets is not None
+    across = (np.abs(lattice.facets.normal[:, 0]) > 0.5) & (lattice.pairs == 13).any(axis=1)  # of the cell amidst
+    for shear, begins in ((0.98 * least, 0), (1.02 * least, 2)):
+        stress = np.array([[-pressure, shear, 0.0], [shear, 0.0, 0.0], [0.0, 0.0, 1.02 * STRENGTH]])
+        state = model.state()
+        state.set_pose(position=lattice.centre @ (np.eye(3) + stress / E))
+        run = bd.solve_explicit(model, duration=2e-10, dt=1e-10, state=state)
+        facet = model.layout.bond_order[run.state.cracks[:, FACET].astype(int)]
+        assert across[facet].sum() == begins
+        assert len(facet) > 0
+
+
 def test_friction_holds_a_closed_crack_until_it_slips() -> None:
     """Two cubes, their facet broken and pressed: it bears shear up to μ times the pressure."""
     size, pressed, across = 1e-3, 1e-8, 2e-8
