@@ -28,10 +28,13 @@ def _size(s):
 
 @device
 def reaches(onset, s, scale, matrix):
-    """Whether a stress s times `scale` reaches the criterion; a small one does without a call."""
+    """Whether a stress s times `scale` reaches the criterion; a small one does without a call.
+
+    What is no number reaches it: a facet that breaks is seen, one that never breaks is not.
+    """
     if scale * _size(s) < onset.least:
         return False
-    return stress_index(onset, s, scale, matrix) >= 1.0
+    return not stress_index(onset, s, scale, matrix) < 1.0
 
 
 @loop(parallel=False)

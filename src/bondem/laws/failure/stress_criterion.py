@@ -41,7 +41,7 @@ class StressCriterion(Criterion):
     of cells only.
 
     Args:
-        function: of the stress and the parameters; it returns the index [-].
+        function: of the stress and the parameters; it returns the index [-]. What is no number breaks a facet.
         fracture_energy: G_f [J/m²]; None is brittle.
         friction: μ on the faces of closed cracks [-].
         scatter: how strengths differ from facet to facet.
