@@ -8,8 +8,10 @@ import sys
 from collections.abc import Iterator
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 import bondem as bd
+from bondem.kernels.cell_pass import STRESS
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
@@ -20,6 +22,11 @@ GAUGES = {
     "fastest": bd.Gauge(bd.Everything(), "velocity", "max_abs"),
     "turned": bd.Gauge(bd.Everything(), "rotation"),
     "spin": bd.Gauge(bd.Everything(), "angular_velocity", "sum"),
+}
+CELL_GAUGES = {
+    "end": bd.Gauge(bd.Face("x_max"), "displacement"),
+    "wall": bd.Gauge(bd.Face("x_min"), "force", "sum"),
+    "loaded": bd.Gauge(bd.Face("y_max"), "force", "max_abs"),
 }
 
 
@@ -48,6 +55,52 @@ def cell() -> bd.Model:
     return bd.Model(bd.connect(particles, reach=1.15), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6), 1000.0)
 
 
+def body(*counts: int, periodic: bool = False, seed: int = 1) -> bd.Lattice:
+    """A crooked box, or periodic cell, of unit cells."""
+    rng = np.random.default_rng(seed)
+    grid = np.indices(counts).reshape(3, -1).T + 0.5
+    shape = bd.Cell(size=counts) if periodic else bd.Box(counts)
+    return bd.connect(
+        bd.Particles(grid + rng.uniform(-0.2, 0.2, grid.shape), rng.uniform(0.25, 0.3, len(grid)), shape=shape),
+        method="laguerre",
+    )
+
+
+def free_body() -> tuple[bd.Model, State]:
+    """A body of cells that bears compression badly, turned far as a whole, some of its facets damaged."""
+    model = bd.Model(body(3, 3, 3), bd.CellBond(E=1e7, nu=-0.2, facet_rotation="full"), density=1000.0)
+    state, far = moving(model), Rotation.from_rotvec([1.5, -1.0, 0.7])
+    turned = np.tile(far.as_quat()[[3, 0, 1, 2]], (27, 1))
+    state.set_pose(position=far.apply(state.position) + [1.0, 2.0, 3.0], orientation=turned)
+    state.integrity[[3, 17]] = 0.0, 0.4
+    return model, state
+
+
+def held_bar() -> bd.Model:
+    """A bar of two materials, held by one face, driven by another and loaded on a third; one cell is driven inside."""
+    lattice = body(4, 3, 3)
+    law = {bd.Everything(): bd.CellBond(E=1e7, nu=0.2), bd.Index(range(12)): bd.CellBond(E=2e7, nu=0.3)}
+    boundary = [
+        bd.Fix(bd.Face("x_min")),
+        bd.Drive(bd.Face("x_max"), x=bd.Ramp(0.0, 0.2, 0.02), vy=bd.Ramp(0.0, 3.0, 0.02)),
+        bd.Load(bd.Face("y_max"), force=(2e5, -1e5, 1e5), schedule=bd.Ramp(0.0, 1.0, 0.02)),
+        bd.Fix(bd.Face("z_min"), "z", ""),
+        bd.Drive(bd.Index([16]), rx=bd.Ramp(0.0, 0.2, 0.03)),
+    ]
+    return bd.Model(lattice, law, density=np.linspace(900.0, 1100.0, 36), boundary=boundary)
+
+
+def pressed_bar() -> bd.Model:
+    """A nearly incompressible bar between a smooth wall and pressures that change, on a face twice."""
+    boundary = [
+        bd.Fix(bd.Face("x_min"), "x", ""),
+        bd.Pressure(bd.Face("x_max"), 2e5, schedule=bd.Ramp(0.0, 1.0, 0.02)),
+        bd.Pressure(bd.Face("y_max"), 1e5, schedule=bd.Ramp(1.0, 0.0, 0.03)),
+        bd.Load(bd.Face("y_max"), force=(0.0, 2e5, 1e5), schedule=bd.Ramp(0.0, 1.0, 0.04)),
+    ]
+    return bd.Model(body(4, 2, 3), bd.CellBond(E=1e7, nu=0.45), density=1000.0, boundary=boundary)
+
+
 def moving(model: bd.Model, speed: float = 0.5) -> State:
     """A state in which all velocities have a sign: at rest, rounding would choose that of local damping."""
     rng = np.random.default_rng(7)
@@ -74,6 +127,18 @@ def results(device: str) -> Iterator[tuple[str, ExplicitResult]]:
     state = moving(model)
     state.set_eigenstrain(1e-3 * np.random.default_rng(3).standard_normal(len(model.lattice.pairs)))
     yield "cell", go(model, state, 36, 2e-3, every=6)
+    model, state = free_body()
+    yield "free cells", go(model, state, 15, 1e-3, every=3)
+    model = held_bar()
+    yield "held cells", go(model, moving(model), 24, 1e-3, damping=damped, gauges=CELL_GAUGES, every=6)
+    yield "paused cells", go(model, moving(model), 24, 1e-3, damping=damped, every=0, save_every=13)
+    model = pressed_bar()
+    yield "pressed cells", go(model, moving(model), 24, 8e-4, scheme=scheme, gauges=CELL_GAUGES, every=5)
+    model = bd.Model(body(3, 3, 3, periodic=True), bd.CellBond(E=1e7, nu=0.2), density=1000.0)
+    state = moving(model)
+    state.set_eigenstrain(1e-2 * np.random.default_rng(3).standard_normal(len(model.lattice.pairs)))
+    yield "periodic cells", go(model, state, 15, 1e-3, damping=damped, every=3)
+    model = cell()
     yield "wild", go(model, moving(model, speed=300.0), 12, 2e-3, every=3)
 
 
@@ -81,8 +146,10 @@ def main() -> None:
     device, out = sys.argv[1:]
     arrays = {}
     for name, result in results(device):
-        for field in ("pose", "motion", "acceleration", "loss", "work", "reaction"):
+        for field in ("motion", "acceleration", "loss", "work", "reaction"):
             arrays[f"{name}/{field}"] = getattr(result.state, field)
+        arrays[f"{name}/pose"] = np.delete(result.state.pose, STRESS, axis=1)
+        arrays[f"{name}/stress"] = result.state.pose[:, STRESS]
         arrays[f"{name}/records"] = result.history.records
         arrays[f"{name}/end"] = np.array([result.status.name, result.message])
     np.savez(out, **arrays)

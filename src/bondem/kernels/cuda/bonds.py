@@ -54,6 +54,19 @@ def bond_forces(elements, bonds):
     forces[6, k], forces[7, k], forces[8, k] = bx, by, bz
 
 
+@device
+def count_turned(flags, c, w2, integrity):
+    """Count a bond in what `rotation_guard` finds."""
+    # counts of whole numbers: the order in which threads add changes nothing
+    if not (c * c + w2 < 4.0):
+        cuda.atomic.add(flags, 2, 1)
+    if integrity > 0.0:
+        if c < 0.7 or w2 < 0.75:
+            cuda.atomic.add(flags, 0, 1)
+        if c <= 0.0 or w2 <= 0.25:
+            cuda.atomic.add(flags, 1, 1)
+
+
 @cuda_kernel
 def rotation_guard(elements, bonds, flags):
     """Add to `flags` (3,) the bonds beyond the valid range, beyond its end, and with numbers that are not finite."""
@@ -70,12 +83,4 @@ def rotation_guard(elements, bonds, flags):
         pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
         constants[0, k], constants[1, k], constants[2, k],
     )  # fmt: skip
-    c = min(c1, c2)
-    # counts of whole numbers: the order in which threads add changes nothing
-    if not (c * c + w2 < 4.0):
-        cuda.atomic.add(flags, 2, 1)
-    if bonds.integrity[k] > 0.0:
-        if c < 0.7 or w2 < 0.75:
-            cuda.atomic.add(flags, 0, 1)
-        if c <= 0.0 or w2 <= 0.25:
-            cuda.atomic.add(flags, 1, 1)
+    count_turned(flags, min(c1, c2), w2, bonds.integrity[k])

@@ -8,7 +8,7 @@ both, with its dozen arrays, it would take the CPU twice the time for a step.)
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.boundary import interpolate
-from bondem.kernels.element_rows import loaded, prescribed, react, row_power, switched_energy
+from bondem.kernels.element_rows import gripped, loaded, prescribed, react, row_power, switched_energy
 from bondem.kernels.tables import DAMPED, INVERSE_INERTIA, INVERSE_MASS, POWER
 from bondem.laws.damping import direction, local_damping
 from bondem.laws.rotations import turn
@@ -105,7 +105,7 @@ def open_step(elements, rows, scheme):
 
 @cuda_kernel
 def move(clock, tick, elements, adjacency, forces, rows, scheme, go_on):
-    """Add up an element's bonds, close the step, and open the next or not; the clock goes on by `tick`.
+    """Add up an element's bonds or facets, close the step, and open the next or not; the clock goes on by `tick`.
 
     Bonds are added as on the CPU: those with j = p, then those with i = p, both ascending.
     """
@@ -137,6 +137,7 @@ def move(clock, tick, elements, adjacency, forces, rows, scheme, go_on):
     m, u = motion[p, INVERSE_MASS], motion[p, INVERSE_INERTIA]
     r = rows.of[p]
     if r >= 0:
+        f, t = gripped(rows.grip, r, f, t)
         react(rows.reaction, r, f, t)
         rows.work[r] += 0.5 * dt * row_power(rows.fixed, rows.force, rows.reaction, r, v, w)
         f, t = loaded(rows.fixed, rows.force, r, f, t)
