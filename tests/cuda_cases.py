@@ -71,13 +71,13 @@ def free_body() -> tuple[bd.Model, State]:
     model = bd.Model(body(3, 3, 3), bd.CellBond(E=1e7, nu=-0.2, facet_rotation="full"), density=1000.0)
     state, far = moving(model), Rotation.from_rotvec([1.5, -1.0, 0.7])
     turned = np.tile(far.as_quat()[[3, 0, 1, 2]], (27, 1))
-    state.set_pose(position=far.apply(state.position) + [1.0, 2.0, 3.0], orientation=turned)
+    state.set_pose(position=far.apply(state.position) + np.arange(3.0), orientation=turned)
     state.integrity[[3, 17]] = 0.0, 0.4
     return model, state
 
 
 def held_bar() -> bd.Model:
-    """A bar of two materials, held by one face, driven by another and loaded on a third; one cell is driven inside."""
+    """A bar of two materials, held by one face, driven by another, loaded on a third; a cell is driven inside."""
     lattice = body(4, 3, 3)
     law = {bd.Everything(): bd.CellBond(E=1e7, nu=0.2), bd.Index(range(12)): bd.CellBond(E=2e7, nu=0.3)}
     boundary = [
@@ -132,12 +132,15 @@ def results(device: str) -> Iterator[tuple[str, ExplicitResult]]:
     model = held_bar()
     yield "held cells", go(model, moving(model), 24, 1e-3, damping=damped, gauges=CELL_GAUGES, every=6)
     yield "paused cells", go(model, moving(model), 24, 1e-3, damping=damped, every=0, save_every=13)
+    begun = go(model, moving(model), 11, 1e-3, damping=damped, gauges=CELL_GAUGES, every=0).state
+    yield "resumed cells", go(model, begun, 24, 1e-3, damping=damped, gauges=CELL_GAUGES, every=6)
     model = pressed_bar()
     yield "pressed cells", go(model, moving(model), 24, 8e-4, scheme=scheme, gauges=CELL_GAUGES, every=5)
     model = bd.Model(body(3, 3, 3, periodic=True), bd.CellBond(E=1e7, nu=0.2), density=1000.0)
     state = moving(model)
     state.set_eigenstrain(1e-2 * np.random.default_rng(3).standard_normal(len(model.lattice.pairs)))
     yield "periodic cells", go(model, state, 15, 1e-3, damping=damped, every=3)
+    yield "wild cells", go(model, moving(model, speed=300.0), 12, 2e-3, every=3)
     model = cell()
     yield "wild", go(model, moving(model, speed=300.0), 12, 2e-3, every=3)
 

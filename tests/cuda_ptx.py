@@ -15,7 +15,7 @@ import numpy as np
 from numba.cuda import dispatcher
 
 import cuda_cases
-from bondem.solve import loop_cuda
+from bondem.solve import forces_cuda, loop_cuda
 from bondem.solve.plan import Plan
 
 CAPABILITY = (9, 0)
@@ -48,14 +48,18 @@ def main() -> None:
             signature = numba.types.void(*map(numba.typeof, map(plain, arguments)))
             ptx[name] = numba.cuda.compile_ptx(kernel.py_func, signature, cc=CAPABILITY)[0]
 
-    loop_cuda.launch = compiled
-    loop_cuda.upload = lambda array: np.array(array, order="C").view(OnHost)
-    loop_cuda.zeros = lambda *shape: np.zeros(shape).view(OnHost)
+    for module in (loop_cuda, forces_cuda):
+        module.launch = compiled
+        module.upload = lambda array: np.array(array, order="C").view(OnHost)
+        module.zeros = lambda *shape: np.zeros(shape).view(OnHost)
     loop_cuda.download = lambda array, target: None
     loop_cuda.recorded = lambda work: lambda: work(0)
     loop_cuda.missing = lambda: None
-    for model in (cuda_cases.bar(), cuda_cases.cell()):
-        plan = Plan(duration=1.0, gauges=cuda_cases.GAUGES, damping=cuda_cases.bd.LocalDamping(0.1), every=3)
+    for model, gauges in (
+        (cuda_cases.bar(), cuda_cases.GAUGES), (cuda_cases.cell(), cuda_cases.GAUGES),
+        (cuda_cases.held_bar(), cuda_cases.CELL_GAUGES),
+    ):  # fmt: skip
+        plan = Plan(duration=1.0, gauges=gauges, damping=cuda_cases.bd.LocalDamping(0.1), every=3)
         loop = loop_cuda.GpuLoop(model, plan, cuda_cases.moving(model), 1e-3)
         loop.look()
         loop.run(10)

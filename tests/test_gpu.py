@@ -4,6 +4,7 @@ import dataclasses
 import importlib
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -13,6 +14,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
+from bondem.kernels.tables import FIXED_COLUMNS, TRANSLATION, WORK
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
@@ -44,17 +46,24 @@ def outcomes(tmp_path_factory):
         return dict(cpu), dict(gpu)
 
 
-@pytest.mark.parametrize("case", ["bar", "paused", "dissipative", "cell"])
+BEAMS = "bar", "paused", "dissipative", "cell"
+CELLS = "free cells", "held cells", "paused cells", "resumed cells", "pressed cells", "periodic cells"
+FIELDS = "pose", "stress", "motion", "acceleration", "loss", "work", "reaction"
+
+
+@pytest.mark.parametrize("case", BEAMS + CELLS)
 def test_simulated_device_agrees_with_cpu_to_rounding(outcomes, case: str, record: Record) -> None:
     cpu, gpu = outcomes
     assert cpu[f"{case}/end"].tolist() == gpu[f"{case}/end"].tolist()
-    for field in ("pose", "motion", "acceleration", "loss", "work", "reaction"):
+    for field in FIELDS:
         expected, found = cpu[f"{case}/{field}"], gpu[f"{case}/{field}"]
         scale = np.abs(expected).max(initial=0.0)
+        if field == "work" and case in CELLS:  # that of walls is booked with the rows of their cells
+            expected, found = expected.sum(), found.sum()
         np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-12 * scale, err_msg=field)
         record("simulated device", np.abs(found - expected).max(initial=0.0) / (scale or 1.0))
     records = cpu[f"{case}/records"]
-    assert (len(records) > 3) is (case != "paused")
+    assert (len(records) > 2) is not case.startswith("paused")
     scale = np.abs(records).max(axis=0, initial=0.0)
     scale[1:11] = scale[1:11].max()  # energies come and go: their sum is what rounding is measured by
     apart = (gpu[f"{case}/records"] - records) / np.where(scale, scale, 1.0)
@@ -62,33 +71,55 @@ def test_simulated_device_agrees_with_cpu_to_rounding(outcomes, case: str, recor
     record("simulated device", np.abs(apart).max(initial=0.0))
 
 
-def test_pausing_changes_no_bit_on_the_device(outcomes) -> None:
+def test_cells_do_all_that_a_device_knows(outcomes) -> None:
+    """Walls, loads, tractions, damping and dilatation count in these runs, so that leaving one out would be seen."""
+    cpu, _ = outcomes
+    for case in CELLS:
+        assert np.abs(cpu[f"{case}/stress"]).max() > 1e3
+    for case in ("held cells", "pressed cells"):
+        records, work = cpu[f"{case}/records"], cpu[f"{case}/work"]
+        assert abs(records[-1, WORK]) > 0.1 * records[-1, TRANSLATION:WORK].sum()
+        assert abs(work[-1]) > 0.01 * np.abs(work).max()  # of walls and tractions
+        assert (np.abs(records[-1, FIXED_COLUMNS:]) > 0.0).all()
+    assert cpu["held cells/loss"].any()
+
+
+@pytest.mark.parametrize(
+    ("whole", "parted"), [("bar", "paused"), ("held cells", "paused cells"), ("held cells", "resumed cells")]
+)
+def test_pausing_changes_no_bit_on_the_device(outcomes, whole: str, parted: str) -> None:
     _, gpu = outcomes
-    for field in ("pose", "motion", "acceleration", "loss", "work", "reaction"):
-        np.testing.assert_array_equal(gpu[f"bar/{field}"], gpu[f"paused/{field}"])
+    for field in FIELDS:
+        np.testing.assert_array_equal(gpu[f"{whole}/{field}"], gpu[f"{parted}/{field}"])
 
 
-def test_a_wild_run_ends_as_on_the_cpu(outcomes) -> None:
+@pytest.mark.parametrize("case", ["wild", "wild cells"])
+def test_a_wild_run_ends_as_on_the_cpu(outcomes, case: str) -> None:
     for outcome in outcomes:
-        assert outcome["wild/end"][0] == "UNSTABLE"
+        assert outcome[f"{case}/end"][0] == "UNSTABLE"
     cpu, gpu = outcomes
-    assert cpu["wild/end"][1] == gpu["wild/end"][1]
-    np.testing.assert_array_equal(cpu["wild/pose"], gpu["wild/pose"])  # the start is kept
+    assert cpu[f"{case}/end"][1] == gpu[f"{case}/end"][1]
+    np.testing.assert_array_equal(cpu[f"{case}/pose"], gpu[f"{case}/pose"])  # the start is kept
 
 
 def test_all_kernels_compile_without_a_driver() -> None:
     pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
     ptx = json.loads(run("cuda_ptx.py"))
     assert set(ptx) == {
-        "bond_forces", "rotation_guard", "schedule_rows", "open_step", "move",
-        "element_sums", "bond_sums", "gauge_sums", "fold", "write_record",
+        "bond_forces", "rotation_guard", "bond_sums",
+        "swell", "stress_cells", "facet_loads", "turn_guard", "facet_sums",
+        "schedule_rows", "open_step", "move", "element_sums", "gauge_sums", "fold", "write_record",
     }  # fmt: skip
     for name, text in ptx.items():
         assert ".visible .entry" in text, name
-        assert ".f32" not in text, f"{name} leaves double precision"
+        # numbers of single precision are stored for facets, never reckoned with
+        singles = [line for line in text.splitlines() if ".f32" in line]
+        stored = re.compile(r"\s*(ld\.global|cvt\.f64|\.reg )\.f32")
+        assert all(map(stored.match, singles)), f"{name} leaves double precision"
         assert ".approx" not in text, f"{name} divides or takes roots approximately"
-    assert "fma.rn.f64" in ptx["bond_forces"]
-    assert "call" not in ptx["bond_forces"], "scalar functions are not inlined"
+    for name in ("bond_forces", "swell", "facet_loads"):
+        assert "fma.rn.f64" in ptx[name]
+        assert "call" not in ptx[name], f"{name}: scalar functions are not inlined"
 
 
 def model_and_plan(**options) -> tuple[bd.Model, Plan]:
@@ -99,9 +130,24 @@ def model_and_plan(**options) -> tuple[bd.Model, Plan]:
 
 def test_what_the_device_cannot_do_is_refused() -> None:
     pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
-    for options in ({"contact": bd.LinearContact(E=1e7)}, {"formulation": "incremental"}):
-        with pytest.raises(InputError, match=r"cannot run .* use device='cpu'"):
+    gravity = bd.BodyForce((0.0, 0.0, -9.81))
+    for options, what in (
+        ({"contact": bd.LinearContact(E=1e7)}, "contacts and walls"),
+        ({"formulation": "incremental"}, "the incremental formulation"),
+        ({"boundary": gravity}, "other than Fix, Drive, Load and Pressure"),
+        ({"failure": bd.Elliptic(elongation=0.01, rotation=0.1)}, "bonds or facets that break"),
+    ):
+        with pytest.raises(InputError, match=rf"cannot run .*{what} yet; use device='cpu'"):
             bd.solve_explicit(model_and_plan(**options)[0], duration=1e-6, device="gpu")
+    pair = bd.Particles([[0.4, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.3, shape=bd.Box((2, 1, 1)))
+    body = bd.connect(pair, method="laguerre")
+    for bond, options, what in (
+        (bd.CellBond(E=1e7, nu=0.2), {"failure": bd.Rankine(tension=1e5)}, "bonds or facets that break"),
+        (bd.CellBond(E=1e7, nu=0.2), {"boundary": gravity}, "other than Fix, Drive, Load and Pressure"),
+        (bd.NonLocal(E=1e7, nu=0.2), {}, "the non-local law"),
+    ):
+        with pytest.raises(InputError, match=rf"cannot run .*{what} yet; use device='cpu'"):
+            bd.solve_explicit(bd.Model(body, bond, 1000.0, **options), duration=1e-6, device="gpu")
     with pytest.raises(InputError, match="choose 'cpu' or 'gpu'"):
         bd.solve_explicit(model_and_plan()[0], duration=1e-6, device="tpu")
 

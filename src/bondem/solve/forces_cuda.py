@@ -15,9 +15,10 @@ import numpy as np
 
 from bondem._compile_cuda import Array, launch, upload, zeros
 from bondem.kernels.cuda import sample
-from bondem.kernels.cuda.bonds import bond_forces, rotation_guard
+from bondem.kernels.cuda.bonds import bond_forces
 from bondem.kernels.cuda.cells import facet_sums, stress_cells
-from bondem.kernels.cuda.facets import facet_loads, swell, turn_guard
+from bondem.kernels.cuda.facets import facet_loads, swell
+from bondem.kernels.cuda.guards import rotation_guard, turn_guard
 from bondem.kernels.cuda.tables import DeviceBonds, DeviceElements, DeviceFacets, DeviceHolds, RowSchedules
 from bondem.kernels.tables import Adjacency, GripTable, Rows, StepScheme
 from bondem.model.cell_constants import CellConstants
@@ -52,7 +53,7 @@ class DeviceForces(Protocol):
         ...
 
     def guard(self, flags: Array) -> None:
-        """Count bonds that are turned too far, as `kernels.cuda.bonds.rotation_guard` does."""
+        """Count bonds that are turned too far, as `kernels.cuda.guards` do."""
         ...
 
     def sums(self, parts: Array) -> None:
@@ -78,7 +79,7 @@ class BeamForces:
         self._bonds = DeviceBonds._make([self.m, *map(upload, arrays), zeros(9, self.m)])
         self.forces = self._bonds.forces
 
-    def act(self, ahead: int, stream: Any = 0) -> None:  # noqa: ARG002  nothing but the poses counts
+    def act(self, ahead: int, stream: Any = 0) -> None:
         """One launch."""
         launch(bond_forces, self.m, self._elements, self._bonds, stream=stream)
 
@@ -94,7 +95,7 @@ class BeamForces:
         launch(sample.bond_sums, parts.shape[1], self._elements, self._bonds, parts)
 
 
-class CellForces:
+class FacetForces:
     """Of the facets of a body of cells, and of walls that hold some of them."""
 
     def __init__(self, model: Model, state: State, run: DeviceRun) -> None:
@@ -125,9 +126,11 @@ class CellForces:
 
     def _stress(self, ahead: int, stream: Any) -> None:
         clock, scheme, elements, adjacency, rows, schedules = self._run
-        launch(swell, self.m, elements, self._facets, stream=stream)
+        pose, facets = elements.pose, self._facets
+        launch(swell, self.m, elements, facets, stream=stream)
+        # what a launch is given must fit into 4 KB: no whole tables where two of their arrays do
         launch(
-            stress_cells, elements.pose.shape[0], clock, ahead, scheme, elements, self._facets, adjacency, rows,
+            stress_cells, pose.shape[0], clock, ahead, scheme, pose, facets.weight, facets.forces, adjacency, rows,
             schedules, self._grips, self._holds, stream=stream,
         )  # fmt: skip
 

@@ -24,7 +24,7 @@ from bondem.model.gauges import Gauge
 from bondem.model.loads import Pressure
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.forces_cuda import BeamForces, CellForces, DeviceForces, DeviceRun, starts
+from bondem.solve.forces_cuda import BeamForces, DeviceForces, DeviceRun, FacetForces, starts
 from bondem.solve.loop_cpu import gauge_tables, noticeable
 from bondem.solve.plan import Plan
 
@@ -52,9 +52,7 @@ class GpuLoop:
         self._still_scheme = self._scheme._replace(dt=0.0, finish=0.0)
         self._clock = upload(np.zeros(1, dtype=np.int64))
         self._count = len(model.layout.order)
-        self._elements = DeviceElements._make(
-            map(upload, (state.pose, state.motion, state.acceleration, state.loss))
-        )
+        self._elements = DeviceElements._make(map(upload, (state.pose, state.motion, state.acceleration, state.loss)))
         layout = model.layout
         ends = layout.in_start.astype(np.int32), layout.out_start.astype(np.int32)
         self._adjacency = Adjacency._make(map(upload, (*ends, layout.out_bond)))
@@ -62,7 +60,7 @@ class GpuLoop:
         run = DeviceRun(
             self._clock, self._scheme, self._elements, self._adjacency, self._rows, self._schedules
         )  # fmt: skip
-        self._forces: DeviceForces = (BeamForces if model.cells is None else CellForces)(model, state, run)
+        self._forces: DeviceForces = (BeamForces if model.cells is None else FacetForces)(model, state, run)
         self._gauges = _gauges(gauge_tables(model, plan), state)
         parts = _parts(max(self._count, self._forces.m))
         self._parts, self._fewer = zeros(sample.SUMS, parts), zeros(sample.SUMS, -(-parts // 128))
@@ -204,7 +202,8 @@ def require_runnable(model: Model, plan: Plan) -> None:
     """
     lacking = {
         "contacts and walls": model.contact is not None,
-        "bonds that break": model.failure is not None,
+        "bonds or facets that break": model.failure is not None,
+        "the non-local law": model.non_local is not None,
         "the incremental formulation": model.formulation != "total",
         "a boundary condition other than Fix, Drive, Load and Pressure": any(
             not isinstance(condition, Fix | Drive | Load | Pressure) for condition in model.boundary

@@ -82,20 +82,20 @@ def _swelling(forces, adjacency, p, start):
 
 
 @cuda_kernel
-def stress_cells(clock, ahead, scheme, elements, facets, adjacency, rows, schedules, grips, holds):
+def stress_cells(clock, ahead, scheme, pose, weight, forces, adjacency, rows, schedules, grips, holds):
     """Stresses of all cells, `ahead` steps from now; where that is 0, walls and tractions do no work."""
     p = cuda.grid(1)
-    if p >= elements.pose.shape[0]:
+    if p >= pose.shape[0]:
         return
-    pose, weight, r = elements.pose, facets.weight[p], rows.of[p]
+    r = rows.of[p]
     if r < 0:
-        pose[p, STRESS] = weight * _swelling(facets.forces, adjacency, p, 0.0)
+        pose[p, STRESS] = weight[p] * _swelling(forces, adjacency, p, 0.0)
         return
     t = scheme.origin + (clock[0] + ahead) * scheme.dt
     _arrive(t, schedules, grips, holds, r, 1.0 if ahead > 0 else 0.0)
     rows.work[r] += _work(grips, holds, r, pose[p, STRESS])
-    swelling = _swelling(facets.forces, adjacency, p, _of_walls(pose, holds.rest, grips, holds, r))
-    pose[p, STRESS] = weight * (swelling + _of_tractions(holds, r))
+    swelling = _swelling(forces, adjacency, p, _of_walls(pose, holds.rest, grips, holds, r))
+    pose[p, STRESS] = weight[p] * (swelling + _of_tractions(holds, r))
     _hand_on(pose, holds.rest, grips, holds, rows, r)
     rows.work[r] += _work(grips, holds, r, pose[p, STRESS])
 

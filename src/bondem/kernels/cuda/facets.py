@@ -1,17 +1,14 @@
-"""One thread a facet of a body of cells: what it does to dilatation, its force and torques, and how far it is turned.
+"""One thread a facet of a body of cells: what it does to dilatation, its force and torques.
 
 The two passes of `bondem.kernels.cell_pass`. What the first one finds, V θ of both sides, stands in two of the rows
 that the second one fills with forces: it has been read by then.
 """
 
-import math
-
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.cuda.bonds import branch, count_turned
+from bondem.kernels.cuda.bonds import branch
 from bondem.kernels.single_facets import column, lever, orientation, resistance
-from bondem.laws.beam_energy import bond_cosines
 from bondem.laws.cell_energy import facet_energy, facet_force, swellings
 
 # Rows of `DeviceFacets.forces` that hold V θ of cells i and j between the two passes.
@@ -19,13 +16,14 @@ OF_I, OF_J = 0, 1
 
 
 @device
-def _between(pose, facets, k):
+def between(pose, facets, k):
     """From the centre of i to that of j [m]."""
     return branch(pose, facets.i[k], facets.j[k], facets.period)
 
 
 @device
-def _levers(facets, k):
+def levers(facets, k):
+    """From both centres to a facet, in the reference [m]."""
     return lever(facets.lever_i, facets.pitch, k), lever(facets.lever_j, facets.pitch, k)
 
 
@@ -41,8 +39,8 @@ def swell(elements, facets):
     if k >= facets.m:
         return
     pose, s = elements.pose, facets.integrity[k]
-    d, p, q = _between(pose, facets, k), orientation(pose, facets.i[k]), orientation(pose, facets.j[k])
-    a, b = _levers(facets, k)
+    d, p, q = between(pose, facets, k), orientation(pose, facets.i[k]), orientation(pose, facets.j[k])
+    a, b = levers(facets, k)
     u, v = _shares(facets, k)
     one, other = swellings(d, p, q, a, b, u, v)
     facets.forces[OF_I, k], facets.forces[OF_J, k] = s * one, s * other
@@ -56,8 +54,8 @@ def facet_loads(elements, facets):
         return
     pose, forces, s = elements.pose, facets.forces, facets.integrity[n]
     i, j = facets.i[n], facets.j[n]
-    d, p, q = _between(pose, facets, n), orientation(pose, i), orientation(pose, j)
-    a, b = _levers(facets, n)
+    d, p, q = between(pose, facets, n), orientation(pose, i), orientation(pose, j)
+    a, b = levers(facets, n)
     u, v = _shares(facets, n)
     f, on_i, on_j = facet_force(
         d, p, q, a, b, u, v, s * facets.k[n], resistance(facets, s, n), s * pose[i, STRESS], s * pose[j, STRESS],
@@ -68,34 +66,10 @@ def facet_loads(elements, facets):
 
 
 @device
-def _direction(facets, k):
-    """From the centre of i to that of j in the reference [-]: between two levers to one point."""
-    a, b = _levers(facets, k)
-    x, y, z = a[0] - b[0], a[1] - b[1], a[2] - b[2]
-    length = math.sqrt(x * x + y * y + z * z)
-    return x / length, y / length, z / length
-
-
-@cuda_kernel
-def turn_guard(elements, facets, flags):
-    """`rotation_guard` for facets."""
-    k = cuda.grid(1)
-    if k >= facets.m:
-        return
-    pose = elements.pose
-    d, p, q = _between(pose, facets, k), orientation(pose, facets.i[k]), orientation(pose, facets.j[k])
-    x, y, z = _direction(facets, k)
-    c1, c2, w2 = bond_cosines(
-        d[0], d[1], d[2], p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3], x, y, z
-    )  # fmt: skip
-    count_turned(flags, min(c1, c2), w2, facets.integrity[k])
-
-
-@device
 def energy_of(pose, facets, k):
     """Normal, shear, bending and twisting energy of a facet, without dilatation [J]."""
-    d, p, q = _between(pose, facets, k), orientation(pose, facets.i[k]), orientation(pose, facets.j[k])
-    a, b = _levers(facets, k)
+    d, p, q = between(pose, facets, k), orientation(pose, facets.i[k]), orientation(pose, facets.j[k])
+    a, b = levers(facets, k)
     s = facets.integrity[k]
     part = facet_energy(d, p, q, a, b, column(facets.normal, k), facets.k[k], resistance(facets, 1.0, k))
     return s * part[0], s * part[1], s * part[2], s * part[3]
