@@ -102,9 +102,22 @@ def test_a_wild_run_ends_as_on_the_cpu(outcomes, case: str) -> None:
     np.testing.assert_array_equal(cpu[f"{case}/pose"], gpu[f"{case}/pose"])  # the start is kept
 
 
-def test_all_kernels_compile_without_a_driver() -> None:
+@pytest.fixture(scope="module")
+def compiled():
+    """PTX of all kernels, and the bytes that each bond or element takes."""
     pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
-    ptx = json.loads(run("cuda_ptx.py"))
+    return json.loads(run("cuda_ptx.py"))
+
+
+def test_memory_is_what_the_documents_say(compiled) -> None:
+    """As in `bondem.solve.loop_cuda`, `bondem.solve.forces_cuda` and decision 0010."""
+    assert compiled["bytes"]["bonds"] == {"element": 212, "bond": 164}
+    assert compiled["bytes"]["alike"] == {"element": 212, "bond": 124}
+    assert compiled["bytes"]["cells"] == {"element": 212 + 8 + 24, "bond": 196, "held facet": 288}
+
+
+def test_all_kernels_compile_without_a_driver(compiled) -> None:
+    ptx = compiled["ptx"]
     assert set(ptx) == {
         "bond_forces", "rotation_guard", "bond_sums",
         "swell", "stress_cells", "facet_loads", "turn_guard", "facet_sums",

@@ -136,6 +136,9 @@ class GpuLoop:
 
     def _go_on(self, steps: int) -> None:
         """Steps between pauses, in graphs of powers of two."""
+        if steps > 0 and not self._graphs:  # what a run that goes on has not launched yet is compiled now
+            self._inner(1, 0)
+            steps -= 1
         while steps > 0:
             size = min(_RECORDED, 1 << (steps.bit_length() - 1))
             if size not in self._graphs:
