@@ -30,6 +30,10 @@ CELL_GAUGES = {
 }
 
 
+# Of two cubes, whose motion has a closed form.
+NUS, CUBE_STEPS, CUBE_DT = (0.2, 0.45, -0.2), 7, 1e-3
+
+
 def bar() -> bd.Model:
     """A crooked bar of 4 × 3 × 3, held at one end, loaded twice by ramps at the other and driven in the middle."""
     rng = np.random.default_rng(1)
@@ -101,6 +105,18 @@ def pressed_bar() -> bd.Model:
     return bd.Model(body(4, 2, 3), bd.CellBond(E=1e7, nu=0.45), density=1000.0, boundary=boundary)
 
 
+def cubes(nu: float, *, walls: bool) -> tuple[bd.Model, State]:
+    """Two cubes side by side that move apart, or both the same way between two smooth walls."""
+    particles = bd.Particles([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.4, shape=bd.Box((2, 1, 1)))
+    held = [bd.Fix(bd.Face(face), "x", "") for face in ("x_min", "x_max")] if walls else []
+    model = bd.Model(
+        bd.connect(particles, method="laguerre"), bd.CellBond(E=1e7, nu=nu), 1000.0, boundary=held
+    )  # fmt: skip
+    state = model.state()
+    state.set_motion(velocity=[[1.0 if walls else -1.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+    return model, state
+
+
 def moving(model: bd.Model, speed: float = 0.5) -> State:
     """A state in which all velocities have a sign: at rest, rounding would choose that of local damping."""
     rng = np.random.default_rng(7)
@@ -140,6 +156,10 @@ def results(device: str) -> Iterator[tuple[str, ExplicitResult]]:
     state = moving(model)
     state.set_eigenstrain(1e-2 * np.random.default_rng(3).standard_normal(len(model.lattice.pairs)))
     yield "periodic cells", go(model, state, 15, 1e-3, damping=damped, every=3)
+    for nu in NUS:
+        for walls in (False, True):
+            one, start = cubes(nu, walls=walls)
+            yield f"cubes {nu} {walls}", go(one, start, CUBE_STEPS, CUBE_DT, every=0)
     yield "wild cells", go(model, moving(model, speed=300.0), 12, 2e-3, every=3)
     model = cell()
     yield "wild", go(model, moving(model, speed=300.0), 12, 2e-3, every=3)
