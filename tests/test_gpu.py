@@ -55,6 +55,7 @@ FIELDS = "pose", "stress", "motion", "acceleration", "loss", "work", "reaction"
 @pytest.mark.parametrize("case", BEAMS + CELLS)
 def test_simulated_device_agrees_with_cpu_to_rounding(outcomes, case: str, record: Record) -> None:
     cpu, gpu = outcomes
+    name = "simulated cells" if case in CELLS else "simulated device"
     assert cpu[f"{case}/end"].tolist() == gpu[f"{case}/end"].tolist()
     for field in FIELDS:
         expected, found = cpu[f"{case}/{field}"], gpu[f"{case}/{field}"]
@@ -62,14 +63,14 @@ def test_simulated_device_agrees_with_cpu_to_rounding(outcomes, case: str, recor
         if field == "work" and case in CELLS:  # that of walls is booked with the rows of their cells
             expected, found = expected.sum(), found.sum()
         np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-12 * scale, err_msg=field)
-        record("simulated device", np.abs(found - expected).max(initial=0.0) / (scale or 1.0))
+        record(name, np.abs(found - expected).max(initial=0.0) / (scale or 1.0))
     records = cpu[f"{case}/records"]
     assert (len(records) > 2) is not case.startswith("paused")
     scale = np.abs(records).max(axis=0, initial=0.0)
     scale[1:11] = scale[1:11].max()  # energies come and go: their sum is what rounding is measured by
     apart = (gpu[f"{case}/records"] - records) / np.where(scale, scale, 1.0)
     np.testing.assert_allclose(apart, 0.0, rtol=0.0, atol=1e-12)
-    record("simulated device", np.abs(apart).max(initial=0.0))
+    record(name, np.abs(apart).max(initial=0.0))
 
 
 def test_cells_do_all_that_a_device_knows(outcomes) -> None:
@@ -88,7 +89,7 @@ def test_cells_do_all_that_a_device_knows(outcomes) -> None:
 @pytest.mark.parametrize("walls", [False, True], ids=["free", "between walls"])
 @pytest.mark.parametrize("nu", NUS)
 def test_two_cubes_move_as_one_oscillator(outcomes, nu: float, walls: bool) -> None:
-    """Free: U = ½ 2G δ² + 2 · ½ λ' (δ/2)², λ' of five free facets; between walls, of four: U = ½ 4G u² + ½ λ' u² each.
+    """Free: U = ½ 2G δ² + 2 · ½ λ' (δ/2)², λ' of five free facets; between walls, of four: U = ½ (4G + λ') u² each.
 
     With ω² from it and cos φ = 1 - ω² dt²/2, velocity Verlet gives u = v dt sin(n φ) / sin φ exactly.
     """
