@@ -47,6 +47,8 @@ def bar() -> bd.Model:
         bd.Drive(bd.Index([len(grid) // 2]), vy=bd.Ramp(0.0, 0.4, 0.05), rx=bd.Ramp(0.0, 0.1, 0.03)),
         bd.Load(bd.Face("x_max", depth=0.5), force=(3e4, -1e4, 2e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
         bd.Load(bd.Index([len(grid) - 1, 2]), force=(0.0, 1e4, 0.0), moment=(1e3, 0.0, 0.0)),
+        bd.BodyForce((0.0, 0.0, -30.0), schedule=bd.Ramp(0.0, 1.0, 0.05)),
+        bd.BodyForce((10.0, 5.0, 0.0), bd.Index(range(20))),
     ]
     return bd.Model(lattice, law, density=rng.uniform(900.0, 1100.0, len(grid)), boundary=boundary)
 
@@ -101,6 +103,7 @@ def pressed_bar() -> bd.Model:
         bd.Pressure(bd.Face("x_max"), 2e5, schedule=bd.Ramp(0.0, 1.0, 0.02)),
         bd.Pressure(bd.Face("y_max"), 1e5, schedule=bd.Ramp(1.0, 0.0, 0.03)),
         bd.Load(bd.Face("y_max"), force=(0.0, 2e5, 1e5), schedule=bd.Ramp(0.0, 1.0, 0.04)),
+        bd.BodyForce((0.0, 0.0, -30.0), bd.Index(range(11)), schedule=bd.Ramp(0.5, 1.0, 0.02)),
     ]
     return bd.Model(body(4, 2, 3), bd.CellBond(E=1e7, nu=0.45), density=1000.0, boundary=boundary)
 

@@ -84,6 +84,9 @@ def test_cells_do_all_that_a_device_knows(outcomes) -> None:
         assert abs(work[-1]) > 0.01 * np.abs(work).max()  # of walls and tractions
         assert (np.abs(records[-1, FIXED_COLUMNS:]) > 0.0).all()
     assert cpu["held cells/loss"].any()
+    for case in ("pressed cells", "bar"):
+        rows, n = len(cpu[f"{case}/reaction"]), len(cpu[f"{case}/pose"])
+        assert np.abs(cpu[f"{case}/work"][rows : rows + n]).max() > 1.0  # of body forces
 
 
 @pytest.mark.parametrize("walls", [False, True], ids=["free", "between walls"])
@@ -134,7 +137,7 @@ def compiled():
 
 def test_memory_is_what_the_documents_say(compiled) -> None:
     """As in `bondem.solve.loop_cuda`, `bondem.solve.forces_cuda` and decision 0010."""
-    assert compiled["bytes"]["bonds"] == {"element": 212, "bond": 164}
+    assert compiled["bytes"]["bonds"] == {"element": 212 + 4, "bond": 164}  # with body forces
     assert compiled["bytes"]["alike"] == {"element": 212, "bond": 124}
     assert compiled["bytes"]["cells"] == {"element": 212 + 8 + 24, "bond": 196, "held facet": 288}
 
@@ -144,7 +147,7 @@ def test_all_kernels_compile_without_a_driver(compiled) -> None:
     assert set(ptx) == {
         "bond_forces", "rotation_guard", "bond_sums",
         "swell", "stress_cells", "facet_loads", "turn_guard", "facet_sums",
-        "schedule_rows", "open_step", "move", "element_sums", "gauge_sums", "fold", "write_record",
+        "schedule_rows", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold", "write_record",
     }  # fmt: skip
     for name, text in ptx.items():
         assert ".visible .entry" in text, name
@@ -166,23 +169,24 @@ def model_and_plan(**options) -> tuple[bd.Model, Plan]:
 
 def test_what_the_device_cannot_do_is_refused() -> None:
     pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
-    gravity = bd.BodyForce((0.0, 0.0, -9.81))
+    heat = bd.Eigenstrain(1e-3, schedule=bd.Ramp(0.0, 1.0, 1e-3))
+    open_end = bd.Absorbing(bd.Face("x_max"), density=1000.0, E=1e7, nu=0.2)
     for options, what in (
         ({"contact": bd.LinearContact(E=1e7)}, "contacts and walls"),
         ({"formulation": "incremental"}, "the incremental formulation"),
-        ({"boundary": gravity}, "other than Fix, Drive, Load and Pressure"),
+        ({"boundary": heat}, "strains that change"),
         ({"failure": bd.Elliptic(elongation=0.01, rotation=0.1)}, "bonds or facets that break"),
     ):
-        with pytest.raises(InputError, match=rf"cannot run .*{what} yet; use device='cpu'"):
+        with pytest.raises(InputError, match=rf"cannot run {what}.* yet; use device='cpu'"):
             bd.solve_explicit(model_and_plan(**options)[0], duration=1e-6, device="gpu")
     pair = bd.Particles([[0.4, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.3, shape=bd.Box((2, 1, 1)))
     body = bd.connect(pair, method="laguerre")
     for bond, options, what in (
         (bd.CellBond(E=1e7, nu=0.2), {"failure": bd.Rankine(tension=1e5)}, "bonds or facets that break"),
-        (bd.CellBond(E=1e7, nu=0.2), {"boundary": gravity}, "other than Fix, Drive, Load and Pressure"),
+        (bd.CellBond(E=1e7, nu=0.2), {"boundary": open_end}, "absorbing faces"),
         (bd.NonLocal(E=1e7, nu=0.2), {}, "the non-local law"),
     ):
-        with pytest.raises(InputError, match=rf"cannot run .*{what} yet; use device='cpu'"):
+        with pytest.raises(InputError, match=rf"cannot run {what}.* yet; use device='cpu'"):
             bd.solve_explicit(bd.Model(body, bond, 1000.0, **options), duration=1e-6, device="gpu")
     with pytest.raises(InputError, match="choose 'cpu' or 'gpu'"):
         bd.solve_explicit(model_and_plan()[0], duration=1e-6, device="tpu")

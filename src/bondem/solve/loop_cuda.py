@@ -1,9 +1,10 @@
 """Explicit dynamics on a CUDA device: the whole step stays there.
 
 Bytes on the device of an element, in double precision: 212, as pose 64, motion 64, acceleration 48, loss 24, row and
-adjacency 12; those of bonds, facets and cells stand in `bondem.solve.forces_cuda`. 1e8 bonds of 3.2e7 elements take
-19 or 23 GB, and 1e7 cells with 7e7 facets 16 GB. Records gather on the device and come over once a call; the state
-comes over when a call ends, which is at checkpoints, at looks of events, and every 10 000 steps.
+adjacency 12, and 12 more where body forces act; those of bonds, facets and cells stand in `bondem.solve.forces_cuda`.
+1e8 bonds of 3.2e7 elements take 19 or 23 GB, and 1e7 cells with 7e7 facets 16 GB. Records gather on the device and
+come over once a call; the state comes over when a call ends, which is at checkpoints, at looks of events, and every
+10 000 steps.
 """
 
 from typing import Any
@@ -14,14 +15,12 @@ from bondem._compile_cuda import Array, download, launch, missing, recorded, upl
 from bondem.errors import InputError
 from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUNAWAY
 from bondem.kernels.cuda import sample
-from bondem.kernels.cuda.elements import move, open_step, schedule_rows
-from bondem.kernels.cuda.tables import DeviceElements, DeviceGauges, RowSchedules
+from bondem.kernels.cuda.elements import move, open_step, pull_groups, schedule_rows
+from bondem.kernels.cuda.tables import DeviceBodies, DeviceElements, DeviceGauges, RowSchedules
 from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, Adjacency, Gauges, Rows, StepScheme
 from bondem.laws.damping import DampingTerms, LocalDamping
-from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.constraints import Constraints
 from bondem.model.gauges import Gauge
-from bondem.model.loads import Pressure
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.forces_cuda import BeamForces, DeviceForces, DeviceRun, FacetForces, starts
@@ -57,6 +56,7 @@ class GpuLoop:
         ends = layout.in_start.astype(np.int32), layout.out_start.astype(np.int32)
         self._adjacency = Adjacency._make(map(upload, (*ends, layout.out_bond)))
         self._rows, self._schedules = _rows(model.constraints, state), _schedules(model.constraints)
+        self._bodies = _bodies(model.constraints)
         run = DeviceRun(
             self._clock, self._scheme, self._elements, self._adjacency, self._rows, self._schedules
         )  # fmt: skip
@@ -116,14 +116,14 @@ class GpuLoop:
         return self._finished(records, sampled), wide, lost, sick
 
     def _schedule(self, ahead: int, stream: Any = 0) -> None:
-        count = self._schedules.r
-        launch(
-            schedule_rows, count, self._clock, ahead, self._scheme, self._schedules, self._rows, stream=stream
-        )  # fmt: skip
+        clock, scheme, schedules, bodies = self._clock, self._scheme, self._schedules, self._bodies
+        launch(schedule_rows, schedules.r, clock, ahead, scheme, schedules, self._rows, stream=stream)
+        if bodies.b:
+            launch(pull_groups, bodies.present.shape[0], clock, ahead, scheme, schedules, bodies, stream=stream)
 
     def _open(self) -> None:
         self._schedule(0)
-        launch(open_step, self._count, self._elements, self._rows, self._scheme)
+        launch(open_step, self._count, self._elements, self._rows, self._bodies, self._scheme)
 
     def _step(self, tick: int, *, go_on: bool = False, still: bool = False, stream: Any = 0) -> None:
         """Forces of all bonds, and the motion of all elements; `still` finds the acceleration only."""
@@ -131,7 +131,7 @@ class GpuLoop:
         self._forces.act(tick, stream)
         launch(
             move, self._count, self._clock, tick, self._elements, self._adjacency, self._forces.forces, self._rows,
-            scheme, go_on, stream=stream,
+            self._bodies, scheme, go_on, stream=stream,
         )  # fmt: skip
 
     def _go_on(self, steps: int) -> None:
@@ -203,14 +203,14 @@ def require_runnable(model: Model, plan: Plan) -> None:
     Raises:
         InputError: something that runs on the CPU only, or no device.
     """
+    held = model.constraints
     lacking = {
         "contacts and walls": model.contact is not None,
         "bonds or facets that break": model.failure is not None,
         "the non-local law": model.non_local is not None,
         "the incremental formulation": model.formulation != "total",
-        "a boundary condition other than Fix, Drive, Load and Pressure": any(
-            not isinstance(condition, Fix | Drive | Load | Pressure) for condition in model.boundary
-        ),
+        "absorbing faces": len(held.absorbing) > 0,
+        "strains that change (state.set_eigenstrain gives constant ones)": len(held.strain_part) > 0,
         "damping other than LocalDamping": plan.damping is not None and not isinstance(plan.damping, LocalDamping),
         "gauges of walls": any(not isinstance(gauge, Gauge) for gauge in plan.gauges.values()),
         "more than 2³¹ bonds": len(model.layout.i) >= 2**31,
@@ -227,6 +227,16 @@ def _rows(held: Constraints, state: State) -> Rows:
     of, fixed, reaction, work = map(upload, (held.row_of.astype(np.int32), held.fixed, state.reaction, state.work))
     force, half, full, grip = (zeros(len(held.element), 6) for _ in range(4))
     return Rows(of, fixed, force, half, full, reaction, grip, work)
+
+
+def _bodies(held: Constraints) -> DeviceBodies:
+    count = len(held.body_on)
+    member, group = np.unique(held.body_on.T, axis=0, return_inverse=True)
+    arrays = (
+        (group.ravel() if count else np.zeros(0)).astype(np.uint32), member.astype(float), held.body_value,
+        held.body_schedule,
+    )  # fmt: skip
+    return DeviceBodies._make([count, *map(upload, arrays), held.works[0], zeros(len(member), 3)])
 
 
 def _schedules(held: Constraints) -> RowSchedules:

@@ -66,6 +66,18 @@ class DeviceHolds(NamedTuple):
     press_came: Array  #: by how much they changed in this step, (e,)
 
 
+class DeviceBodies(NamedTuple):
+    """Body forces, b of them, on g groups of elements that have the same ones; kernels write `present` only."""
+
+    b: int  #: how many
+    group: Array  #: of each element, uint32, (n,), unused without body forces
+    member: Array  #: which of them act on a group, 0 or 1, (g, b)
+    pull: Array  #: their accelerations [m/s²], (b, 3)
+    schedule: Array  #: (b,)
+    place: int  #: where their works begin in the list of works, one an element
+    present: Array  #: acceleration of each group now [m/s²], (g, 3)
+
+
 class RowSchedules(NamedTuple):
     """Schedules of the rows of the boundary; the loads and drives of a row are contiguous."""
 
