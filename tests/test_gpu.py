@@ -226,15 +226,24 @@ def test_without_a_device_it_says_so() -> None:
         bd.solve_explicit(model_and_plan()[0], duration=1e-6, device="gpu")
 
 
+def cylinder(law: str, count: int = 5_000) -> bd.Model:
+    """Held at one end and pulled at the other, of beams or cells."""
+    particles = bd.pack(bd.Cylinder(radius=5e-3, length=2e-2), count=count, spread=0.25, seed=1)
+    lattice, bond = bd.connect(particles), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+    if law == "cells":
+        lattice, bond = bd.connect(particles, method="laguerre"), bd.CellBond(E=72e9, nu=0.17)
+    return bd.Model(lattice, bond, 2500.0, boundary=[
+        bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e3, 0, 0), schedule=bd.Ramp(0.0, 1.0, 1e-6)),
+    ])  # fmt: skip
+
+
 @pytest.mark.gpu
-def test_device_agrees_with_cpu_after_a_thousand_steps(monkeypatch) -> None:
+@pytest.mark.parametrize("law", ["beams", "cells"])
+def test_device_agrees_with_cpu_after_a_thousand_steps(monkeypatch, law: str) -> None:
     if (reason := absent()) is not None:
         pytest.skip(reason)
     loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop
-    lattice = bd.connect(bd.pack(bd.Cylinder(radius=5e-3, length=2e-2), count=5_000, spread=0.25, seed=1))
-    model = bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), 2500.0, boundary=[
-        bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e3, 0, 0), schedule=bd.Ramp(0.0, 1.0, 1e-6)),
-    ])  # fmt: skip
+    model = cylinder(law)
     dt = 0.9 * critical_step(model, bd.VelocityVerlet())
     plan = Plan(duration=1000 * dt, dt=dt, every=100, gauges={"end": bd.Gauge(bd.Face("x_max"), "displacement")})
 
