@@ -41,8 +41,9 @@ def outcomes(tmp_path_factory):
     """The small runs on the CPU and in the simulator."""
     pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
     folder = tmp_path_factory.mktemp("cuda")
-    run("cuda_cases.py", "cpu", str(folder / "cpu.npz"))
-    run("cuda_cases.py", "gpu", str(folder / "gpu.npz"), **SIMULATOR)
+    bodies = str(folder / "bodies")
+    run("cuda_cases.py", "cpu", str(folder / "cpu.npz"), bodies)
+    run("cuda_cases.py", "gpu", str(folder / "gpu.npz"), bodies, **SIMULATOR)
     with np.load(folder / "cpu.npz") as cpu, np.load(folder / "gpu.npz") as gpu:
         return dict(cpu), dict(gpu)
 
