@@ -228,13 +228,17 @@ def test_without_a_device_it_says_so() -> None:
 
 
 def cylinder(law: str, count: int = 5_000) -> bd.Model:
-    """Held at one end and pulled at the other, of beams or cells."""
+    """Held at one end, pulled and bent at the other, of beams or cells.
+
+    The load is large, because positions are rounded: CPUs with and without fused multiply-adds differ by 2.3e-11 of
+    the largest angular velocity after a thousand steps under it, under a pull of 1 kN by 3.6e-9 and 2.1e-8.
+    """
     particles = bd.pack(bd.Cylinder(radius=5e-3, length=2e-2), count=count, spread=0.25, seed=1)
     lattice, bond = bd.connect(particles), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
     if law == "cells":
         lattice, bond = bd.connect(particles, method="laguerre"), bd.CellBond(E=72e9, nu=0.17)
     return bd.Model(lattice, bond, 2500.0, boundary=[
-        bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e3, 0, 0), schedule=bd.Ramp(0.0, 1.0, 1e-6)),
+        bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e5, 1e5, 0), schedule=bd.Ramp(0.0, 1.0, 1e-6)),
     ])  # fmt: skip
 
 
