@@ -1,15 +1,21 @@
-"""Small runs for the CPU and for the simulator of CUDA devices: python tests/cuda_cases.py gpu|cpu OUT.npz.
+"""Small runs for the CPU and for the simulator of CUDA devices: python tests/cuda_cases.py gpu|cpu OUT.npz BODIES.
 
-In a process of its own, because the simulator must be chosen before anything is imported.
+In a process of its own, because the simulator must be chosen before anything is imported. BODIES is a file of the
+bodies that the CPU has cut, which the device takes: cut by plain Python they differ by rounding, and levers, which
+are whole numbers of a grid, then by 1e-9.
 """
 
 import importlib
+import pickle
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 import bondem as bd
+from bondem.kernels.cell_pass import STRESS
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
@@ -21,6 +27,17 @@ GAUGES = {
     "turned": bd.Gauge(bd.Everything(), "rotation"),
     "spin": bd.Gauge(bd.Everything(), "angular_velocity", "sum"),
 }
+CELL_GAUGES = {
+    "end": bd.Gauge(bd.Face("x_max"), "displacement"),
+    "wall": bd.Gauge(bd.Face("x_min"), "force", "sum"),
+    "loaded": bd.Gauge(bd.Face("y_max"), "force", "max_abs"),
+}
+
+
+# Bodies of cells by name, as they have been cut.
+BODIES: dict[str, bd.Lattice] = {}
+# Of two cubes, whose motion has a closed form.
+NUS, CUBE_STEPS, CUBE_DT = (0.2, 0.45, -0.2), 7, 1e-3
 
 
 def bar() -> bd.Model:
@@ -36,6 +53,8 @@ def bar() -> bd.Model:
         bd.Drive(bd.Index([len(grid) // 2]), vy=bd.Ramp(0.0, 0.4, 0.05), rx=bd.Ramp(0.0, 0.1, 0.03)),
         bd.Load(bd.Face("x_max", depth=0.5), force=(3e4, -1e4, 2e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
         bd.Load(bd.Index([len(grid) - 1, 2]), force=(0.0, 1e4, 0.0), moment=(1e3, 0.0, 0.0)),
+        bd.BodyForce((0.0, 0.0, -30.0), schedule=bd.Ramp(0.0, 1.0, 0.05)),
+        bd.BodyForce((10.0, 5.0, 0.0), bd.Index(range(20))),
     ]
     return bd.Model(lattice, law, density=rng.uniform(900.0, 1100.0, len(grid)), boundary=boundary)
 
@@ -46,6 +65,68 @@ def cell() -> bd.Model:
     grid = np.indices((3, 3, 3)).reshape(3, -1).T.astype(float)
     particles = bd.Particles(grid + rng.uniform(-0.1, 0.1, grid.shape), np.full(27, 0.5), period=(3.0, 3.0, 3.0))
     return bd.Model(bd.connect(particles, reach=1.15), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6), 1000.0)
+
+
+def body(*counts: int, periodic: bool = False) -> bd.Lattice:
+    """A crooked box, or periodic cell, of unit cells."""
+    rng = np.random.default_rng(1)
+    grid = np.indices(counts).reshape(3, -1).T + 0.5
+    shape = bd.Cell(size=counts) if periodic else bd.Box(counts)
+    centre, radius = grid + rng.uniform(-0.2, 0.2, grid.shape), rng.uniform(0.25, 0.3, len(grid))
+    return cut(f"{counts} {periodic}", bd.Particles(centre, radius, shape=shape))
+
+
+def cut(name: str, particles: bd.Particles) -> bd.Lattice:
+    """Particles cut into cells, or the body of that name that is known."""
+    if name not in BODIES:
+        BODIES[name] = bd.connect(particles, method="laguerre")
+    return BODIES[name]
+
+
+def free_body() -> tuple[bd.Model, State]:
+    """A body of cells that bears compression badly, turned far as a whole, some of its facets damaged."""
+    model = bd.Model(body(3, 3, 3), bd.CellBond(E=1e7, nu=-0.2, facet_rotation="full"), density=1000.0)
+    state, far = moving(model), Rotation.from_rotvec([1.5, -1.0, 0.7])
+    turned = np.tile(far.as_quat()[[3, 0, 1, 2]], (27, 1))
+    state.set_pose(position=far.apply(state.position) + np.arange(3.0), orientation=turned)
+    state.integrity[[3, 17]] = 0.0, 0.4
+    return model, state
+
+
+def held_bar() -> bd.Model:
+    """A bar of two materials, held by one face, driven by another, loaded on a third; a cell is driven inside."""
+    lattice = body(4, 3, 3)
+    law = {bd.Everything(): bd.CellBond(E=1e7, nu=0.2), bd.Index(range(12)): bd.CellBond(E=2e7, nu=0.3)}
+    boundary = [
+        bd.Fix(bd.Face("x_min")),
+        bd.Drive(bd.Face("x_max"), x=bd.Ramp(0.0, 0.2, 0.02), vy=bd.Ramp(0.0, 3.0, 0.02)),
+        bd.Load(bd.Face("y_max"), force=(2e5, -1e5, 1e5), schedule=bd.Ramp(0.0, 1.0, 0.02)),
+        bd.Fix(bd.Face("z_min"), "z", ""),
+        bd.Drive(bd.Index([16]), rx=bd.Ramp(0.0, 0.2, 0.03)),
+    ]
+    return bd.Model(lattice, law, density=np.linspace(900.0, 1100.0, 36), boundary=boundary)
+
+
+def pressed_bar() -> bd.Model:
+    """A nearly incompressible bar between a smooth wall and pressures that change, on a face twice."""
+    boundary = [
+        bd.Fix(bd.Face("x_min"), "x", ""),
+        bd.Pressure(bd.Face("x_max"), 2e5, schedule=bd.Ramp(0.0, 1.0, 0.02)),
+        bd.Pressure(bd.Face("y_max"), 1e5, schedule=bd.Ramp(1.0, 0.0, 0.03)),
+        bd.Load(bd.Face("y_max"), force=(0.0, 2e5, 1e5), schedule=bd.Ramp(0.0, 1.0, 0.04)),
+        bd.BodyForce((0.0, 0.0, -30.0), bd.Index(range(11)), schedule=bd.Ramp(0.5, 1.0, 0.02)),
+    ]
+    return bd.Model(body(4, 2, 3), bd.CellBond(E=1e7, nu=0.45), density=1000.0, boundary=boundary)
+
+
+def cubes(nu: float, *, walls: bool) -> tuple[bd.Model, State]:
+    """Two cubes side by side that move apart, or both the same way between two smooth walls."""
+    particles = bd.Particles([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.4, shape=bd.Box((2, 1, 1)))
+    held = [bd.Fix(bd.Face(face), "x", "") for face in ("x_min", "x_max")] if walls else []
+    model = bd.Model(cut("cubes", particles), bd.CellBond(E=1e7, nu=nu), 1000.0, boundary=held)
+    state = model.state()
+    state.set_motion(velocity=[[1.0 if walls else -1.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+    return model, state
 
 
 def moving(model: bd.Model, speed: float = 0.5) -> State:
@@ -74,18 +155,43 @@ def results(device: str) -> Iterator[tuple[str, ExplicitResult]]:
     state = moving(model)
     state.set_eigenstrain(1e-3 * np.random.default_rng(3).standard_normal(len(model.lattice.pairs)))
     yield "cell", go(model, state, 36, 2e-3, every=6)
+    model, state = free_body()
+    yield "free cells", go(model, state, 15, 1e-3, every=3)
+    model = held_bar()
+    yield "held cells", go(model, moving(model), 24, 1e-3, damping=damped, gauges=CELL_GAUGES, every=6)
+    yield "paused cells", go(model, moving(model), 24, 1e-3, damping=damped, every=0, save_every=13)
+    begun = go(model, moving(model), 11, 1e-3, damping=damped, gauges=CELL_GAUGES, every=0).state
+    yield "resumed cells", go(model, begun, 24, 1e-3, damping=damped, gauges=CELL_GAUGES, every=6)
+    model = pressed_bar()
+    yield "pressed cells", go(model, moving(model), 24, 8e-4, scheme=scheme, gauges=CELL_GAUGES, every=5)
+    model = bd.Model(body(3, 3, 3, periodic=True), bd.CellBond(E=1e7, nu=0.2), density=1000.0)
+    state = moving(model)
+    state.set_eigenstrain(1e-2 * np.random.default_rng(3).standard_normal(len(model.lattice.pairs)))
+    yield "periodic cells", go(model, state, 15, 1e-3, damping=damped, every=3)
+    for nu in NUS:
+        for walls in (False, True):
+            one, start = cubes(nu, walls=walls)
+            yield f"cubes {nu} {walls}", go(one, start, CUBE_STEPS, CUBE_DT, every=0)
+    yield "wild cells", go(model, moving(model, speed=300.0), 12, 2e-3, every=3)
+    model = cell()
     yield "wild", go(model, moving(model, speed=300.0), 12, 2e-3, every=3)
 
 
 def main() -> None:
-    device, out = sys.argv[1:]
+    device, out, bodies = sys.argv[1:]
+    if device == "gpu":
+        BODIES.update(pickle.loads(Path(bodies).read_bytes()))
     arrays = {}
     for name, result in results(device):
-        for field in ("pose", "motion", "acceleration", "loss", "work", "reaction"):
+        for field in ("motion", "acceleration", "loss", "work", "reaction"):
             arrays[f"{name}/{field}"] = getattr(result.state, field)
+        arrays[f"{name}/pose"] = np.delete(result.state.pose, STRESS, axis=1)
+        arrays[f"{name}/stress"] = result.state.pose[:, STRESS]
         arrays[f"{name}/records"] = result.history.records
         arrays[f"{name}/end"] = np.array([result.status.name, result.message])
     np.savez(out, **arrays)
+    if device == "cpu":
+        Path(bodies).write_bytes(pickle.dumps(BODIES))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
-"""Compile every kernel that a run launches to PTX without a driver: python tests/cuda_ptx.py prints one JSON object.
+"""Compile every kernel that a run launches to PTX without a driver: python tests/cuda_ptx.py prints them as JSON.
+
+Beside them stands what the arrays of a bond and of an element take on a device.
 
 Arrays stay on the host, and a launch compiles its kernel for the types of its arguments. Scalar functions are
 compiled for "the current device", which must be replaced: by a private name of numba-cuda, one reason for which its
@@ -15,7 +17,7 @@ import numpy as np
 from numba.cuda import dispatcher
 
 import cuda_cases
-from bondem.solve import loop_cuda
+from bondem.solve import forces_cuda, loop_cuda
 from bondem.solve.plan import Plan
 
 CAPABILITY = (9, 0)
@@ -48,18 +50,43 @@ def main() -> None:
             signature = numba.types.void(*map(numba.typeof, map(plain, arguments)))
             ptx[name] = numba.cuda.compile_ptx(kernel.py_func, signature, cc=CAPABILITY)[0]
 
-    loop_cuda.launch = compiled
-    loop_cuda.upload = lambda array: np.array(array, order="C").view(OnHost)
-    loop_cuda.zeros = lambda *shape: np.zeros(shape).view(OnHost)
+    uploaded: list[np.ndarray] = []
+
+    def kept(array: np.ndarray) -> np.ndarray:
+        uploaded.append(np.array(array, order="C").view(OnHost))
+        return uploaded[-1]
+
+    for module in (loop_cuda, forces_cuda):
+        module.launch = compiled
+        module.upload = kept
+        module.zeros = lambda *shape: kept(np.zeros(shape))
     loop_cuda.download = lambda array, target: None
     loop_cuda.recorded = lambda work: lambda: work(0)
     loop_cuda.missing = lambda: None
-    for model in (cuda_cases.bar(), cuda_cases.cell()):
-        plan = Plan(duration=1.0, gauges=cuda_cases.GAUGES, damping=cuda_cases.bd.LocalDamping(0.1), every=3)
+    sizes: dict[str, dict[str, float]] = {}
+    for name, model, gauges in (
+        ("bonds", cuda_cases.bar(), cuda_cases.GAUGES), ("alike", cuda_cases.cell(), cuda_cases.GAUGES),
+        ("cells", cuda_cases.held_bar(), cuda_cases.CELL_GAUGES),
+    ):  # fmt: skip
+        uploaded.clear()
+        loop_cuda.GpuLoop(model, Plan(duration=1.0), cuda_cases.moving(model), 1e-3)
+        n = len(model.mass)
+        sizes[name] = {
+            "element": bytes_of_each(uploaded, n, n + 1), "bond": bytes_of_each(uploaded, len(model.lattice.pairs)),
+        }  # fmt: skip
+        if model.cells is not None:
+            sizes[name]["held facet"] = bytes_of_each(uploaded, len(model.cells.grips.cell))
+        plan = Plan(duration=1.0, gauges=gauges, damping=cuda_cases.bd.LocalDamping(0.1), every=3)
         loop = loop_cuda.GpuLoop(model, plan, cuda_cases.moving(model), 1e-3)
         loop.look()
         loop.run(10)
-    print(json.dumps(ptx))
+    print(json.dumps({"ptx": ptx, "bytes": sizes}))
+
+
+def bytes_of_each(arrays: list[np.ndarray], *counts: int) -> float:
+    """Of all arrays with as many entries along an axis as one of these counts."""
+    shared = [(array.nbytes, set(counts) & set(array.shape)) for array in arrays]
+    return sum(size / found.pop() for size, found in shared if found)
 
 
 if __name__ == "__main__":

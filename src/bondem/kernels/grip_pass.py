@@ -26,21 +26,27 @@ def _integral(times, values, first, last, t):
     return total + 0.5 * (t - before) * (value + end)
 
 
+@device
+def place_wall(t, grips, g):
+    """Bring the wall of a grip to time t; `came` is how far that is."""
+    for d in range(3):
+        s = grips.drive[g, d]
+        if s < 0:
+            continue
+        first, last = grips.start[s], grips.start[s + 1]
+        if grips.rate[s]:
+            now = _integral(grips.times, grips.values, first, last, t)
+        else:
+            now = interpolate(grips.times, grips.values, first, last, t)
+        grips.came[g, d] = now - grips.wall[g, d]
+        grips.wall[g, d] = now
+
+
 @kernel(parallel=False)
 def place_walls(t, grips):
-    """Bring the walls to time t; `came` is how far that is."""
+    """Bring the walls to time t."""
     for g in range(len(grips.cell)):
-        for d in range(3):
-            s = grips.drive[g, d]
-            if s < 0:
-                continue
-            first, last = grips.start[s], grips.start[s + 1]
-            if grips.rate[s]:
-                now = _integral(grips.times, grips.values, first, last, t)
-            else:
-                now = interpolate(grips.times, grips.values, first, last, t)
-            grips.came[g, d] = now - grips.wall[g, d]
-            grips.wall[g, d] = now
+        place_wall(t, grips, g)
 
 
 @device
@@ -119,13 +125,19 @@ def hand_on(pose, rest, grips, rows):
             grips.came[g, d] = 0.0
 
 
+@device
+def held_energy(pose, rest, grips, g):
+    """Energy of the half facet at a wall, without dilatation [J]."""
+    p = grips.cell[g]
+    gap, _ = _gap(pose, rest, grips, g)
+    v = pose[p, 5], pose[p, 6], pose[p, 7]
+    return 0.5 * grips.k[g] * scalar(gap, gap) + 2.0 * scalar(v, resisted_turn(grips.H[g], v))
+
+
 @loop(parallel=False)
 def grip_energy(pose, rest, grips):
     """Energy of the half facets at the walls, without dilatation [J]."""
     total = 0.0
     for g in range(len(grips.cell)):
-        p = grips.cell[g]
-        gap, _ = _gap(pose, rest, grips, g)
-        v = pose[p, 5], pose[p, 6], pose[p, 7]
-        total += 0.5 * grips.k[g] * scalar(gap, gap) + 2.0 * scalar(v, resisted_turn(grips.H[g], v))
+        total += held_energy(pose, rest, grips, g)
     return total

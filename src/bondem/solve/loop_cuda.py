@@ -1,13 +1,10 @@
 """Explicit dynamics on a CUDA device: the whole step stays there.
 
-Bytes on the device, in double precision (m bonds, n elements):
-
-    a bond      124 where all are alike but for their length, else 164: ends 8, adjacency 4, constants 32 or 72,
-                integrity 8, force and torques 72
-    an element  212: pose 64, motion 64, acceleration 48, loss 24, row and adjacency 12
-
-so that 1e8 bonds of 3.2e7 elements take 19 or 23 GB. Records gather on the device and come over once a call; the
-state comes over when a call ends, which is at checkpoints, at looks of events, and every 10 000 steps.
+Bytes on the device of an element, in double precision: 212, as pose 64, motion 64, acceleration 48, loss 24, row and
+adjacency 12, and 12 more where body forces act; those of bonds, facets and cells stand in `bondem.solve.forces_cuda`.
+1e8 bonds of 3.2e7 elements take 19 or 23 GB, and 1e7 cells with 7e7 facets 16 GB. Records gather on the device and
+come over once a call; the state comes over when a call ends, which is at checkpoints, at looks of events, and every
+10 000 steps.
 """
 
 from typing import Any
@@ -18,16 +15,15 @@ from bondem._compile_cuda import Array, download, launch, missing, recorded, upl
 from bondem.errors import InputError
 from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUNAWAY
 from bondem.kernels.cuda import sample
-from bondem.kernels.cuda.bonds import bond_forces, rotation_guard
-from bondem.kernels.cuda.elements import move, open_step, schedule_rows
-from bondem.kernels.cuda.tables import DeviceBonds, DeviceElements, DeviceGauges, RowSchedules
+from bondem.kernels.cuda.elements import move, open_step, pull_groups, schedule_rows
+from bondem.kernels.cuda.tables import DeviceBodies, DeviceElements, DeviceGauges, RowSchedules
 from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, Adjacency, Gauges, Rows, StepScheme
 from bondem.laws.damping import DampingTerms, LocalDamping
-from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.constraints import Constraints
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.solve.forces_cuda import BeamForces, DeviceForces, DeviceRun, FacetForces, starts
 from bondem.solve.loop_cpu import gauge_tables, noticeable
 from bondem.solve.plan import Plan
 
@@ -55,16 +51,18 @@ class GpuLoop:
         self._still_scheme = self._scheme._replace(dt=0.0, finish=0.0)
         self._clock = upload(np.zeros(1, dtype=np.int64))
         self._count = len(model.layout.order)
-        self._elements = DeviceElements._make(
-            map(upload, (state.pose, state.motion, state.acceleration, state.loss))
-        )
-        self._bonds = _bonds(model, state)
+        self._elements = DeviceElements._make(map(upload, (state.pose, state.motion, state.acceleration, state.loss)))
         layout = model.layout
-        starts = layout.in_start.astype(np.int32), layout.out_start.astype(np.int32)
-        self._adjacency = Adjacency._make(map(upload, (*starts, layout.out_bond)))
+        ends = layout.in_start.astype(np.int32), layout.out_start.astype(np.int32)
+        self._adjacency = Adjacency._make(map(upload, (*ends, layout.out_bond)))
         self._rows, self._schedules = _rows(model.constraints, state), _schedules(model.constraints)
+        self._bodies = _bodies(model.constraints)
+        run = DeviceRun(
+            self._clock, self._scheme, self._elements, self._adjacency, self._rows, self._schedules
+        )  # fmt: skip
+        self._forces: DeviceForces = (BeamForces if model.cells is None else FacetForces)(model, state, run)
         self._gauges = _gauges(gauge_tables(model, plan), state)
-        parts = _parts(max(self._count, self._bonds.m))
+        parts = _parts(max(self._count, self._forces.m))
         self._parts, self._fewer = zeros(sample.SUMS, parts), zeros(sample.SUMS, -(-parts // 128))
         self._graphs: dict[int, Any] = {}
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
@@ -77,6 +75,8 @@ class GpuLoop:
             self._step(0, still=True)
             self.state.stale = False
             self._fetch()
+        else:
+            self._forces.take_up()
         records = zeros(1, sample.SUMS + 3 * self._gauges.g)
         self._schedule(0)
         self._sample(0, records)
@@ -116,26 +116,29 @@ class GpuLoop:
         return self._finished(records, sampled), wide, lost, sick
 
     def _schedule(self, ahead: int, stream: Any = 0) -> None:
-        count = self._schedules.r
-        launch(
-            schedule_rows, count, self._clock, ahead, self._scheme, self._schedules, self._rows, stream=stream
-        )  # fmt: skip
+        clock, scheme, schedules, bodies = self._clock, self._scheme, self._schedules, self._bodies
+        launch(schedule_rows, schedules.r, clock, ahead, scheme, schedules, self._rows, stream=stream)
+        if bodies.b:
+            launch(pull_groups, bodies.present.shape[0], clock, ahead, scheme, schedules, bodies, stream=stream)
 
     def _open(self) -> None:
         self._schedule(0)
-        launch(open_step, self._count, self._elements, self._rows, self._scheme)
+        launch(open_step, self._count, self._elements, self._rows, self._bodies, self._scheme)
 
     def _step(self, tick: int, *, go_on: bool = False, still: bool = False, stream: Any = 0) -> None:
         """Forces of all bonds, and the motion of all elements; `still` finds the acceleration only."""
-        elements, bonds, scheme = self._elements, self._bonds, self._still_scheme if still else self._scheme
-        launch(bond_forces, bonds.m, elements, bonds, stream=stream)
+        scheme = self._still_scheme if still else self._scheme
+        self._forces.act(tick, stream)
         launch(
-            move, self._count, self._clock, tick, elements, self._adjacency, bonds.forces, self._rows, scheme, go_on,
-            stream=stream,
+            move, self._count, self._clock, tick, self._elements, self._adjacency, self._forces.forces, self._rows,
+            self._bodies, scheme, go_on, stream=stream,
         )  # fmt: skip
 
     def _go_on(self, steps: int) -> None:
         """Steps between pauses, in graphs of powers of two."""
+        if steps > 0 and not self._graphs:  # what a run that goes on has not launched yet is compiled now
+            self._inner(1, 0)
+            steps -= 1
         while steps > 0:
             size = min(_RECORDED, 1 << (steps.bit_length() - 1))
             if size not in self._graphs:
@@ -150,7 +153,7 @@ class GpuLoop:
 
     def _guard(self) -> tuple[int, int, int]:
         flags = upload(np.zeros(3, dtype=np.int32))
-        launch(rotation_guard, self._bonds.m, self._elements, self._bonds, flags)
+        self._forces.guard(flags)
         wide, lost, broken = flags.copy_to_host().tolist()
         return wide, lost, NOT_FINITE if broken else self._energy_guard()
 
@@ -169,7 +172,7 @@ class GpuLoop:
     def _sample(self, row: int, records: Array) -> None:
         parts, fewer, gauges = self._parts, self._fewer, self._gauges
         launch(sample.element_sums, parts.shape[1], self._elements, self._rows, parts)
-        launch(sample.bond_sums, parts.shape[1], self._elements, self._bonds, parts)
+        self._forces.sums(parts)
         launch(sample.gauge_sums, gauges.g * gauges.parts.shape[1], self._elements, gauges, self._rows)
         launch(sample.fold, fewer.size, parts, fewer)
         launch(sample.write_record, records.shape[1], fewer, gauges, row, records)
@@ -200,16 +203,16 @@ def require_runnable(model: Model, plan: Plan) -> None:
     Raises:
         InputError: something that runs on the CPU only, or no device.
     """
+    held = model.constraints
     lacking = {
         "contacts and walls": model.contact is not None,
-        "bonds that break": model.failure is not None,
+        "bonds or facets that break": model.failure is not None,
+        "the non-local law": model.non_local is not None,
         "the incremental formulation": model.formulation != "total",
-        "a boundary condition other than Fix, Drive and Load": any(
-            not isinstance(condition, Fix | Drive | Load) for condition in model.boundary
-        ),
+        "absorbing faces": len(held.absorbing) > 0,
+        "strains that change (state.set_eigenstrain gives constant ones)": len(held.strain_part) > 0,
         "damping other than LocalDamping": plan.damping is not None and not isinstance(plan.damping, LocalDamping),
         "gauges of walls": any(not isinstance(gauge, Gauge) for gauge in plan.gauges.values()),
-        "the cell law": model.cells is not None,
         "more than 2³¹ bonds": len(model.layout.i) >= 2**31,
     }
     for what, asked in lacking.items():
@@ -220,23 +223,20 @@ def require_runnable(model: Model, plan: Plan) -> None:
         raise InputError(f"device='gpu': {reason}")
 
 
-def _bonds(model: Model, state: State) -> DeviceBonds:
-    layout, bonds = model.layout, model.bonds.stretched(state.eigenstrain)
-    count, same = len(layout.i), bonds.alike
-    constants = [bonds.direction, bonds.length]
-    if same is None:
-        constants += [bonds.kn, bonds.A, bonds.B, bonds.C, bonds.kt]
-    arrays = (
-        layout.i, layout.j, np.vstack(constants), np.zeros(4) if same is None else np.array(same), state.integrity,
-        model.period,
-    )  # fmt: skip
-    return DeviceBonds._make([count, *map(upload, arrays), zeros(9, count)])
-
-
 def _rows(held: Constraints, state: State) -> Rows:
     of, fixed, reaction, work = map(upload, (held.row_of.astype(np.int32), held.fixed, state.reaction, state.work))
-    force, half, full = (zeros(len(held.element), 6) for _ in range(3))
-    return Rows(of, fixed, force, half, full, reaction, zeros(0, 6), work)
+    force, half, full, grip = (zeros(len(held.element), 6) for _ in range(4))
+    return Rows(of, fixed, force, half, full, reaction, grip, work)
+
+
+def _bodies(held: Constraints) -> DeviceBodies:
+    count = len(held.body_on)
+    member, group = np.unique(held.body_on.T, axis=0, return_inverse=True)
+    arrays = (
+        (group.ravel() if count else np.zeros(0)).astype(np.uint32), member.astype(float), held.body_value,
+        held.body_schedule,
+    )  # fmt: skip
+    return DeviceBodies._make([count, *map(upload, arrays), held.works[0], zeros(len(member), 3)])
 
 
 def _schedules(held: Constraints) -> RowSchedules:
@@ -244,8 +244,8 @@ def _schedules(held: Constraints) -> RowSchedules:
     loads, drives = np.argsort(held.load_row, kind="stable"), np.argsort(held.drive_row, kind="stable")
     arrays = (
         held.times, held.values, held.start,
-        _starts(held.load_row, rows), held.load_schedule[loads], held.load_value[loads],
-        _starts(held.drive_row, rows), held.drive_dof[drives], held.drive_schedule[drives], held.drive_rate[drives],
+        starts(held.load_row, rows), held.load_schedule[loads], held.load_value[loads],
+        starts(held.drive_row, rows), held.drive_dof[drives], held.drive_schedule[drives], held.drive_rate[drives],
     )  # fmt: skip
     return RowSchedules._make([rows, *map(upload, arrays)])
 
@@ -255,11 +255,6 @@ def _gauges(gauges: Gauges, state: State) -> DeviceGauges:
     arrays = state.rest[element], gauges.start, element.astype(np.int32), gauges.quantity, gauges.reduction
     parts = zeros(count, _parts(int(np.diff(gauges.start).max(initial=1))), 3)
     return DeviceGauges._make([count, *map(upload, arrays), parts])
-
-
-def _starts(rows: np.ndarray, count: int) -> np.ndarray:
-    """Where the entries of each row begin in `rows`, once sorted."""
-    return np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=count))]).astype(np.int64)
 
 
 def _parts(entries: int) -> int:

@@ -1,8 +1,8 @@
-"""One thread a bond: its force and torques; and whether it has turned too far."""
+"""One thread a bond: its force and torques."""
 
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
-from bondem.laws.beam_energy import bond_cosines, bond_force
+from bondem.laws.beam_energy import bond_force
 
 # 1.5 · 2⁵²: adding it drops the fraction of a double, to the nearest whole number (numpy.rint is unknown to CUDA)
 _WHOLE = 6755399441055744.0
@@ -52,30 +52,3 @@ def bond_forces(elements, bonds):
     forces[0, k], forces[1, k], forces[2, k] = fx, fy, fz
     forces[3, k], forces[4, k], forces[5, k] = ax, ay, az
     forces[6, k], forces[7, k], forces[8, k] = bx, by, bz
-
-
-@cuda_kernel
-def rotation_guard(elements, bonds, flags):
-    """Add to `flags` (3,) the bonds beyond the valid range, beyond its end, and with numbers that are not finite."""
-    k = cuda.grid(1)
-    if k >= bonds.m:
-        return
-    pose, constants = elements.pose, bonds.constants
-    a = bonds.i[k]
-    b = bonds.j[k]
-    dx, dy, dz = branch(pose, a, b, bonds.period)
-    c1, c2, w2 = bond_cosines(
-        dx, dy, dz,
-        pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
-        pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
-        constants[0, k], constants[1, k], constants[2, k],
-    )  # fmt: skip
-    c = min(c1, c2)
-    # counts of whole numbers: the order in which threads add changes nothing
-    if not (c * c + w2 < 4.0):
-        cuda.atomic.add(flags, 2, 1)
-    if bonds.integrity[k] > 0.0:
-        if c < 0.7 or w2 < 0.75:
-            cuda.atomic.add(flags, 0, 1)
-        if c <= 0.0 or w2 <= 0.25:
-            cuda.atomic.add(flags, 1, 1)

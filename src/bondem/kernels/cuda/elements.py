@@ -1,4 +1,4 @@
-"""One thread an element: it gathers its bonds and moves; one a boundary row: its schedules.
+"""One thread an element: it gathers its bonds and moves; one a boundary row, or a body force's group: its schedules.
 
 The step number is on the device (`clock`), so that the launches of a step are the same for every step. The sequence
 is that of `bondem.kernels.element_pass` and `bondem.kernels.boundary`, by the same functions. (As one function of
@@ -8,7 +8,7 @@ both, with its dozen arrays, it would take the CPU twice the time for a step.)
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.boundary import interpolate
-from bondem.kernels.element_rows import loaded, prescribed, react, row_power, switched_energy
+from bondem.kernels.element_rows import gripped, loaded, prescribed, react, row_power, switched_energy
 from bondem.kernels.tables import DAMPED, INVERSE_INERTIA, INVERSE_MASS, POWER
 from bondem.laws.damping import direction, local_damping
 from bondem.laws.rotations import turn
@@ -82,7 +82,39 @@ def schedule_rows(clock, ahead, scheme, schedules, rows):
 
 
 @cuda_kernel
-def open_step(elements, rows, scheme):
+def pull_groups(clock, ahead, scheme, schedules, bodies):
+    """Set the acceleration that body forces give a group `ahead` steps from now."""
+    g = cuda.grid(1)
+    if g >= bodies.present.shape[0] or bodies.b == 0:
+        return
+    t = scheme.origin + (clock[0] + ahead) * scheme.dt
+    for d in range(3):
+        bodies.present[g, d] = 0.0
+    for b in range(bodies.b):
+        amplitude = _value(schedules, bodies.schedule[b], t)
+        for d in range(3):
+            bodies.present[g, d] += bodies.member[g, b] * amplitude * bodies.pull[b, d]
+
+
+@device
+def _pulled(bodies, p, m, f):
+    """Force with body forces, if there are any; m = 1/mass."""
+    if bodies.b == 0:
+        return f
+    g, a = bodies.group[p], bodies.present
+    return f[0] + a[g, 0] / m, f[1] + a[g, 1] / m, f[2] + a[g, 2] / m
+
+
+@device
+def _body_work(work, bodies, p, m, half, v):
+    """Add the work of the body forces over half a step [J]."""
+    if bodies.b > 0:
+        g, a = bodies.group[p], bodies.present
+        work[bodies.place + p] += half * (a[g, 0] * v[0] + a[g, 1] * v[1] + a[g, 2] * v[2]) / m
+
+
+@cuda_kernel
+def open_step(elements, rows, bodies, scheme):
     """Open a step after a pause."""
     p = cuda.grid(1)
     if p >= elements.pose.shape[0]:
@@ -91,21 +123,22 @@ def open_step(elements, rows, scheme):
     a = acceleration[p, 0], acceleration[p, 1], acceleration[p, 2]
     b = acceleration[p, 3], acceleration[p, 4], acceleration[p, 5]
     v, w = _velocities(motion, p)
+    m, u = motion[p, INVERSE_MASS], motion[p, INVERSE_INERTIA]
     r = rows.of[p]
     if r >= 0:
-        m, u = motion[p, INVERSE_MASS], motion[p, INVERSE_INERTIA]
         rows.work[r] += switched_energy(rows.fixed, rows.half, r, m, u, v, w)
     v, w = _kicked(v, begin, a), _kicked(w, begin, b)
     if r >= 0:
         v, w = prescribed(rows.fixed, rows.half, r, v, w)
         rows.work[r] += 0.5 * dt * row_power(rows.fixed, rows.force, rows.reaction, r, v, w)
+    _body_work(rows.work, bodies, p, m, 0.5 * dt, v)
     _put_velocities(motion, p, v, w)
     _drift(elements.pose, p, dt, scheme.extra, v, w, a, b)
 
 
 @cuda_kernel
-def move(clock, tick, elements, adjacency, forces, rows, scheme, go_on):
-    """Add up an element's bonds, close the step, and open the next or not; the clock goes on by `tick`.
+def move(clock, tick, elements, adjacency, forces, rows, bodies, scheme, go_on):
+    """Add up an element's bonds or facets, close the step, and open the next or not; the clock goes on by `tick`.
 
     Bonds are added as on the CPU: those with j = p, then those with i = p, both ascending.
     """
@@ -135,8 +168,11 @@ def move(clock, tick, elements, adjacency, forces, rows, scheme, go_on):
     f, t = (f0, f1, f2), (t0, t1, t2)
     v, w = _velocities(motion, p)
     m, u = motion[p, INVERSE_MASS], motion[p, INVERSE_INERTIA]
+    f = _pulled(bodies, p, m, f)
+    _body_work(rows.work, bodies, p, m, 0.5 * dt, v)
     r = rows.of[p]
     if r >= 0:
+        f, t = gripped(rows.grip, r, f, t)
         react(rows.reaction, r, f, t)
         rows.work[r] += 0.5 * dt * row_power(rows.fixed, rows.force, rows.reaction, r, v, w)
         f, t = loaded(rows.fixed, rows.force, r, f, t)
@@ -163,6 +199,7 @@ def move(clock, tick, elements, adjacency, forces, rows, scheme, go_on):
             rows.work[r] += switched_energy(rows.fixed, rows.half, r, m, u, v, w)
             v, w = prescribed(rows.fixed, rows.half, r, v, w)
             rows.work[r] += 0.5 * dt * row_power(rows.fixed, rows.force, rows.reaction, r, v, w)
+        _body_work(rows.work, bodies, p, m, 0.5 * dt, v)
     _put_velocities(motion, p, v, w)
     if go_on:
         _drift(elements.pose, p, dt, scheme.extra, v, w, a, b)

@@ -116,7 +116,7 @@ def gauge_sums(elements, gauges, rows):
                 x = elements.motion[p, SPIN + d]
             elif rows.of[p] >= 0:
                 r = rows.of[p]
-                x = rows.reaction[r, d] if rows.fixed[r, d] else rows.force[r, d]
+                x = rows.grip[r, d] + (rows.reaction[r, d] if rows.fixed[r, d] else rows.force[r, d])
             value = max(value, abs(x)) if gauges.reduction[g] == LARGEST else value + x
         gauges.parts[g, s, d] = value
 

@@ -30,6 +30,54 @@ class DeviceBonds(NamedTuple):
     forces: Array  #: force on j, torque on i and on j; (9, m)
 
 
+class DeviceFacets(NamedTuple):
+    """The facets of a body, m of them, and what makes stress of dilatation; kernels write `forces` only."""
+
+    m: int  #: how many
+    i: Array  #: uint32, (m,)
+    j: Array  #: uint32, after i, (m,)
+    integrity: Array  #: 1 intact … 0 broken [-], (m,)
+    period: Array  #: edges of the periodic cell and their inverses, zero where there is none, (6,)
+    k: Array  #: from here to `weight` as `bondem.kernels.tables.CellTable` has them
+    pitch: Array
+    lever_i: Array
+    lever_j: Array
+    share_i: Array
+    share_j: Array
+    normal: Array
+    H: Array
+    weight: Array
+    forces: Array  #: V θ of i and of j (2 rows), then force on j, torque on i and on j; (9, m)
+
+
+class DeviceHolds(NamedTuple):
+    """What walls and tractions do to the cells of each row of the boundary; kernels write the last two.
+
+    The walls' own table is a `bondem.kernels.tables.GripTable` in the order of the rows.
+    """
+
+    g: int  #: facets that walls hold
+    rest: Array  #: centres in the reference [m], (n, 3) where walls hold cells, else unused
+    grip_start: Array  #: where the grips of each row begin, (r + 1,)
+    press_start: Array  #: where the tractions of each row begin, (r + 1,)
+    press_schedule: Array  #: (e,)
+    press_value: Array  #: what each adds to V θ of its cell at full load [m³], (e,)
+    press_factor: Array  #: present factors, (e,)
+    press_came: Array  #: by how much they changed in this step, (e,)
+
+
+class DeviceBodies(NamedTuple):
+    """Body forces, b of them, on g groups of elements that have the same ones; kernels write `present` only."""
+
+    b: int  #: how many
+    group: Array  #: of each element, uint32, (n,), unused without body forces
+    member: Array  #: which of them act on a group, 0 or 1, (g, b)
+    pull: Array  #: their accelerations [m/s²], (b, 3)
+    schedule: Array  #: (b,)
+    place: int  #: where their works begin in the list of works, one an element
+    present: Array  #: acceleration of each group now [m/s²], (g, 3)
+
+
 class RowSchedules(NamedTuple):
     """Schedules of the rows of the boundary; the loads and drives of a row are contiguous."""
 
