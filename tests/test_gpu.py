@@ -185,6 +185,11 @@ def test_what_the_device_cannot_do_is_refused() -> None:
     for bond, options, what in (
         (bd.CellBond(E=1e7, nu=0.2), {"failure": bd.Rankine(tension=1e5)}, "bonds or facets that break"),
         (bd.CellBond(E=1e7, nu=0.2), {"boundary": open_end}, "absorbing faces"),
+        (bd.CellBond(E=1e7, nu=0.2), {"boundary": heat}, "strains that change"),
+        (
+            bd.CellBond(E=1e7, nu=0.2), {"boundary": bd.Pressure(bd.Face("x_max"), 1.0, follows=True)},
+            "pressures that follow",
+        ),
         (bd.NonLocal(E=1e7, nu=0.2), {}, "the non-local law"),
     ):
         with pytest.raises(InputError, match=rf"cannot run {what}.* yet; use device='cpu'"):

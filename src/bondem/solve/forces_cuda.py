@@ -102,7 +102,7 @@ class FacetForces:
         assert model.cells is not None
         self._run = run
         layout, held = model.layout, model.constraints
-        cells = model.cells.stretched(state.eigenstrain).damaged(state.integrity, layout.i, layout.j)
+        cells = model.cells.stretched(state.eigenstrain, layout).damaged(state.integrity, layout.i, layout.j)
         self.m = m = len(layout.i)
         table = cells.rows(layout.i)
         arrays = (

@@ -210,6 +210,7 @@ def require_runnable(model: Model, plan: Plan) -> None:
         "the non-local law": model.non_local is not None,
         "the incremental formulation": model.formulation != "total",
         "absorbing faces": len(held.absorbing) > 0,
+        "pressures that follow": len(held.load_turns) > 0,
         "strains that change (state.set_eigenstrain gives constant ones)": len(held.strain_part) > 0,
         "damping other than LocalDamping": plan.damping is not None and not isinstance(plan.damping, LocalDamping),
         "gauges of walls": any(not isinstance(gauge, Gauge) for gauge in plan.gauges.values()),
