@@ -22,7 +22,7 @@ from tests.bits import EnoughError, assert_same_bits
 
 DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
-_SOFT = ("cracks", "plastic", "facet_force")
+_SOFT = ("cracks", "plastic", "facet_force", "softened")
 MISSING = {
     2: (("stress", "broken", "released", *_SOFT), (NON_LOCAL, FRACTURE, PLASTIC)),
     3: (("broken", "released", *_SOFT), (FRACTURE, PLASTIC)),

@@ -95,18 +95,22 @@ def judge_bond(pose, bonds, breaks, k):
 
 @loop(parallel=False)
 def judge_block(pose, bonds, breaks, block, first, place):
-    """Of the marked bonds first … place of a block keep those that break, and hold back their ends; how many."""
-    count = 0
+    """Of the marked bonds first … place of a block keep those that break, and hold back their ends; how many.
+
+    Those that begin to soften hold nobody back.
+    """
+    count, softens = 0, breaks.softens
     if breaks.now[1] >= 0.0:
         for e in range(first, place):
             k = breaks.marked[e]
             if bonds.integrity[k] > 0.0 and judge_bond(pose, bonds, breaks, k)[0] >= 1.0:
                 breaks.marked[first + count] = k
-                breaks.held[bonds.i[k]] = 1
-                breaks.held[bonds.j[k]] = 1
+                if not softens:
+                    breaks.held[bonds.i[k]] = 1
+                    breaks.held[bonds.j[k]] = 1
                 count += 1
     breaks.found[block] = count
-    return count
+    return 0 if softens else count
 
 
 @kernel(parallel=False)

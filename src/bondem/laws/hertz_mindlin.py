@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 
@@ -37,6 +38,8 @@ class HertzMindlin(ContactLaw):
         overlap: deepest overlap over the radius that the time step is made for [-]: stiffness grows as its root.
         stress_free: as `LinearContact` has it.
     """
+
+    parallel: ClassVar[bool] = False
 
     E: float
     nu: float
