@@ -15,10 +15,9 @@ from bondem._compile import device, kernel, loop, prange
 from bondem.kernels.bond_pass import branch
 from bondem.kernels.breaking import write_break
 from bondem.kernels.contact_pairs import press_on
-from bondem.kernels.judging import judge_bond
+from bondem.kernels.soft_beam import whole_beam
 from bondem.kernels.soft_tables import BEGUN, FIRST, LAST, LOOKED_AT, LOST, MODE, PARTS, PUSH, RATE, SOFT_BOND, SPENT
-from bondem.laws.beam_energy import bond_energy
-from bondem.laws.beam_softening import last_opening, opened_and_slid
+from bondem.laws.beam_softening import last_opening
 from bondem.laws.cell_energy import scalar
 from bondem.laws.softening import softened
 
@@ -28,22 +27,6 @@ _SERIAL = 500
 _PORTION = 250
 # Integrity below which nothing is left.
 _NOTHING = 1e-9
-
-
-@loop(parallel=False)
-def _whole(pose, bonds, k):
-    """Branch and extension of a beam [m], and what opens and slides of its energy as if it were whole [J]."""
-    a, b = bonds.i[k], bonds.j[k]
-    d = branch(pose, a, b, bonds.period)
-    parts = bond_energy(
-        d[0], d[1], d[2],
-        pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7], pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
-        bonds.X0[k], bonds.Y0[k], bonds.Z0[k], bonds.length[k],
-        bonds.kn[k], bonds.A[k], bonds.B[k], bonds.C[k], bonds.kt[k], bonds.ks[k], bonds.lever[k],
-    )  # fmt: skip
-    extension = math.sqrt(scalar(d, d)) - bonds.length[k]
-    opening, sliding = opened_and_slid(parts, extension)
-    return d, extension, opening, sliding
 
 
 @loop(parallel=False)
@@ -81,7 +64,7 @@ def _look_at(pose, bonds, soft, change, first, last):
         row, output = rows[c], outputs[c]
         k = np.int64(row[SOFT_BOND])
         s = integrity[k]
-        d, extension, opening, sliding = _whole(pose, bonds, k)
+        d, extension, opening, sliding = whole_beam(pose, bonds, k)
         rate, new = opening + sliding, s
         if change and s > 0.0:
             new = softened(s, math.sqrt(rate), row[FIRST], row[LAST])
@@ -148,15 +131,17 @@ def soften_beams(elements, bonds, contacts, breaks, soft, threaded):
 
 
 @loop(parallel=False)
-def begin_to_soften(pose, bonds, breaks, soft):
-    """Put the beams that were found to reach their strength into the list, in the order of the bonds."""
+def begin_to_soften(breaks, soft):
+    """Put the beams that were found to reach their strength into the list, in the order of the bonds.
+
+    What they held then was written down as they were judged: by now their ends may have moved.
+    """
     for block in range(len(breaks.found)):
         for e in range(breaks.begin[block], breaks.begin[block] + breaks.found[block]):
             k = breaks.marked[e]
-            _, mode = judge_bond(pose, bonds, breaks, k)
-            _, _, opening, sliding = _whole(pose, bonds, k)
+            opening, sliding = breaks.onset[k, 0], breaks.onset[k, 1]
             rate, row = opening + sliding, soft.row[soft.sizes[BEGUN]]
-            row[SOFT_BOND], row[MODE], row[RATE], row[SPENT] = k, mode, rate, 0.0
+            row[SOFT_BOND], row[MODE], row[RATE], row[SPENT] = k, breaks.onset[k, 2], rate, 0.0
             row[FIRST] = math.sqrt(rate)
             row[LAST] = last_opening(opening, sliding, soft.tear[k], soft.shear[k], row[FIRST])
             soft.sizes[BEGUN] += 1

@@ -167,7 +167,7 @@ def all_forces(run, same, history, body, non_local, scheme, added, contacts, bre
             soften_beams(elements, bonds, contacts, breaks, soft, len(cut.domain) > 2)
         sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, breaks, go_on)
         if soft is not None:
-            begin_to_soften(elements.pose, bonds, breaks, soft)
+            begin_to_soften(breaks, soft)
         elif breaks is not None:
             break_bonds(elements, bonds, cut.sums, added, contacts, breaks)
     if breaks is not None and soft is None:

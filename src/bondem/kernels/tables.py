@@ -304,6 +304,7 @@ class Breaks(NamedTuple):
     coefficient: np.ndarray  #: what judges each bond, (m, 4)
     station: np.ndarray  #: where its moment counts, from i over its length; below 0 the larger of both ends, (m,)
     softens: bool  #: whether bonds lose their integrity little by little (`kernels.beam_softening`)
+    onset: np.ndarray  #: what opens and slides of those that begin to [J], and their mode, (m, 3), or (0, 3)
     limit: np.ndarray  #: of the bound of each bond, inf of those that soften, float32, (m,)
     of_force: float  #: the bound is of_force |F|² + of_moment |M|² [1/N²]
     of_moment: float  #: [1/(N·m)²]

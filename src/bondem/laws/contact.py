@@ -33,7 +33,7 @@ class ContactLaw(ABC):
 
     friction: float
     stress_free: bool
-    parallel: bool
+    parallel: bool = False
 
     @property
     @abstractmethod

@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar
 
 import numpy as np
 
@@ -38,8 +37,6 @@ class HertzMindlin(ContactLaw):
         overlap: deepest overlap over the radius that the time step is made for [-]: stiffness grows as its root.
         stress_free: as `LinearContact` has it.
     """
-
-    parallel: ClassVar[bool] = False
 
     E: float
     nu: float

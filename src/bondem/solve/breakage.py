@@ -32,7 +32,8 @@ def breaking(model: Model, state: State, blocks: Blocks) -> Breaks | None:
     limit[state.softened[:, SOFT_BOND].astype(np.int64)] = np.inf
     return Breaks(
         kind=table.kind, coefficient=table.coefficient, station=table.station,
-        softens=model.beam_softening is not None, limit=limit,
+        softens=model.beam_softening is not None, onset=np.zeros((m if model.beam_softening is not None else 0, 3)),
+        limit=limit,
         of_force=table.of_force, of_moment=table.of_moment, now=np.array([0.0, -1.0]),
         marked=np.empty(m, dtype=np.int64), begin=begin.astype(np.int64), found=np.zeros(len(begin), dtype=np.int64),
         held=np.zeros(n, dtype=np.uint8),
