@@ -110,7 +110,7 @@ def test_a_run_goes_on_from_an_older_file_to_the_bit(schema: int, tmp_path: Path
     assert_same_bits(whole, resumed)
     np.testing.assert_array_equal(whole.history.records, resumed.history.records)
     with h5py.File(place) as file:  # what it leaves is of today
-        assert file.attrs["schema"] == 5
+        assert file.attrs["schema"] == 6
         assert "state/broken" in file
 
 

@@ -4,6 +4,7 @@ import functools
 import math
 from pathlib import Path
 
+import h5py
 import numba
 import numpy as np
 import pytest
@@ -227,3 +228,16 @@ def test_what_beams_that_soften_cannot_have_is_refused(failure: dict, options: d
     own = {"tension": FT, "cohesion": FT, "friction_angle": 0.5, "fracture_energy": G_F} | failure
     with pytest.raises(InputError, match=line):
         bd.Model(pulled((1.0, 0.0), 1e-6).lattice, LAW, density=1e3, failure=bd.MohrCoulomb(**own), **options)
+
+
+def test_a_run_file_of_before_is_read(tmp_path: Path) -> None:
+    """Schema 5 knows no beams that soften: none had begun."""
+    model = pulled((1.0, 0.0), 1e-6)
+    bd.solve_explicit(model, duration=1e-5, out=tmp_path / "run.h5")
+    with h5py.File(tmp_path / "run.h5", "a") as file:
+        assert file.attrs["schema"] == 6
+        file.attrs["schema"] = 5
+        del file["state/softened"]
+    read = bd.read_run(tmp_path / "run.h5")
+    assert read.state.softened.shape == (0, 6)
+    assert read.model.failure == CRITERION
