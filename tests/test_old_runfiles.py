@@ -22,7 +22,7 @@ from tests.bits import EnoughError, assert_same_bits
 
 DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
-_SOFT = ("cracks", "plastic", "facet_force")
+_SOFT = ("cracks", "plastic", "facet_force", "softened")
 MISSING = {
     2: (("stress", "broken", "released", *_SOFT), (NON_LOCAL, FRACTURE, PLASTIC)),
     3: (("broken", "released", *_SOFT), (FRACTURE, PLASTIC)),
@@ -110,7 +110,7 @@ def test_a_run_goes_on_from_an_older_file_to_the_bit(schema: int, tmp_path: Path
     assert_same_bits(whole, resumed)
     np.testing.assert_array_equal(whole.history.records, resumed.history.records)
     with h5py.File(place) as file:  # what it leaves is of today
-        assert file.attrs["schema"] == 5
+        assert file.attrs["schema"] == 6
         assert "state/broken" in file
 
 

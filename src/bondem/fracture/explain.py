@@ -127,7 +127,9 @@ def _doubts(model: Model, one: ImpliedFracture) -> list[str]:
 
 def _implied_lines(model: Model, one: ImpliedFracture) -> list[str]:
     what, cells = _part(model), model.cells is not None
-    given = "as given" if one.softens else "of brittle " + ("facets, f_t² L / E" if cells else "bonds, estimated")
+    given = "as given" if one.softens else "of brittle facets, f_t² L / E"
+    if not cells:
+        given = f"of {'bonds that soften' if one.softens else 'brittle bonds'}, estimated"
     kind = "cells" if cells else "elements"
     lines = [
         f"Fracture of {len(model.lattice.particles)} {kind} with {len(model.lattice.pairs)} {what}s by"
@@ -157,7 +159,8 @@ def _state_lines(
         lines.append(f"  the cell nearest to yielding is at {yielding:.3g} of its strength (1 yields)")
     if not len(nearest):
         return [*lines, f"  no {what} is pulled"]
-    lines.append(f"  nearest to failure (1 {'softens' if model.softening is not None else 'breaks'}):")
+    softens = model.softening is not None or model.beam_softening is not None
+    lines.append(f"  nearest to failure (1 {'softens' if softens else 'breaks'}):")
     pairs = model.lattice.pairs[nearest].tolist()
     for k, value, (i, j), place in zip(nearest.tolist(), index.tolist(), pairs, position.tolist(), strict=True):
         where = ", ".join(f"{1e3 * x:.4g}" for x in place)

@@ -34,12 +34,12 @@ from bondem.solve.plan import Plan
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 5
+SCHEMA = 6
 # From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
-# on criteria of failure and what broke; from 5 on cracks that soften and cells that yield.
+# on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams.
 _OLDEST = 2
 # Schema from which on an array of the state is there.
-_SINCE = {"stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5}
+_SINCE = {"stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6}
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from bondem._compile import device, kernel, loop
+from bondem.kernels.beam_softening import clear_pushes
 from bondem.kernels.bond_pass import rotation_guard
 from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.cell_strain import strain_body
@@ -81,18 +82,19 @@ def set_body_clock(body, t, step):
 
 
 @kernel(parallel=False)
-def clear_loads(body):
-    """Take off what cracks did a step ago, where there are any."""
+def clear_loads(bonds, body, soft):
+    """Take off what cracks and beams that soften did a step ago, where there are any."""
     if body is not None:
         clear_crack_loads(body.cracks)
+    clear_pushes(bonds, soft)
 
 
 @kernel(parallel=False)
 def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
 
-    `law` is what forces come from: what all bonds share, what bonds store, the tables of a body of cells and of the
-    non-local law, each or None. `breaks` says when bonds break, or is None where none do.
+    `law` is what forces come from: what all bonds share, what bonds store, the tables of a body of cells, of the
+    non-local law and of beams that soften, each or None. `breaks` says when bonds break, or is None where none do.
 
     The acceleration is that of the present state on entry and on return. Between samples the end of one step and the
     start of the next are fused into one pass over the elements. The two passes go block by block, and an element
@@ -106,7 +108,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
         contacts is out of date).
     """
     elements, bonds, rows, schedules = run.elements, run.bonds, run.rows, run.schedules
-    same, history, body, non_local = law
+    same, history, body, non_local, soft = law
     start, dt = scheme.origin + span.step * scheme.dt, scheme.dt
     threaded = bonds.m >= SERIAL_BONDS
     done = written = wide = lost = 0
@@ -126,7 +128,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
                 move_walls(t, dt, contacts)
                 if outdated(elements.pose, contacts):
                     return done, written, wide, lost, sick, True
-        clear_loads(body)
+        clear_loads(bonds, body, soft)
         if contacts is not None:
             contact_loads(elements, bonds.period, dt, contacts, len(run.cut.domain) > 2)
         moved = False
@@ -140,7 +142,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
         move_holds(t, dt, schedules, body)
         set_clock(breaks, t, now)
         set_body_clock(body, t, now)
-        all_forces(run, same, history, body, non_local, scheme, added, contacts, breaks, not paused)
+        all_forces(run, same, history, body, non_local, scheme, added, contacts, breaks, soft, not paused)
         if looked:
             turned, lost, broken = rotation_guard(elements.pose, bonds)
             wide = max(wide, turned)
@@ -149,6 +151,6 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
                 break
         if sampled:
             record = records[written]
-            sample(t, elements, bonds, rows, run.gauges, history, body, non_local, contacts, breaks, record)
+            sample(t, elements, bonds, rows, run.gauges, history, body, non_local, contacts, breaks, soft, record)
             written += 1
     return done, written, wide, lost, sick, False

@@ -149,6 +149,31 @@ def pair_energy(pose, period, c, k):
 
 
 @loop(parallel=False)
+def _begin_pair(elements, period, contacts, k):
+    """Let a pair that was passed over so far touch as it is, its tangential spring at rest; whether it touches."""
+    contacts.touch[k] = 0
+    for d in range(6):
+        contacts.stretch[k, d] = 0.0
+    some_pairs(elements, period, contacts, np.inf, 0.0, k, k + 1)
+    return contacts.touch[k] == TOUCHING
+
+
+@loop(parallel=False)
+def press_on(elements, period, contacts, load, e):
+    """The pair of bond e, of which nothing is left by now, bears what presses it together, on `load` of its ends."""
+    k = contacts.of_bond[e]
+    if k < 0:
+        return
+    if _begin_pair(elements, period, contacts, k):
+        a, b, output = contacts.first[k], contacts.second[k], contacts.output
+        for d in range(3):
+            load[a, d] -= output[k, d]
+            load[b, d] += output[k, d]
+            load[a, 3 + d] += contacts.radius[a] * output[k, 3 + d]
+            load[b, 3 + d] += contacts.radius[b] * output[k, 3 + d]
+
+
+@loop(parallel=False)
 def begin_contact(elements, bonds, contacts, sums, first_row, e):
     """The pair of bond e, broken just now, bears what presses it together; the energy that it takes over [J].
 
@@ -157,11 +182,7 @@ def begin_contact(elements, bonds, contacts, sums, first_row, e):
     k = contacts.of_bond[e]
     if k < 0:
         return 0.0
-    contacts.touch[k] = 0
-    for d in range(6):
-        contacts.stretch[k, d] = 0.0
-    some_pairs(elements, bonds.period, contacts, np.inf, 0.0, k, k + 1)
-    if contacts.touch[k] != TOUCHING:
+    if not _begin_pair(elements, bonds.period, contacts, k):
         return 0.0
     a, b, output = contacts.first[k], contacts.second[k], contacts.output
     for d in range(3):

@@ -13,6 +13,7 @@ import numpy as np
 
 from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import branch
+from bondem.kernels.soft_beam import whole_beam
 from bondem.laws.beam_energy import bond_force
 from bondem.laws.cell_energy import cross, scalar
 from bondem.laws.failure.elliptic import elliptic_index
@@ -95,18 +96,28 @@ def judge_bond(pose, bonds, breaks, k):
 
 @loop(parallel=False)
 def judge_block(pose, bonds, breaks, block, first, place):
-    """Of the marked bonds first … place of a block keep those that break, and hold back their ends; how many."""
-    count = 0
+    """Of the marked bonds first … place of a block keep those that break, and hold back their ends; how many.
+
+    Those that begin to soften hold nobody back; what they hold now is written down.
+    """
+    count, softens = 0, breaks.softens
     if breaks.now[1] >= 0.0:
         for e in range(first, place):
             k = breaks.marked[e]
-            if bonds.integrity[k] > 0.0 and judge_bond(pose, bonds, breaks, k)[0] >= 1.0:
+            if bonds.integrity[k] <= 0.0:
+                continue
+            index, mode = judge_bond(pose, bonds, breaks, k)
+            if index >= 1.0:
                 breaks.marked[first + count] = k
-                breaks.held[bonds.i[k]] = 1
-                breaks.held[bonds.j[k]] = 1
+                if softens:
+                    _, _, opening, sliding = whole_beam(pose, bonds, k)
+                    breaks.onset[k, 0], breaks.onset[k, 1], breaks.onset[k, 2] = opening, sliding, mode
+                else:
+                    breaks.held[bonds.i[k]] = 1
+                    breaks.held[bonds.j[k]] = 1
                 count += 1
     breaks.found[block] = count
-    return count
+    return 0 if softens else count
 
 
 @kernel(parallel=False)

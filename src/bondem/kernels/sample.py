@@ -5,12 +5,14 @@ import math
 import numpy as np
 
 from bondem._compile import device, kernel, loop
+from bondem.kernels.beam_softening import pressed_energy
 from bondem.kernels.bond_pass import bond_energies
 from bondem.kernels.cell_energies import cell_energies
 from bondem.kernels.contact_pass import contact_energy
 from bondem.kernels.cracking import dissipated
 from bondem.kernels.incremental import incremental_energies
 from bondem.kernels.non_local import non_local_energies
+from bondem.kernels.soft_tables import BEGUN
 from bondem.kernels.tables import (
     BENDING,
     CONTACT,
@@ -160,7 +162,7 @@ def _of_cracks(cracks, record):
 
 
 @kernel(parallel=False)
-def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts, breaks, record):
+def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts, breaks, soft, record):
     """One row of the history."""
     record[TIME] = t
     energies(elements, bonds, rows.work, history, body, non_local, record)
@@ -168,6 +170,8 @@ def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts,
         of_contacts(elements.pose, bonds.period, contacts, gauges, record)
     if breaks is not None:
         record[FRACTURE] = breaks.released[0]
+    if soft is not None:
+        record[NORMAL] += pressed_energy(elements.pose, bonds, soft.row, soft.sizes[BEGUN], soft.handed)
     if body is not None:
         _of_cracks(body.cracks, record)
     gauged(elements, rows, gauges, record)

@@ -6,6 +6,7 @@ See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 import numpy as np
 
 from bondem._compile import kernel, loop, prange
+from bondem.kernels.beam_softening import begin_to_soften, soften_beams
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.breaking import break_bonds, let_go, lists
 from bondem.kernels.cell_pass import facet_loads, gather_swelling, stress_cells, swell
@@ -149,10 +150,11 @@ def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, schem
 
 
 @kernel(parallel=False)
-def all_forces(run, same, history, body, non_local, scheme, added, contacts, breaks, go_on):
+def all_forces(run, same, history, body, non_local, scheme, added, contacts, breaks, soft, go_on):
     """A step over everything, on one thread or on as many as there are domains.
 
-    The forces of contacts are known, but for those of pairs whose bonds break now.
+    The forces of contacts are known, but for those of pairs whose bonds break now. `soft` is the table of beams that
+    soften, or None.
     """
     elements, bonds, cut, rows = run.elements, run.bonds, run.cut, run.rows
     if body is not None:  # decided when compiled
@@ -161,10 +163,14 @@ def all_forces(run, same, history, body, non_local, scheme, added, contacts, bre
         if breaks is not None:
             break_facets(elements, bonds, body, cut.sums, rows, added, contacts, breaks)
     else:
+        if soft is not None:
+            soften_beams(elements, bonds, contacts, breaks, soft, len(cut.domain) > 2)
         sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, breaks, go_on)
-        if breaks is not None:
+        if soft is not None:
+            begin_to_soften(breaks, soft)
+        elif breaks is not None:
             break_bonds(elements, bonds, cut.sums, added, contacts, breaks)
-    if breaks is not None:
+    if breaks is not None and soft is None:
         let_go(elements, cut.sums, rows, scheme, added, breaks, go_on)
     if non_local is not None:  # which is on one thread always
         settle_stress(non_local)

@@ -49,7 +49,7 @@ class Elements(NamedTuple):
     acceleration: np.ndarray  #: translational and rotational, at a pause [m/s², rad/s²], (n, 6)
     loss: np.ndarray  #: (n, 3)
     rest: np.ndarray  #: centres in the reference [m], (n, 3)
-    load: np.ndarray  #: force and torque of contacts or cracks [N, N·m], (n, 6), or (0,) where there can be none
+    load: np.ndarray  #: force and torque of contacts, cracks, pressed beams [N, N·m], (n, 6), or (0,) without
 
 
 class Bonds(NamedTuple):
@@ -303,7 +303,9 @@ class Breaks(NamedTuple):
     kind: int  #: number of the criterion
     coefficient: np.ndarray  #: what judges each bond, (m, 4)
     station: np.ndarray  #: where its moment counts, from i over its length; below 0 the larger of both ends, (m,)
-    limit: np.ndarray  #: of the bound of each bond, float32, (m,)
+    softens: bool  #: whether bonds lose their integrity little by little (`kernels.beam_softening`)
+    onset: np.ndarray  #: what opens and slides of those that begin to [J], and their mode, (m, 3), or (0, 3)
+    limit: np.ndarray  #: of the bound of each bond, inf of those that soften, float32, (m,)
     of_force: float  #: the bound is of_force |F|² + of_moment |M|² [1/N²]
     of_moment: float  #: [1/(N·m)²]
     now: np.ndarray  #: time [s] and step that bonds break at; a step below 0 where none is to, (2,)

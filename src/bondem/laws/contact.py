@@ -33,6 +33,7 @@ class ContactLaw(ABC):
 
     friction: float
     stress_free: bool
+    parallel: bool = False
 
     @property
     @abstractmethod
@@ -100,6 +101,9 @@ def fastest(
 class LinearContact(ContactLaw):
     """Linear contact with Coulomb friction between elements that no intact bond joins, and at walls.
 
+    With `parallel=True` bonded elements touch too, as any others: the unbonded component of PFC's linear parallel
+    bond model, which acts beside the bond from the start and goes on when that is broken (Potyondy and Cundall 2004).
+
     Attributes:
         E: effective modulus [Pa] of kn = E A / L; a pair whose bond is broken has the kn of that bond.
         friction: Coulomb's coefficient μ [-]; 0 has no tangential force at all.
@@ -108,6 +112,8 @@ class LinearContact(ContactLaw):
         stress_free: whether overlaps of the reference configuration bear no force, so that a packing is at rest;
             the gap of a pair is then measured from min(0, reference gap), of a pair whose bond is broken from
             the rest length of that bond. False measures all gaps from the spheres, with kn of this law.
+        parallel: whether it acts beside intact bonds too, with kn of this law before and after they break; gaps of
+            bonded pairs are then those of any pair. Beams only.
     """
 
     E: float
@@ -115,6 +121,7 @@ class LinearContact(ContactLaw):
     kappa: float = 2.0
     damping: float = 0.0
     stress_free: bool = True
+    parallel: bool = False
 
     def __post_init__(self) -> None:
         law = "LinearContact"
@@ -123,6 +130,7 @@ class LinearContact(ContactLaw):
         number(law, "kappa", self.kappa, above=0.0, advice="a positive ratio kn / ks")
         number(law, "damping", self.damping, least=0.0, below=1.0, advice="a share of critical damping in [0, 1)")
         instance(law, "stress_free", self.stress_free, bool, "True or False")
+        instance(law, "parallel", self.parallel, bool, "True or False")
 
     @property
     def restitution(self) -> float:

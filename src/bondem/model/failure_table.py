@@ -1,5 +1,6 @@
 """What of a criterion of failure the kernels read: coefficients and bounds of each bond, in their order."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -12,6 +13,7 @@ from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.contact import ContactLaw
 from bondem.laws.failure.criterion import BondCriterion, Criterion, Joint
+from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.laws.non_local import NonLocal
 from bondem.model.cell_constants import body_of
 from bondem.model.layout import Layout
@@ -107,16 +109,33 @@ def check_failure(failure: object, bond: object, contact: ContactLaw | None, for
     if formulation != "total":
         raise InputError("failure= needs bonds of the total formulation: use formulation='total'")
     cells = any(isinstance(law, CellBond) for law in laws)
+    soft = found.energies is not None if isinstance(found, BondCriterion) else False
+    if soft and not cells:
+        _check_soft(found, contact)
     if cells and contact is not None and not contact.stress_free:
         raise InputError("failure= of cells beside contact= needs stress_free=True, as cells touch where they parted")
     if isinstance(found, BondCriterion) and cells and type(found).needs_beams:
         raise InputError(f"{name} judges beams, and facets of cells are none; use bd.MohrCoulomb(...)")
-    if found.softening is not None and not cells:
+    if found.softening is not None and not cells and not soft:
         raise InputError(f"{name} with softening or stresses of the material is for bodies of cells: use bd.CellBond")
     at_contact = {law.moments_at_contact for law in laws if isinstance(law, BondLaw)}
     if len(at_contact) > 1:
         raise InputError("failure= counts moments at the ends or at contact points: give bonds of one kind")
     return True in at_contact
+
+
+def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:
+    """Refuse what beams that soften cannot have."""
+    if isinstance(failure, MohrCoulomb):
+        if failure.dilatancy != 0.0:
+            raise InputError("MohrCoulomb: dilatancy is of cells that yield; leave it out for beams that soften")
+        if failure.fracture_energy_shear == math.inf:
+            raise InputError("MohrCoulomb: fracture_energy_shear = inf is for cells that yield; give beams a number")
+    if contact is not None and not (contact.stress_free or contact.parallel):
+        raise InputError(
+            "failure= of beams that soften beside contact= needs stress_free=True, as they bear pressure until they"
+            " touch"
+        )
 
 
 def _scale(values: Floats) -> float:

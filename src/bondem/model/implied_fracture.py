@@ -18,11 +18,12 @@ from bondem.specimen.lattice import Lattice
 class ImpliedFracture:
     """Fracture of a lattice, by medians of its bonds or facets.
 
-    With a fracture energy G_c is what was given, and K_Ic = √(E G_c). Brittle facets of cells have K_Ic = f_t √L
-    (notched bars: 0.89 to 1.08 of it) and so G_c = K_Ic² / E = f_t² L / E, twice the energy f_t² L / 2E that a facet
-    frees for each area of its own: both grow with the size of the elements. Brittle beams have for each area of a
-    plane crack what the bonds through it hold in tension, (1/2V) Σ U L with U = N_t² / 2 k_n, and E is the affine
-    estimate, from above.
+    With a fracture energy G_c of cells is what was given, and K_Ic = √(E G_c). Brittle facets of cells have
+    K_Ic = f_t √L (bars with a slit: 0.86 to 0.93 of it) and so G_c = K_Ic² / E = f_t² L / E, twice
+    the energy f_t² L / 2E that a facet frees for each area of its own: both grow with the size of the
+    elements. Brittle beams have for each area of a
+    plane crack what the bonds through it hold in tension, (1/2V) Σ U L with U = N_t² / 2 k_n, and those that soften
+    what these take up, U = G_f A; E is the affine estimate, from above.
 
     Attributes:
         softens: whether a fracture energy was given.
@@ -89,9 +90,12 @@ def _implied(
     pull = _tensile_force(failure, Joint(area, length, area * length, place, held), lattice.particles.period)
     stored = 0.5 * pull**2 * (length / (E * area) if held is None else 1.0 / stiffness.kn)
     strength, L = float(np.median(pull / area)), float(np.median(length))
-    softening = failure.softening
-    softens = softening is not None and softening.fracture_energy > 0.0
-    if softening is not None and softens:
+    softening = failure.softening if held is None else None
+    energies = failure.energies if held is not None and isinstance(failure, BondCriterion) else None
+    softens = energies is not None or (softening is not None and softening.fracture_energy > 0.0)
+    if energies is not None:
+        energy = float((energies[0] * area * length).sum() / (2.0 * volume))
+    elif softening is not None and softens:
         energy = softening.fracture_energy
     elif held is None:
         energy = strength * strength * L / E
@@ -107,7 +111,7 @@ def _implied(
 def _tensile_force(failure: Criterion, joint: Joint, period: Floats | None) -> PerBond:
     """Tension that breaks each bond by itself [N], (m,)."""
     factor = failure.factors(joint.volume, joint.place, period)
-    if failure.softening is not None:
+    if failure.softening is not None and joint.stiffness is None:
         return joint.area * failure.softening.tension * factor
     assert isinstance(failure, BondCriterion)
     each = failure.coefficients(joint, factor).T

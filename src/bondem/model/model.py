@@ -16,6 +16,7 @@ from bondem.laws.contact import ContactLaw
 from bondem.laws.failure.criterion import BondCriterion, Criterion
 from bondem.laws.non_local import NonLocal
 from bondem.model.assignment import BondAssignment, bond_stiffness
+from bondem.model.beam_softening import BeamSoftening
 from bondem.model.bond_table import BondTable
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.cell_constants import CellAssignment, CellConstants, body_of
@@ -78,14 +79,18 @@ class Model:
         object.__setattr__(self, "walls", check_walls(self.walls))
         if self.contact is not None and not isinstance(self.contact, ContactLaw):
             raise InputError(f"contact= takes a contact law such as bd.LinearContact, not {shown(self.contact)}")
+        beams = self._cells is None and self._non_local is None
+        if self.contact is not None and self.contact.parallel and not beams:
+            raise InputError("contact= with parallel=True acts beside beams; leave parallel= out for cells, NonLocal")
         if self.walls and self.contact is None:
             raise InputError("walls need a law of contact: give contact=bd.LinearContact(E=...)")
         self._check_magnitudes()
         self.constraints  # noqa: B018  regions are checked when the model is made
         if isinstance(self.bond, BondLaw) and self.bond.radius is not None:
             question_bond_radius(self.bond.radius, self.lattice.particles.mean_radius)
-        self._check_strain()
         self.breaking  # noqa: B018  as is the criterion of failure
+        self.beam_softening  # noqa: B018  and whether bonds are short enough to soften
+        self._check_strain()
         implied = self.implied_fracture
         if implied is not None:
             question_strength(implied.strength, implied.E, implied.density, implied.fracture_energy)
@@ -105,6 +110,8 @@ class Model:
             raise InputError("Eigenstrain needs stored rest lengths: use formulation='total'")
         if len(self.constraints.strain_part) and self.failure is not None and self.contact is not None:
             raise InputError("Eigenstrain moves where broken bonds touch; leave out contact= or failure= beside it")
+        if len(self.constraints.strain_part) and self.beam_softening is not None:
+            raise InputError("Eigenstrain does not know beams that soften yet; leave out fracture_energy= beside it")
 
     @cached_property
     def layout(self) -> Layout:
@@ -180,9 +187,14 @@ class Model:
             return None
         table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()))
         own = None
-        if self.contact.stress_free and self._non_local is None:
+        if self.contact.stress_free and not self.contact.parallel and self._non_local is None:
             own = self.bonds.kn
         return ContactModel.of(self.lattice, self.layout, self.contact, table, own, self.contact_radius)
+
+    @property
+    def hands_over(self) -> bool:
+        """Whether contacts bear what presses on bonds that have broken."""
+        return self.contacts is not None and self.contacts.own is not None
 
     @property
     def contact_radius(self) -> PerElement:
@@ -202,6 +214,14 @@ class Model:
             return None
         beams = self.stiffness if self._cells is None else None
         return FailureTable.of(self.lattice, self.layout, self.failure, beams, at_contact)
+
+    @cached_property
+    def beam_softening(self) -> BeamSoftening | None:
+        """What beams take up as they soften, in the kernels' order, or None."""
+        if self.failure is None or self._cells is not None or not isinstance(self.failure, BondCriterion):
+            return None
+        at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
+        return BeamSoftening.of(self.lattice, self.layout, self.failure, self.stiffness, at_contact)
 
     @cached_property
     def softening(self) -> SofteningTable | None:
@@ -262,7 +282,8 @@ class Model:
         for name in ("lattice", "bond", "density", "contact", "walls", "failure"):
             object.__setattr__(other, name, getattr(self, name))
         object.__setattr__(other, "boundary", _conditions(boundary))
-        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia", "breaking", "softening")
+        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia", "breaking", "softening",
+                "beam_softening")
         for name in kept if self._cells is not None else (*kept, "_cells"):
             other.__dict__[name] = getattr(self, name)
         other.constraints  # noqa: B018  regions are checked now

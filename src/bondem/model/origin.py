@@ -9,6 +9,7 @@ import numpy as np
 from bondem._types import PerElement
 from bondem.laws.bond import BondStiffness
 from bondem.laws.contact import ContactLaw
+from bondem.model.beam_softening import BeamSoftening
 from bondem.model.boundary import BoundaryCondition
 from bondem.model.constraints import Constraints
 from bondem.model.layout import Layout
@@ -38,6 +39,8 @@ class Origin(Protocol):
     def non_local(self) -> NonLocalConstants | None: ...
     @cached_property
     def softening(self) -> SofteningTable | None: ...
+    @cached_property
+    def beam_softening(self) -> BeamSoftening | None: ...
     @property
     def boundary(self) -> Sequence[BoundaryCondition]: ...
     @cached_property

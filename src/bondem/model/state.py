@@ -9,6 +9,7 @@ from bondem._types import Floats, Pairs, PerBond, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.crack_tables import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, PLASTIC_COLUMNS
 from bondem.kernels.non_local import STORED, TAKEN
+from bondem.kernels.soft_tables import SOFT_COLUMNS
 from bondem.kernels.tables import BROKEN_COLUMNS, lines
 from bondem.kernels.walls import COLUMNS, FORCE, RATE, WORK
 from bondem.model.loads import Eigenstrain
@@ -49,6 +50,7 @@ class State:
         released: energy that breaking bonds have released since the start [J], shape (1,).
         cracks: facets that have begun to crack, in time (`bondem.kernels.crack_tables`), shape (c, 13).
         plastic: plastic strain of cells and what goes with it (as above), (n, 17), or (0, 17) where none yield.
+        softened: beams that have begun to soften, in time (`bondem.kernels.soft_tables`), shape (c, 6).
         facet_force: of each facet on its cell i [N], of a body whose facets may crack, shape (3, m), else (3, 0).
         step: steps done.
         time: [s].
@@ -91,6 +93,7 @@ class State:
         self.cracks = np.zeros((0, CRACK_COLUMNS))
         self.plastic = np.zeros((n if soft is not None and soft.slip is not None else 0, PLASTIC_COLUMNS))
         self.facet_force = np.zeros((3, 0 if soft is None else m))
+        self.softened = np.zeros((0, SOFT_COLUMNS))
         self.step = 0
         self.time = 0.0
         self.stale = True
@@ -98,11 +101,11 @@ class State:
     ARRAYS = (
         "pose", "motion", "acceleration", "integrity", "history", "stress", "eigenstrain", "reaction", "work", "loss",
         "touching", "stretch", "wall_touching", "wall_stretch", "walls", "broken", "released",
-        "cracks", "plastic", "facet_force",
+        "cracks", "plastic", "facet_force", "softened",
     )  # fmt: skip
 
     # Those with as many rows as there are contacts, or broken bonds.
-    GROWING = ("touching", "stretch", "wall_touching", "wall_stretch", "broken", "cracks")
+    GROWING = ("touching", "stretch", "wall_touching", "wall_stretch", "broken", "cracks", "softened")
 
     def copy(self) -> "State":
         """An independent copy."""
@@ -154,6 +157,8 @@ class State:
         soft, fresh = model.softening, State(model)
         if soft is None and (len(self.cracks) or self.plastic.any()):
             raise InputError("the state has cracks or plastic strains: give the model a criterion that softens too")
+        if model.beam_softening is None and len(self.softened):
+            raise InputError("the state has beams that soften: give the model a criterion with a fracture_energy too")
         if self.facet_force.shape != fresh.facet_force.shape:
             self.facet_force = fresh.facet_force
         if self.plastic.shape != fresh.plastic.shape:

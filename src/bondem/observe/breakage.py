@@ -10,6 +10,7 @@ from bondem.errors import InputError
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.facet_breaking import facet_indices
 from bondem.kernels.judging import bond_indices
+from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.kernels.tables import (
     BROKEN_BOND,
     BROKEN_ENERGY,
@@ -72,8 +73,8 @@ class BrokenBonds:
 def failure_index(model: Model, state: State) -> PerBond:
     """How near each bond is to breaking: the index of the model's criterion, 1 where it breaks, 0 of broken bonds.
 
-    Of criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) the largest principal stress
-    over the strength, 0 where a facet is not pulled, 1 where it softens.
+    Of beams that soften 1. Of criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) the
+    largest principal stress over the strength, 0 where a facet is not pulled, 1 where it softens.
 
     Args:
         model: with a criterion of failure.
@@ -99,6 +100,8 @@ def failure_index(model: Model, state: State) -> PerBond:
     bonds = model.bonds.stretched(state.stress_free_strain).rows(layout, model.period, state.integrity)
     if model.cells is None:
         found = bond_indices(state.pose, bonds, table.kind, table.coefficient, table.station)
+        begun = state.softened[:, SOFT_BOND].astype(np.int64)
+        found[begun] = state.integrity[begun] > 0.0
     else:
         found = np.empty(bonds.m)
         pose = state.pose.copy()

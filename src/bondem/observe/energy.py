@@ -6,6 +6,7 @@ import numpy as np
 
 from bondem._types import Floats, PerBond, PerElement3
 from bondem.errors import InputError
+from bondem.kernels.beam_softening import pressed_energy
 from bondem.kernels.bond_pass import bond_energies
 from bondem.kernels.cell_energies import cell_energies
 from bondem.kernels.grip_pass import place_walls
@@ -130,7 +131,10 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
         )
     bonds = model.bonds.stretched(strain).rows(model.layout, model.period, state.integrity)
     if model.cells is None:
-        return EnergyParts(*bond_energies(state.pose, bonds))
+        normal, *others = bond_energies(state.pose, bonds)
+        count = len(state.softened)
+        normal += pressed_energy(state.pose, bonds, state.softened, count, model.hands_over) if count else 0.0
+        return EnergyParts(normal, *others)
     layout, constants = model.layout, model.cells.stretched(strain, model.layout)
     grips = constants.grips.table(layout, model.constraints.row_of, 0)
     if wall is None:

@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from bondem._types import Floats
 from bondem.kernels.lanes import WIDTH
+from bondem.kernels.soft_tables import BEGUN, SOFT_BOND, SOFT_COLUMNS, SOFT_OUTPUT_COLUMNS, SoftBonds
 from bondem.kernels.tables import BROKEN_COLUMNS, Breaks
 from bondem.model.blocks import Blocks
 from bondem.model.model import Model
@@ -27,8 +29,11 @@ def breaking(model: Model, state: State, blocks: Blocks) -> Breaks | None:
     adjacency = model.layout.adjacency
     limit = np.full(max(m, WIDTH), np.inf, dtype=np.float32)
     limit[:m] = table.limit
+    limit[state.softened[:, SOFT_BOND].astype(np.int64)] = np.inf
     return Breaks(
-        kind=table.kind, coefficient=table.coefficient, station=table.station, limit=limit,
+        kind=table.kind, coefficient=table.coefficient, station=table.station,
+        softens=model.beam_softening is not None, onset=np.zeros((m if model.beam_softening is not None else 0, 3)),
+        limit=limit,
         of_force=table.of_force, of_moment=table.of_moment, now=np.array([0.0, -1.0]),
         marked=np.empty(m, dtype=np.int64), begin=begin.astype(np.int64), found=np.zeros(len(begin), dtype=np.int64),
         held=np.zeros(n, dtype=np.uint8),
@@ -47,3 +52,29 @@ def keep_broken(breaks: Breaks, integrity: np.ndarray, state: State) -> None:
         state.broken = np.concatenate([state.broken, breaks.log[:count]])
         breaks.logged[0] = 0
         state.integrity[:] = integrity[: len(state.integrity)]
+
+
+def soft_bonds(model: Model, state: State, load: Floats) -> SoftBonds | None:
+    """What kernels take to let the beams of a state soften; None where none do.
+
+    Args:
+        model: with a criterion, or without.
+        state: which of them have begun.
+        load: what contacts and others do to each element [N, N·m], (n, 6).
+    """
+    table = model.beam_softening
+    if table is None:
+        return None
+    m, begun = len(state.integrity), len(state.softened)
+    row = np.zeros((m, SOFT_COLUMNS))
+    row[:begun] = state.softened
+    return SoftBonds(
+        tear=table.tear, shear=table.shear, handed=model.hands_over, row=row, sizes=np.array([begun, 0]),
+        active=np.zeros(m, dtype=np.int64), output=np.zeros((m, SOFT_OUTPUT_COLUMNS)), load=load,
+    )  # fmt: skip
+
+
+def keep_softened(soft: SoftBonds, integrity: np.ndarray, state: State) -> None:
+    """Write what has softened into the state."""
+    state.softened = soft.row[: soft.sizes[BEGUN]].copy()
+    state.integrity[:] = integrity[: len(state.integrity)]

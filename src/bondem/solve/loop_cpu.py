@@ -34,7 +34,7 @@ from bondem.model.gauges import AnyGauge, Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added, changing_cells, changing_strain
-from bondem.solve.breakage import breaking, keep_broken
+from bondem.solve.breakage import breaking, keep_broken, keep_softened, soft_bonds
 from bondem.solve.cracks import crack_table, joints, keep_cracks, take_up, with_forces
 from bondem.solve.neighbour_list import ContactList
 from bondem.solve.plan import Plan
@@ -94,8 +94,9 @@ class CpuLoop:
         load = np.zeros(0)
         if self._contacts is not None:
             load = self._contacts.arrays.load
-        elif model.softening is not None:
+        elif model.softening is not None or model.beam_softening is not None:
             load = np.zeros((len(state.pose), 6))
+        self._soft = soft_bonds(model, state, load)
         self._run = Run(
             elements=Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest, load),
             bonds=rows,
@@ -162,7 +163,7 @@ class CpuLoop:
         records = np.empty((1, self._width))
         sample(
             t, run.elements, bonds, run.rows, run.gauges, self._history, self._body, self._non_local,
-            self._touching, self._breaks, records[0],
+            self._touching, self._breaks, self._soft, records[0],
         )
         budget = run.budget
         budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
@@ -176,12 +177,12 @@ class CpuLoop:
             self._cracks.facets.now[1] = -1.0
         run = self._run
         still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
-        clear_loads(self._body)
+        clear_loads(run.bonds, self._body, self._soft)
         if self._touching is not None:
             contact_loads(run.elements, run.bonds.period, 0.0, self._touching, len(run.cut.domain) > 2)
         all_forces(
             run, self._same, self._history, self._body, self._non_local, still, self._added, self._touching,
-            self._breaks, False,
+            self._breaks, self._soft, False,
         )  # fmt: skip
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
@@ -192,7 +193,7 @@ class CpuLoop:
         records = np.empty((steps // every + 1 if every else 0, self._width))
         done, written, wide, lost = 0, 0, 0, 0
         sick, moved = FINE, False
-        law = self._same, self._history, self._body, self._non_local
+        law = self._same, self._history, self._body, self._non_local, self._soft
         while sick == FINE:
             span = Span(state.step + done, steps - done, every, moved)
             gone, new, turned, lost, sick, moved = advance(
@@ -217,6 +218,8 @@ class CpuLoop:
             self.state.history[:] = self._history[:, : self._run.bonds.m]
         if self._breaks is not None:
             keep_broken(self._breaks, self._run.bonds.integrity, self.state)
+        if self._soft is not None:
+            keep_softened(self._soft, self._run.bonds.integrity, self.state)
         if self._cracks is not None and self._body is not None:
             keep_cracks(self._body.cells, self._cracks.facets, self.state)
 

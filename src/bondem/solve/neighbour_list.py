@@ -67,6 +67,8 @@ class ContactList:
             _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32), state.stretch,
         )  # fmt: skip
         own = np.zeros(len(first))
+        if contacts.law.parallel:
+            bond[:] = -1  # pairs as any others
         bonded = np.flatnonzero(bond >= 0)
         of_bond = np.full(len(layout.i), -1)
         of_bond[bond[bonded]] = bonded
@@ -101,9 +103,12 @@ class ContactList:
         return True
 
     def _listed(self, position: Floats, skin: float) -> np.ndarray:
-        """Bonds whose pairs belong to a list: those that may break, and broken ones whose ends are near, (m,)."""
+        """Bonds whose pairs belong to a list: those that may break, and broken ones whose ends are near, (m,).
+
+        Where contacts act beside bonds, all whose ends are near.
+        """
         layout = self._state.layout
-        broken = self._joined[: len(layout.i)] <= 0.0
+        broken = (self._joined[: len(layout.i)] <= 0.0) | self._contacts.law.parallel
         listed = ~broken if self._breaking else np.zeros(len(broken), dtype=bool)
         e = np.flatnonzero(broken)
         i, j = layout.i[e], layout.j[e]

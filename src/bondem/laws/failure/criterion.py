@@ -88,7 +88,7 @@ class Criterion(ABC):
 
 @dataclass(frozen=True, kw_only=True)
 class BondCriterion(Criterion):
-    """When a single bond or facet breaks: at once and for good.
+    """When a single bond or facet breaks for good: at once, or beams with a fracture energy little by little.
 
     Attributes:
         kind: number of the function that judges (of the class; see `bondem.kernels.judging`).
@@ -102,6 +102,11 @@ class BondCriterion(Criterion):
     def softening(self) -> Softening | None:
         return None
 
+    @property
+    def energies(self) -> tuple[float, float] | None:
+        """G_f of opening and G_II of shear of beams that soften [J/m²], or None where they break at once."""
+        return None
+
     @abstractmethod
     def coefficients(self, joint: Joint, factor: PerBond) -> Floats:
         """What judges each bond, shape (m, 4); strengths are multiplied by `factor`, (m,)."""
@@ -112,6 +117,16 @@ class BondCriterion(Criterion):
 
         F is the force of the bond and M the root of the sum of squares of its two torques on the elements' centres.
         """
+
+    def pulled_and_sheared(self, joint: Joint, factor: PerBond, arm: PerBond) -> tuple[PerBond, PerBond]:
+        """Tension, and shear without tension, at which a beam that softens begins to [N], (m,) each.
+
+        Args:
+            joint: bonds.
+            factor: strengths over the parameter.
+            arm: from the contact point to where the moment of shear counts [m], (m,).
+        """
+        raise NotImplementedError(f"{type(self).__name__} does not soften")
 
 
 def columns(*values: PerBond | float) -> Floats:

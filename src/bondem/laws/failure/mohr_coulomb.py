@@ -22,7 +22,9 @@ class MohrCoulomb(BondCriterion):
     The traction is force over area, of a beam N/A and Q/A; moments do not count. Tension positive, so that pressure
     (t_n < 0) strengthens. Where tension > c / tan φ, the cohesion alone limits the traction.
 
-    With a fracture energy it is that of the material, for bodies of cells: facets crack where the largest principal
+    With a fracture energy beams soften from there on (`bondem.laws.beam_softening`), and have taken up G_f for their
+    section when they are torn, G_II when they are sheared; G_II is finite and ψ = 0 for them. In bodies of cells the
+    criterion is then that of the material: facets crack where the largest principal
     stress reaches the tensile strength, as of `bd.Rankine`, and cells yield where
 
         (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ r c cos φ
@@ -35,8 +37,8 @@ class MohrCoulomb(BondCriterion):
         cohesion: c [Pa].
         friction_angle: φ [rad], in [0, π/2).
         fracture_energy: G_f of tension [J/m²]; None for bonds or facets that break at once, by their traction.
-        fracture_energy_shear: G_II of slip [J/m²], inf for a cohesion that stays; 10 G_f unless given.
-        dilatancy: ψ [rad], in [0, φ].
+        fracture_energy_shear: G_II of slip [J/m²], of cells inf for a cohesion that stays; 10 G_f unless given.
+        dilatancy: ψ of cells [rad], in [0, φ].
 
     Raises:
         InputError: a strength that is not positive, or an angle outside [0, π/2),
@@ -67,14 +69,18 @@ class MohrCoulomb(BondCriterion):
         check_slip("MohrCoulomb", self.fracture_energy, self.fracture_energy_shear, self.dilatancy)
 
     @property
+    def energies(self) -> tuple[float, float] | None:
+        opening, shear = self.fracture_energy, self.fracture_energy_shear
+        return None if opening is None else (opening, 10.0 * opening if shear is None else shear)
+
+    @property
     def softening(self) -> Softening | None:
-        if self.fracture_energy is None:
+        if self.energies is None or self.fracture_energy is None:
             return None
-        shear = self.fracture_energy_shear
         slip = Slip(
             cone=False, cohesion=self.cohesion, strength=self.cohesion * math.cos(self.friction_angle),
             slope=math.sin(self.friction_angle), dilation=math.sin(self.dilatancy),
-            fracture_energy=10.0 * self.fracture_energy if shear is None else shear,
+            fracture_energy=self.energies[1],
         )  # fmt: skip
         return Softening(
             tension=self.tension, fracture_energy=self.fracture_energy, friction=math.tan(self.friction_angle),
@@ -89,6 +95,10 @@ class MohrCoulomb(BondCriterion):
     def bounds(self, joint: Joint, coefficients: Floats) -> tuple[PerBond, PerBond]:
         s = coefficients.T
         return np.maximum(s[0], s[1] * np.sqrt(1.0 + s[2] ** 2)), np.zeros_like(s[0])
+
+    def pulled_and_sheared(self, joint: Joint, factor: PerBond, arm: PerBond) -> tuple[PerBond, PerBond]:
+        s = self.coefficients(joint, factor).T
+        return 1.0 / np.maximum(s[0], s[1] * s[2]), 1.0 / s[1]
 
 
 @device

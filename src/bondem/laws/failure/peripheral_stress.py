@@ -9,6 +9,7 @@ from bondem._checks import number
 from bondem._compile import device
 from bondem._types import Floats, PerBond
 from bondem.laws.failure.criterion import SHEAR, TENSION, BondCriterion, Joint, columns
+from bondem.laws.failure.softening import check_energies
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -20,15 +21,20 @@ class PeripheralStress(BondCriterion):
     with A = πr², I = πr⁴/4, J = 2I; M is the larger of the moments at both ends for beams, that at the contact point
     for parallel and contact bonds. Tension positive. Compression alone breaks nothing.
 
+    With a fracture energy a bond that reaches its strength softens (`bondem.laws.beam_softening`) and has taken up
+    G_f for its section when it is torn, G_II when it is sheared.
+
     Attributes:
         tension: tensile strength [Pa].
         shear: shear strength [Pa].
         beta: how much of the bending moment counts, β [-] in [0, 1].
+        fracture_energy: G_f of opening [J/m²]; None for bonds that break at once.
+        fracture_energy_shear: G_II of slip and twist [J/m²]; 10 G_f unless given.
 
     Reference: Potyondy and Cundall (2004) eq. (19); β is the moment-contribution factor of Potyondy (2011).
 
     Raises:
-        InputError: a strength that is not positive, or β outside [0, 1].
+        InputError: a strength or energy that is not positive, β outside [0, 1], or the energy of shear alone.
     """
 
     kind: ClassVar[int] = 0
@@ -36,6 +42,8 @@ class PeripheralStress(BondCriterion):
     tension: float
     shear: float
     beta: float = 1.0
+    fracture_energy: float | None = None
+    fracture_energy_shear: float | None = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -43,6 +51,12 @@ class PeripheralStress(BondCriterion):
         number("PeripheralStress", "shear", self.shear, unit="Pa", above=0.0, advice="a positive strength in Pa")
         number("PeripheralStress", "beta", self.beta, least=0.0, advice="a share of the moment in [0, 1]")
         number("PeripheralStress", "1 - beta", 1.0 - self.beta, least=0.0, advice="beta in [0, 1]")
+        check_energies("PeripheralStress", self.fracture_energy, self.fracture_energy_shear)
+
+    @property
+    def energies(self) -> tuple[float, float] | None:
+        opening, shear = self.fracture_energy, self.fracture_energy_shear
+        return None if opening is None else (opening, 10.0 * opening if shear is None else shear)
 
     def coefficients(self, joint: Joint, factor: PerBond) -> Floats:
         section = joint.section
@@ -55,6 +69,10 @@ class PeripheralStress(BondCriterion):
     def bounds(self, joint: Joint, coefficients: Floats) -> tuple[PerBond, PerBond]:
         s = coefficients.T
         return np.maximum(s[0], s[2]), np.maximum(s[1], s[3])
+
+    def pulled_and_sheared(self, joint: Joint, factor: PerBond, arm: PerBond) -> tuple[PerBond, PerBond]:
+        s = self.coefficients(joint, factor).T
+        return 1.0 / s[0], 1.0 / np.maximum(s[2], s[1] * arm)
 
 
 @device

@@ -125,6 +125,22 @@ def check_crack(owner: str, fracture_energy: float | None, friction: float) -> N
     number(owner, "friction", friction, least=0.0, advice="a coefficient of zero or more")
 
 
+def check_energies(owner: str, fracture_energy: float | None, shear: float | None) -> None:
+    """The same of beams that soften: G_f and G_II [J/m²] of a criterion of the name `owner`.
+
+    Raises:
+        InputError: an energy that is not positive, or that of shear without that of tension.
+    """
+    if fracture_energy is not None:
+        advice = "a positive energy in J/m², or None for bonds that break at once"
+        number(owner, "fracture_energy", fracture_energy, unit="J/m²", above=0.0, advice=advice)
+    if shear is not None:
+        if fracture_energy is None:
+            raise InputError(f"{owner}: fracture_energy_shear is of bonds that soften; give fracture_energy too")
+        advice = "a positive energy in J/m², or None for 10 G_f"
+        number(owner, "fracture_energy_shear", shear, unit="J/m²", above=0.0, advice=advice)
+
+
 def check_slip(owner: str, fracture_energy: float | None, shear: float | None, dilatancy: float) -> None:
     """The same of cells that yield: G_II [J/m²], inf for a cohesion that stays, and the dilatancy [rad, or -].
 
