@@ -131,6 +131,26 @@ def test_unloaded_it_dissipates_nothing_and_presses_as_whole(one_thread: None) -
 
 
 @pytest.mark.parametrize("contact", [None, bd.LinearContact(E=1e8, friction=0.3)])
+def test_torn_and_pressed_together_it_bears_as_whole(contact: bd.LinearContact | None, one_thread: None) -> None:
+    """By itself, or by the contact that takes over with the stiffness of the bond; the ledger closes through both."""
+    last = 2.0 * G_F / FT
+    way = bd.Table((0.0, 1e-3, 2e-3), (0.0, 1.1 * last, -0.2 * last))
+    drive = bd.Drive(bd.Index([1]), x=way, y=0.0, z=0.0, rx=0.0, ry=0.0, rz=0.0)
+    model = bd.Model(
+        pulled((1.0, 0.0), 1.0).lattice, LAW, density=1e3, failure=CRITERION, contact=contact,
+        boundary=[bd.Fix(bd.Index([0])), drive],
+    )  # fmt: skip
+    gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
+    dt = 0.2 * critical_step(model, VERLET)
+    history = bd.solve_explicit(model, duration=2e-3, dt=dt, every=1, gauges=gauges).history
+    moved = np.interp(history.time, *way.table)
+    pressed = history.time > 1e-3
+    force = KN * np.minimum(moved[pressed], 0.0)
+    assert np.abs(history["grip"][pressed, 0]) == pytest.approx(np.abs(force), abs=2e-3 * KN * 0.2 * last)
+    assert np.abs(history.energy["balance"]).max() < 1e-4 * G_F * AREA
+
+
+@pytest.mark.parametrize("contact", [None, bd.LinearContact(E=1e8, friction=0.3)])
 def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None, one_thread: None) -> None:
     """Of beams of any integrity, opened or pressed, turned and slid; beside a contact none is broken."""
     model = block(WEAK, contact=contact, count=3)
@@ -220,6 +240,7 @@ def test_energies_that_cannot_be_are_refused(what: type, options: dict, line: st
         ({"dilatancy": 0.1}, {}, "dilatancy is of cells"),
         ({"fracture_energy_shear": math.inf}, {}, "give beams a number"),
         ({}, {"contact": bd.LinearContact(E=1e7, stress_free=False)}, "stress_free=True"),
+        ({}, {"contact": bd.LinearContact(E=1e7, parallel=True)}, "leave out parallel="),
         ({}, {"boundary": [bd.Eigenstrain(1e-3)]}, "Eigenstrain does not know beams that soften"),
         ({"fracture_energy_shear": 1e-6}, {}, "fracture_energy_shear"),
     ],

@@ -131,7 +131,12 @@ def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:
             raise InputError("MohrCoulomb: dilatancy is of cells that yield; leave it out for beams that soften")
         if failure.fracture_energy_shear == math.inf:
             raise InputError("MohrCoulomb: fracture_energy_shear = inf is for cells that yield; give beams a number")
-    if contact is not None and not (contact.stress_free or contact.parallel):
+    if contact is not None and contact.parallel:
+        raise InputError(
+            "contact= with parallel=True presses beside bonds, and beams that soften bear pressure themselves until"
+            " they have broken; leave out parallel=, or fracture_energy="
+        )
+    if contact is not None and not contact.stress_free:
         raise InputError(
             "failure= of beams that soften beside contact= needs stress_free=True, as they bear pressure until they"
             " touch"
