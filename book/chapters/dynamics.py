@@ -110,6 +110,8 @@ def _stability() -> Section:
                 form=Form(style=".3f"), tolerance=Near(target=1.0, absolute=0.01)),
             Row(case="CUDA step in the simulator against the CPU", ours=largest("simulated device"), form=ROUNDING,
                 tolerance=AtMost(1e-12), note="no device was at hand"),
+            Row(case="the same, of bodies of cells", ours=largest("simulated cells"), form=ROUNDING,
+                tolerance=AtMost(1e-12), note="no device was at hand"),
         ),
     )  # fmt: skip
 
