@@ -3,7 +3,7 @@
 from book.results import Measurement
 from book.row import Measured
 
-TESTS = Measurement("tests", "python -m pytest --record=benchmarks/results/tests.json", "6 min")
+TESTS = Measurement("tests", "python -m pytest --validate --record=benchmarks/results/tests.json", "6 min")
 
 
 def largest(name: str) -> Measured:

@@ -3,14 +3,15 @@
 from collections.abc import Callable
 
 from book.chapter import Chapter, Section
-from book.forms import PLAIN, Form
+from book.forms import PLAIN, Form, Said
+from book.outcomes import TESTS, holds, range_of
 from book.results import Measurement
 from book.row import Row
-from book.tolerances import AtMost, Near
+from book.tolerances import AtLeast, AtMost, Near, So
 
 STRENGTH = Measurement("strength", "python benchmarks/strength.py", "2 h")
 BRAZILIAN = Measurement("brazilian", "python benchmarks/brazilian.py --seeds 1 2 3 4 5", "30 min")
-MEASUREMENTS = (STRENGTH, BRAZILIAN)
+MEASUREMENTS = (STRENGTH, BRAZILIAN, TESTS)
 
 #: What is asked for: of strengths, of the mean of the fracture energies, of each of them, and of the ledger [-].
 LIMIT, EACH, CLOSES = 0.05, 0.08, 1e-3
@@ -31,8 +32,23 @@ def chapter() -> Chapter:
             "Concrete of E = 40 GPa, ν = 0.2, f_t = 4 MPa, c = 14.3 MPa, φ = 35° in prisms 60 × 30 × 30 mm of cells."
             " Nothing is calibrated, and every packing that was tried is in the tables."
         ),
-        sections=(_tension(), _compression(), _brazilian(), _toughness(), _ledger()),
+        sections=(_pairs(), _tension(), _compression(), _brazilian(), _toughness(), _ledger()),
     )
+
+
+def _pairs() -> Section:
+    yes = Said("yes", "no")
+    return Section(
+        title="Two elements",
+        before="Criteria of bonds and facets in tension, shear, bending, torsion and mixed loading.",
+        rows=(
+            Row(case="the closed form of the strength, to 1e-9", ours=holds("closed form"), form=yes, tolerance=So()),
+            Row(case="a run breaks within one increment of it", ours=holds("within one increment"), form=yes,
+                tolerance=So()),
+            Row(case="order of the ledger through breakage, beams and cells", ours=range_of("order"),
+                form=Form(style=".2f"), tolerance=AtLeast(1.7)),
+        ),
+    )  # fmt: skip
 
 
 def _tension() -> Section:
