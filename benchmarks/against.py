@@ -14,7 +14,6 @@ without compiled code, and writes benchmarks/results/against.json, in which each
 """
 
 import argparse
-import datetime
 import json
 import os
 import sys
@@ -23,7 +22,8 @@ import time
 from pathlib import Path
 
 from bits.compare import Difference, differing
-from paired import ROOT, SOURCE, Worker, extracted, head, in_turns, machine, specimen_file, steps_of
+from kept import origin
+from paired import ROOT, SOURCE, Worker, extracted, head, in_turns, specimen_file, steps_of
 
 RESULTS = ROOT / "benchmarks" / "results" / "against.json"
 SIZES = (500, 3000, 9000)
@@ -160,11 +160,11 @@ def first_runs(options: argparse.Namespace, old_source: Path) -> list[dict]:
 
 def speed(options: argparse.Namespace) -> int:
     """Rates and first runs, printed and written."""
-    here = machine()
-    started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+    begun = origin()
+    here = begun["machine"]
     print(", ".join(f"{key}: {value}" for key, value in here.items()))
     old_source = extracted(options.revision)
-    entry = {"machine": here, "started": started, "revision": options.revision, "unit": "million bond-steps a second"}
+    entry = begun | {"revision": options.revision, "unit": "million bond-steps a second"}
     entry["rates"] = rates(options, old_source)
     if options.compile:
         entry["first runs"] = first_runs(options, old_source)

@@ -5,6 +5,7 @@ import datetime
 import json
 import statistics
 import subprocess
+import sys
 from collections.abc import Callable, Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -16,9 +17,17 @@ RESULTS = ROOT / "benchmarks" / "results"
 
 
 def origin() -> dict:
-    """Machine with its load, date, version and commit, as they are when a benchmark starts."""
+    """Command, machine with its load, date, version and commit, as they are when a benchmark starts."""
     started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    return {"machine": machine(), "started": started, "version": version("bondem"), "commit": commit()}
+    return {
+        "command": command(), "machine": machine(), "started": started, "version": version("bondem"),
+        "commit": commit(),
+    }  # fmt: skip
+
+
+def command() -> str:
+    """How this process was started."""
+    return " ".join(["python", str(Path(sys.argv[0]).resolve()), *sys.argv[1:]]).replace(f"{ROOT}/", "")
 
 
 def commit() -> str:

@@ -11,6 +11,7 @@ from book.chapters import MEASUREMENTS
 from book.errors import BookError
 from book.figures import take
 from book.results import ROOT, Measurement
+from validation.frame.sources import commit
 
 BUILD = ROOT / "build" / "book"
 
@@ -30,9 +31,12 @@ def measure(names: list[str], *, build: Path = BUILD, run: bool = True) -> None:
     if unknown := sorted(set(names) - set(known)):
         raise BookError(f"no measurement '{unknown[0]}'; there are {', '.join(known)}")
     for name in names or list(known):
+        made = commit()
         if run:
             _run(known[name], build)
         _take_in(known[name], build)
+        if run:
+            sign(known[name], made)
 
 
 def _run(one: Measurement, build: Path) -> None:
@@ -47,6 +51,14 @@ def _run(one: Measurement, build: Path) -> None:
         done = subprocess.run(words, cwd=ROOT, env=os.environ | {"PYTHONPATH": path}, check=False)
         if done.returncode:
             raise BookError(f"{one.name}: '{command}' ended with status {done.returncode}; see what it printed above")
+
+
+def sign(one: Measurement, made: str) -> None:
+    """Name the command and the commit in results that do not by themselves."""
+    text = one.path.read_text(encoding="utf-8")
+    if '"commit": "' not in text or '"command": "' not in text:
+        signed = {"command": one.command, "commit": made} | json.loads(text)
+        one.path.write_text(f"{json.dumps(signed, indent=1, ensure_ascii=False)}\n", encoding="utf-8")
 
 
 def _take_in(one: Measurement, build: Path) -> None:

@@ -16,6 +16,7 @@ from book.errors import BookError
 from book.fast import chapter as fast_chapter
 from book.forms import PERCENT, SIGNED, Form, Said
 from book.markdown import front, moved, table
+from book.measure import sign
 from book.outcomes import TESTS
 from book.results import ROOT, Measurement
 from book.row import Measured, Origin, Row, Verdict
@@ -197,6 +198,16 @@ def test_names_of_measurements_are_unique_and_their_commands_exist():
         for script in re.findall(r"python (\S+\.py)", one.command):
             assert (ROOT / script).exists(), one.command
     assert main(["--measure", "of_this_name"]) == 2
+
+
+def test_results_that_name_no_command_and_commit_get_those_of_the_measurement(tmp_path):
+    kept = tmp_path / "it.json"
+    it = Measurement("it", "python it.py", file=kept)
+    kept.write_text('{"answer": 42}')
+    sign(it, "abc")
+    assert json.loads(kept.read_text()) == {"command": "python it.py", "commit": "abc", "answer": 42}
+    sign(it, "def")
+    assert json.loads(kept.read_text())["commit"] == "abc"
 
 
 @pytest.mark.validate
