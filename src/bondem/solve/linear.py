@@ -221,8 +221,8 @@ class Iteration:
         system = self._system
         start = np.zeros_like(load) if guess is None else np.where(system.free.ravel(), guess, 0.0)
         load = system.balanced(load)
-        right = _by_element(self._turned, load)
-        residual = right if guess is None else right - _by_element(self._turned, system.matrix @ start)
+        right = self.turned(load)
+        residual = right if guess is None else right - self.turned(system.matrix @ start)
         stop = rtol * float(np.linalg.norm(right))
         x, rounds = conjugate_gradients(self.scaled, self.approximate, residual, stop)
         solution = system.without_rigid_motion(start + _by_element(self.root, x))
@@ -239,6 +239,10 @@ class Iteration:
         # the clumps nearly resist rigid motion only: what rounding leaves of it in a residual would grow a
         # billionfold, and iterations on a free specimen stall or diverge near 1e-10
         return z - self._rigid @ (self._rigid.T @ z)
+
+    def turned(self, load: Floats) -> Floats:
+        """Sᵀ f for every column of (6 n, k)."""
+        return _by_element(self._turned, load)
 
     def displacement(self, unknowns: Floats) -> Floats:
         """S x for every column of (6 n, k)."""

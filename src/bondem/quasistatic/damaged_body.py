@@ -1,0 +1,206 @@
+"""A body of cells whose facets have any integrity, in small motions: its matrix, and what its facets bear.
+
+A facet of integrity s is that of `bondem.laws.softening` about the reference. Of each half that presses, what is along
+the normal stays whole: its stiffness is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. There is no
+friction on closed cracks. Everything is for a load factor of 1, and proportional to it.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bondem._types import Floats, Ints, Mask
+from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET
+from bondem.model.cell_constants import body_of
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observe.cell_strain import CellStrain
+from bondem.observe.facet_loads import loads_on_facets
+from bondem.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
+from bondem.solve.linear import System
+
+# A half facet is closed or opens where its force along the normal is beyond this share of its size.
+_TURNS = 1e-9
+_XX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+
+
+@dataclass(frozen=True, eq=False)
+class Loaded:
+    """What facets and cells bear, kernels' order.
+
+    Attributes:
+        traction: of each facet [Pa], (m, 3).
+        tensor: σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6).
+        cracked: facets that have lost integrity, (c,).
+        opening: |F⁺| / A of these, as if they were whole [Pa], (c,).
+        turned: which of their halves close or open now, (c, 2).
+        wall: force of the walls on the facets that they hold [N], (g, 3).
+    """
+
+    traction: Floats
+    tensor: Floats
+    cracked: Ints
+    opening: Floats
+    turned: Mask
+    wall: Floats
+
+
+class DamagedBody:
+    """Facets of a body, each with its integrity, and the matrix that goes with them.
+
+    Attributes:
+        integrity: of the facets, (m,).
+        closed: which halves of cracked facets press, (m, 2).
+        area: of the facets [m²], (m,).
+        system: the whole body and its supports.
+        given: V θ of cells at rest, by walls that move and by tractions on free facets [m³], (n,).
+        load: forces and torques on cells at rest, but for those of this dilatation [N, N·m], (6 n,).
+    """
+
+    def __init__(self, model: Model, system: System, root: Floats) -> None:
+        """Begin with whole facets.
+
+        Args:
+            model: of cells.
+            system: its matrix and supports.
+            root: S of each element, by which the matrix is scaled, (n, 6, 6).
+        """
+        assert model.cells is not None
+        layout, order = model.layout, model.layout.order
+        self.model, self.constants = model, model.cells
+        self.i, self.j = layout.i.astype(np.int64), layout.j.astype(np.int64)
+        facets, cells = body_of(model.lattice)
+        self.area = facets.area[layout.bond_order]
+        # part of cell i in the compliance of a facet
+        soft_i = np.where(layout.flipped, facets.depth_j[layout.bond_order], facets.depth_i[layout.bond_order])
+        soft_j = np.where(layout.flipped, facets.depth_i[layout.bond_order], facets.depth_j[layout.bond_order])
+        soft_i, soft_j = soft_i / self.constants.G[self.i], soft_j / self.constants.G[self.j]
+        self._part = soft_i / (soft_i + soft_j)
+        self.integrity = np.ones(len(self.i))
+        self.closed = np.zeros((len(self.i), 2), dtype=bool)
+        self.matrix = FacetMatrix(system.matrix, layout, root)
+        self.system = replace(system, matrix=self.matrix.plain)
+        self._slack = np.zeros(len(order))
+
+        users, still = model.cell_constants, np.zeros((len(order), 3))
+        grips = users.grips
+        at_rest = CellStrain.of(model.lattice, users, still, still, wall=grips.motion, pressed=model.pressed)
+        self.given = at_rest.swelling[order]
+        rigid = replace(users, weight=np.zeros_like(users.weight))
+        self.load = at_rest.nodal(model.lattice, rigid)[order].ravel() + model.constraints.final_load(len(order)).ravel()
+        self._held = layout.rank[grips.cell]
+        free, force = cells.free, loads_on_facets(model)
+        self._pressed = np.zeros((len(order), 6))
+        loaded = np.flatnonzero(np.abs(force).sum(axis=1))
+        arm = free.centroid[loaded] - cells.centroid[free.cell[loaded]]
+        _add_moments(self._pressed, layout.rank[free.cell[loaded]], arm, force[loaded])
+
+    @property
+    def right(self) -> Floats:
+        """What the displacements have to balance [N, N·m], (6 n,)."""
+        return self.load - self.matrix.forms_transposed(self.system.matrix.weight * self.given)
+
+    def potential(self, motion: Floats) -> float:
+        """Energy of the body less the work of its loads, but for what no facet changes [J]."""
+        weight, plain = self.system.matrix.weight, self.system.matrix
+        stored = 0.5 * float(motion @ (plain @ motion)) + 0.5 * float(weight @ self.given**2)
+        return stored - float(self.right @ motion)
+
+    def state(self, motion: Floats) -> State:
+        """The body under displacements and rotations (6 n,), with its cracks."""
+        model = self.model
+        moved = motion.reshape(-1, 6)[model.layout.rank]
+        turn = np.hstack([np.ones((len(moved), 1)), 0.5 * moved[:, 3:]])
+        state = model.state()
+        state.set_pose(
+            position=model.lattice.centre + moved[:, :3], orientation=turn / np.linalg.norm(turn, axis=1)[:, None]
+        )
+        cracked = np.flatnonzero(self.integrity < 1.0)
+        state.integrity[:] = self.integrity
+        state.cracks = np.zeros((len(cracked), CRACK_COLUMNS))
+        state.cracks[:, FACET] = cracked
+        return state
+
+    def weaken(self, k: int, integrity: float, closed: tuple[bool, bool]) -> None:
+        """Give facet k another integrity, or other halves that press."""
+        before = self._facet(k, self.integrity[k], self.closed[k])
+        self._weigh(k, -1.0)
+        self.integrity[k], self.closed[k] = integrity, closed
+        after = self._facet(k, integrity, self.closed[k])
+        self._weigh(k, 1.0)
+        self.matrix.add(k, *(new - old for new, old in zip(after, before, strict=True)))
+
+    def _facet(self, k: int, s: float, closed: Mask) -> tuple[Floats, Floats, Floats]:
+        c, part = self.constants, np.array([self._part[k], 1.0 - self._part[k]])
+        n = c.normal[k]
+        pressed = (1.0 - s) * np.outer(n, n)
+        D = c.k[k] * (s * np.eye(3) + (part * closed).sum() * pressed)
+        shares = tuple(
+            share @ (s * np.eye(3) + shut * pressed)
+            for share, shut in ((c.share_i[k], closed[0]), (c.share_j[k], closed[1]))
+        )
+        return facet_stiffness((c.lever_i[k], c.lever_j[k]), D, s * c.H[k], (shares[0], shares[1]))
+
+    def _weigh(self, k: int, sign: float) -> None:
+        """Add what a facet lacks to the slack of its cells, or take it off."""
+        c, open_part = self.constants, sign * (1.0 - self.integrity[k])
+        for p, slack, share, shut in (
+            (self.i[k], c.slack_i[k], c.share_i[k], self.closed[k, 0]),
+            (self.j[k], c.slack_j[k], c.share_j[k], self.closed[k, 1]),
+        ):
+            across = 1.0 - (share @ c.normal[k]) ** 2 / (share @ share) if shut else 1.0
+            self._slack[p] += open_part * slack * across
+            self.system.matrix.weight[p] = c.weight[p] / (1.0 + c.weight[p] * self._slack[p])
+
+    def loaded(self, motion: Floats) -> Loaded:
+        """What facets and cells bear under displacements and rotations (6 n,)."""
+        c, i, j, grips = self.constants, self.i, self.j, self.model.cell_constants.grips
+        u, phi = np.hsplit(motion.reshape(-1, 6), 2)
+        gap = u[j] + np.cross(phi[j], c.lever_j) - u[i] - np.cross(phi[i], c.lever_i)
+        order, n = self.model.layout.rank, len(u)
+        held = grips.gap(u[order], phi[order], grips.motion)
+        cracked = np.flatnonzero(self.integrity < 1.0)
+        s, normal = self.integrity[cracked, None], c.normal[cracked]
+        across = (gap[cracked] * normal).sum(axis=1)[:, None] * normal
+        grown = []
+        for side, share in enumerate((c.share_i, c.share_j)):
+            shut = self.closed[cracked, side, None]
+            swollen = (share * gap).sum(axis=1)
+            swollen[cracked] = (share[cracked] * (s * gap[cracked] + (1.0 - s) * shut * across)).sum(axis=1)
+            grown.append(swollen)
+        swelling = self.given + np.bincount(i, grown[0], n) + np.bincount(j, grown[1], n)
+        still = np.zeros_like(u)
+        moved = held - grips.gap(still, still, grips.motion)
+        swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
+        stress = self.system.matrix.weight * swelling
+        force = c.k[:, None] * gap + stress[i, None] * c.share_i + stress[j, None] * c.share_j
+        opening, turned = self._crack(cracked, gap, stress, force)
+        wall = grips.k[:, None] * held + stress[self._held, None] * grips.share
+        tensor = self._pressed.copy()
+        _add_moments(tensor, i, c.lever_i, force)
+        _add_moments(tensor, j, c.lever_j, -force)
+        _add_moments(tensor, self._held, grips.lever, wall)
+        return Loaded(force / self.area[:, None], tensor / c.volume[:, None], cracked, opening, turned, wall)
+
+    def _crack(self, cracked: Ints, gap: Floats, stress: Floats, force: Floats) -> tuple[Floats, Mask]:
+        """Write forces of cracked facets; |F⁺| / A of these, and which halves turn."""
+        c, s, n = self.constants, self.integrity[cracked, None], self.constants.normal[cracked]
+        opening, turned = np.zeros((len(cracked), 3)), np.zeros((len(cracked), 2), dtype=bool)
+        force[cracked] = 0.0
+        for side, (end, share) in enumerate(((self.i, c.share_i), (self.j, c.share_j))):
+            w = self._part[cracked, None] if side == 0 else 1.0 - self._part[cracked, None]
+            F = c.k[cracked, None] * gap[cracked] + stress[end[cracked], None] / w * share[cracked]
+            along = (F * n).sum(axis=1)[:, None]
+            shut = self.closed[cracked, side, None]
+            force[cracked] += w * (s * F + (1.0 - s) * shut * along * n)
+            opening += w * (F - shut * along * n)
+            size = _TURNS * np.linalg.norm(F, axis=1)
+            turned[:, side] = np.where(shut[:, 0], along[:, 0] > size, along[:, 0] < -size)
+        return np.linalg.norm(opening, axis=1) / self.area[cracked], turned
+
+
+def _add_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats) -> None:
+    """Add sym b⊗f to V σ of the owners, (n, 6)."""
+    for column, (a, b) in enumerate(_XX):
+        part = arm[:, a] * force[:, b] if a == b else 0.5 * (arm[:, a] * force[:, b] + arm[:, b] * force[:, a])
+        moment[:, column] += np.bincount(owner, part, len(moment))

@@ -1,0 +1,108 @@
+"""The stiffness of a body of cells, changed in place facet by facet."""
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from bondem._types import Floats, Ints
+from bondem.model.layout import Layout
+from bondem.model.stiffness import Stiffness
+
+
+class FacetMatrix:
+    """K = B + Fᵀ W F of `Stiffness`, whose entries of single facets can be changed.
+
+    It is scaled by blocks S of its elements, Sᵀ K S, and changes with the unscaled one.
+
+    Attributes:
+        plain: K.
+        scaled: Sᵀ K S.
+    """
+
+    def __init__(self, plain: Stiffness, layout: Layout, root: Floats) -> None:
+        """Take over a matrix.
+
+        Args:
+            plain: of the whole body, in the kernels' order.
+            layout: that order.
+            root: S of each element, (n, 6, 6).
+        """
+        assert plain.forms is not None
+        self.plain = replace(plain, weight=plain.weight.copy())
+        self._i, self._j = layout.i.astype(np.int64), layout.j.astype(np.int64)
+        start, inward = plain.bonds.indptr.astype(np.int64), np.diff(layout.in_start)
+        self._diagonal = start[:-1] + inward
+        place = np.arange(len(self._i))
+        self._below = start[self._j] + place - layout.in_start[self._j]  # row j, column i
+        above = np.empty(len(place), dtype=np.int64)
+        leaving = self._i[layout.out_bond]
+        above[layout.out_bond] = self._diagonal[leaving] + 1 + place - layout.out_start[leaving]
+        self._above = above  # row i, column j
+        self.rescale(root)
+
+    def rescale(self, root: Floats) -> None:
+        """Take other blocks S."""
+        self._root = root
+        self.scaled = self.plain.scaled(root)
+        assert self.scaled.forms is not None
+        self._rows = csr_array(self.scaled.forms.tocsr())
+
+    def __matmul__(self, motion: Floats) -> Floats:
+        """Sᵀ K S x of (6 n,)."""
+        weighted = self.plain.weight * (self._rows @ motion)
+        return np.asarray(self.scaled.bonds @ motion + self._rows.T @ weighted, dtype=float)
+
+    def forms_transposed(self, values: Floats) -> Floats:
+        """Fᵀ times values of cells (n,), unscaled, (6 n,)."""
+        assert self.plain.forms is not None
+        return np.asarray(self.plain.forms.T @ values, dtype=float)
+
+    def add(self, k: int, block: Floats, form_i: Floats, form_j: Floats) -> None:
+        """Add to what facet k does.
+
+        Args:
+            k: kernels' number.
+            block: to the stiffness of its two cells, (12, 12).
+            form_i, form_j: to V θ of each cell, (12,).
+        """
+        i, j = self._i[k], self._j[k]
+        self._put(self.plain, None, k, block, form_i, form_j)
+        self.plain.__dict__.pop("_rows", None)  # what it has made of its forms, once
+        turn = np.zeros((12, 12))
+        turn[:6, :6], turn[6:, 6:] = self._root[i], self._root[j]
+        self._put(self.scaled, self._rows, k, turn.T @ block @ turn, form_i @ turn, form_j @ turn)
+
+    def _put(
+        self, matrix: Stiffness, rows: csr_array | None, k: int, block: Floats, form_i: Floats, form_j: Floats
+    ) -> None:  # fmt: skip
+        assert matrix.forms is not None
+        i, j = self._diagonal[self._i[k]], self._diagonal[self._j[k]]
+        above, below = self._above[k], self._below[k]
+        data, form = matrix.bonds.data, (matrix.forms.data[:, 0] if rows is None else rows.data.reshape(-1, 6))
+        for place, part in ((i, block[:6, :6]), (above, block[:6, 6:]), (below, block[6:, :6]), (j, block[6:, 6:])):
+            data[place] += part
+        for place, part in ((i, form_i[:6]), (above, form_i[6:]), (below, form_j[:6]), (j, form_j[6:])):
+            form[place] += part
+
+
+def facet_stiffness(
+    arms: tuple[Floats, Floats], D: Floats, H: Floats, shares: tuple[Floats, Floats]
+) -> tuple[Floats, Floats, Floats]:
+    """Stiffness of a facet for motions (u, φ) of its two cells, (12, 12), and what they add to V θ of each, (12,).
+
+    Args:
+        arms: from the centre of either cell to the facet [m], (3,).
+        D: force over the gap [N/m], (3, 3).
+        H: moment over the relative rotation [N·m], (3, 3).
+        shares: V θ of either cell over the gap [m²], (3,).
+    """
+    gap = np.hstack([-np.eye(3), _crossed(arms[0]), np.eye(3), -_crossed(arms[1])])
+    turn = np.zeros((3, 12))
+    turn[:, 3:6], turn[:, 9:] = -np.eye(3), np.eye(3)
+    return gap.T @ D @ gap + turn.T @ H @ turn, shares[0] @ gap, shares[1] @ gap
+
+
+def _crossed(b: Floats) -> Floats:
+    """[b]× with [b]× v = b × v."""
+    return np.array([[0.0, -b[2], b[1]], [b[2], 0.0, -b[0]], [-b[1], b[0], 0.0]])

@@ -1,0 +1,277 @@
+"""Quasi-static fracture by load factors: bonds fail one after the other, whatever the load does meanwhile."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bondem._checks import count, instance, number
+from bondem._types import Floats, Ints, PerBond, PerElement3
+from bondem.errors import ConvergenceError, InputError
+from bondem.model.model import Model
+from bondem.model.softening_table import SofteningTable
+from bondem.model.state import State
+from bondem.quasistatic.damaged_body import DamagedBody, Loaded
+from bondem.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
+from bondem.quasistatic.limits import Onset
+from bondem.quasistatic.reading import Gauges, Reading
+from bondem.quasistatic.teeth import Teeth
+from bondem.solve.linear import Iteration, System, prefers_elimination
+from bondem.solve.threads import one_blas_thread
+from bondem.specimen.regions import Region
+
+# Facets whose factors differ by less than this share come in the user's order.
+_TIE = 1e-9
+# How often halves may open and close until an equilibrium is found.
+_ROUNDS = 40
+
+
+@dataclass(frozen=True, eq=False)
+class QuasistaticResult:
+    """A path of equilibria, each at the load at which the next facets fail: e events, f failures of facets.
+
+    Attributes:
+        factor: of the load at each event [-], (e,). It falls where the path snaps back.
+        load: on the driven region along its motion or load [N], (e,).
+        displacement: of the same [m], (e,).
+        energy: dissipated [J], (e,).
+        gauge: of each gauge the displacement between its regions [m], (e, 3).
+        bond: user's number of each facet that loses integrity, (f,).
+        integrity: what it has left, (f,).
+        event: in which event, (f,).
+        position: of the facet in the reference [m], (f, 3).
+        bond_integrity: of all facets at the end, user's order, (m,).
+        end: why it ended: "unloaded", "parted", "strong" where nothing fails at any load, or "events".
+        motion: of the elements at the last event [m], (n, 3).
+        state: the last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
+        iterations: of all solutions.
+    """
+
+    factor: Floats
+    load: Floats
+    displacement: Floats
+    energy: Floats
+    gauge: Mapping[str, Floats]
+    bond: Ints
+    integrity: Floats
+    event: Ints
+    position: PerElement3
+    bond_integrity: PerBond
+    end: str
+    motion: PerElement3
+    state: State
+    iterations: int
+
+    @property
+    def peak(self) -> float:
+        """The largest load [N]."""
+        return float(self.load.max(initial=0.0))
+
+    @property
+    def work(self) -> float:
+        """∫ load · d displacement along the path [J]: that of the elastic parts between events, and back."""
+        load, way = np.append(0.0, self.load), np.append(0.0, self.displacement)
+        return float((0.5 * (load[1:] + load[:-1]) * np.diff(way)).sum())
+
+
+@one_blas_thread
+def solve_quasistatic(
+    model: Model,
+    drive: Region,
+    *,
+    ripple: float = 0.1,
+    together: float = 0.01,
+    until: float = 0.02,
+    most: int = 100_000,
+    gauges: Mapping[str, tuple[Region, Region]] | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> QuasistaticResult:
+    """Follow a body of cells as it fails without inertia: all drives and loads are scaled by one factor.
+
+    Between two events the body is elastic and everything is proportional to the factor. Each event is that of the
+    facet that is next, at whatever factor it comes, so that snap-back is followed and nothing depends on speeds or
+    damping. A facet that softens does so in steps within a band about its line, and takes its fracture energy; closed cracks
+    bear pressure, without friction. Rotations are small.
+
+    Args:
+        model: cells with `bd.Rankine`; its drives and loads count at the end of their schedules, which is a factor
+            of 1.
+        drive: the face that is driven or loaded, by a `bd.Drive`, `bd.Load` or `bd.Pressure` of the model on the
+            same region: whose load and displacement are given.
+        ripple: how far the traction of a facet that softens is above and below its line, as a share of it: the less,
+            the more events.
+        together: facets whose load factors are within this share of the least fail in one event, at the middle of
+            it; 0 for one after the other.
+        until: end where the load has fallen to this share of its peak.
+        most: end after so many events.
+        gauges: pairs of regions whose relative displacement is recorded, by name.
+        progress: called with the share done, 0 … 1, by how far the load has fallen after its peak.
+
+    Raises:
+        InputError: a model without cells or another criterion, cells that yield, contacts, prestress, or nothing that
+            is driven at `drive`.
+        ConvergenceError: a body that its supports do not hold.
+
+    Reference: sequentially linear analysis, Rots (2001); DeJong, Hendriks and Rots (2008).
+    """
+    instance("solve_quasistatic", "drive", drive, Region, "a region, such as bd.Face('x_max')")
+    band = number("solve_quasistatic", "ripple", ripple, above=0.0, below=1.0)
+    close = max(number("solve_quasistatic", "together", together, least=0.0, below=1.0), _TIE)
+    limit = count("solve_quasistatic", "most", most)
+    share = number("solve_quasistatic", "until", until, least=0.0, below=1.0)
+    table = _check(model)
+    body, equilibrium = _begin(model)
+    reading, gauge = Reading(model, drive), Gauges(model, gauges or {})
+    onset = Onset(body, table)
+    path = _Path(model)
+    softening: dict[int, tuple[Teeth, int]] = {}
+    motion = np.zeros(6 * len(model.layout.order))
+    broken, peak, end = np.zeros(len(body.integrity), dtype=bool), 0.0, "events"
+    for _ in range(limit):
+        try:
+            motion, found = _balance(body, equilibrium, motion)
+        except ConvergenceError:
+            if not broken.any():
+                raise
+            end = "parted"
+            break
+        path.settle(body, motion)
+        failing, factor = _next(body, onset, softening, found, close)
+        if not len(failing):
+            end = "parted" if broken.any() else "strong"
+            break
+        load, displacement = reading.read(found, motion)
+        peak = max(peak, factor * load)
+        for k in failing.tolist():
+            if k not in softening:
+                softening[k] = Teeth.of(onset.traction(found, k, factor), float(table.last[k]), band), 0
+            line, done = softening[k]
+            softening[k] = line, done + 1
+            left = float(line.integrity[done])
+            path.add(k, left)
+            body.weaken(k, left, (bool(body.closed[k, 0]), bool(body.closed[k, 1])))
+            broken[k] = left == 0.0
+        path.read(factor, load, displacement, gauge.read(motion), motion)
+        if progress is not None and peak > 0.0 and share < 1.0:
+            progress(min(max((1.0 - factor * load / peak) / (1.0 - share), 0.0), 1.0))
+        if factor * load < share * peak:
+            end = "unloaded"
+            break
+    return path.result(body, end, getattr(equilibrium, "rounds", 0))
+
+
+def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats) -> tuple[Floats, Loaded]:
+    """The equilibrium with the halves that press closed, and what it bears."""
+    for _ in range(_ROUNDS):
+        motion = equilibrium.solve(body.right, motion)
+        found = body.loaded(motion)
+        turning = np.flatnonzero(found.turned.any(axis=1))
+        if not len(turning):
+            return motion, found
+        for e in turning:
+            k = int(found.cracked[e])
+            shut = body.closed[k] ^ found.turned[e]
+            body.weaken(k, float(body.integrity[k]), (bool(shut[0]), bool(shut[1])))
+    return motion, found
+
+
+def _next(
+    body: DamagedBody, onset: Onset, softening: dict[int, tuple[Teeth, int]], found: Loaded, close: float
+) -> tuple[Ints, float]:
+    """The facets that fail next, in the user's order, and the factor of the load; none where nothing fails."""
+    limit = np.full(len(found.cracked), np.inf)
+    for e, k in enumerate(found.cracked.tolist()):
+        line, done = softening[k]
+        if done <= len(line.limit) and found.opening[e] > 0.0:
+            limit[e] = line.limit[done - 1] / found.opening[e]
+    least = float(limit.min(initial=np.inf)) * (1.0 + close)
+    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, close)
+    facet, factor = np.concatenate([found.cracked, whole]), np.concatenate([limit, factor])
+    least = float(factor.min(initial=np.inf))
+    if not np.isfinite(least):
+        return facet[:0], least
+    failing = facet[factor <= least * (1.0 + close)]
+    return failing[np.argsort(body.model.layout.bond_order[failing])], least * (1.0 + 0.5 * close)
+
+
+class _Path:
+    """What is recorded of each event."""
+
+    def __init__(self, model: Model) -> None:
+        self._model = model
+        self._facets: list[tuple[int, float, int]] = []
+        self._rows: list[tuple[float, float, float]] = []
+        self._gauge: list[dict[str, Floats]] = []
+        self._energy: list[float] = []
+        self._potential = 0.0
+        self._motion = np.zeros(6 * len(model.layout.order))
+
+    def settle(self, body: DamagedBody, motion: Floats) -> None:
+        """Energy that the last event has dissipated, at its factor: that of the body fell, loads and walls still."""
+        potential = body.potential(motion)
+        if self._rows:
+            factor = self._rows[-1][0]
+            self._energy.append(factor**2 * (self._potential - potential))
+        self._potential = potential
+
+    def add(self, k: int, integrity: float) -> None:
+        """Take down a facet that fails in the event to come."""
+        self._facets.append((k, integrity, len(self._rows)))
+
+    def read(
+        self, factor: float, load: float, displacement: float, gauge: dict[str, Floats], motion: Floats
+    ) -> None:  # fmt: skip
+        """Take down an event, with what is read at a factor of 1."""
+        self._rows.append((factor, factor * load, factor * displacement))
+        self._gauge.append({name: factor * moved for name, moved in gauge.items()})
+        self._motion = factor * motion
+
+    def result(self, body: DamagedBody, end: str, iterations: int) -> QuasistaticResult:
+        """All of it."""
+        model, layout = self._model, self._model.layout
+        rows = np.array(self._rows).reshape(-1, 3)
+        facet = np.array([k for k, *_ in self._facets], dtype=np.int64)
+        bond: Ints = layout.bond_order[facet]
+        assert model.lattice.facets is not None
+        own = np.empty_like(body.integrity)
+        own[layout.bond_order] = body.integrity
+        energy = np.array(self._energy + [0.0] * (len(rows) - len(self._energy)))
+        gauge = {name: np.array([one[name] for one in self._gauge]) for name in (self._gauge[0] if len(rows) else {})}
+        return QuasistaticResult(
+            factor=rows[:, 0], load=rows[:, 1], displacement=rows[:, 2], energy=energy, gauge=gauge, bond=bond,
+            integrity=np.array([left for _, left, _ in self._facets]),
+            event=np.array([number for *_, number in self._facets], dtype=np.int64),
+            position=model.lattice.facets.centroid[bond], bond_integrity=own, end=end,
+            motion=self._motion.reshape(-1, 6)[layout.rank, :3], state=body.state(self._motion),
+            iterations=iterations,
+        )  # fmt: skip
+
+
+def _begin(model: Model) -> tuple[DamagedBody, Equilibrium]:
+    elastic = replace(model, failure=None)
+    system = System.of(elastic)
+    begun = Iteration(system)
+    body = DamagedBody(model, system, begun.root)
+    if prefers_elimination(system):
+        return body, Eliminated(body.system)
+    return body, Iterated(body.system, body.matrix, begun)
+
+
+def _check(model: Model) -> SofteningTable:
+    """What softens.
+
+    Raises:
+        InputError: what has no quasi-static path here.
+    """
+    instance("solve_quasistatic", "model", model, Model, "bd.Model(...)")
+    if model.cells is None:
+        raise InputError("solve_quasistatic needs a body of cells: bd.connect(..., method='laguerre') and bd.CellBond")
+    table = model.softening
+    if table is None or table.judge is not None or table.slip is not None:
+        raise InputError(
+            "solve_quasistatic: cells neither yield nor follow another criterion here; give the model"
+            " failure=bd.Rankine(tension=..., fracture_energy=...), or use solve_explicit"
+        )
+    if model.constraints.strain_part.size or model.constraints.body_on.size:
+        raise InputError("solve_quasistatic scales drives and loads only; leave bd.Eigenstrain and bd.BodyForce out")
+    return table

@@ -1,0 +1,54 @@
+"""Softening in steps: a line from the strength to an opening followed by teeth within a band about it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats
+
+# A facet whose strength has fallen to this share of that at its onset breaks next.
+_REST = 0.12
+
+
+@dataclass(frozen=True, eq=False)
+class Teeth:
+    """What a facet goes through from its onset on.
+
+    Between two events a facet is elastic with its integrity; at an event it loses some of it. T stands for |F⁺| / A, the
+    traction that the facet would have if it were whole, which is its gap but for a factor; it bears s T, and dissipates
+    T² Δs per event, in units of A / 2k.
+
+    Attributes:
+        integrity: after events 1 … t, falling to 0, (t,).
+        limit: T at which events 2 … t come [Pa], (t - 1,).
+    """
+
+    integrity: Floats
+    limit: Floats
+
+    @classmethod
+    def of(cls, onset: float, last: float, ripple: float) -> "Teeth":
+        """Teeth of linear softening; a facet that breaks at once has one.
+
+        The first event comes at the onset, the others where the traction is `ripple` above the line, as a share of it,
+        but not above that at the onset, and each leaves it as much below the line. T of all but the first are scaled
+        for all together to take the energy under the line, onset · last.
+
+        Args:
+            onset: traction from which the facet softens [Pa].
+            last: k u / A at the opening where nothing is left [Pa], 0 where it breaks at once (`softened`).
+            ripple: in (0, 1).
+        """
+        if last <= 0.0:
+            return cls(np.zeros(1), np.zeros(0))
+        r, line = onset / last, 1.0
+        s, T = [1.0 - ripple], []
+        while line > _REST:
+            above = (1.0 + ripple) * onset / (s[-1] * (1.0 - r) + (1.0 + ripple) * r)
+            T.append(min(above, onset / s[-1]))
+            line = (1.0 - r * T[-1] / onset) / (1.0 - r)
+            s.append((1.0 - ripple) * line * onset / T[-1] if line > _REST else 0.0)
+        integrity, limit = np.array(s), np.array(T)
+        lost = integrity[:-1] - integrity[1:]
+        scale = (onset * last - ripple * onset**2) / (lost @ limit**2)
+        return cls(integrity, np.sqrt(scale) * limit)
