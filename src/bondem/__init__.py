@@ -34,6 +34,7 @@ _PUBLIC = {
     "bondem.fracture.explain": ("Explanation", "explain"),
     "bondem.fracture.fragments": ("Fragments", "fragments"),
     "bondem.fracture.magnitudes": ("BValue",),
+    "bondem.quasistatic.solve": ("QuasistaticResult", "solve_quasistatic"),
     "bondem.laws.bond": ("BondGeometry", "BondLaw", "BondStiffness"),
     "bondem.laws.cell_bond": ("CellBond",),
     "bondem.laws.contact": ("ContactLaw", "LinearContact"),

@@ -95,6 +95,8 @@ from bondem.packing.sizes import Lognormal as Lognormal
 from bondem.packing.sizes import Sieve as Sieve
 from bondem.packing.sizes import SizeLaw as SizeLaw
 from bondem.packing.sizes import Uniform as Uniform
+from bondem.quasistatic.solve import QuasistaticResult as QuasistaticResult
+from bondem.quasistatic.solve import solve_quasistatic as solve_quasistatic
 from bondem.run import resume as resume
 from bondem.run import solve_explicit as solve_explicit
 from bondem.run import solve_modes as solve_modes

@@ -292,6 +292,9 @@ def _grips(cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: 
     # a wall that holds the normal keeps the facet plane
     flat = ((axes * normal) ** 2).sum(axis=1)
     H = _resistance(free.moment[facet], normal, stiffness * flat, rotation)
+    if rotation == "full":  # a wall that only keeps the facet plane lets it turn in its plane
+        bent = _resistance(free.moment[facet], normal, stiffness * flat, "bending")
+        H = np.where(axes.all(axis=1)[:, None, None], H, bent)
     lever = free.centroid[facet] - cells.centroid[cell]
     return Grips(
         cell=cell, k=stiffness * free.area[facet], lever=lever, arm=lever,

@@ -19,6 +19,8 @@ from bondem.observe.facet_loads import loads_on_facets
 from bondem.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
 from bondem.solve.linear import System
 
+# Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
+_NONE = 1e-7
 # A half facet is closed or opens where its force along the normal is beyond this share of its size.
 _TURNS = 1e-9
 _XX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
@@ -96,6 +98,11 @@ class DamagedBody:
         _add_moments(self._pressed, layout.rank[free.cell[loaded]], arm, force[loaded])
 
     @property
+    def left(self) -> Floats:
+        """Integrity of the facets, 0 where nothing is left, (m,)."""
+        return np.where(self.integrity > _NONE, self.integrity, 0.0)
+
+    @property
     def right(self) -> Floats:
         """What the displacements have to balance [N, N·m], (6 n,)."""
         return self.load - self.matrix.forms_transposed(self.system.matrix.weight * self.given)
@@ -116,17 +123,17 @@ class DamagedBody:
             position=model.lattice.centre + moved[:, :3], orientation=turn / np.linalg.norm(turn, axis=1)[:, None]
         )
         cracked = np.flatnonzero(self.integrity < 1.0)
-        state.integrity[:] = self.integrity
+        state.integrity[:] = self.left
         state.cracks = np.zeros((len(cracked), CRACK_COLUMNS))
         state.cracks[:, FACET] = cracked
         return state
 
     def weaken(self, k: int, integrity: float, closed: tuple[bool, bool]) -> None:
-        """Give facet k another integrity, or other halves that press."""
+        """Give facet k another integrity, at least `_NONE`, or other halves that press."""
         before = self._facet(k, self.integrity[k], self.closed[k])
         self._weigh(k, -1.0)
-        self.integrity[k], self.closed[k] = integrity, closed
-        after = self._facet(k, integrity, self.closed[k])
+        self.integrity[k], self.closed[k] = max(integrity, _NONE), closed
+        after = self._facet(k, self.integrity[k], self.closed[k])
         self._weigh(k, 1.0)
         self.matrix.add(k, *(new - old for new, old in zip(after, before, strict=True)))
 

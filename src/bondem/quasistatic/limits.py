@@ -77,5 +77,5 @@ def agreed(mean: Floats, n: Floats, t: Floats) -> Floats:
 def _sheared_at(across: Floats, shear: Floats, strength: PerBond) -> Floats:
     """The factor at which a pressed traction t has σ1 = f by itself, t_s² = f (f - t_n); `shear` is t_s²."""
     bears = shear > 0.0
-    root = strength * (np.sqrt(across**2 + 4.0 * shear) - across)
+    root = strength * (np.sqrt(across**2 + 4.0 * np.maximum(shear, 0.0)) - across)
     return np.where(bears, root / np.where(bears, 2.0 * shear, 1.0), np.inf)

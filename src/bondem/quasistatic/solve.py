@@ -7,7 +7,7 @@ import numpy as np
 
 from bondem._checks import count, instance, number
 from bondem._types import Floats, Ints, PerBond, PerElement3
-from bondem.errors import ConvergenceError, InputError
+from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
@@ -22,6 +22,8 @@ from bondem.specimen.regions import Region
 
 # Facets whose factors differ by less than this share come in the user's order.
 _TIE = 1e-9
+# A body whose stiffness is this share of that of the whole one is in two parts.
+_PARTED = 1e-5
 # How often halves may open and close until an equilibrium is found.
 _ROUNDS = 40
 
@@ -34,7 +36,10 @@ class QuasistaticResult:
         factor: of the load at each event [-], (e,). It falls where the path snaps back.
         load: on the driven region along its motion or load [N], (e,).
         displacement: of the same [m], (e,).
-        energy: dissipated [J], (e,).
+        work: of walls or loads until each event [J], (e,).
+        stored: elastic energy before each event [J], (e,).
+        energy: dissipated by each event [J], (e,); the sum of those before is work - stored. Nothing is known of the
+            last one, which has 0.
         gauge: of each gauge the displacement between its regions [m], (e, 3).
         bond: user's number of each facet that loses integrity, (f,).
         integrity: what it has left, (f,).
@@ -50,6 +55,8 @@ class QuasistaticResult:
     factor: Floats
     load: Floats
     displacement: Floats
+    work: Floats
+    stored: Floats
     energy: Floats
     gauge: Mapping[str, Floats]
     bond: Ints
@@ -66,12 +73,6 @@ class QuasistaticResult:
     def peak(self) -> float:
         """The largest load [N]."""
         return float(self.load.max(initial=0.0))
-
-    @property
-    def work(self) -> float:
-        """∫ load · d displacement along the path [J]: that of the elastic parts between events, and back."""
-        load, way = np.append(0.0, self.load), np.append(0.0, self.displacement)
-        return float((0.5 * (load[1:] + load[:-1]) * np.diff(way)).sum())
 
 
 @one_blas_thread
@@ -101,7 +102,7 @@ def solve_quasistatic(
         ripple: how far the traction of a facet that softens is above and below its line, as a share of it: the less,
             the more events.
         together: facets whose load factors are within this share of the least fail in one event, at the middle of
-            it; 0 for one after the other.
+            it; 0 for one after the other, of equal ones that of the lowest number first.
         until: end where the load has fallen to this share of its peak.
         most: end after so many events.
         gauges: pairs of regions whose relative displacement is recorded, by name.
@@ -116,7 +117,7 @@ def solve_quasistatic(
     """
     instance("solve_quasistatic", "drive", drive, Region, "a region, such as bd.Face('x_max')")
     band = number("solve_quasistatic", "ripple", ripple, above=0.0, below=1.0)
-    close = max(number("solve_quasistatic", "together", together, least=0.0, below=1.0), _TIE)
+    close = number("solve_quasistatic", "together", together, least=0.0, below=1.0)
     limit = count("solve_quasistatic", "most", most)
     share = number("solve_quasistatic", "until", until, least=0.0, below=1.0)
     table = _check(model)
@@ -126,21 +127,20 @@ def solve_quasistatic(
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
     motion = np.zeros(6 * len(model.layout.order))
-    broken, peak, end = np.zeros(len(body.integrity), dtype=bool), 0.0, "events"
+    first, peak, end = 0.0, 0.0, "events"
     for _ in range(limit):
-        try:
-            motion, found = _balance(body, equilibrium, motion)
-        except ConvergenceError:
-            if not broken.any():
-                raise
+        motion, found = _balance(body, equilibrium, motion)
+        load, displacement = reading.read(found, motion)
+        path.settle(body.potential(motion), load, displacement)
+        stiffness = load / displacement
+        first = first or stiffness
+        if stiffness < _PARTED * first:
             end = "parted"
             break
-        path.settle(body, motion)
         failing, factor = _next(body, onset, softening, found, close)
         if not len(failing):
-            end = "parted" if broken.any() else "strong"
+            end = "strong"
             break
-        load, displacement = reading.read(found, motion)
         peak = max(peak, factor * load)
         for k in failing.tolist():
             if k not in softening:
@@ -150,8 +150,7 @@ def solve_quasistatic(
             left = float(line.integrity[done])
             path.add(k, left)
             body.weaken(k, left, (bool(body.closed[k, 0]), bool(body.closed[k, 1])))
-            broken[k] = left == 0.0
-        path.read(factor, load, displacement, gauge.read(motion), motion)
+        path.add_event(factor, gauge.read(motion), motion)
         if progress is not None and peak > 0.0 and share < 1.0:
             progress(min(max((1.0 - factor * load / peak) / (1.0 - share), 0.0), 1.0))
         if factor * load < share * peak:
@@ -184,14 +183,15 @@ def _next(
         line, done = softening[k]
         if done <= len(line.limit) and found.opening[e] > 0.0:
             limit[e] = line.limit[done - 1] / found.opening[e]
-    least = float(limit.min(initial=np.inf)) * (1.0 + close)
-    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, close)
+    least = float(limit.min(initial=np.inf)) * (1.0 + max(close, _TIE))
+    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, max(close, _TIE))
     facet, factor = np.concatenate([found.cracked, whole]), np.concatenate([limit, factor])
     least = float(factor.min(initial=np.inf))
     if not np.isfinite(least):
         return facet[:0], least
-    failing = facet[factor <= least * (1.0 + close)]
-    return failing[np.argsort(body.model.layout.bond_order[failing])], least * (1.0 + 0.5 * close)
+    failing = facet[factor <= least * (1.0 + max(close, _TIE))]
+    failing = failing[np.argsort(body.model.layout.bond_order[failing])]
+    return failing if close > 0.0 else failing[:1], least * (1.0 + 0.5 * close)
 
 
 class _Path:
@@ -200,45 +200,50 @@ class _Path:
     def __init__(self, model: Model) -> None:
         self._model = model
         self._facets: list[tuple[int, float, int]] = []
-        self._rows: list[tuple[float, float, float]] = []
+        self._rows: list[tuple[float, float, float, float, float]] = []
         self._gauge: list[dict[str, Floats]] = []
         self._energy: list[float] = []
-        self._potential = 0.0
+        self._potential = self._load = self._way = self._work = 0.0
         self._motion = np.zeros(6 * len(model.layout.order))
 
-    def settle(self, body: DamagedBody, motion: Floats) -> None:
-        """Energy that the last event has dissipated, at its factor: that of the body fell, loads and walls still."""
-        potential = body.potential(motion)
+    def settle(self, potential: float, load: float, displacement: float) -> None:
+        """Take over what holds at a factor of 1 since the last event: energy less work of loads, load, displacement.
+
+        At the factor of the event that energy fell by what was dissipated; walls did not move, or loads did not change.
+        """
         if self._rows:
-            factor = self._rows[-1][0]
-            self._energy.append(factor**2 * (self._potential - potential))
-        self._potential = potential
+            square = self._rows[-1][0] ** 2
+            self._energy.append(square * (self._potential - potential))
+            self._work += 0.5 * square * (self._load + load) * (displacement - self._way)
+        self._potential, self._load, self._way = potential, load, displacement
 
     def add(self, k: int, integrity: float) -> None:
         """Take down a facet that fails in the event to come."""
         self._facets.append((k, integrity, len(self._rows)))
 
-    def read(
-        self, factor: float, load: float, displacement: float, gauge: dict[str, Floats], motion: Floats
-    ) -> None:  # fmt: skip
+    def add_event(self, factor: float, gauge: dict[str, Floats], motion: Floats) -> None:
         """Take down an event, with what is read at a factor of 1."""
-        self._rows.append((factor, factor * load, factor * displacement))
+        before = self._rows[-1][0] if self._rows else 0.0
+        self._work += 0.5 * self._load * self._way * (factor**2 - before**2)
+        load, displacement = factor * self._load, factor * self._way
+        self._rows.append((factor, load, displacement, self._work, 0.5 * load * displacement))
         self._gauge.append({name: factor * moved for name, moved in gauge.items()})
         self._motion = factor * motion
 
     def result(self, body: DamagedBody, end: str, iterations: int) -> QuasistaticResult:
         """All of it."""
         model, layout = self._model, self._model.layout
-        rows = np.array(self._rows).reshape(-1, 3)
+        rows = np.array(self._rows).reshape(-1, 5)
         facet = np.array([k for k, *_ in self._facets], dtype=np.int64)
         bond: Ints = layout.bond_order[facet]
         assert model.lattice.facets is not None
         own = np.empty_like(body.integrity)
-        own[layout.bond_order] = body.integrity
+        own[layout.bond_order] = body.left
         energy = np.array(self._energy + [0.0] * (len(rows) - len(self._energy)))
         gauge = {name: np.array([one[name] for one in self._gauge]) for name in (self._gauge[0] if len(rows) else {})}
         return QuasistaticResult(
-            factor=rows[:, 0], load=rows[:, 1], displacement=rows[:, 2], energy=energy, gauge=gauge, bond=bond,
+            factor=rows[:, 0], load=rows[:, 1], displacement=rows[:, 2], work=rows[:, 3], stored=rows[:, 4],
+            energy=energy, gauge=gauge, bond=bond,
             integrity=np.array([left for _, left, _ in self._facets]),
             event=np.array([number for *_, number in self._facets], dtype=np.int64),
             position=model.lattice.facets.centroid[bond], bond_integrity=own, end=end,
@@ -248,12 +253,12 @@ class _Path:
 
 
 def _begin(model: Model) -> tuple[DamagedBody, Equilibrium]:
-    elastic = replace(model, failure=None)
-    system = System.of(elastic)
+    system = System.of(replace(model, failure=None))
+    if prefers_elimination(system):
+        body = DamagedBody(model, system, np.tile(np.eye(6), (len(system.free), 1, 1)))
+        return body, Eliminated(body.system)
     begun = Iteration(system)
     body = DamagedBody(model, system, begun.root)
-    if prefers_elimination(system):
-        return body, Eliminated(body.system)
     return body, Iterated(body.system, body.matrix, begun)
 
 

@@ -8,6 +8,10 @@ from bondem._types import Floats
 
 # A facet whose strength has fallen to this share of that at its onset breaks next.
 _REST = 0.12
+# One that softens is weaker than one that has not begun by as little: it goes on, and others do not begin.
+_BELOW = 0.999
+# Until the energy is right: the number of teeth may change with the line, and the energy jumps then.
+_ROUNDS = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,8 +35,8 @@ class Teeth:
         """Teeth of linear softening; a facet that breaks at once has one.
 
         The first event comes at the onset, the others where the traction is `ripple` above the line, as a share of it,
-        but not above that at the onset, and each leaves it as much below the line. T of all but the first are scaled
-        for all together to take the energy under the line, onset · last.
+        but a little below that at the onset at most, and each leaves it as much below the line. The line is drawn out
+        for all of them together to take the energy under that of the material, onset · last.
 
         Args:
             onset: traction from which the facet softens [Pa].
@@ -41,14 +45,23 @@ class Teeth:
         """
         if last <= 0.0:
             return cls(np.zeros(1), np.zeros(0))
-        r, line = onset / last, 1.0
-        s, T = [1.0 - ripple], []
-        while line > _REST:
-            above = (1.0 + ripple) * onset / (s[-1] * (1.0 - r) + (1.0 + ripple) * r)
-            T.append(min(above, onset / s[-1]))
-            line = (1.0 - r * T[-1] / onset) / (1.0 - r)
-            s.append((1.0 - ripple) * line * onset / T[-1] if line > _REST else 0.0)
-        integrity, limit = np.array(s), np.array(T)
-        lost = integrity[:-1] - integrity[1:]
-        scale = (onset * last - ripple * onset**2) / (lost @ limit**2)
-        return cls(integrity, np.sqrt(scale) * limit)
+        wanted = onset * (last - onset)
+        longer = last
+        for _ in range(_ROUNDS):
+            integrity, limit = _steps(onset, longer, ripple)
+            lost = integrity[:-1] - integrity[1:]
+            taken = ripple * onset**2 + float(lost @ limit**2) - onset**2
+            longer = onset + (longer - onset) * wanted / taken
+        return cls(integrity, limit)
+
+
+def _steps(onset: float, last: float, ripple: float) -> tuple[Floats, Floats]:
+    """Integrities and limits within a band about a line."""
+    r, line = onset / last, 1.0
+    s, T = [1.0 - ripple], []
+    while line > _REST:
+        above = (1.0 + ripple) * onset / (s[-1] * (1.0 - r) + (1.0 + ripple) * r)
+        T.append(min(above, _BELOW * onset / s[-1]))
+        line = (1.0 - r * T[-1] / onset) / (1.0 - r)
+        s.append((1.0 - ripple) * line * onset / T[-1] if line > _REST else 0.0)
+    return np.array(s), np.array(T)

@@ -1,0 +1,217 @@
+"""Fracture by load factors: closed forms of two cells and of a bar that snaps back, energy, cracks that close."""
+
+import functools
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.errors import InputError
+from bondem.model.matrices import stiffness_matrix
+from bondem.quasistatic.damaged_body import DamagedBody
+from bondem.quasistatic.teeth import Teeth
+from bondem.solve.linear import Elimination, Iteration, System
+
+E, STRENGTH, ENERGY = 40e9, 4e6, 50.0
+SIZE = 1e-3
+
+
+@functools.cache
+def bar(count: int, size: float = SIZE) -> bd.Lattice:
+    """Cubes in a row."""
+    centres = np.full((count, 3), 0.5 * size)
+    centres[:, 0] = size * (np.arange(count) + 0.5)
+    shape = bd.Box(size=(count * size, size, size))
+    return bd.connect(bd.Particles(centres, 0.5 * size, shape=shape), method="laguerre")
+
+
+@functools.cache
+def block(count: int, size: tuple[float, float, float] = (16e-3, 8e-3, 8e-3)) -> bd.Lattice:
+    return bd.connect(bd.pack(bd.Box(size=size), count=count, method="even", seed=1), method="laguerre")
+
+
+def pulled(body: bd.Lattice, way: float = 1e-6, nu: float = 0.2, **given: float) -> bd.Model:
+    """Pulled along x by platens that leave the sides free."""
+    failure = bd.Rankine(**{"tension": STRENGTH, "fracture_energy": ENERGY} | given)
+    ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=way)]
+    law = bd.CellBond(E=E, nu=nu, facet_rotation="full")
+    return bd.Model(body, law, density=2500.0, failure=failure, boundary=ends)
+
+
+def follow(model: bd.Model, **given: float) -> bd.QuasistaticResult:
+    return bd.solve_quasistatic(model, bd.Face("x_max"), together=0.0, **given)
+
+
+def softened_bar(count: int, energy: float, ripple: float) -> tuple[bd.QuasistaticResult, np.ndarray, np.ndarray]:
+    """A bar of cubes, and load and displacement of its events by hand: the first facet cracks and no other."""
+    found = follow(pulled(bar(count), nu=0.0, fracture_energy=energy), ripple=ripple, until=0.0)
+    area, k = SIZE**2, E * SIZE
+    line = Teeth.of(STRENGTH, k / area * 2.0 * energy / STRENGTH, ripple)
+    s, T = np.append(1.0, line.integrity[:-1]), np.append(STRENGTH, line.limit)
+    load = area * s * T
+    return found, load, load * count * SIZE / (E * area) + (1.0 - s) * T * area / k
+
+
+@pytest.mark.parametrize("ripple", [0.3, 0.1])
+def test_two_cells_soften_as_by_hand(ripple: float) -> None:
+    found, load, way = softened_bar(2, ENERGY, ripple)
+    assert found.end == "parted"
+    np.testing.assert_allclose(found.load, load, rtol=1e-9)
+    np.testing.assert_allclose(found.displacement, way, rtol=1e-9)
+    assert found.integrity[-1] == 0.0
+    assert set(found.bond) == {0}
+
+
+def test_a_bar_snaps_back_as_by_hand() -> None:
+    # 2 E G / f² = 5 mm; the bar is 20 mm long
+    found, load, way = softened_bar(20, 1.0, 0.1)
+    np.testing.assert_allclose(found.load, load, rtol=1e-9)
+    np.testing.assert_allclose(found.displacement, way, rtol=1e-9)
+    assert len(set(found.bond)) == 1
+    assert found.displacement[-1] < 0.5 * found.displacement[0]
+    assert (np.diff(found.displacement[:-1]) < 0.0).mean() > 0.5
+
+
+def test_the_lowest_of_equal_bonds_fails_first() -> None:
+    assert follow(pulled(bar(5), nu=0.0)).bond[0] == 0
+
+
+@pytest.mark.parametrize("energy", [1.0, 50.0])
+def test_the_energy_under_the_line_is_dissipated(energy: float) -> None:
+    """Less than the mean of bands above and below: first order in their width."""
+    errors = []
+    for ripple in (0.2, 0.1, 0.05):
+        found, _, _ = softened_bar(2, energy, ripple)
+        errors.append(found.work[-1] / (energy * SIZE**2) - 1.0)
+    assert abs(errors[2]) < 0.03
+    assert abs(errors[2]) < 0.7 * abs(errors[1]) < 0.49 * abs(errors[0]) + 1e-3
+
+
+def test_brittle_facets_break_at_once() -> None:
+    found = follow(pulled(bar(2), nu=0.0, fracture_energy=None))
+    np.testing.assert_allclose(found.load, [STRENGTH * SIZE**2], rtol=1e-9)
+    assert found.end == "parted"
+    assert found.bond_integrity.tolist() == [0.0]
+
+
+@pytest.mark.parametrize("nu", [-0.2, 0.2, 0.45])
+def test_work_is_stored_or_dissipated(nu: float) -> None:
+    found = follow(pulled(block(100), nu=nu), ripple=0.3, most=120)
+    assert found.end == "events"
+    assert len(set(found.bond)) > 10
+    spent = np.append(0.0, np.cumsum(found.energy)[:-1])
+    np.testing.assert_allclose(found.work - found.stored, spent, atol=1e-5 * found.work[-1])
+    assert (found.energy[:-1] > 0.0).all()
+
+
+def damaged(model: bd.Model) -> DamagedBody:
+    system = System.of(bd.Model(model.lattice, model.bond, 2500.0, boundary=model.boundary))
+    return DamagedBody(model, system, np.tile(np.eye(6), (len(system.free), 1, 1)))
+
+
+def solved(body: DamagedBody) -> np.ndarray:
+    return Elimination(body.system).solve(body.right)[0]
+
+
+@pytest.mark.parametrize("nu", [-0.2, 0.2, 0.45])
+def test_the_matrix_changed_in_place_is_that_of_the_forces(nu: float) -> None:
+    """With open, closed and broken facets; K u - right is what facets and walls do on the cells."""
+    body = damaged(pulled(block(200), nu=nu))
+    rng, n = np.random.default_rng(0), 200
+    for k in rng.choice(len(body.integrity), 300, replace=False).tolist():
+        shut = rng.random(2) < 0.3
+        body.weaken(k, float(rng.choice([0.0, 0.3, 0.8])), (bool(shut[0]), bool(shut[1])))
+    motion = 1e-6 * rng.standard_normal(6 * n)
+    found, c, grips = body.loaded(motion), body.constants, body.model.cell_constants.grips
+    force = found.traction * body.area[:, None]
+    phi = motion.reshape(-1, 6)[:, 3:]
+    load = np.zeros((n, 6))
+    bent = body.integrity[:, None] * np.einsum("mab,mb->ma", c.H, phi[body.j] - phi[body.i])
+    for end, lever, sign in ((body.i, c.lever_i, 1.0), (body.j, c.lever_j, -1.0)):
+        np.add.at(load, end, sign * np.hstack([force, np.cross(lever, force) + bent]))
+    held = body.model.layout.rank[grips.cell]
+    turned = -np.einsum("gab,gb->ga", grips.H, phi[held])
+    np.add.at(load, held, np.hstack([found.wall, np.cross(grips.lever, found.wall) + turned]))
+    off = body.system.matrix @ motion - body.right + load.ravel()
+    assert np.abs(off).max() < 1e-10 * np.abs(load).max()
+    root = Iteration(body.system).root
+    body.matrix.rescale(root)
+    x = rng.standard_normal(6 * n)
+    scaled = np.einsum("nab,nb->na", np.swapaxes(root, 1, 2), (body.system.matrix @ np.einsum(
+        "nab,nb->na", root, x.reshape(-1, 6)).ravel()).reshape(-1, 6))
+    np.testing.assert_allclose(body.matrix @ x, scaled.ravel(), atol=1e-9 * np.abs(scaled).max())
+
+
+@pytest.mark.parametrize("rotation", ["bending", "full"])
+def test_platens_let_a_body_turn_and_slide_on_them(rotation: str) -> None:
+    """No force and torque where it moves as its supports permit."""
+    model = pulled(block(200))
+    law = bd.CellBond(E=E, nu=0.2, facet_rotation=rotation)
+    system = System.of(bd.Model(model.lattice, law, 2500.0, boundary=model.boundary))
+    assert system.loose.shape[1] == 3
+    assert np.abs(system.matrix @ system.loose).max() < 1e-10 * np.abs(system.matrix.bonds.data).max()
+
+
+def test_whole_facets_have_the_matrix_of_the_body() -> None:
+    model = pulled(block(200))
+    body = damaged(model)
+    for k in range(0, 200, 3):
+        body.weaken(k, 0.5, (False, True))
+    for k in range(0, 200, 3):
+        body.weaken(k, 1.0, (False, False))
+    found, whole = body.system.matrix, stiffness_matrix(model)
+    assert abs(found.bonds - whole.bonds).max() < 1e-12 * abs(whole.bonds).max()
+    np.testing.assert_allclose(found.weight, whole.weight, rtol=1e-12)
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.2, 0.45])
+def test_a_cut_that_is_pressed_bears_as_whole_material(nu: float) -> None:
+    """All facets across the middle of a bar of cubes broken and closed: the load of the whole bar."""
+    model = pulled(bar(6), way=-1e-6, nu=nu)
+    body = damaged(model)
+    body.weaken(2, 0.0, (True, True))
+    found = body.loaded(solved(body))
+    assert not found.turned.any()
+    np.testing.assert_allclose(found.wall[:, 0].sum(where=found.wall[:, 0] < 0.0), -E * SIZE**2 * 1e-6 / 6e-3, rtol=1e-6)
+
+
+def test_cracks_close_where_they_are_pressed() -> None:
+    """A block bent by walls: what is cut off on the pressed side bears; on the other it does not."""
+    body = block(200)
+    facets = body.facets
+    cut = np.flatnonzero(np.abs(facets.centroid[:, 0] - 8e-3) < 1e-3)
+    model = pulled(body, way=-1e-6)
+    state = damaged(model)
+    rank = np.empty(len(state.integrity), dtype=np.int64)
+    rank[model.layout.bond_order] = np.arange(len(rank))
+    for k in rank[cut].tolist():
+        state.weaken(k, 0.0, (False, False))
+    found = state.loaded(solved(state))
+    assert found.turned.any()
+
+
+BAD = {
+    "no cells": ("needs a body of cells", lambda: bd.Model(
+        bd.connect(bd.pack(bd.Box((4e-3,) * 3), count=300)), bd.EulerBernoulli(E=E, nu=0.3, radius_ratio=0.7), 2500.0)),
+    "nothing fails": ("failure=bd.Rankine", lambda: bd.Model(bar(2), bd.CellBond(E=E, nu=0.2), 2500.0)),
+    "cells that yield": ("neither yield", lambda: bd.Model(bar(2), bd.CellBond(E=E, nu=0.2), 2500.0,
+        failure=bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.6, fracture_energy=50.0))),
+    "nothing is driven": ("nothing drives or loads", lambda: bd.Model(bar(2), bd.CellBond(E=E, nu=0.2), 2500.0,
+        failure=bd.Rankine(tension=4e6), boundary=[bd.Fix(bd.Face("x_min"))])),
+    "it swells": ("drives and loads only", lambda: bd.Model(bar(2), bd.CellBond(E=E, nu=0.2), 2500.0,
+        failure=bd.Rankine(tension=4e6), boundary=[bd.Fix(bd.Face("x_min")), bd.Eigenstrain(1e-4)])),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("bad", BAD)
+def test_what_has_no_path_is_refused(bad: str) -> None:
+    message, model = BAD[bad]
+    with pytest.raises(InputError, match=message):
+        bd.solve_quasistatic(model(), bd.Face("x_max"))
+
+
+def test_a_region_is_a_region() -> None:
+    with pytest.raises(InputError, match="a region"):
+        bd.solve_quasistatic(pulled(bar(2)), "x_max")
+    with pytest.raises(InputError, match="two regions"):
+        bd.solve_quasistatic(pulled(bar(2)), bd.Face("x_max"), gauges={"CMOD": bd.Face("x_max")})
