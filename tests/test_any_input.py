@@ -47,6 +47,10 @@ LAW = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6)
 ENDS = (bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e3, 0.0, 0.0)))
 MODEL = bd.Model(LATTICE, LAW, 1000.0, ENDS)
 BREAKING = bd.Model(LATTICE, LAW, 1000.0, ENDS, failure=bd.PeripheralStress(tension=1e6, shear=1e6))
+PULLED = Later(lambda: bd.Model(
+    bd.connect(bd.pack(BOX, count=30, method="even", seed=1), method="laguerre"), bd.CellBond(E=1e9, nu=0.2), 1e3,
+    [bd.Fix(FACE), bd.Drive(bd.Face("x_max"), x=1e-6)], failure=bd.Rankine(tension=1e6),
+))
 OTHER = bd.Model(bd.connect(bd.Particles(GRID[:18], 0.5), reach=1.1), LAW, 900.0, ENDS)
 BAR = Later(lambda: bd.connect(bd.pack(bd.Cylinder(0.5, 3.0), count=400, seed=2)))
 CELL = Later(lambda: bd.connect(bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=200, seed=2)))
@@ -155,6 +159,8 @@ USUAL: dict[str, dict[str, Any]] = {
     "solve_explicit": {"model": MODEL, "duration": 1e-4, "dt": 1e-5, "scheme": None, "damping": None, "gauges": None,
                        "every": 5, "save_every": 0, "until": (), "safety": 0.9, "state": None, "device": "cpu"},
     "solve_modes": {"model": MODEL, "count": 2},
+    "solve_quasistatic": {"model": PULLED, "drive": bd.Face("x_max"), "ripple": 0.2, "together": 0.01, "until": 0.5,
+                          "most": 3, "gauges": None},
     "solve_relaxed": {"model": MODEL, "tolerance": 1e-3, "most": 1000},
     "solve_static": {"model": MODEL, "nonlinear": False, "guess": STATIC},
     "wall_layering": {"particles": Later(lambda: BAR.made().particles), "reach": 2.0, "bins_per_diameter": 5},
@@ -176,7 +182,8 @@ ELSEWHERE = {
     "write_vtkhdf", "Everything", "VelocityVerlet", "BondLaw", "Event", "Region", "Schedule", "Scheme", "Shape",
     "SizeLaw", "BondGeometry", "BondStiffness", "BondStrain", "BulkModuli", "Calibration", "Callback", "Checkpoint",
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
-    "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata", "Trial", "Cells",
+    "QuasistaticResult", "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata",
+    "Trial", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
     "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
     "CrackPolygons", "CrackSurfaces", "Cracks", "Explanation", "ImpliedFracture",

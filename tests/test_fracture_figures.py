@@ -52,6 +52,15 @@ def test_a_plate_breaks_with_branches_and_is_drawn(tmp_path: Path, capsys: pytes
     assert "surfaces: 1" in told
 
 
+@pytest.mark.validate
+def test_a_bar_that_snaps_back_is_drawn(tmp_path: Path) -> None:
+    path, largest = script("examples/snap_back.py").main(count=400, folder=tmp_path)
+    assert path.peak == pytest.approx(largest, rel=0.03)
+    half = path.displacement[path.load > 0.3 * path.peak]
+    assert half[-1] < 0.9 * path.displacement.max()
+    assert (tmp_path / "snap_back.png").stat().st_size > 20_000
+
+
 def test_corners_go_with_their_cells() -> None:
     body, state = broken()
     solid = bd.polyhedra(body)

@@ -172,7 +172,8 @@ def test_a_cut_that_is_pressed_bears_as_whole_material(nu: float) -> None:
     body.weaken(2, 0.0, (True, True))
     found = body.loaded(solved(body))
     assert not found.turned.any()
-    np.testing.assert_allclose(found.wall[:, 0].sum(where=found.wall[:, 0] < 0.0), -E * SIZE**2 * 1e-6 / 6e-3, rtol=1e-6)
+    pressing = found.wall[:, 0].sum(where=found.wall[:, 0] < 0.0)
+    np.testing.assert_allclose(pressing, -E * SIZE**2 * 1e-6 / 6e-3, rtol=1e-6)
 
 
 def test_cracks_close_where_they_are_pressed() -> None:
@@ -191,8 +192,8 @@ def test_cracks_close_where_they_are_pressed() -> None:
 
 
 BAD = {
-    "no cells": ("needs a body of cells", lambda: bd.Model(
-        bd.connect(bd.pack(bd.Box((4e-3,) * 3), count=300)), bd.EulerBernoulli(E=E, nu=0.3, radius_ratio=0.7), 2500.0)),
+    "no cells": ("needs cells", lambda: bd.Model(bd.connect(bd.pack(bd.Box((4e-3,) * 3), count=300)),
+        bd.EulerBernoulli(E=E, nu=0.3, radius_ratio=0.7), 2500.0)),
     "nothing fails": ("failure=bd.Rankine", lambda: bd.Model(bar(2), bd.CellBond(E=E, nu=0.2), 2500.0)),
     "cells that yield": ("neither yield", lambda: bd.Model(bar(2), bd.CellBond(E=E, nu=0.2), 2500.0,
         failure=bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.6, fracture_energy=50.0))),
@@ -215,3 +216,52 @@ def test_a_region_is_a_region() -> None:
         bd.solve_quasistatic(pulled(bar(2)), "x_max")
     with pytest.raises(InputError, match="two regions"):
         bd.solve_quasistatic(pulled(bar(2)), bd.Face("x_max"), gauges={"CMOD": bd.Face("x_max")})
+
+
+def test_elements_that_are_driven_themselves_feel_the_same_load() -> None:
+    """A bar of cubes pulled by the middle of its last cube, half a cube nearer than its face."""
+    model = pulled(bar(4), nu=0.0)
+    held, last = bd.Fix(bd.Face("x_min")), bd.Index([3])
+    ends = [held, bd.Drive(last, x=1e-6)]
+    inner = bd.Model(model.lattice, model.bond, 2500.0, failure=model.failure, boundary=ends)
+    found = bd.solve_quasistatic(inner, last, together=0.0, until=0.5)
+    np.testing.assert_allclose(found.load[0], STRENGTH * SIZE**2, rtol=1e-9)
+    np.testing.assert_allclose(found.displacement[0], STRENGTH / E * 3.5 * SIZE, rtol=1e-9)
+
+
+def test_a_load_pulls_as_walls_do() -> None:
+    body = bar(4)
+    law = bd.CellBond(E=E, nu=0.0, facet_rotation="full")
+    loaded = bd.Model(body, law, 2500.0, failure=bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY), boundary=[
+        bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(2.0, 0.0, 0.0))])  # fmt: skip
+    found = bd.solve_quasistatic(loaded, bd.Face("x_max"), together=0.0, until=0.5)
+    np.testing.assert_allclose(found.load[0], STRENGTH * SIZE**2, rtol=1e-9)
+    np.testing.assert_allclose(found.factor[0], 0.5 * STRENGTH * SIZE**2, rtol=1e-9)
+    np.testing.assert_allclose(found.displacement[0], STRENGTH / E * 3.5 * SIZE, rtol=1e-9)
+
+
+def test_gauges_tell_how_far_regions_have_parted() -> None:
+    ends = {"ends": (bd.Index([0]), bd.Index([3]))}
+    found = bd.solve_quasistatic(pulled(bar(4), nu=0.0), bd.Face("x_max"), gauges=ends, most=3, together=0.0)
+    np.testing.assert_allclose(found.gauge["ends"][0], [STRENGTH / E * 3.0 * SIZE, 0.0, 0.0], rtol=1e-9, atol=1e-13)
+    assert found.gauge["ends"].shape == (3, 3)
+
+
+def test_pieces_and_cracks_of_the_end() -> None:
+    found = follow(pulled(bar(4), nu=0.0, fracture_energy=None))
+    assert len(bd.fragments(bar(4), found.state)) == 2
+    np.testing.assert_allclose(bd.cracks(bar(4), found.state).area, SIZE**2, rtol=1e-6)
+    assert found.bond_integrity.tolist().count(0.0) == 1
+
+
+@pytest.mark.validate
+def test_a_notched_bar_has_the_peak_of_a_slow_explicit_run() -> None:
+    slot = bd.Box((3e-3, 10e-3, 60e-3)).moved((28.5e-3, -1e-6, -15e-3))
+    shape = bd.Box((60e-3, 30e-3, 30e-3)).cut(slot, name="notch")
+    body = bd.connect(bd.pack(shape, count=300, method="even", seed=1), method="laguerre")
+    failure = bd.Rankine(tension=STRENGTH, fracture_energy=20.0)
+    slow = bd.labtests.direct_tension(body, bd.CellBond(E=E, nu=0.2), failure, traverses=240.0)
+    model = bd.Model(body, bd.CellBond(E=E, nu=0.2), 2500.0, failure=failure, boundary=pulled(bar(2)).boundary)
+    found = bd.solve_quasistatic(model, bd.Face("x_max"))
+    assert found.peak / 6e-4 == pytest.approx(slow.peak, rel=0.02)
+    assert found.work[-1] / 6e-4 == pytest.approx(slow.work, rel=0.06)

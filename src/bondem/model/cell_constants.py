@@ -294,7 +294,7 @@ def _grips(cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: 
     H = _resistance(free.moment[facet], normal, stiffness * flat, rotation)
     if rotation == "full":  # a wall that only keeps the facet plane lets it turn in its plane
         bent = _resistance(free.moment[facet], normal, stiffness * flat, "bending")
-        H = np.where(axes.all(axis=1)[:, None, None], H, bent)
+        H = np.where(np.all(axes, axis=1, keepdims=True)[:, :, None], H, bent)
     lever = free.centroid[facet] - cells.centroid[cell]
     return Grips(
         cell=cell, k=stiffness * free.area[facet], lever=lever, arm=lever,

@@ -1,8 +1,8 @@
 """A body of cells whose facets have any integrity, in small motions: its matrix, and what its facets bear.
 
-A facet of integrity s is that of `bondem.laws.softening` about the reference. Of each half that presses, what is along
-the normal stays whole: its stiffness is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. There is no
-friction on closed cracks. Everything is for a load factor of 1, and proportional to it.
+A facet of integrity s is that of `bondem.laws.softening` about the reference. Of each half that presses, what is
+along the normal stays whole: its stiffness is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. There
+is no friction on closed cracks. Everything is for a load factor of 1, and proportional to it.
 """
 
 from dataclasses import dataclass, replace
@@ -57,6 +57,7 @@ class DamagedBody:
         system: the whole body and its supports.
         given: V θ of cells at rest, by walls that move and by tractions on free facets [m³], (n,).
         load: forces and torques on cells at rest, but for those of this dilatation [N, N·m], (6 n,).
+        motion: displacements and rotations of elements that are driven themselves [m, rad], (6 n,).
     """
 
     def __init__(self, model: Model, system: System, root: Floats) -> None:
@@ -89,7 +90,9 @@ class DamagedBody:
         at_rest = CellStrain.of(model.lattice, users, still, still, wall=grips.motion, pressed=model.pressed)
         self.given = at_rest.swelling[order]
         rigid = replace(users, weight=np.zeros_like(users.weight))
-        self.load = at_rest.nodal(model.lattice, rigid)[order].ravel() + model.constraints.final_load(len(order)).ravel()
+        walls = at_rest.nodal(model.lattice, rigid)[order]
+        self.load = (walls + model.constraints.final_load(len(order))).ravel()
+        self.motion = model.constraints.final_motion(len(order)).ravel()
         self._held = layout.rank[grips.cell]
         free, force = cells.free, loads_on_facets(model)
         self._pressed = np.zeros((len(order), 6))
@@ -106,6 +109,11 @@ class DamagedBody:
     def right(self) -> Floats:
         """What the displacements have to balance [N, N·m], (6 n,)."""
         return self.load - self.matrix.forms_transposed(self.system.matrix.weight * self.given)
+
+    @property
+    def pull(self) -> Floats:
+        """What driven elements do to the others, and these to them [N, N·m], (6 n,)."""
+        return self.system.matrix @ self.motion if self.motion.any() else self.motion
 
     def potential(self, motion: Floats) -> float:
         """Energy of the body less the work of its loads, but for what no facet changes [J]."""

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.sparse import csr_array
 
-from bondem._types import Floats, Ints
+from bondem._types import Floats
 from bondem.model.layout import Layout
 from bondem.model.stiffness import Stiffness
 

@@ -17,20 +17,20 @@ def full_tensor(s: Floats) -> Floats:
     return s[..., [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
 
 
-class Onset:
-    """When whole facets begin to crack: σ1(σ*) reaches the strength, and they are pulled or sheared (`bd.Rankine`)."""
+class FacetOnset:
+    """When whole facets begin to crack: σ1(σ*) reaches the strength, they are pulled or sheared (`bd.Rankine`)."""
 
     def __init__(self, body: DamagedBody, table: SofteningTable) -> None:
         self._body, self._strength = body, table.strength
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
-        """Facets of `whole` with their load factors, (c,) each: all that begin below one, and below that of the first.
+        """Facets of `whole` with their load factors, (c,) each: all that begin below a factor, and below the first.
 
         Args:
             found: what they bear.
             whole: facets that have not cracked.
-            below: load factor.
-            close: and so much, as a share, above the least of theirs.
+            below: that factor.
+            close: how far above the least of theirs, as a share.
         """
         n, t, f = self._body.constants.normal[whole], found.traction[whole], self._strength[whole]
         across, square = (t * n).sum(axis=1), (t * t).sum(axis=1)
@@ -57,13 +57,17 @@ class Onset:
             return whole[:0], np.zeros(0)
         return np.concatenate(kept), np.concatenate(factor)
 
-    def traction(self, found: Loaded, k: int, factor: float) -> float:
-        """The traction at which a facet begins, at a load factor [Pa]; see `bondem.laws.softening`."""
+    def traction(self, found: Loaded, k: int, factor: float) -> tuple[float, float]:
+        """The traction from which a facet softens that begins at a load factor, and |F⁺| / A then [Pa].
+
+        See `bondem.laws.softening`.
+        """
         n, t = self._body.constants.normal[k], factor * found.traction[k]
         mean = full_tensor(0.5 * factor * (found.tensor[self._body.i[k]] + found.tensor[self._body.j[k]]))
         direction = np.linalg.eigh(mean)[1][:, 2]
         opening = t - min(float(t @ n), 0.0) * n
-        return float(min(np.linalg.norm(opening), self._strength[k] * max(abs(float(n @ direction)), _LEAST)))
+        now = float(np.linalg.norm(opening))
+        return min(now, float(self._strength[k]) * max(abs(float(n @ direction)), _LEAST)), now
 
 
 def agreed(mean: Floats, n: Floats, t: Floats) -> Floats:

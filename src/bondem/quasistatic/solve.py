@@ -13,8 +13,8 @@ from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
-from bondem.quasistatic.limits import Onset
-from bondem.quasistatic.reading import Gauges, Reading
+from bondem.quasistatic.limits import FacetOnset
+from bondem.quasistatic.reading import Reading, RegionGauges
 from bondem.quasistatic.teeth import Teeth
 from bondem.solve.linear import Iteration, System, prefers_elimination
 from bondem.solve.threads import one_blas_thread
@@ -81,7 +81,7 @@ def solve_quasistatic(
     drive: Region,
     *,
     ripple: float = 0.1,
-    together: float = 0.01,
+    together: float = 0.005,
     until: float = 0.02,
     most: int = 100_000,
     gauges: Mapping[str, tuple[Region, Region]] | None = None,
@@ -91,14 +91,14 @@ def solve_quasistatic(
 
     Between two events the body is elastic and everything is proportional to the factor. Each event is that of the
     facet that is next, at whatever factor it comes, so that snap-back is followed and nothing depends on speeds or
-    damping. A facet that softens does so in steps within a band about its line, and takes its fracture energy; closed cracks
-    bear pressure, without friction. Rotations are small.
+    damping. A facet that softens does so in steps within a band about its line, and takes its fracture energy; closed
+    cracks bear pressure, without friction. Rotations are small.
 
     Args:
         model: cells with `bd.Rankine`; its drives and loads count at the end of their schedules, which is a factor
             of 1.
-        drive: the face that is driven or loaded, by a `bd.Drive`, `bd.Load` or `bd.Pressure` of the model on the
-            same region: whose load and displacement are given.
+        drive: the face or elements that are driven or loaded, by a `bd.Drive`, `bd.Load` or `bd.Pressure` of the
+            model on the same region: whose load and displacement are given.
         ripple: how far the traction of a facet that softens is above and below its line, as a share of it: the less,
             the more events.
         together: facets whose load factors are within this share of the least fail in one event, at the middle of
@@ -122,11 +122,11 @@ def solve_quasistatic(
     share = number("solve_quasistatic", "until", until, least=0.0, below=1.0)
     table = _check(model)
     body, equilibrium = _begin(model)
-    reading, gauge = Reading(model, drive), Gauges(model, gauges or {})
-    onset = Onset(body, table)
+    reading, gauge = Reading(body, drive), RegionGauges(model, gauges or {})
+    onset = FacetOnset(body, table)
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
-    motion = np.zeros(6 * len(model.layout.order))
+    motion = body.motion.copy()
     first, peak, end = 0.0, 0.0, "events"
     for _ in range(limit):
         motion, found = _balance(body, equilibrium, motion)
@@ -144,7 +144,8 @@ def solve_quasistatic(
         peak = max(peak, factor * load)
         for k in failing.tolist():
             if k not in softening:
-                softening[k] = Teeth.of(onset.traction(found, k, factor), float(table.last[k]), band), 0
+                begun, now = onset.traction(found, k, factor)
+                softening[k] = Teeth.of(begun, float(table.last[k]), band, now), 0
             line, done = softening[k]
             softening[k] = line, done + 1
             left = float(line.integrity[done])
@@ -161,21 +162,25 @@ def solve_quasistatic(
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats) -> tuple[Floats, Loaded]:
     """The equilibrium with the halves that press closed, and what it bears."""
+    def rest() -> tuple[Floats, Loaded]:
+        found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion)
+        return found, body.loaded(found)
+
+    motion, found = rest()
     for _ in range(_ROUNDS):
-        motion = equilibrium.solve(body.right, motion)
-        found = body.loaded(motion)
         turning = np.flatnonzero(found.turned.any(axis=1))
         if not len(turning):
-            return motion, found
+            break
         for e in turning:
             k = int(found.cracked[e])
             shut = body.closed[k] ^ found.turned[e]
             body.weaken(k, float(body.integrity[k]), (bool(shut[0]), bool(shut[1])))
+        motion, found = rest()
     return motion, found
 
 
 def _next(
-    body: DamagedBody, onset: Onset, softening: dict[int, tuple[Teeth, int]], found: Loaded, close: float
+    body: DamagedBody, onset: FacetOnset, softening: dict[int, tuple[Teeth, int]], found: Loaded, close: float
 ) -> tuple[Ints, float]:
     """The facets that fail next, in the user's order, and the factor of the load; none where nothing fails."""
     limit = np.full(len(found.cracked), np.inf)
@@ -209,7 +214,7 @@ class _Path:
     def settle(self, potential: float, load: float, displacement: float) -> None:
         """Take over what holds at a factor of 1 since the last event: energy less work of loads, load, displacement.
 
-        At the factor of the event that energy fell by what was dissipated; walls did not move, or loads did not change.
+        At the factor of the event that energy fell by what was dissipated; walls did not move, loads did not change.
         """
         if self._rows:
             square = self._rows[-1][0] ** 2
@@ -270,7 +275,7 @@ def _check(model: Model) -> SofteningTable:
     """
     instance("solve_quasistatic", "model", model, Model, "bd.Model(...)")
     if model.cells is None:
-        raise InputError("solve_quasistatic needs a body of cells: bd.connect(..., method='laguerre') and bd.CellBond")
+        raise InputError("solve_quasistatic needs cells: bd.connect(..., method='laguerre') and bd.CellBond")
     table = model.softening
     if table is None or table.judge is not None or table.slip is not None:
         raise InputError(

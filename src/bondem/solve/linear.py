@@ -275,8 +275,16 @@ def element_roots(matrix: Stiffness, free: Mask) -> tuple[Floats, Floats]:
     )
 
 
+class Matrix(Protocol):
+    """What can be multiplied by unknowns."""
+
+    def __matmul__(self, motion: Floats, /) -> Floats:
+        """K x."""
+        ...
+
+
 def conjugate_gradients(
-    matrix: Stiffness, precondition: Callable[[Floats], Floats], residual: Floats, stop: float
+    matrix: Matrix, precondition: Callable[[Floats], Floats], residual: Floats, stop: float
 ) -> tuple[Floats, int]:
     """x with |residual - K x| <= stop, and the iterations it took."""
     x = np.zeros_like(residual)
