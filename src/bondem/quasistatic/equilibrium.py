@@ -9,7 +9,7 @@ from bondem.quasistatic.facet_matrix import FacetMatrix
 from bondem.solve.linear import Elimination, Iteration, System, conjugate_gradients
 
 # Residual over load at which an iteration ends.
-RTOL = 1e-7
+RTOL = 1e-6
 # The preconditioner is made anew where iterations take so many times as many as with a new one, and at least so many.
 _SLOWER, _FEW = 1.6, 25
 

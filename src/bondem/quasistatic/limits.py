@@ -6,8 +6,8 @@ from bondem._types import Floats, Ints, PerBond
 from bondem.model.softening_table import SofteningTable
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
 
-# Facets that are looked at first, those whose bound is the least.
-_FIRST = 64
+# Facets that are looked at first, those whose bound is the least; then twice as many, and so on.
+_FIRST = 256
 # Least share of its strength that a facet begins with (`bondem.kernels.crack_list`).
 _LEAST = 0.02
 
@@ -32,30 +32,38 @@ class FacetOnset:
             below: that factor.
             close: how far above the least of theirs, as a share.
         """
-        n, t, f = self._body.constants.normal[whole], found.traction[whole], self._strength[whole]
-        across, square = (t * n).sum(axis=1), (t * t).sum(axis=1)
-        mean = full_tensor(0.5 * (found.tensor[self._body.i[whole]] + found.tensor[self._body.j[whole]]))
-        star = agreed(mean, n, t)
-        # no eigenvalue is beyond the norm
-        bound = f / np.maximum(np.sqrt(np.einsum("mab,mab->m", star, star)), 1e-300)
-        alone = _sheared_at(across, square - across**2, f)
-        bound = np.where(across > 0.0, bound, np.maximum(bound, alone))
-        order = np.argsort(bound, kind="stable")
+        body, tensor = self._body, found.tensor
+        size = np.sqrt((tensor[:, :3] ** 2).sum(axis=1) + 2.0 * (tensor[:, 3:] ** 2).sum(axis=1))
+        square = (found.traction[whole] ** 2).sum(axis=1)
+        # no eigenvalue of σ* is beyond |σ̄| + √2 |t - σ̄ n|
+        most = 0.5 * (1.0 + np.sqrt(2.0)) * (size[body.i[whole]] + size[body.j[whole]]) + np.sqrt(2.0 * square)
+        bound = self._strength[whole] / np.maximum(most, 1e-300)
+        order = np.argsort(bound)
         kept: list[Ints] = []
         factor: list[Floats] = []
-        first = 0
+        first, count = 0, _FIRST
         while first < len(order) and bound[order[first]] < below:
-            some = order[first : first + _FIRST]
-            high = np.linalg.eigvalsh(star[some])[:, 2]
-            reached = np.where(high > 0.0, f[some] / np.where(high > 0.0, high, 1.0), np.inf)
-            reached = np.where(across[some] > 0.0, reached, np.maximum(reached, alone[some]))
-            kept.append(whole[some])
-            factor.append(reached)
-            below = min(below, float(reached.min()) * (1.0 + close))
-            first += _FIRST
+            some, reached = self._below(found, whole[order[first : first + count]], below)
+            if len(some):
+                kept.append(some)
+                factor.append(reached)
+                below = min(below, float(reached.min()) * (1.0 + close))
+            first, count = first + count, 2 * count
         if not kept:
             return whole[:0], np.zeros(0)
         return np.concatenate(kept), np.concatenate(factor)
+
+    def _below(self, found: Loaded, facets: Ints, below: float) -> tuple[Ints, Floats]:
+        """Those of some facets that may begin below a load factor, and their factors, (c,) each; inf for never."""
+        body, n, t = self._body, self._body.constants.normal[facets], found.traction[facets]
+        star = agreed(full_tensor(0.5 * (found.tensor[body.i[facets]] + found.tensor[body.j[facets]])), n, t)
+        near = np.flatnonzero(self._strength[facets] <= below * np.sqrt(np.einsum("mab,mab->m", star, star)))
+        facets, n, t = facets[near], n[near], t[near]
+        f, across, square = self._strength[facets], (t * n).sum(axis=1), (t * t).sum(axis=1)
+        high = np.linalg.eigvalsh(star[near])[:, 2]
+        reached = np.where(high > 0.0, f / np.where(high > 0.0, high, 1.0), np.inf)
+        alone = _sheared_at(across, square - across**2, f)
+        return facets, np.where(across > 0.0, reached, np.maximum(reached, alone))
 
     def traction(self, found: Loaded, k: int, factor: float) -> tuple[float, float]:
         """The traction from which a facet softens that begins at a load factor, and |F⁺| / A then [Pa].
