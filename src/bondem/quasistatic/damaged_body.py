@@ -108,17 +108,17 @@ class DamagedBody:
     @property
     def right(self) -> Floats:
         """What the displacements have to balance [N, N·m], (6 n,)."""
-        return self.load - self.matrix.forms_transposed(self.system.matrix.weight * self.given)
+        return self.load - self.matrix.swelling_force(self.system.matrix.weight * self.given)
 
     @property
     def pull(self) -> Floats:
         """What driven elements do to the others, and these to them [N, N·m], (6 n,)."""
-        return self.system.matrix @ self.motion if self.motion.any() else self.motion
+        return self.matrix.force(self.motion) if self.motion.any() else self.motion
 
     def potential(self, motion: Floats) -> float:
         """Energy of the body less the work of its loads, but for what no facet changes [J]."""
-        weight, plain = self.system.matrix.weight, self.system.matrix
-        stored = 0.5 * float(motion @ (plain @ motion)) + 0.5 * float(weight @ self.given**2)
+        stored = 0.5 * float(motion @ self.matrix.force(motion))
+        stored += 0.5 * float(self.system.matrix.weight @ self.given**2)
         return stored - float(self.right @ motion)
 
     def state(self, motion: Floats) -> State:

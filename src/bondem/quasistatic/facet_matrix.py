@@ -39,24 +39,28 @@ class FacetMatrix:
         leaving = self._i[layout.out_bond]
         above[layout.out_bond] = self._diagonal[leaving] + 1 + place - layout.out_start[leaving]
         self._above = above  # row i, column j
+        self._plain_rows = _by_rows(self.plain)
         self.rescale(root)
 
     def rescale(self, root: Floats) -> None:
         """Take other blocks S."""
         self._root = root
         self.scaled = self.plain.scaled(root)
-        assert self.scaled.forms is not None
-        self._rows = csr_array(self.scaled.forms.tocsr())
+        self._scaled_rows = _by_rows(self.scaled)
 
     def __matmul__(self, motion: Floats) -> Floats:
         """Sᵀ K S x of (6 n,)."""
-        weighted = self.plain.weight * (self._rows @ motion)
-        return np.asarray(self.scaled.bonds @ motion + self._rows.T @ weighted, dtype=float)
+        weighted = self.plain.weight * (self._scaled_rows @ motion)
+        return np.asarray(self.scaled.bonds @ motion + self._scaled_rows.T @ weighted, dtype=float)
 
-    def forms_transposed(self, values: Floats) -> Floats:
-        """Fᵀ times values of cells (n,), unscaled, (6 n,)."""
-        assert self.plain.forms is not None
-        return np.asarray(self.plain.forms.T @ values, dtype=float)
+    def force(self, motion: Floats) -> Floats:
+        """K u of (6 n,)."""
+        weighted = self.plain.weight * (self._plain_rows @ motion)
+        return np.asarray(self.plain.bonds @ motion, dtype=float) + self.swelling_force(weighted)
+
+    def swelling_force(self, stress: Floats) -> Floats:
+        """Fᵀ σ of (n,), (6 n,)."""
+        return np.asarray(self._plain_rows.T @ stress, dtype=float)
 
     def add(self, k: int, block: Floats, form_i: Floats, form_j: Floats) -> None:
         """Add to what facet k does.
@@ -67,23 +71,29 @@ class FacetMatrix:
             form_i, form_j: to V θ of each cell, (12,).
         """
         i, j = self._i[k], self._j[k]
-        self._put(self.plain, None, k, block, form_i, form_j)
+        self._put(self.plain, k, block, form_i, form_j)
         self.plain.__dict__.pop("_rows", None)  # what it has made of its forms, once
         turn = np.zeros((12, 12))
         turn[:6, :6], turn[6:, 6:] = self._root[i], self._root[j]
-        self._put(self.scaled, self._rows, k, turn.T @ block @ turn, form_i @ turn, form_j @ turn)
+        self._put(self.scaled, k, turn.T @ block @ turn, form_i @ turn, form_j @ turn)
 
-    def _put(
-        self, matrix: Stiffness, rows: csr_array | None, k: int, block: Floats, form_i: Floats, form_j: Floats
-    ) -> None:  # fmt: skip
+    def _put(self, matrix: Stiffness, k: int, block: Floats, form_i: Floats, form_j: Floats) -> None:
         assert matrix.forms is not None
         i, j = self._diagonal[self._i[k]], self._diagonal[self._j[k]]
         above, below = self._above[k], self._below[k]
-        data, form = matrix.bonds.data, (matrix.forms.data[:, 0] if rows is None else rows.data.reshape(-1, 6))
+        data, form = matrix.bonds.data, matrix.forms.data[:, 0]
         for place, part in ((i, block[:6, :6]), (above, block[:6, 6:]), (below, block[6:, :6]), (j, block[6:, 6:])):
             data[place] += part
         for place, part in ((i, form_i[:6]), (above, form_i[6:]), (below, form_j[:6]), (j, form_j[6:])):
             form[place] += part
+
+
+def _by_rows(matrix: Stiffness) -> csr_array:
+    """F by single rows, in the same memory."""
+    assert matrix.forms is not None
+    forms = matrix.forms
+    columns = (6 * forms.indices[:, None] + np.arange(6, dtype=forms.indices.dtype)).ravel()
+    return csr_array((forms.data.reshape(-1), columns, 6 * forms.indptr), shape=forms.shape, copy=False)
 
 
 def facet_stiffness(

@@ -58,7 +58,7 @@ class Reading:
             return self._force, float(moved @ self._way)
         if self._wall is not None:
             return float(found.wall[self._wall].sum(axis=0) @ self._way), self._size
-        unbalanced = (self._body.system.matrix @ motion - self._body.right).reshape(-1, 6)
+        unbalanced = (self._body.matrix.force(motion) - self._body.right).reshape(-1, 6)
         return float(unbalanced[self._element, :3].sum(axis=0) @ self._way), self._size
 
 
