@@ -94,6 +94,19 @@ def test_brittle_facets_break_at_once() -> None:
     assert found.bond_integrity.tolist() == [0.0]
 
 
+@pytest.mark.parametrize("angle", [0.0, 0.6])
+def test_facets_break_by_their_own_traction(angle: float) -> None:
+    """Two cubes pulled or sheared: MohrCoulomb's tension and cohesion, whichever is less."""
+    for tension, cohesion in ((4e6, 9e6), (9e6, 2e6)):
+        failure = bd.MohrCoulomb(tension=tension, cohesion=cohesion, friction_angle=angle)
+        way = pulled(bar(2), nu=0.0)
+        model = bd.Model(bar(2), way.bond, 2500.0, failure=failure, boundary=way.boundary)
+        found = follow(model)
+        least = min(tension, cohesion / np.tan(angle) if angle > 0.0 else np.inf)
+        np.testing.assert_allclose(found.load, [least * SIZE**2], rtol=1e-9)
+        assert found.end == "parted"
+
+
 @pytest.mark.parametrize("nu", [-0.2, 0.2, 0.45])
 def test_work_is_stored_or_dissipated(nu: float) -> None:
     found = follow(pulled(block(100), nu=nu), ripple=0.3, most=120)

@@ -1,10 +1,14 @@
 """At which load factor a facet begins to crack or goes on, where everything is proportional to it."""
 
+from typing import Protocol
+
 import numpy as np
 
 from bondem._types import Floats, Ints, PerBond
+from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
+from bondem.quasistatic.teeth import Teeth
 
 # Facets that are looked at first, those whose bound is the least; then twice as many, and so on.
 _FIRST = 256
@@ -17,21 +21,56 @@ def full_tensor(s: Floats) -> Floats:
     return s[..., [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
 
 
-class FacetOnset:
-    """When whole facets begin to crack: σ1(σ*) reaches the strength, they are pulled or sheared (`bd.Rankine`)."""
-
-    def __init__(self, body: DamagedBody, table: SofteningTable) -> None:
-        self._body, self._strength = body, table.strength
+class FacetOnset(Protocol):
+    """When whole facets begin to fail, and how they go on."""
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
         """Facets of `whole` with their load factors, (c,) each: all that begin below a factor, and below the first.
 
         Args:
             found: what they bear.
-            whole: facets that have not cracked.
+            whole: facets that have not failed.
             below: that factor.
             close: how far above the least of theirs, as a share.
         """
+        ...
+
+    def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
+        """How facet k goes on that begins at a load factor."""
+        ...
+
+
+class TractionOnset:
+    """Facets that break at once by their own traction (`bd.MohrCoulomb` without a fracture energy)."""
+
+    def __init__(self, body: DamagedBody, table: FailureTable) -> None:
+        self._body, self._coefficient = body, table.coefficient
+
+    def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
+        """See `FacetOnset`."""
+        n, s = self._body.constants.normal[whole], self._coefficient[whole].T
+        force = found.traction[whole] * self._body.area[whole, None]
+        across = (force * n).sum(axis=1)
+        along = np.sqrt(np.maximum((force**2).sum(axis=1) - across**2, 0.0))
+        index = np.maximum(across * s[0], s[1] * (along + s[2] * across))
+        reached = np.divide(1.0, index, out=np.full(len(whole), np.inf), where=index > 0.0)
+        least = min(below, float(reached.min(initial=np.inf)) * (1.0 + close))
+        near = reached <= least
+        return whole[near], reached[near]
+
+    def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
+        """See `FacetOnset`."""
+        return Teeth.of(1.0, 0.0, ripple)
+
+
+class StressOnset:
+    """When whole facets begin to crack: σ1(σ*) reaches the strength, they are pulled or sheared (`bd.Rankine`)."""
+
+    def __init__(self, body: DamagedBody, table: SofteningTable) -> None:
+        self._body, self._strength, self._last = body, table.strength, table.last
+
+    def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
+        """See `FacetOnset`."""
         body, tensor = self._body, found.tensor
         size = np.sqrt((tensor[:, :3] ** 2).sum(axis=1) + 2.0 * (tensor[:, 3:] ** 2).sum(axis=1))
         square = (found.traction[whole] ** 2).sum(axis=1)
@@ -65,17 +104,15 @@ class FacetOnset:
         alone = _sheared_at(across, square - across**2, f)
         return facets, np.where(across > 0.0, reached, np.maximum(reached, alone))
 
-    def traction(self, found: Loaded, k: int, factor: float) -> tuple[float, float]:
-        """The traction from which a facet softens that begins at a load factor, and |F⁺| / A then [Pa].
-
-        See `bondem.laws.softening`.
-        """
+    def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
+        """See `FacetOnset`: from the traction of `bondem.laws.softening` on."""
         n, t = self._body.constants.normal[k], factor * found.traction[k]
         mean = full_tensor(0.5 * factor * (found.tensor[self._body.i[k]] + found.tensor[self._body.j[k]]))
         direction = np.linalg.eigh(mean)[1][:, 2]
         opening = t - min(float(t @ n), 0.0) * n
         now = float(np.linalg.norm(opening))
-        return min(now, float(self._strength[k]) * max(abs(float(n @ direction)), _LEAST)), now
+        begun = min(now, float(self._strength[k]) * max(abs(float(n @ direction)), _LEAST))
+        return Teeth.of(begun, float(self._last[k]), ripple, now)
 
 
 def agreed(mean: Floats, n: Floats, t: Floats) -> Floats:

@@ -9,11 +9,10 @@ from bondem._checks import count, instance, number
 from bondem._types import Floats, Ints, PerBond, PerElement3
 from bondem.errors import InputError
 from bondem.model.model import Model
-from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
-from bondem.quasistatic.limits import FacetOnset
+from bondem.quasistatic.limits import FacetOnset, StressOnset, TractionOnset
 from bondem.quasistatic.reading import Reading, RegionGauges
 from bondem.quasistatic.teeth import Teeth
 from bondem.solve.linear import Iteration, System, prefers_elimination
@@ -95,8 +94,8 @@ def solve_quasistatic(
     cracks bear pressure, without friction. Rotations are small.
 
     Args:
-        model: cells with `bd.Rankine`; its drives and loads count at the end of their schedules, which is a factor
-            of 1.
+        model: cells with `bd.Rankine`, or facets that break at once by `bd.MohrCoulomb`; its drives and loads count
+            at the end of their schedules, which is a factor of 1.
         drive: the face or elements that are driven or loaded, by a `bd.Drive`, `bd.Load` or `bd.Pressure` of the
             model on the same region: whose load and displacement are given.
         ripple: how far the traction of a facet that softens is above and below its line, as a share of it: the less,
@@ -120,10 +119,8 @@ def solve_quasistatic(
     close = number("solve_quasistatic", "together", together, least=0.0, below=1.0)
     limit = count("solve_quasistatic", "most", most)
     share = number("solve_quasistatic", "until", until, least=0.0, below=1.0)
-    table = _check(model)
-    body, equilibrium = _begin(model)
+    body, equilibrium, onset = _begin(model)
     reading, gauge = Reading(body, drive), RegionGauges(model, gauges or {})
-    onset = FacetOnset(body, table)
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
     motion = body.motion.copy()
@@ -144,8 +141,7 @@ def solve_quasistatic(
         peak = max(peak, factor * load)
         for k in failing.tolist():
             if k not in softening:
-                begun, now = onset.traction(found, k, factor)
-                softening[k] = Teeth.of(begun, float(table.last[k]), band, now), 0
+                softening[k] = onset.teeth(found, k, factor, band), 0
             line, done = softening[k]
             softening[k] = line, done + 1
             left = float(line.integrity[done])
@@ -257,18 +253,8 @@ class _Path:
         )  # fmt: skip
 
 
-def _begin(model: Model) -> tuple[DamagedBody, Equilibrium]:
-    system = System.of(replace(model, failure=None))
-    if prefers_elimination(system):
-        body = DamagedBody(model, system, np.tile(np.eye(6), (len(system.free), 1, 1)))
-        return body, Eliminated(body.system)
-    begun = Iteration(system)
-    body = DamagedBody(model, system, begun.root)
-    return body, Iterated(body.system, body.matrix, begun)
-
-
-def _check(model: Model) -> SofteningTable:
-    """What softens.
+def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
+    """The whole body, how its equilibria are found, and when its facets begin to fail.
 
     Raises:
         InputError: what has no quasi-static path here.
@@ -276,12 +262,25 @@ def _check(model: Model) -> SofteningTable:
     instance("solve_quasistatic", "model", model, Model, "bd.Model(...)")
     if model.cells is None:
         raise InputError("solve_quasistatic needs cells: bd.connect(..., method='laguerre') and bd.CellBond")
-    table = model.softening
-    if table is None or table.judge is not None or table.slip is not None:
+    soft, brittle = model.softening, model.breaking
+    if brittle is None and (soft is None or soft.judge is not None or soft.slip is not None):
         raise InputError(
             "solve_quasistatic: cells neither yield nor follow another criterion here; give the model"
-            " failure=bd.Rankine(tension=..., fracture_energy=...), or use solve_explicit"
+            " failure=bd.Rankine(tension=..., fracture_energy=...) or bd.MohrCoulomb without a fracture energy, or"
+            " use solve_explicit"
         )
     if model.constraints.strain_part.size or model.constraints.body_on.size:
         raise InputError("solve_quasistatic scales drives and loads only; leave bd.Eigenstrain and bd.BodyForce out")
-    return table
+    system = System.of(replace(model, failure=None))
+    equilibrium: Equilibrium
+    if prefers_elimination(system):
+        body = DamagedBody(model, system, np.tile(np.eye(6), (len(system.free), 1, 1)))
+        equilibrium = Eliminated(body.system)
+    else:
+        begun = Iteration(system)
+        body = DamagedBody(model, system, begun.root)
+        equilibrium = Iterated(body.system, body.matrix, begun)
+    if soft is not None:
+        return body, equilibrium, StressOnset(body, soft)
+    assert brittle is not None
+    return body, equilibrium, TractionOnset(body, brittle)
