@@ -9,6 +9,7 @@ import bondem as bd
 from bondem.errors import InputError
 from bondem.model.matrices import stiffness_matrix
 from bondem.quasistatic.damaged_body import DamagedBody
+from bondem.quasistatic.equilibrium import Iterated
 from bondem.quasistatic.teeth import Teeth
 from bondem.solve.linear import Elimination, Iteration, System
 
@@ -27,7 +28,10 @@ def bar(count: int, size: float = SIZE) -> bd.Lattice:
 
 @functools.cache
 def block(count: int, size: tuple[float, float, float] = (16e-3, 8e-3, 8e-3)) -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box(size=size), count=count, method="even", seed=1), method="laguerre")
+    """Cells of unequal spheres: facets are not half-way between centres."""
+    even = bd.pack(bd.Box(size=size), count=count, method="even", seed=1)
+    radius = even.radius * np.random.default_rng(2).uniform(0.7, 1.0, count)
+    return bd.connect(bd.Particles(even.position, radius, shape=bd.Box(size=size)), method="laguerre")
 
 
 def pulled(body: bd.Lattice, way: float = 1e-6, nu: float = 0.2, **given: float) -> bd.Model:
@@ -163,6 +167,50 @@ def test_platens_let_a_body_turn_and_slide_on_them(rotation: str) -> None:
     system = System.of(bd.Model(model.lattice, law, 2500.0, boundary=model.boundary))
     assert system.loose.shape[1] == 3
     assert np.abs(system.matrix @ system.loose).max() < 1e-10 * np.abs(system.matrix.bonds.data).max()
+
+
+@pytest.mark.parametrize("nu", [-0.2, 0.2, 0.45])
+def test_open_cracks_are_free_surface(nu: float) -> None:
+    """λ / V of their cells is that of the law."""
+    model = pulled(block(200), nu=nu)
+    body, rng = damaged(model), np.random.default_rng(1)
+    for k in rng.choice(len(body.integrity), 300, replace=False).tolist():
+        body.weaken(k, float(rng.choice([0.3, 0.8])), (False, False))
+    assert model.cells is not None
+    expected = model.cells.damaged(body.integrity, body.i, body.j).weight
+    np.testing.assert_allclose(body.system.matrix.weight, expected, rtol=1e-9)
+
+
+def test_iteration_finds_what_elimination_does() -> None:
+    model = pulled(block(200))
+    system = System.of(bd.Model(model.lattice, model.bond, 2500.0, boundary=model.boundary))
+    begun = Iteration(system)
+    body = DamagedBody(model, system, begun.root)
+    search, u = Iterated(body.system, body.matrix, begun), np.zeros(1200)
+    for k in np.random.default_rng(1).choice(len(body.integrity), 60, replace=False).tolist():
+        body.weaken(k, 0.0, (False, False))
+        u = search.solve(body.right, u)
+    exact = Elimination(body.system).solve(body.right)[0]
+    assert np.abs(u - exact).max() < 1e-4 * np.abs(exact).max()
+
+
+@pytest.mark.parametrize("way", [(1e-6, 0.0), (-1e-6, 4e-6)])
+def test_the_first_event_is_where_the_criterion_is_reached(way: tuple[float, float]) -> None:
+    """Pulled, and pressed while it is sheared: no facet is beyond the criterion then, and one is at it."""
+
+    def model(factor: float) -> bd.Model:
+        drive = bd.Drive(bd.Face("x_max"), x=factor * way[0], y=factor * way[1])
+        like = pulled(block(100))
+        ends = [bd.Fix(bd.Face("x_min")), drive]
+        return bd.Model(like.lattice, like.bond, 2500.0, failure=bd.Rankine(tension=STRENGTH), boundary=ends)
+
+    found = bd.solve_quasistatic(model(1.0), bd.Face("x_max"), most=1, together=0.0)
+    there = model(found.factor[0])
+    state = there.state()
+    state.set_pose(position=found.state.position, orientation=found.state.orientation)
+    index = bd.failure_index(there, state)
+    assert index.argmax() == found.bond[0]
+    assert index.max() == pytest.approx(1.0, abs=2e-3)  # the state turns by some 1e-4
 
 
 def test_whole_facets_have_the_matrix_of_the_body() -> None:
