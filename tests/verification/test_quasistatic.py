@@ -213,6 +213,19 @@ def test_the_first_event_is_where_the_criterion_is_reached(way: tuple[float, flo
     assert index.max() == pytest.approx(1.0, abs=2e-3)  # the state turns by some 1e-4
 
 
+def test_a_pressed_facet_cracks_by_its_own_shear() -> None:
+    """Two cubes pressed and sheared: t_s² = f (f - t_n)."""
+    law = bd.CellBond(E=E, nu=0.0, facet_rotation="full")
+    ends = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), x=-1e-7, y=1e-6)]
+    model = bd.Model(bar(2), law, 2500.0, failure=bd.Rankine(tension=STRENGTH), boundary=ends)
+    found = bd.solve_quasistatic(model, bd.Face("x_max"), together=0.0)
+    body = damaged(model)
+    t = found.factor[0] * body.loaded(solved(body)).traction[0]
+    across = t @ body.constants.normal[0]
+    assert across < -0.1 * STRENGTH
+    assert t @ t - across**2 == pytest.approx(STRENGTH * (STRENGTH - across), rel=1e-9)
+
+
 def test_whole_facets_have_the_matrix_of_the_body() -> None:
     model = pulled(block(200))
     body = damaged(model)
