@@ -22,10 +22,16 @@ def condense(folder: Path) -> dict[str, Any]:
 
 DISPERSION = Measurement(
     "dispersion",
-    "python -m validation dispersion --out BUILD/dispersion --spreads 0,0.1,0.15,0.2,0.25,0.3,0.4 --seeds 2",
-    "40 min",
+    "python -m validation dispersion --out BUILD/dispersion --spreads 0,0.1,0.15,0.2,0.25,0.3",
+    "18 min",
     condense,
     {f"figures/{name}.png": f"study_{name}.png" for name in ("packings", "histograms", "dispersion")},
+)
+WIDE = Measurement(
+    "dispersion_wide",
+    "python -m validation dispersion --out BUILD/dispersion_wide --spreads 0.4 --seeds 3",
+    "25 min",
+    condense,
 )
 REFINEMENT = Measurement(
     "refinement",
@@ -36,7 +42,7 @@ REFINEMENT = Measurement(
 )
 PACKING = Measurement("packing", "python benchmarks/packing.py", "5 min")
 METHODS = Measurement("packing_methods", "python benchmarks/packing.py --methods", "10 min")
-MEASUREMENTS = (DISPERSION, REFINEMENT, PACKING, METHODS, TESTS)
+MEASUREMENTS = (DISPERSION, WIDE, REFINEMENT, PACKING, METHODS, TESTS)
 
 DENSITY = Form(style=".4f")
 CONTACTS = Form(style=".2f")
@@ -181,13 +187,14 @@ def _dispersion() -> Section:
         (0.0, AtLeast(0.3), "ordered", ""), (0.1, AtLeast(0.3), "ordered", ""), (0.15, AtMost(0.3), "none from here",
         luding),
         (0.2, AtMost(0.3), "none", luding), (0.25, AtMost(0.3), "none", ""), (0.3, AtMost(0.3), "none", ""),
-        (0.4, AtMost(0.3), "none", ""),
     ):  # fmt: skip
-        at = "summary", {"spread": spread}, "core_rms_excess"
-        ours = DISPERSION.number(*at, "mean", scatter=(*at, "std"))
+        ours = DISPERSION.number("summary", {"spread": spread}, "core_rms_excess", "mean")
         rows.append(Row(case=f"order at κ = {100 * spread:.0f} %: rms excess of the core", source="fig. 7",
             paper=paper, ours=ours,
                         form=EXCESS, tolerance=tolerance, reason=reason))  # fmt: skip
+    at = "summary", {"spread": 0.4}, "core_rms_excess"
+    rows.append(Row(case="order at κ = 40 %, seeds 1 to 3: rms excess of the core", source="fig. 7", paper="none",
+        ours=WIDE.number(*at, "mean", scatter=(*at, "std")), form=EXCESS, tolerance=AtMost(0.3)))
     errors = {spread: DISPERSION.at("summary", {"spread": spread}, "isotropy_error", "mean") for spread in (0.15,
         0.2)}
     rows.append(Row(case="e at κ = 15 % over e at κ = 20 %", ours=DISPERSION.of(errors[0.15] / errors[0.2]),
@@ -195,7 +202,7 @@ def _dispersion() -> Section:
     return Section(
         title="Dispersion of the radii: figures 5 to 7",
         before=(
-            "Shear compaction of 3000 spheres, the paper's recipe, seeds 1 and 2; 0.3 is the limit of the verdict on"
+            "Shear compaction of 3000 spheres, the paper's recipe; 0.3 is the limit of the verdict on"
             " a packing."
         ),
         rows=tuple(rows),
