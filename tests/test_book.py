@@ -18,7 +18,7 @@ from book.forms import PERCENT, SIGNED, Form, Said
 from book.markdown import front, moved, table
 from book.measure import sign
 from book.outcomes import TESTS
-from book.results import ROOT, Measurement
+from book.results import RESULTS, ROOT, Measurement
 from book.row import Measured, Origin, Row, Verdict
 from book.tolerances import AtLeast, AtMost, Near, So, Spans, Tolerance
 
@@ -208,6 +208,14 @@ def test_results_that_name_no_command_and_commit_get_those_of_the_measurement(tm
     assert json.loads(kept.read_text()) == {"command": "python it.py", "commit": "abc", "answer": 42}
     sign(it, "def")
     assert json.loads(kept.read_text())["commit"] == "abc"
+
+
+def test_every_kept_result_names_its_command_and_what_code_made_it():
+    for path in sorted(RESULTS.glob("*.json")):
+        entries = [found] if "command" in (found := json.loads(path.read_text(encoding="utf-8"))) else found.values()
+        for entry in entries:
+            assert entry["command"].startswith(("python ", "bondem ")), path.name
+            assert re.fullmatch("[0-9a-f]{7,40}\\+?", entry.get("commit", entry.get("kept_with", ""))), path.name
 
 
 @pytest.mark.validate

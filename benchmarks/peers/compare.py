@@ -14,16 +14,22 @@ import json
 import os
 import platform
 import statistics
+import sys
 import tempfile
 from pathlib import Path
 
 import llvmlite.binding as llvm
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+
 from kratos_kdem import Kratos
 from lammps_bpm import Lammps
 from outcome import Outcome, difference, kinetic_share
 from own import Bondem
 from specimen import Specimen, build
 from yade_cohfrict import Yade
+
+from kept import command, commit
 
 RESULTS = Path(__file__).parent.parent / "results"
 CODES = {code.name: code for code in (Bondem, Lammps, Yade, Kratos)}
@@ -125,6 +131,7 @@ def main() -> None:
     started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
     load = os.getloadavg()[0]
     report = {
+        "command": command(), "commit": commit(),
         "machine": f"{os.cpu_count()} cores, {platform.machine()}, {_processor()}, load {load:.1f} at the start",
         "started": started,
         "threads": 1,
