@@ -149,7 +149,7 @@ def test_two_cells_soften_along_a_straight_line_and_give_back_their_energy(one_t
     pull = [bd.Drive(bd.Face(face), vx=bd.Ramp(0.0, end, rise)) for face, end in ends]
     model = model_of(lattice, 0.0, boundary=pull)
     run = bd.solve_explicit(
-        model, duration=1.2 * opening / speed, dt=1e-6, every=2, damping=bd.MassDamping(alpha=2e4),
+        model, duration=1.2 * opening / speed, dt=5e-7, every=2, damping=bd.MassDamping(alpha=2e4),
         gauges={"pull": bd.Gauge(bd.Face("x_max"), "force")},
     )  # fmt: skip
     traction = run.history["pull"][:, 0] / size**2
