@@ -32,9 +32,12 @@ def device_breaks(table: FailureTable, model: Model, state: State) -> DeviceBrea
         bonds.lever / bonds.length, np.zeros(n, dtype=np.uint8), np.zeros(m, dtype=np.int32),
         np.zeros(3, dtype=np.int32),
     )  # fmt: skip
-    return DeviceBreaks(
+    judging = (
         table.kind, upload(table.coefficient), upload(table.station), upload(table.limit.astype(np.float32)),
-        table.of_force, table.of_moment, *map(upload, arrays), zeros(m, BROKEN_COLUMNS), upload(state.released),
+        table.of_force, table.of_moment,
+    )  # fmt: skip
+    return DeviceBreaks._make(
+        [*judging, *map(upload, arrays), zeros(m, BROKEN_COLUMNS), upload(state.released)]
     )  # fmt: skip
 
 
