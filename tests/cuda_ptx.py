@@ -16,8 +16,9 @@ import numba.cuda
 import numpy as np
 from numba.cuda import dispatcher
 
+import cuda_breaking
 import cuda_cases
-from bondem.solve import forces_cuda, loop_cuda
+from bondem.solve import breakage_cuda, forces_cuda, loop_cuda
 from bondem.solve.plan import Plan
 
 CAPABILITY = (9, 0)
@@ -56,7 +57,7 @@ def main() -> None:
         uploaded.append(np.array(array, order="C").view(OnHost))
         return uploaded[-1]
 
-    for module in (loop_cuda, forces_cuda):
+    for module in (loop_cuda, forces_cuda, breakage_cuda):
         module.launch = compiled
         module.upload = kept
         module.zeros = lambda *shape: kept(np.zeros(shape))
@@ -66,6 +67,7 @@ def main() -> None:
     sizes: dict[str, dict[str, float]] = {}
     for name, model, gauges in (
         ("bonds", cuda_cases.bar(), cuda_cases.GAUGES), ("alike", cuda_cases.cell(), cuda_cases.GAUGES),
+        ("breaking", cuda_breaking.breaking_bar(cuda_breaking.CRITERIA["peripheral"]), cuda_cases.GAUGES),
         ("cells", cuda_cases.held_bar(), cuda_cases.CELL_GAUGES),
     ):  # fmt: skip
         uploaded.clear()

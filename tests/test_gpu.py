@@ -141,9 +141,10 @@ def compiled():
 
 
 def test_memory_is_what_the_documents_say(compiled) -> None:
-    """As in `bondem.solve.loop_cuda`, `bondem.solve.forces_cuda` and decision 0010."""
+    """As in `bondem.solve.loop_cuda`, `forces_cuda` and `breakage_cuda` there, and decision 0010."""
     assert compiled["bytes"]["bonds"] == {"element": 212 + 4, "bond": 164}  # with body forces
     assert compiled["bytes"]["alike"] == {"element": 212, "bond": 124}
+    assert compiled["bytes"]["breaking"] == {"element": 212 + 4 + 1, "bond": 164 + 128}
     assert compiled["bytes"]["cells"] == {"element": 212 + 8 + 24, "bond": 196, "held facet": 288}
 
 
@@ -152,6 +153,7 @@ def test_all_kernels_compile_without_a_driver(compiled) -> None:
     assert set(ptx) == {
         "bond_forces", "rotation_guard", "bond_sums",
         "swell", "stress_cells", "facet_loads", "turn_guard", "facet_sums",
+        "judge_bonds", "move_or_wait", "break_bonds", "let_go", "released_sum",
         "schedule_rows", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold", "write_record",
     }  # fmt: skip
     for name, text in ptx.items():
@@ -180,14 +182,18 @@ def test_what_the_device_cannot_do_is_refused() -> None:
         ({"contact": bd.LinearContact(E=1e7)}, "contacts and walls"),
         ({"formulation": "incremental"}, "the incremental formulation"),
         ({"boundary": heat}, "strains that change"),
-        ({"failure": bd.Elliptic(elongation=0.01, rotation=0.1)}, "bonds or facets that break"),
+        ({"failure": bd.PeripheralStress(tension=1e5, shear=1e5, fracture_energy=1e5)}, "beams that soften"),
     ):
         with pytest.raises(InputError, match=rf"cannot run {what}.* yet; use device='cpu'"):
             bd.solve_explicit(model_and_plan(**options)[0], duration=1e-6, device="gpu")
     pair = bd.Particles([[0.4, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.3, shape=bd.Box((2, 1, 1)))
     body = bd.connect(pair, method="laguerre")
     for bond, options, what in (
-        (bd.CellBond(E=1e7, nu=0.2), {"failure": bd.Rankine(tension=1e5)}, "bonds or facets that break"),
+        (
+            bd.CellBond(E=1e7, nu=0.2), {"failure": bd.MohrCoulomb(tension=1e5, cohesion=1e5, friction_angle=0.5)},
+            "facets that break",
+        ),
+        (bd.CellBond(E=1e7, nu=0.2), {"failure": bd.Rankine(tension=1e5)}, "facets that"),
         (bd.CellBond(E=1e7, nu=0.2), {"boundary": open_end}, "absorbing faces"),
         (bd.CellBond(E=1e7, nu=0.2), {"boundary": heat}, "strains that change"),
         (

@@ -43,6 +43,7 @@ class DeviceForces(Protocol):
 
     m: int  #: bonds or facets
     forces: Array  #: force on j, torque on i and on j; (9, m)
+    integrity: Array  #: 1 intact … 0 broken [-], (m,)
 
     def act(self, ahead: int, stream: Any = 0) -> None:
         """Find the forces, `ahead` steps from the present one: 1, or 0 where no step leads to them."""
@@ -76,23 +77,23 @@ class BeamForces:
             layout.i, layout.j, np.vstack(constants), np.zeros(4) if same is None else np.array(same),
             state.integrity, model.period,
         )  # fmt: skip
-        self._bonds = DeviceBonds._make([self.m, *map(upload, arrays), zeros(9, self.m)])
-        self.forces = self._bonds.forces
+        self.bonds = DeviceBonds._make([self.m, *map(upload, arrays), zeros(9, self.m)])
+        self.forces, self.integrity = self.bonds.forces, self.bonds.integrity
 
     def act(self, ahead: int, stream: Any = 0) -> None:
         """One launch."""
-        launch(bond_forces, self.m, self._elements, self._bonds, stream=stream)
+        launch(bond_forces, self.m, self._elements, self.bonds, stream=stream)
 
     def take_up(self) -> None:
         """Nothing: a record needs the poses only."""
 
     def guard(self, flags: Array) -> None:
         """A thread a bond."""
-        launch(rotation_guard, self.m, self._elements, self._bonds, flags)
+        launch(rotation_guard, self.m, self._elements, self.bonds, flags)
 
     def sums(self, parts: Array) -> None:
         """A thread a part."""
-        launch(sample.bond_sums, parts.shape[1], self._elements, self._bonds, parts)
+        launch(sample.bond_sums, parts.shape[1], self._elements, self.bonds, parts)
 
 
 class FacetForces:
@@ -111,7 +112,7 @@ class FacetForces:
             table.share_j[:, :m], table.normal[:, :m], table.H[:, :m], table.weight,
         )  # fmt: skip
         self._facets = DeviceFacets._make([m, *map(upload, arrays), zeros(9, m)])
-        self.forces = self._facets.forces
+        self.forces, self.integrity = self._facets.forces, self._facets.integrity
         self._grips, self._holds = _holds(cells, held, model, state)
 
     def act(self, ahead: int, stream: Any = 0) -> None:

@@ -17,18 +17,19 @@ from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUN
 from bondem.kernels.cuda import sample
 from bondem.kernels.cuda.elements import move, open_step, pull_groups, schedule_rows
 from bondem.kernels.cuda.tables import DeviceBodies, DeviceElements, DeviceGauges, RowSchedules
-from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, Adjacency, Gauges, Rows, StepScheme
+from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, FRACTURE, TRANSLATION, Adjacency, Gauges, Rows, StepScheme
 from bondem.laws.damping import DampingTerms, LocalDamping
 from bondem.model.constraints import Constraints
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.solve.breakage_cuda import DeviceBreakage
 from bondem.solve.forces_cuda import BeamForces, DeviceForces, DeviceRun, FacetForces, starts
 from bondem.solve.loop_cpu import gauge_tables, noticeable
 from bondem.solve.plan import Plan
 
 # Columns of a record that the device fills, in its order; there are no contacts.
-_COLUMNS = np.array([1, 2, 3, 4, 5, 6, 8, 9, 10])
+_COLUMNS = np.array([1, 2, 3, 4, 5, 6, 8, 9, 10, FRACTURE])
 # Entries of a sum that a thread adds up at least, and parts of a sum at most.
 _PART, _PARTS = 8, 16384
 # Steps in one CUDA graph at most.
@@ -61,6 +62,9 @@ class GpuLoop:
             self._clock, self._scheme, self._elements, self._adjacency, self._rows, self._schedules
         )  # fmt: skip
         self._forces: DeviceForces = (BeamForces if model.cells is None else FacetForces)(model, state, run)
+        self._breakage = None
+        if model.breaking is not None and isinstance(self._forces, BeamForces):
+            self._breakage = DeviceBreakage(model.breaking, model, state, run, self._bodies, self._forces)
         self._gauges = _gauges(gauge_tables(model, plan), state)
         parts = _parts(max(self._count, self._forces.m))
         self._parts, self._fewer = zeros(sample.SUMS, parts), zeros(sample.SUMS, -(-parts // 128))
@@ -129,6 +133,9 @@ class GpuLoop:
         """Forces of all bonds, and the motion of all elements; `still` finds the acceleration only."""
         scheme = self._still_scheme if still else self._scheme
         self._forces.act(tick, stream)
+        if self._breakage is not None and not still:
+            self._breakage.move(tick, go_on=go_on, stream=stream)
+            return
         launch(
             move, self._count, self._clock, tick, self._elements, self._adjacency, self._forces.forces, self._rows,
             self._bodies, scheme, go_on, stream=stream,
@@ -173,6 +180,8 @@ class GpuLoop:
         parts, fewer, gauges = self._parts, self._fewer, self._gauges
         launch(sample.element_sums, parts.shape[1], self._elements, self._rows, parts)
         self._forces.sums(parts)
+        if self._breakage is not None:
+            self._breakage.sums(parts)
         launch(sample.gauge_sums, gauges.g * gauges.parts.shape[1], self._elements, gauges, self._rows)
         launch(sample.fold, fewer.size, parts, fewer)
         launch(sample.write_record, records.shape[1], fewer, gauges, row, records)
@@ -195,6 +204,8 @@ class GpuLoop:
             (self._rows.work, state.work), (self._rows.reaction, state.reaction),
         ):  # fmt: skip
             download(array, target)
+        if self._breakage is not None:
+            self._breakage.keep(state)
 
 
 def require_runnable(model: Model, plan: Plan) -> None:
@@ -206,7 +217,9 @@ def require_runnable(model: Model, plan: Plan) -> None:
     held = model.constraints
     lacking = {
         "contacts and walls": model.contact is not None,
-        "bonds or facets that break": model.failure is not None,
+        "facets that soften (fracture_energy=)": model.softening is not None,
+        "beams that soften (fracture_energy=)": model.beam_softening is not None,
+        "facets that break": model.failure is not None and model.cells is not None,
         "the non-local law": model.non_local is not None,
         "the incremental formulation": model.formulation != "total",
         "absorbing faces": len(held.absorbing) > 0,

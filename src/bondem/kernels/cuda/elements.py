@@ -113,12 +113,9 @@ def _body_work(work, bodies, p, m, half, v):
         work[bodies.place + p] += half * (a[g, 0] * v[0] + a[g, 1] * v[1] + a[g, 2] * v[2]) / m
 
 
-@cuda_kernel
-def open_step(elements, rows, bodies, scheme):
-    """Open a step after a pause."""
-    p = cuda.grid(1)
-    if p >= elements.pose.shape[0]:
-        return
+@device
+def open_one(elements, rows, bodies, scheme, p):
+    """Open a step of one element from its stored acceleration, as after a pause."""
     motion, acceleration, dt, begin = elements.motion, elements.acceleration, scheme.dt, scheme.begin
     a = acceleration[p, 0], acceleration[p, 1], acceleration[p, 2]
     b = acceleration[p, 3], acceleration[p, 4], acceleration[p, 5]
@@ -137,16 +134,20 @@ def open_step(elements, rows, bodies, scheme):
 
 
 @cuda_kernel
-def move(clock, tick, elements, adjacency, forces, rows, bodies, scheme, go_on):
-    """Add up an element's bonds or facets, close the step, and open the next or not; the clock goes on by `tick`.
+def open_step(elements, rows, bodies, scheme):
+    """Open a step after a pause."""
+    p = cuda.grid(1)
+    if p >= elements.pose.shape[0]:
+        return
+    open_one(elements, rows, bodies, scheme, p)
+
+
+@device
+def move_one(elements, adjacency, forces, rows, bodies, scheme, go_on, p):
+    """Add up the bonds or facets of one element, close the step, and open the next or not.
 
     Bonds are added as on the CPU: those with j = p, then those with i = p, both ascending.
     """
-    p = cuda.grid(1)
-    if p == 0:
-        clock[0] += tick
-    if p >= elements.pose.shape[0]:
-        return
     motion, acceleration, loss = elements.motion, elements.acceleration, elements.loss
     dt, finish, begin, gamma = scheme.dt, scheme.finish, scheme.begin, scheme.gamma
     f0 = f1 = f2 = t0 = t1 = t2 = 0.0
@@ -207,3 +208,14 @@ def move(clock, tick, elements, adjacency, forces, rows, bodies, scheme, go_on):
         for d in range(3):
             acceleration[p, d] = a[d]
             acceleration[p, 3 + d] = b[d]
+
+
+@cuda_kernel
+def move(clock, tick, elements, adjacency, forces, rows, bodies, scheme, go_on):
+    """Every element closes the step, and opens the next or not; the clock goes on by `tick`."""
+    p = cuda.grid(1)
+    if p == 0:
+        clock[0] += tick
+    if p >= elements.pose.shape[0]:
+        return
+    move_one(elements, adjacency, forces, rows, bodies, scheme, go_on, p)

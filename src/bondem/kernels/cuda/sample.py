@@ -20,8 +20,9 @@ from bondem.kernels.tables import (
 )  # fmt: skip
 from bondem.laws.beam_energy import bond_energy
 
-# Columns: kinetic energy (2), elastic energy (4), work, loss and friction; after them three a gauge.
-TRANSLATION, ROTATION, NORMAL, WORK, LOSS, FRICTION, SUMS = 0, 1, 2, 6, 7, 8, 9
+# Columns: kinetic energy (2), elastic energy (4), work, loss, friction, energy of fracture; after
+# them three a gauge.
+TRANSLATION, ROTATION, NORMAL, WORK, LOSS, FRICTION, RELEASED, SUMS = 0, 1, 2, 6, 7, 8, 9, 10
 
 
 @cuda_kernel
@@ -50,7 +51,7 @@ def element_sums(elements, rows, parts):
 
 
 @device
-def _shear(L, A, B, C):
+def shear_of(L, A, B, C):
     """Shear stiffness and lever of a bond, which need not be stored: A + B = ks a L and B + C = ks (L - a) L."""
     total = A + 2.0 * B + C
     if total == 0.0:
@@ -73,7 +74,7 @@ def bond_sums(elements, bonds, parts):
         dx, dy, dz = branch(pose, a, b, bonds.period)
         L = constants[3, k]
         kn, A, B, C, kt = stiffness(constants, bonds.same, k, 1.0)
-        ks, lever = _shear(L, A, B, C)
+        ks, lever = shear_of(L, A, B, C)
         e0, e1, e2, e3 = bond_energy(
             dx, dy, dz,
             pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],

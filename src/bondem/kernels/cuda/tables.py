@@ -50,6 +50,23 @@ class DeviceFacets(NamedTuple):
     forces: Array  #: V θ of i and of j (2 rows), then force on j, torque on i and on j; (9, m)
 
 
+class DeviceBreaks(NamedTuple):
+    """When the m bonds break, and what is kept of those that do; kernels write all from `held` on."""
+
+    kind: int  #: number of the criterion
+    coefficient: Array  #: what judges each bond, (m, 4)
+    station: Array  #: where its moment counts, from i over its length; below 0 the larger of both ends, (m,)
+    limit: Array  #: of the bound of each bond, float32, (m,)
+    of_force: float  #: the bound is of_force |F|² + of_moment |M|² [1/N²]
+    of_moment: float  #: [1/(N·m)²]
+    share: Array  #: where the contact point divides each, from i [-], (m,)
+    held: Array  #: not 0 for elements that wait at the end of the step, uint8, (n,)
+    found: Array  #: bonds that break in this step, int32, (m,)
+    counts: Array  #: how many of these, how many in the log, whether any element waits, int32, (3,)
+    log: Array  #: what broke in this call (`bondem.kernels.tables.BROKEN_…`), (m, 9)
+    released: Array  #: energy released since the start of the run [J], (1,)
+
+
 class DeviceHolds(NamedTuple):
     """What walls and tractions do to the cells of each row of the boundary; kernels write the last two.
 

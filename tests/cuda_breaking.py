@@ -1,0 +1,98 @@
+"""Small runs in which bonds break: python tests/cuda_breaking.py gpu|cpu OUT.npz IN HANDED, as `cuda_cases.py`.
+
+Both sides leave the states of half a run in HANDED and go on with those in IN, if it is there, so that a run can
+change sides.
+"""
+
+import importlib
+import pickle
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+import cuda_cases
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import ExplicitResult, Plan
+
+CRITERIA: dict[str, Any] = {
+    "peripheral": bd.PeripheralStress(tension=1.5e5, shear=1e5, scatter=bd.Weibull(modulus=6.0, volume=0.3, seed=2)),
+    "mohr coulomb": bd.MohrCoulomb(tension=6e4, cohesion=5e4, friction_angle=0.5),
+    "linear": bd.LinearSum(force=1.5e4, shear=1.5e4, bending=5e3, twisting=5e3, scatter=bd.Normal(deviation=0.1)),
+    "elliptic": bd.Elliptic(elongation=0.011, rotation=0.04),
+}
+DT, STEPS, HALF = 2e-3, 30, 17
+FIELDS = "pose", "motion", "acceleration", "loss", "work", "reaction", "integrity", "released", "broken"
+
+
+def breaking_bar(criterion: Any) -> bd.Model:
+    """The bar of `cuda_cases`, whose bonds break."""
+    model = cuda_cases.bar()
+    return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=criterion)
+
+
+def breaking_cell() -> bd.Model:
+    """The periodic cell, whose bonds are alike but for their length."""
+    model = cuda_cases.cell()
+    return bd.Model(model.lattice, model.bond, model.density, failure=bd.PeripheralStress(tension=4e5, shear=2e5))
+
+
+def start(model: bd.Model, kept: dict[str, Any]) -> bd.State:
+    """A state with the arrays and numbers that were kept of another one."""
+    state = cuda_cases.moving(model)
+    for name, value in kept.items():
+        setattr(state, name, value)
+    return state
+
+
+def kept(state: bd.State) -> dict[str, Any]:
+    """What `start` takes."""
+    return {name: getattr(state, name) for name in (*FIELDS, "step", "time", "stale")}
+
+
+def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Iterator[tuple[str, ExplicitResult]]:
+    """The cases, carried out."""
+    loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop if device == "gpu" else None
+
+    def go(model: bd.Model, state: bd.State, steps: int = STEPS, **options: Any) -> ExplicitResult:
+        plan = Plan(duration=steps * DT, dt=DT, **options)
+        return integrate(model, plan, state=state, loop_of=loop_of)
+
+    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.GAUGES}
+    for name, criterion in CRITERIA.items():
+        model = breaking_bar(criterion)
+        yield name, go(model, cuda_cases.moving(model), every=5, **common)
+    model = breaking_bar(CRITERIA["peripheral"])
+    yield "paused", go(model, cuda_cases.moving(model), every=0, save_every=7, **common)
+    scheme = bd.TchamwaWielgosz(1.2)
+    yield "dissipative", go(model, cuda_cases.moving(model), every=5, scheme=scheme)
+    model = breaking_cell()
+    yield "alike", go(model, cuda_cases.moving(model, speed=1.2), every=5)
+    model = breaking_bar(CRITERIA["peripheral"])
+    half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
+    handed["beams"] = kept(half)
+    yield "resumed", go(model, half.copy(), every=5, **common)
+    if given:
+        yield "handed", go(model, start(model, given["beams"]), every=5, **common)
+
+
+def main() -> None:
+    """Carry them out, and write what is compared."""
+    device, out, source, target = sys.argv[1:]
+    given = pickle.loads(Path(source).read_bytes()) if Path(source).is_file() else {}
+    arrays: dict[str, np.ndarray] = {}
+    handed: dict[str, Any] = {}
+    for name, result in results(device, given, handed):
+        for field in FIELDS:
+            arrays[f"{name}/{field}"] = getattr(result.state, field)
+        arrays[f"{name}/records"] = result.history.records
+        arrays[f"{name}/end"] = np.array([result.status.name, result.message])
+    np.savez(out, **arrays)
+    Path(target).write_bytes(pickle.dumps(handed))
+
+
+if __name__ == "__main__":
+    main()
