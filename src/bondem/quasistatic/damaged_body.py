@@ -172,8 +172,8 @@ class DamagedBody:
         c, i, j, grips = self.constants, self.i, self.j, self.model.cell_constants.grips
         u, phi = np.hsplit(motion.reshape(-1, 6), 2)
         gap = u[j] + np.cross(phi[j], c.lever_j) - u[i] - np.cross(phi[i], c.lever_i)
-        order, n = self.model.layout.rank, len(u)
-        held = grips.gap(u[order], phi[order], grips.motion)
+        rank, n = self.model.layout.rank, len(u)
+        held = grips.gap(u[rank], phi[rank], grips.motion)
         cracked = np.flatnonzero(self.integrity < 1.0)
         s, normal = self.integrity[cracked, None], c.normal[cracked]
         across = (gap[cracked] * normal).sum(axis=1)[:, None] * normal
@@ -184,8 +184,7 @@ class DamagedBody:
             swollen[cracked] = (share[cracked] * (s * gap[cracked] + (1.0 - s) * shut * across)).sum(axis=1)
             grown.append(swollen)
         swelling = self.given + np.bincount(i, grown[0], n) + np.bincount(j, grown[1], n)
-        still = np.zeros_like(u)
-        moved = held - grips.gap(still, still, grips.motion)
+        moved = grips.gap(u[rank], phi[rank])  # what walls do is in `given`
         swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
         stress = self.system.matrix.weight * swelling
         force = c.k[:, None] * gap + stress[i, None] * c.share_i + stress[j, None] * c.share_j

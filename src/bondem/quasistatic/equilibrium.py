@@ -15,7 +15,13 @@ _SLOWER, _FEW = 1.6, 25
 
 
 class Equilibrium(Protocol):
-    """Finds displacements and rotations that balance a load, with the matrix as it is now."""
+    """Finds displacements and rotations that balance a load, with the matrix as it is now.
+
+    Attributes:
+        rounds: iterations so far.
+    """
+
+    rounds: int
 
     def solve(self, right: Floats, guess: Floats) -> Floats:
         """u (6 n,) with K u = `right` where elements are free; it begins at a guess."""
@@ -26,7 +32,7 @@ class Eliminated:
     """By elimination, each time from the beginning: small bodies."""
 
     def __init__(self, system: System) -> None:
-        self._system = system
+        self._system, self.rounds = system, 0
 
     def solve(self, right: Floats, guess: Floats) -> Floats:
         """See `Equilibrium`."""

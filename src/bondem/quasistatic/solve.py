@@ -153,7 +153,7 @@ def solve_quasistatic(
         if factor * load < share * peak:
             end = "unloaded"
             break
-    return path.result(body, end, getattr(equilibrium, "rounds", 0))
+    return path.result(body, end, equilibrium.rounds)
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats) -> tuple[Floats, Loaded]:
@@ -184,13 +184,14 @@ def _next(
         line, done = softening[k]
         if done <= len(line.limit) and found.opening[e] > 0.0:
             limit[e] = line.limit[done - 1] / found.opening[e]
-    least = float(limit.min(initial=np.inf)) * (1.0 + max(close, _TIE))
-    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, max(close, _TIE))
+    alike = max(close, _TIE)
+    least = float(limit.min(initial=np.inf)) * (1.0 + alike)
+    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, alike)
     facet, factor = np.concatenate([found.cracked, whole]), np.concatenate([limit, factor])
     least = float(factor.min(initial=np.inf))
     if not np.isfinite(least):
         return facet[:0], least
-    failing = facet[factor <= least * (1.0 + max(close, _TIE))]
+    failing = facet[factor <= least * (1.0 + alike)]
     failing = failing[np.argsort(body.model.layout.bond_order[failing])]
     return failing if close > 0.0 else failing[:1], least * (1.0 + 0.5 * close)
 
