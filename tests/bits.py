@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem._compile import threads
 from bondem.model.state import State
+from bondem.solve.timestep import critical_step
 
 
 def assert_same_bits(first: bd.ExplicitResult, second: bd.ExplicitResult) -> None:
@@ -17,6 +19,22 @@ def assert_same_bits(first: bd.ExplicitResult, second: bd.ExplicitResult) -> Non
     assert first.state.step == second.state.step
     for name in State.ARRAYS:
         np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
+
+
+def flying_apart(model: bd.Model) -> Callable[..., bd.ExplicitResult]:
+    """Runs of 1200 steps of a block of 14³ spheres that fly away from its middle: `run(threads, every, ...)`."""
+    damping = bd.LocalDamping(0.05)
+    state = model.state()
+    state.set_motion(velocity=1.0 * (model.lattice.particles.position - 6.5))
+    dt = 0.5 * critical_step(model, bd.VelocityVerlet(), damping)
+
+    def run(count: int, every: int, **options) -> bd.ExplicitResult:
+        with threads(count):
+            return bd.solve_explicit(
+                model, duration=1200 * dt, dt=dt, every=every, damping=damping, state=state, **options
+            )
+
+    return run
 
 
 def digest(run: bd.ExplicitResult) -> str:

@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.model.state import State
 from bondem.solve.timestep import critical_step
-from tests.bits import assert_resumes_to, assert_same_bits
+from tests.bits import assert_resumes_to, assert_same_bits, flying_apart
 from tests.recording import Record
 
 
@@ -75,17 +74,7 @@ def test_same_bits_after_thousands_of_breaks(tmp_path: Path, record: Record) -> 
     failure = bd.PeripheralStress(tension=4e5, shear=6.4e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
     drive = bd.Drive(bd.Face("x_max", depth=0.5), vx=bd.Ramp(0.0, 20.0, 0.02), wx=2.0)
     model = block(14, failure, (PULL[0], drive))
-    state = model.state()
-    state.set_motion(velocity=1.0 * (model.lattice.particles.position - 6.5))
-    dt = 0.5 * critical_step(model, bd.VelocityVerlet(), bd.LocalDamping(0.05))
-
-    def run(count: int, every: int, steps: int = 1200, **options) -> bd.ExplicitResult:
-        with threads(count):
-            damping = bd.LocalDamping(0.05)
-            return bd.solve_explicit(
-                model, duration=steps * dt, dt=dt, every=every, damping=damping, state=state, **options
-            )
-
+    run = flying_apart(model)
     whole = run(1, 100)
     assert len(whole.events) > 2000
     for count, every in ((2, 100), (1, 1), (2, 7), (2, 0)):

@@ -10,12 +10,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
-from tests.bits import assert_resumes_to, assert_same_bits
+from tests.bits import assert_resumes_to, assert_same_bits, flying_apart
 
 R, L, RADIUS = 0.5e-3, 1.05e-3, 0.35e-3
 E, NU = 1e9, 0.3
@@ -202,17 +201,7 @@ def test_the_same_bits_however_it_is_run(tmp_path: Path) -> None:
         pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
     drive = bd.Drive(bd.Face("x_max", depth=0.5), vx=bd.Ramp(0.0, 20.0, 0.02), wx=2.0)
     model = block(WEAK, (PULL[0], drive), bd.LinearContact(E=1e8, friction=0.3), count=14)
-    state = model.state()
-    state.set_motion(velocity=1.0 * (model.lattice.particles.position - 6.5))
-    dt = 0.5 * critical_step(model, bd.VelocityVerlet(), bd.LocalDamping(0.05))
-
-    def run(count: int, every: int, steps: int = 1200, **options) -> bd.ExplicitResult:
-        with threads(count):
-            damping = bd.LocalDamping(0.05)
-            return bd.solve_explicit(
-                model, duration=steps * dt, dt=dt, every=every, damping=damping, state=state, **options
-            )
-
+    run = flying_apart(model)
     whole = run(1, 100)
     assert len(whole.state.softened) > 2000
     assert len(whole.events) > 500
