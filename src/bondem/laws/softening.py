@@ -11,7 +11,14 @@ g_p = R_p (A w M⁻¹n)_p and F⁺ = F less its part along the normal n where th
 so that a closed crack bears pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction on
 what is broken, cut at μ times the pressure on it; an open crack forgets it (Alfano and Sacco 2006).
 
-Softening is linear in the opening u = (1 - s) |F⁺| / k: from the traction t₀ that a facet has when it begins, to the
+A facet is judged by the rms of the tractions of its points: bending opens one edge of it more than the other.
+The square of T_b = √(2 k U_b) / A, with U_b the energy of bending of the whole facet, adds to that of the mean,
+
+    T² = |F⁺|² / A² + max(T_b - p, 0)²,     p = max(-σ3, 0) of the mean stress of both cells,
+
+so that U_b counts in T as it does in -∂U/∂s; where cells are pressed, an edge opens once bending exceeds p.
+
+Softening is linear in the opening u = (1 - s) A T / k: from the traction t₀ that a facet has when it begins, to the
 opening 2 G_f / f_t, the same for facets of all directions. Then each dissipates G_f per area projected on the crack.
 """
 
@@ -42,7 +49,7 @@ def opening_force(force, normal):
 
 @device
 def softened(s, traction, onset, last):
-    """Integrity of a facet under a traction |F⁺| / A [Pa], at most s.
+    """Integrity of a facet under a traction T [Pa], at most s.
 
     Args:
         onset: t₀ [Pa].

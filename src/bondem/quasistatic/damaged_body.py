@@ -32,19 +32,26 @@ class Loaded:
 
     Attributes:
         traction: of each facet [Pa], (m, 3).
+        bending: T_b of each facet, as if it were whole [Pa], (m,).
         tensor: σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6).
         cracked: facets that have lost integrity, (c,).
-        opening: |F⁺| / A of these, as if they were whole [Pa], (c,).
+        opening: T of these, as if they were whole (`bondem.laws.softening`) [Pa], (c,).
         turned: which of their halves close or open now, (c, 2).
         wall: force of the walls on the facets that they hold [N], (g, 3).
     """
 
     traction: Floats
+    bending: Floats
     tensor: Floats
     cracked: Ints
     opening: Floats
     turned: Mask
     wall: Floats
+
+
+def full_tensor(s: Floats) -> Floats:
+    """(…, 3, 3) of xx, yy, zz, xy, xz, yz."""
+    return s[..., [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
 
 
 class DamagedBody:
@@ -194,7 +201,16 @@ class DamagedBody:
         _add_moments(tensor, i, c.lever_i, force)
         _add_moments(tensor, j, c.lever_j, -force)
         _add_moments(tensor, self._held, grips.lever, wall)
-        return Loaded(force / self.area[:, None], tensor / c.volume[:, None], cracked, opening, turned, wall)
+        tensor /= c.volume[:, None]
+        turn = phi[j] - phi[i]
+        bending = np.sqrt(c.k * np.einsum("ma,mab,mb->m", turn, c.H, turn)) / self.area
+        opening = np.hypot(opening, self.bent(tensor, bending[cracked], cracked))
+        return Loaded(force / self.area[:, None], bending, tensor, cracked, opening, turned, wall)
+
+    def bent(self, tensor: Floats, bending: Floats, facets: Ints) -> Floats:
+        """T_b of some facets less the largest pressure of the mean stress of their cells, at least 0 [Pa], (c,)."""
+        mean = full_tensor(0.5 * (tensor[self.i[facets]] + tensor[self.j[facets]]))
+        return np.maximum(bending - np.maximum(-np.linalg.eigvalsh(mean)[..., 0], 0.0), 0.0)
 
     def _crack(self, cracked: Ints, gap: Floats, stress: Floats, force: Floats) -> tuple[Floats, Mask]:
         """Write forces of cracked facets; |F⁺| / A of these, and which halves turn."""

@@ -1,5 +1,6 @@
 """At which load factor a facet begins to crack or goes on, where everything is proportional to it."""
 
+import math
 from typing import Protocol
 
 import numpy as np
@@ -7,18 +8,13 @@ import numpy as np
 from bondem._types import Floats, Ints, PerBond
 from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
-from bondem.quasistatic.damaged_body import DamagedBody, Loaded
+from bondem.quasistatic.damaged_body import DamagedBody, Loaded, full_tensor
 from bondem.quasistatic.teeth import Teeth
 
 # Facets that are looked at first, those whose bound is the least; then twice as many, and so on.
 _FIRST = 256
 # Least share of its strength that a facet begins with (`bondem.kernels.crack_list`).
 _LEAST = 0.02
-
-
-def full_tensor(s: Floats) -> Floats:
-    """(…, 3, 3) of xx, yy, zz, xy, xz, yz."""
-    return s[..., [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
 
 
 class FacetOnset(Protocol):
@@ -73,7 +69,8 @@ class StressOnset:
         """See `FacetOnset`."""
         body, tensor = self._body, found.tensor
         size = np.sqrt((tensor[:, :3] ** 2).sum(axis=1) + 2.0 * (tensor[:, 3:] ** 2).sum(axis=1))
-        square = (found.traction[whole] ** 2).sum(axis=1)
+        # bending adds to the traction at most
+        square = (np.linalg.norm(found.traction[whole], axis=1) + found.bending[whole]) ** 2
         # no eigenvalue of σ* is beyond |σ̄| + √2 |t - σ̄ n|
         most = 0.5 * (1.0 + np.sqrt(2.0)) * (size[body.i[whole]] + size[body.j[whole]]) + np.sqrt(2.0 * square)
         bound = self._strength[whole] / np.maximum(most, 1e-300)
@@ -95,6 +92,9 @@ class StressOnset:
     def _below(self, found: Loaded, facets: Ints, below: float) -> tuple[Ints, Floats]:
         """Those of some facets that may begin below a load factor, and their factors, (c,) each; inf for never."""
         body, n, t = self._body, self._body.constants.normal[facets], found.traction[facets]
+        bent, across = body.bent(found.tensor, found.bending[facets], facets), (t * n).sum(axis=1)
+        pulled = np.where(bent > 0.0, np.hypot(bent, np.maximum(across, 0.0)), across)
+        t = t + (pulled - across)[:, None] * n
         star = agreed(full_tensor(0.5 * (found.tensor[body.i[facets]] + found.tensor[body.j[facets]])), n, t)
         near = np.flatnonzero(self._strength[facets] <= below * np.sqrt(np.einsum("mab,mab->m", star, star)))
         facets, n, t = facets[near], n[near], t[near]
@@ -106,11 +106,13 @@ class StressOnset:
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
         """See `FacetOnset`: from the traction of `bondem.laws.softening` on."""
-        n, t = self._body.constants.normal[k], factor * found.traction[k]
-        mean = full_tensor(0.5 * factor * (found.tensor[self._body.i[k]] + found.tensor[self._body.j[k]]))
-        direction = np.linalg.eigh(mean)[1][:, 2]
+        body, n, t = self._body, self._body.constants.normal[k], factor * found.traction[k]
+        mean = full_tensor(0.5 * factor * (found.tensor[body.i[k]] + found.tensor[body.j[k]]))
+        bent = factor * float(body.bent(found.tensor, found.bending[[k]], np.array([k]))[0])
+        along = max(float(n @ mean @ n), 0.0)
+        direction = np.linalg.eigh(mean + max(bent - along, 0.0) * np.outer(n, n))[1][:, 2]
         opening = t - min(float(t @ n), 0.0) * n
-        now = float(np.linalg.norm(opening))
+        now = math.hypot(float(np.linalg.norm(opening)), bent)
         begun = min(now, float(self._strength[k]) * max(abs(float(n @ direction)), _LEAST))
         return Teeth.of(begun, float(self._last[k]), ripple, now)
 
