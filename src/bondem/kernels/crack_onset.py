@@ -4,8 +4,6 @@ They are found with the elements where they have come to, so that no bit depends
 each facet is on its own, whatever thread it is on.
 """
 
-import math
-
 import numpy as np
 
 from bondem._compile import device, loop, prange
@@ -76,7 +74,7 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
         bent = bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
         across = scalar(t, n)
         if bent > 0.0:
-            pulled = math.sqrt(bent * bent + max(across, 0.0) ** 2)
+            pulled = max(across, 0.0) + bent
             t, across = plus(t, pulled - across, n), pulled
         if across <= 0.0 and (onset.judge != 0 or not _sheared(t, across, strength[k])):
             continue

@@ -11,12 +11,16 @@ g_p = R_p (A w M⁻¹n)_p and F⁺ = F less its part along the normal n where th
 so that a closed crack bears pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction on
 what is broken, cut at μ times the pressure on it; an open crack forgets it (Alfano and Sacco 2006).
 
-A facet is judged by the rms of the tractions of its points: bending opens one edge of it more than the other.
-The square of T_b = √(2 k U_b) / A, with U_b the energy of bending of the whole facet, adds to that of the mean,
+Bending opens one edge of a facet more than the other. T_b = √(2 k U_b) / A is the rms of the tractions by which its
+points differ, U_b the energy of bending of the whole facet, and what of it opens the facet is
 
-    T² = |F⁺|² / A² + max(T_b - p, 0)²,     p = max(-σ3, 0) of the mean stress of both cells,
+    b = max(T_b - p, 0),     p = max(-σ3, 0) of the mean stress of both cells.
 
-so that U_b counts in T as it does in -∂U/∂s; where cells are pressed, an edge opens once bending exceeds p.
+A facet begins where its traction with b added along n reaches the criterion, and softens by the rms of all its points,
+
+    T² = |F⁺|² / A² + b²,
+
+so that U_b counts in T as it does in -∂U/∂s.
 
 Softening is linear in the opening u = (1 - s) A T / k: from the traction t₀ that a facet has when it begins, to the
 opening 2 G_f / f_t, the same for facets of all directions. Then each dissipates G_f per area projected on the crack.

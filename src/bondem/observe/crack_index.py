@@ -30,7 +30,7 @@ def crack_index(model: Model, state: State) -> PerBond:
     mean = 0.5 * (stress[i] + stress[j])
     n, t = turned_vectors(state.orientation[i], facets.normal), forces.force / facets.area[:, None]
     across, bent = (t * n).sum(axis=1), _bending(model, state, mean)
-    pulled = np.where(bent > 0.0, np.hypot(bent, np.maximum(across, 0.0)), across)
+    pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
     t, across = t + (pulled - across)[:, None] * n, pulled
     off = t - np.einsum("mab,mb->ma", mean, n)
     both = off[:, :, None] * n[:, None, :]

@@ -93,7 +93,7 @@ class StressOnset:
         """Those of some facets that may begin below a load factor, and their factors, (c,) each; inf for never."""
         body, n, t = self._body, self._body.constants.normal[facets], found.traction[facets]
         bent, across = body.bent(found.tensor, found.bending[facets], facets), (t * n).sum(axis=1)
-        pulled = np.where(bent > 0.0, np.hypot(bent, np.maximum(across, 0.0)), across)
+        pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
         t = t + (pulled - across)[:, None] * n
         star = agreed(full_tensor(0.5 * (found.tensor[body.i[facets]] + found.tensor[body.j[facets]])), n, t)
         near = np.flatnonzero(self._strength[facets] <= below * np.sqrt(np.einsum("mab,mab->m", star, star)))
