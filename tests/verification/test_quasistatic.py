@@ -330,7 +330,7 @@ def test_elements_that_are_driven_themselves_feel_the_same_load() -> None:
     """A bar of cubes pulled by the middle of its last cube, half a cube nearer than its face."""
     model = pulled(bar(4), nu=0.0)
     held, last = bd.Fix(bd.Face("x_min")), bd.Index([3])
-    ends = [held, bd.Drive(last, x=1e-6)]
+    ends = [held, bd.Drive(last, x=1e-6, ry=0.0, rz=0.0)]
     inner = bd.Model(model.lattice, model.bond, 2500.0, failure=model.failure, boundary=ends)
     found = bd.solve_quasistatic(inner, last, together=0.0, until=0.5)
     np.testing.assert_allclose(found.load[0], STRENGTH * SIZE**2, rtol=1e-9)

@@ -16,7 +16,7 @@ points differ, U_b the energy of bending of the whole facet, and what of it open
 
     b = max(T_b - p, 0),     p = max(-σ3, 0) of the mean stress of both cells.
 
-A facet begins where its traction with b added along n reaches the criterion, and softens by the rms of all its points,
+A facet begins where its traction, with b along n added, reaches the criterion; it softens by the rms of its points,
 
     T² = |F⁺|² / A² + b²,
 

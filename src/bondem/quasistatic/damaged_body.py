@@ -17,6 +17,7 @@ from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.facet_loads import loads_on_facets
 from bondem.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
+from bondem.quasistatic.tensors import full_tensor
 from bondem.solve.linear import System
 
 # Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
@@ -47,11 +48,6 @@ class Loaded:
     opening: Floats
     turned: Mask
     wall: Floats
-
-
-def full_tensor(s: Floats) -> Floats:
-    """(…, 3, 3) of xx, yy, zz, xy, xz, yz."""
-    return s[..., [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
 
 
 class DamagedBody:
@@ -204,13 +200,17 @@ class DamagedBody:
         tensor /= c.volume[:, None]
         turn = phi[j] - phi[i]
         bending = np.sqrt(c.k * np.einsum("ma,mab,mb->m", turn, c.H, turn)) / self.area
-        opening = np.hypot(opening, self.bent(tensor, bending[cracked], cracked))
+        opening = np.hypot(opening, self.bent(tensor, bending, cracked))
         return Loaded(force / self.area[:, None], bending, tensor, cracked, opening, turned, wall)
 
+    def mean(self, tensor: Floats, facets: Ints) -> Floats:
+        """Mean of the stresses (n, 6) of the two cells of some facets [Pa], (c, 6)."""
+        return 0.5 * (tensor[self.i[facets]] + tensor[self.j[facets]])
+
     def bent(self, tensor: Floats, bending: Floats, facets: Ints) -> Floats:
-        """T_b of some facets less the largest pressure of the mean stress of their cells, at least 0 [Pa], (c,)."""
-        mean = full_tensor(0.5 * (tensor[self.i[facets]] + tensor[self.j[facets]]))
-        return np.maximum(bending - np.maximum(-np.linalg.eigvalsh(mean)[..., 0], 0.0), 0.0)
+        """T_b (m,) of some facets less the largest pressure of the mean stress of their cells, at least 0, (c,)."""
+        pressure = -np.linalg.eigvalsh(full_tensor(self.mean(tensor, facets)))[:, 0]
+        return np.maximum(bending[facets] - np.maximum(pressure, 0.0), 0.0)
 
     def _crack(self, cracked: Ints, gap: Floats, stress: Floats, force: Floats) -> tuple[Floats, Mask]:
         """Write forces of cracked facets; |F⁺| / A of these, and which halves turn."""
