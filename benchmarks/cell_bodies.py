@@ -32,13 +32,14 @@ import numpy as np
 from skfem import Basis, ElementHex2, ElementVector
 
 import bondem as bd
-from any_specimen import FORCE_X, FORCE_Y, FORCE_Z, MODES, MOMENT_X, ROOT, groups
+from any_specimen import FORCE_X, FORCE_Y, FORCE_Z, MODES, MOMENT_X, ROOT
 from any_specimen import MATERIALS as NAMES
 from bondem.observe.surface import surface_displacement
 from bondem.solve.static import Statics
 from continuum import Continuum, Vibration, _lines
 from fem_cylinder import disc, extruded
 from kept import RESULTS, commit, keep, origin
+from matching import matched
 
 #: Poisson's ratios of five materials.
 MATERIALS = {one: bd.materials.get(one).nu for one in NAMES}
@@ -147,13 +148,19 @@ def mesh(name: str, fine: float = 1.0) -> Continuum:
 
 
 @cache
+def free_modes(name: str, nu: float, fine: float = 1.0) -> Vibration:
+    """For E = ρ = 1."""
+    return mesh(name, fine).vibration(1.0, nu, 1.0, count=MODES)
+
+
+@cache
 def reference(name: str, nu: float, fine: float = 1.0) -> tuple[Vibration, dict[str, float]]:
     """Free modes for E = ρ = 1, and what each unit load does where it acts on the clamped body."""
     body = bodies()[name]
     motion = mesh(name, fine).response(1.0, nu, held="x_min", loaded=body.loaded, loads=list(body.loads.values()))
     pairs = zip(body.loads.items(), motion, strict=True)
     moved = {load: float(np.concatenate(one) @ way) for (load, one), way in pairs}
-    return mesh(name, fine).vibration(1.0, nu, 1.0, count=MODES), moved
+    return free_modes(name, nu, fine), moved
 
 
 @cache
@@ -211,17 +218,10 @@ def _work(part: bd.Lattice, law: bd.CellBond, name: str) -> dict[str, float]:
 
 
 def _frequencies(part: bd.Lattice, law: bd.CellBond, theory: Vibration, expected: np.ndarray) -> list[float]:
-    found = bd.solve_modes(bd.Model(part, law, 1.0), count=MODES + 3)
     assert part.cells is not None
-    root = np.sqrt(part.cells.volume)[:, None]
-    seen, wanted = ((root * shapes).reshape(len(shapes), -1) for shapes in (found.shape[:, :, :3], expected))
-    likeness = (seen @ wanted.T) ** 2 / np.outer((seen**2).sum(axis=1), (wanted**2).sum(axis=1))
-    errors = []
-    for group in groups(theory.frequency):
-        best = np.argsort(-likeness[:, group].sum(axis=1))[: len(group)]
-        measured, exact = (float(np.sqrt((f**2).mean())) for f in (found.frequency[best], theory.frequency[group]))
-        errors += [measured / exact - 1.0] * len(group)
-    return errors[:6]
+    found = bd.solve_modes(bd.Model(part, law, 1.0), count=MODES + 3)
+    pairs = matched(found, part.cells.volume, theory, expected)
+    return [one.measured / one.reference - 1.0 for one in pairs for _ in one.modes][:6]
 
 
 def meshes(name: str, nu: float) -> dict[str, float]:
