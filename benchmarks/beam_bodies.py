@@ -9,8 +9,8 @@ faces held, several per cent of the length would be missing).
 
 Run: python benchmarks/beam_bodies.py [--shapes …] [--materials …] [--count 10000] [--seed 1] [--out DIR]
      python benchmarks/beam_bodies.py --summary
-Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped; the last command sums
-all of them up in benchmarks/results/beam_bodies.json.
+Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped. A run of all shapes and
+materials sums them up in benchmarks/results/beam_bodies.json; the last command does so with what there is.
 """
 
 import argparse
@@ -118,6 +118,8 @@ def main(arguments: list[str] | None = None) -> None:
             file.write_text(json.dumps(one))
             said = ", ".join(f"{100 * worst(one, way):.1f} % {way}" for way in WAYS)
             print(f"{file.stem}: worst {said}; {time.perf_counter() - started:.0f} s", flush=True)
+    if set(given.shapes) == set(bodies()) and set(given.materials) == set(MATERIALS):
+        sum_up(given.out)
 
 
 def sum_up(out: Path) -> None:
