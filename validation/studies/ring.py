@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
+from matplotlib.ticker import FixedLocator, FormatStrFormatter, NullLocator
 
 from bondem._checks import number
 from bondem.errors import InputError
@@ -80,6 +81,10 @@ class RingStudy(Study):
                     label="packings of cells", alpha=0.7)  # fmt: skip
             ax.axhline(ring.side / ring.length, color=INK, linewidth=0.8, linestyle=":", label="width of the section")
             ax.set(xscale="log", yscale="log", xlabel="rate of strain over ε̇₀", ylabel="mean size of pieces over s₀")
+            for axis, marks in ((ax.xaxis, (0.05, 0.1, 0.2, 0.5, 1.0)), (ax.yaxis, (1.0, 1.5, 2.0, 3.0))):
+                axis.set_major_locator(FixedLocator(marks))
+                axis.set_major_formatter(FormatStrFormatter("%g"))
+                axis.set_minor_locator(NullLocator())
             ax.legend(frameon=False)
 
     def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
