@@ -8,8 +8,9 @@ import math
 
 from bondem._compile import device, loop
 from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.contact_pairs import let_touch
-from bondem.kernels.crack_energy import halves, stretched
+from bondem.kernels.crack_energy import bending_opening, halves, stretched
 from bondem.kernels.crack_list import NEW, known, read_three, treat, weigh_cracked, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -38,7 +39,7 @@ from bondem.kernels.crack_tables import (
     TREATED,
     TREATED_ONES,
 )
-from bondem.kernels.single_facets import column, frame
+from bondem.kernels.single_facets import column, frame, orientation, resistance
 from bondem.laws.cell_energy import opened, scalar, turned_by
 from bondem.laws.softening import plus, softened
 
@@ -157,8 +158,12 @@ def look_at_rest(pose, bonds, cells, cracks, first, last):
         K, one, other = stiff[k], pose[at_i[k], STRESS], pose[at_j[k], STRESS]
         f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), one, u), other, v)
         across = plus(u, 1.0, v)  # about along the normal
+        bent = 0.0
+        if row[c, TOP] < math.inf:
+            mean = pair_stress(cracks.tensor, at_i[k], at_j[k])
+            bent = cracks.area[k] * bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
         square, along = scalar(f, f), scalar(f, across)
-        calm = square < (_CALM * row[c, TOP]) ** 2
+        calm = square + bent * bent < (_CALM * row[c, TOP]) ** 2
         if not (calm and along > _GRAZING * math.sqrt(square * scalar(across, across))):
             flag[c] = _WAKES
 
@@ -195,7 +200,7 @@ def soften(pose, bonds, cells, cracks, first, last):
     Those that rest or part now are flagged.
     """
     rows, active, flag, integrity = cracks.row, cracks.active, cracks.flag, cracks.integrity
-    half, geometry = cracks.half, cracks.geometry
+    half, geometry, at_i, at_j = cracks.half, cracks.geometry, bonds.i, bonds.j
     lasting, fastest, area = cracks.last, cracks.fastest, cracks.area
     for e in range(first, last):
         c = active[e]
@@ -204,7 +209,13 @@ def soften(pose, bonds, cells, cracks, first, last):
         (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
         s, before, onset = integrity[k], rows[c, BEFORE], rows[c, ONSET]
         whole = plus((w * one[0], w * one[1], w * one[2]), 1.0 - w, other)
-        force = math.sqrt(scalar(whole, whole))
+        bent = 0.0
+        if s > 0.0:
+            p, q = orientation(pose, at_i[k]), orientation(pose, at_j[k])
+            mean = pair_stress(cracks.tensor, at_i[k], at_j[k])
+            bent = area[k] * bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
+        pull = math.sqrt(scalar(whole, whole))
+        force = math.sqrt(scalar(whole, whole) + bent * bent)
         rows[c, BEFORE] = s
         if before == NEW:
             rows[c, TOP] = max(rows[c, TOP], force)
@@ -224,7 +235,7 @@ def soften(pose, bonds, cells, cracks, first, last):
             flag[c] = _TO_PART
         elif press_i == 0.0 and press_j == 0.0:
             calm = s == 0.0 or force < _ASLEEP * rows[c, TOP]
-            if calm and scalar(whole, normal) > 2.0 * _GRAZING * force:
+            if calm and scalar(whole, normal) > 2.0 * _GRAZING * pull:
                 flag[c] = _CALMED
 
 
