@@ -57,6 +57,10 @@ class BentBeam:
         """The roller above, which moves down."""
         return Line(self.loaded, self.depth), -1
 
+    def spared(self, below: float, above: float) -> tuple[tuple[Line, float], ...]:
+        """About the rollers nothing fails, so far from the two below and the one above [m]."""
+        return (*((one, below) for one in self.held), *(((self.driven[0], above),) if above > 0.0 else ()))
+
     @property
     def mouth(self) -> tuple[Line, Line] | None:
         """Knives of the gauge."""

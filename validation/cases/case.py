@@ -7,7 +7,6 @@ from scipy.spatial import KDTree
 
 from bondem.errors import InputError
 from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.rankine import Rankine
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.model import Model
 from bondem.packing import EVEN, pack
@@ -16,6 +15,7 @@ from bondem.specimen.bonding import connect
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index
 from bondem.specimen.shape import Shape
+from validation.cases.spared import SparedRankine
 
 # How far the driven line goes at a load factor of 1 [m]: nothing depends on it.
 _WAY = 1e-6
@@ -86,7 +86,7 @@ class Case:
         title: for tables and figures.
         E, nu: of the material [Pa, -].
         rho: density [kg/m³]; of no account without inertia and weight.
-        tension: strength of `bd.Rankine` [Pa].
+        tension: strength by `bd.Rankine` [Pa].
         fracture_energy: [J/m²].
         shape: of the body.
         about: where the crack is expected, with the places of rollers: cells are fine there.
@@ -96,6 +96,7 @@ class Case:
         claim: what is published of it.
         held: rollers that hold y.
         clamped: faces that are held entirely.
+        spared: lines about which nothing fails, and how far [m].
         mouth: knives of the gauge of the crack mouth, if there is one.
         curve: published load over displacement of the driven line [m, N].
         ripple, together, until: of `bd.solve_quasistatic`.
@@ -117,11 +118,12 @@ class Case:
     claim: Claim
     held: tuple[Line, ...] = ()
     clamped: tuple[str, ...] = ()
+    spared: tuple[tuple[Line, float], ...] = ()
     mouth: tuple[Line, Line] | None = None
     curve: tuple[tuple[float, float], ...] = ()
     ripple: float = 0.2
     together: float = 0.01
-    until: float = 0.05
+    until: float = 0.1
 
     def body(self, seed: int, finer: float = 1.0) -> Lattice:
         """Cells, fine where the crack is expected; `finer` is how many times smaller they are."""
@@ -135,7 +137,8 @@ class Case:
         boundary: list[BoundaryCondition] = [Fix(Face(name)) for name in self.clamped]
         boundary += [Fix(roller.cells(body), translation="y", rotation="") for roller in self.held]
         boundary.append(Drive(moved, y=way * _WAY))
-        failure = Rankine(tension=self.tension, fracture_energy=self.fracture_energy)
+        lines = tuple((one.x, one.y, reach) for one, reach in self.spared)
+        failure = SparedRankine(tension=self.tension, fracture_energy=self.fracture_energy, lines=lines)
         return Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=boundary), moved
 
     def gauges(self, body: Lattice) -> dict[str, tuple[Index, Index]]:

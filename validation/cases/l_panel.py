@@ -5,7 +5,8 @@ clamped, pushed up at (470, 250); E = 25.85 GPa, ν = 0.18, G_f = 89 N/m, f_t = 
 load of the curve, 7.22 kN, within 10 %; the curve is drawn beside.
 
 Fixed before the first run, as the plate under the load is not known: one row of cells across the lower side of the
-arm at x = 470 mm goes up and may turn and slide; its displacement is that of the curve. A density of 2400 kg/m³, of
+arm at x = 470 mm goes up and may turn and slide; its displacement is that of the curve. Nothing
+fails within 30 mm of it. A density of 2400 kg/m³, of
 no account.
 """
 
@@ -27,9 +28,9 @@ L_PANEL = Case(
     # from the corner to the left, rising a little
     about=(Box((ARM, 0.1, THICK)).moved((0.0, ARM - 0.01, 0.0))
            | Box((1e-6, 1e-6, THICK)).moved((0.47, ARM, 0.0))),
-    fine=17e-3, coarse=40e-3,
+    fine=12e-3, coarse=40e-3,
     path=(0.0, 0.5, 0.0, 0.5),
-    driven=(Line(0.47, ARM), 1), clamped=("y_min",),
+    driven=(Line(0.47, ARM), 1), clamped=("y_min",), spared=((Line(0.47, ARM), 0.03),),
     claim=Claim("peak", 0.9 * 7220.0, 1.1 * 7220.0, "7.22 kN ± 10 %"),
     curve=CURVE, until=0.12,
 )  # fmt: skip

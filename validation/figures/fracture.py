@@ -14,6 +14,8 @@ from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, sh
 from validation.cases.case import Case
 
 _COLOURS = (BLUE, ORANGE, GREEN, PURPLE, INK)
+# Of the figure, and of a set of curves in it [inch].
+_HEIGHT, _WIDTH = 4.2, 4.6
 # Points of the grid on which the outline of a shape is found, along its longer side.
 _GRID = 600
 
@@ -27,7 +29,10 @@ def draw_case(path: Path, case: Case, rows: Sequence[dict[str, Any]]) -> None:
         rows: of `validation.rows.fracture.FractureRun`, one a packing.
     """
     drawn = ["displacement"] + ["CMOD"] * (case.mouth is not None)
-    with sheet(path, 5.0 + 4.4 * len(drawn), 4.2, 1, len(drawn) + 1) as (_, boxes):
+    low_x, high_x, low_y, high_y = case.path
+    wide = _HEIGHT * min(max((high_x - low_x) / (high_y - low_y), 0.6), 1.6)
+    widths = [_WIDTH] * len(drawn) + [wide]
+    with sheet(path, sum(widths), _HEIGHT, 1, len(widths), gridspec_kw={"width_ratios": widths}) as (_, boxes):
         for ax, name in zip(boxes, drawn, strict=False):
             _curves(ax, case, rows, name)
         _crack_path(boxes[-1], case, rows[0])
@@ -46,6 +51,7 @@ def _curves(ax: Axes, case: Case, rows: Sequence[dict[str, Any]], name: str) -> 
         ax.plot(1e3 * known[:, 0], 1e-3 * known[:, 1], "o--", color=INK, markersize=4.0, linewidth=0.9,
                 label="published")  # fmt: skip
     title = "load over displacement" if name == "displacement" else "load over crack mouth opening"
+    ax.margins(x=0.02, y=0.18)  # room for what is said of the lines
     ax.set(xlabel="displacement of the load [mm]" if name == "displacement" else "CMOD [mm]", ylabel="load [kN]",
            title=title, xlim=(0.0, None), ylim=(0.0, None))  # fmt: skip
     handles, _ = ax.get_legend_handles_labels()
@@ -57,14 +63,19 @@ def _curves(ax: Axes, case: Case, rows: Sequence[dict[str, Any]], name: str) -> 
 
 
 def envelope(x: Floats, load: Floats, bins: int = 120) -> tuple[Floats, Floats]:
-    """Largest loads of events in equal parts of the way: single events come at much less than those about them."""
+    """Largest loads of events in equal parts of the way, (k,) each: single events come at less than those about them.
+
+    Where the path turns back it is the upper branch that is seen.
+    """
     edge = np.linspace(0.0, float(x.max()), bins + 1)
     part = np.clip(np.searchsorted(edge, x, side="right") - 1, 0, bins - 1)
     most = np.full(bins, -np.inf)
     np.maximum.at(most, part, load)
     first = int(np.argmax(load))
-    where = np.array([int(np.flatnonzero((part == k) & (load == most[k]))[0]) for k in np.unique(part)])
-    return x[np.unique([0, *where, first])], load[np.unique([0, *where, first])]
+    where = [int(np.flatnonzero((part == k) & (load == most[k]))[0]) for k in np.unique(part)]
+    chosen = np.unique([0, *where, first])
+    chosen = chosen[np.argsort(x[chosen], kind="stable")]
+    return x[chosen], load[chosen]
 
 
 def _crack_path(ax: Axes, case: Case, row: dict[str, Any]) -> None:
