@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from bondem._compile import device, kernel, loop
+from bondem._compile import device, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.cell_yield import principal_stresses
@@ -32,7 +32,7 @@ from bondem.laws.softening import opening_force
 # What stands for the integrity a step ago of a crack that begins: its rate is found first.
 NEW = 2.0
 # A facet begins at this share of its strength at least.
-_LEAST = 0.02
+LEAST_START = 0.02
 
 
 @device
@@ -109,7 +109,7 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
             most = strength[k]
             if onset.judge != 0:
                 most = strength_along(onset, mean, high, most, a)
-            start = min(math.sqrt(scalar(f, f)) / A, most * max(slope, _LEAST))
+            start = min(math.sqrt(scalar(f, f)) / A, most * max(slope, LEAST_START))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
         write_three(cracks.pull[c], 0, column(force, k))
@@ -120,7 +120,7 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
         marked[k] = 0
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def link_cracks(bonds, cells, cracks):
     """Lists and weights of all cracks, as a run begins."""
     for c in range(cracks.sizes[CRACKS]):

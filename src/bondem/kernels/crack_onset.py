@@ -23,7 +23,7 @@ _STRESSES, _YIELDING, _FACETS = range(3)
 
 
 @device
-def _agreed(s, n, t):
+def agreed_stress(s, n, t):
     """Mean tensor of two cells made to agree with the traction t of their facet [Pa]."""
     x = t[0] - (s[0] * n[0] + s[3] * n[1] + s[4] * n[2])
     y = t[1] - (s[3] * n[0] + s[1] * n[1] + s[5] * n[2])
@@ -40,7 +40,7 @@ def _agreed(s, n, t):
 
 
 @device
-def _sheared(t, across, strength):
+def sheared_off(t, across, strength):
     """Whether the traction t of a pressed facet has a principal stress beyond `strength` by itself."""
     return scalar(t, t) - across * across >= strength * (strength - across)
 
@@ -68,9 +68,9 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
         f, A = column(force, k), area[k]
         t = f[0] / A, f[1] / A, f[2] / A
         across = scalar(t, n)
-        if across <= 0.0 and (onset.judge != 0 or not _sheared(t, across, strength[k])):
+        if across <= 0.0 and (onset.judge != 0 or not sheared_off(t, across, strength[k])):
             continue
-        s = _agreed(pair_stress(tensor, i, j), n, t)
+        s = agreed_stress(pair_stress(tensor, i, j), n, t)
         if onset.judge == 0:
             if not below(s, strength[k]):
                 marked[k] = 1
