@@ -16,11 +16,11 @@ import numpy as np
 import bondem as bd
 import cuda_cases
 from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.crack_tables import STATUS
+from bondem.kernels.crack_tables import RESTING, STATUS
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
 
-DT, HALF = 8e-4, 47
+DT, STEPS, HALF = 8e-4, 80, 40
 FIELDS = (
     "pose", "motion", "acceleration", "loss", "work", "reaction", "integrity", "released", "broken", "cracks",
     "facet_force",
@@ -33,7 +33,7 @@ def torn(failure: Any) -> bd.Model:
     boundary = [
         bd.Fix(bd.Face("x_min")),
         bd.Drive(
-            bd.Face("x_max"), x=bd.Table([0.0, 0.03, 0.08], [0.0, 0.28, -0.1]), y=bd.Ramp(0.0, 0.15, 0.06),
+            bd.Face("x_max"), x=bd.Table([0.0, 0.025, 0.064], [0.0, 0.25, -0.1]), y=bd.Ramp(0.0, 0.15, 0.05),
         ),
         bd.Load(bd.Face("y_max"), force=(0.0, 3e4, 1e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
         bd.Pressure(bd.Face("z_max"), 2e4, schedule=bd.Ramp(1.0, 0.0, 0.03)),
@@ -71,19 +71,19 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.CELL_GAUGES}
     scatter = bd.Weibull(modulus=8.0, volume=0.5, seed=3)
     model = torn(bd.Rankine(**SOFT, scatter=scatter))
-    yield "soft", go(model, cuda_cases.moving(model), 100, every=10, **common)
-    yield "paused", go(model, cuda_cases.moving(model), 100, every=0, save_every=17, **common)
+    yield "soft", go(model, cuda_cases.moving(model), STEPS, every=10, **common)
+    yield "paused", go(model, cuda_cases.moving(model), STEPS, every=0, save_every=17, **common)
     half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
-    handed["soft"] = kept(half)
-    yield "resumed", go(model, half.copy(), 100, every=10, **common)
+    handed["soft"] = kept(half.copy())
+    yield "resumed", go(model, half.copy(), STEPS, every=10, **common)
     if given:
-        yield "handed", go(model, start(model, given["soft"]), 100, every=10, **common)
+        yield "handed", go(model, start(model, given["soft"]), STEPS, every=10, **common)
     half.set_motion(velocity=half.velocity[::-1].copy())
     yield "stale", go(model, half, HALF + 5, every=1, **common)
     brittle = torn(bd.Rankine(tension=6e5, friction=0.3))
     scheme = bd.TchamwaWielgosz(1.2)
     yield "brittle", go(brittle, cuda_cases.moving(brittle), 60, 2e-3, every=10, scheme=scheme)
-    yield "flying", go(*flying(bd.Rankine(tension=2.5e5, fracture_energy=8e3, friction=0.4)), 60, every=5)
+    yield "flying", go(*flying(bd.Rankine(tension=2.5e5, fracture_energy=8e3, friction=0.4)), 30, 1.6e-3, every=5)
 
 
 def main() -> None:
@@ -99,9 +99,9 @@ def main() -> None:
             arrays[f"{name}/{field}"] = getattr(result.state, field)
         arrays[f"{name}/pose"] = np.delete(result.state.pose, STRESS, axis=1)
         arrays[f"{name}/stress"] = result.state.pose[:, STRESS]
-        arrays[f"{name}/status"] = result.state.cracks[:, STATUS]
         arrays[f"{name}/records"] = result.history.records
         arrays[f"{name}/end"] = np.array([result.status.name, result.message])
+    arrays["soft/half_resting"] = np.flatnonzero(handed["soft"]["cracks"][:, STATUS] == RESTING)
     np.savez(out, **arrays)
     Path(bodies).write_bytes(pickle.dumps(cuda_cases.BODIES))
     Path(target).write_bytes(pickle.dumps(handed))

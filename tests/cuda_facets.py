@@ -28,9 +28,15 @@ def mohr_coulomb(strength: float, **options: Any) -> bd.MohrCoulomb:
     return bd.MohrCoulomb(tension=strength, cohesion=2.0 * strength, friction_angle=0.5, **options)
 
 
-def breaking(model: bd.Model, failure: bd.MohrCoulomb) -> bd.Model:
+def breaking(model: bd.Model, failure: bd.MohrCoulomb | bd.Rankine) -> bd.Model:
     """A model of `cuda_cases` whose facets break."""
     return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=failure)
+
+
+def held_bar() -> bd.Model:
+    """That between walls, of facets whose strengths scatter."""
+    scatter = bd.Weibull(modulus=6.0, volume=0.3, seed=2)
+    return breaking(cuda_cases.held_bar(), mohr_coulomb(2e5, scatter=scatter))
 
 
 def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Iterator[tuple[str, ExplicitResult]]:
@@ -41,9 +47,7 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
         return integrate(model, Plan(duration=steps * dt, dt=dt, **options), state=state, loop_of=loop_of)
 
     common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.CELL_GAUGES}
-    held = breaking(
-        cuda_cases.held_bar(), mohr_coulomb(2e5, scatter=bd.Weibull(modulus=6.0, volume=0.3, seed=2))
-    )  # fmt: skip
+    held = held_bar()
     yield "held", go(held, cuda_cases.moving(held), every=6, **common)
     yield "paused", go(held, cuda_cases.moving(held), every=0, save_every=5, **common)
     half = go(held, cuda_cases.moving(held), HALF, every=0, **common).state

@@ -136,7 +136,9 @@ class FacetBreakage:
         launch(judge_facets, m, pose, facets, breaks, self._marked, stream=stream)
         launch(hold_neighbours, n, facets, run.adjacency, breaks, stream=stream)
         _move_or_wait(run, facets.forces, self._bodies, breaks, tick, go_on, stream)
-        launch(break_facets, 1, run.clock, run.scheme, pose, facets, run.adjacency, self._whole, breaks, stream=stream)
+        launch(
+            break_facets, 1, run.clock, run.scheme, pose, facets, run.adjacency, self._whole, breaks, stream=stream
+        )  # fmt: skip
         self._weigh(False, stream)
         launch(swell_again, m, pose, facets, breaks, stream=stream)
         launch(

@@ -2,9 +2,9 @@
 
 Bytes on the device, in double precision, more than without:
 
-    a facet   645: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
-              integrity 8, how it is treated 2, strength, softening and weights 56, numbers and lists 35
-    a cell    133: V σ and stress 96, volume, weight and V θ 24, lists 10 and flags
+    a facet   634: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
+              integrity 8, how it is treated 2, strength, softening and weights 56, numbers and lists 24
+    a cell    126: V σ and stress 96, volume, weight and V θ 24, where its cracks begin and whether it has any 6
 """
 
 from typing import Any
@@ -13,6 +13,7 @@ import numpy as np
 
 from bondem._compile_cuda import Array, download, launch, upload, zeros
 from bondem.kernels.crack_tables import (
+    CRACK_COLUMNS,
     CRACKS,
     FACET,
     GEOMETRY_COLUMNS,
@@ -53,8 +54,8 @@ class CrackForces:
         self._body = DeviceBody(*facets, *run.adjacency, moment=zeros(n, 6))
         assert model.cells is not None
         table = crack_table(
-            model, state, model.cells.rows(model.layout.i), model.cells.grips.table(model.layout,
-            model.constraints.row_of, 0), np.zeros((0, 6)), dt,
+            model, state, model.cells.rows(model.layout.i),
+            model.cells.grips.table(model.layout, model.constraints.row_of, 0), np.zeros((0, 6)), dt,
         )  # fmt: skip
         assert table is not None
         self._onset, self._lists = _onset(model, table), _lists(table)
@@ -132,11 +133,11 @@ class CrackForces:
 
     def keep(self, state: State) -> None:
         """Write what has cracked and broken since the last call into the state."""
-        cracks = self._cracks
+        cracks: Any = self._cracks
         sizes = cracks.sizes.copy_to_host()
         count, logged = int(sizes[CRACKS]), int(sizes[LOGGED])
-        state.cracks = cracks.row[:count].copy_to_host()
-        state.facet_force[:] = -self.forces[:3].copy_to_host()[:, : self.m]
+        state.cracks = cracks.row[:count].copy_to_host() if count else np.zeros((0, CRACK_COLUMNS))
+        state.facet_force[:] = -self.forces[:3].copy_to_host()[:, : self.m]  # the device has those on cells j
         download(cracks.integrity, state.integrity)
         download(cracks.released, state.released)
         if logged:
@@ -150,8 +151,9 @@ def _cracks(table: CrackedFacets) -> CrackedFacets:
     n, m = len(table.head), len(table.integrity)
     own = upload(np.arange(max(n, m), dtype=np.int32))
     large = {
-        "geometry": zeros(m, GEOMETRY_COLUMNS), "half": zeros(2 * m, HALF_COLUMNS), "output": zeros(m, OUTPUT_COLUMNS),
-        "log": zeros(m, BROKEN_COLUMNS), "load": zeros(1, 6), "active": own, "resting": own, "cell": own,
+        "geometry": zeros(m, GEOMETRY_COLUMNS), "half": zeros(2 * m, HALF_COLUMNS),
+        "output": zeros(m, OUTPUT_COLUMNS), "log": zeros(m, BROKEN_COLUMNS), "load": zeros(1, 6),
+        "active": own, "resting": own, "cell": own,
     }  # fmt: skip
     small = {
         "facet": table.row[:, FACET].astype(np.int32), "listed": _listed(table), "head": table.head.astype(np.int32),

@@ -1,9 +1,10 @@
 """Facets of cells that begin to crack on a device, as `bondem.kernels.crack_onset` and `crack_list` have it.
 
-Where a step ends, a thread a cell adds up V σ = sym Σ b⊗f of its facets, with levers and forces of one instant. As the
-next one begins, a thread a cell makes the stress of it, and a thread a facet judges (`begins`); one thread puts those
-that begin into the list of cracks, in the order of the facets, and a thread each of them sets it up. No bit depends
-on the order of threads.
+Where a step ends, a thread a cell adds up V σ = sym Σ b⊗f of its facets, with levers and forces of one instant. As
+the next one begins, a thread a cell makes the stress of it, and a thread a facet judges (`begins`); one thread puts
+those that begin into the list of cracks, in the order of the facets, and a thread each of them sets it up
+(`traction_at_onset`). No bit depends on the order of threads. These two functions hold the rule of onset, and call
+what the CPU calls.
 """
 
 import math
@@ -14,15 +15,7 @@ from bondem.kernels.boundary import value_at
 from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.crack_list import LEAST_START, NEW, treat, write_three
 from bondem.kernels.crack_onset import agreed_stress, sheared_off
-from bondem.kernels.crack_tables import (
-    ACTIVE,
-    BEFORE,
-    CRACKS,
-    FACET,
-    ONSET,
-    RUBBED_AWAY,
-    TREATED,
-)
+from bondem.kernels.crack_tables import ACTIVE, BEFORE, CRACKS, FACET, ONSET, RUBBED_AWAY, TREATED
 from bondem.kernels.cuda.breaking import FOUND, put_in_order
 from bondem.kernels.single_facets import column, lever, orientation, present_normal
 from bondem.kernels.tables import RUBBED
@@ -158,7 +151,7 @@ def begins(pose, body, cracks, onset, k):
 
 @device
 def traction_at_onset(pose, body, cracks, onset, k, a, v):
-    """Traction from which facet k softens [Pa]: the rule of `bondem.kernels.crack_list`; a and v are (3, 3) to use."""
+    """Traction from which facet k softens [Pa], as `bondem.kernels.crack_list` has it; a and v are (3, 3) to use."""
     _, _, one, _ = principal(pair_stress(onset.tensor, body.i[k], body.j[k]), a, v)
     normal = present_normal(pose, body, body, k)
     slope = abs(scalar(normal, (v[0, one], v[1, one], v[2, one])))

@@ -1,11 +1,11 @@
 """Cracked facets in a step on a device, as `bondem.kernels.crack_pass` has it.
 
 The functions of the CPU treat cracks or cells first … last of a list: here a thread calls them with one, of lists in
-which every crack and cell stands in its own place. What concerns a cell (stress, weight, V θ of what rests) is done by
-its thread, which finds its cracks by its facets and keeps them in the order of the CPU. Only cracks whose faces part
-are treated by one thread, as what one releases depends on the others of its cell, and the log is. All leave at once
-where there are no cracks. The forces of a crack stand in the rows of its facet, in which the loop over facets has left
-zeros: what moves the cells knows nothing of cracks.
+which every crack and cell stands in its own place. What concerns a cell (stress, weight, V θ of what rests) is done
+by its thread, which finds its cracks by its facets and keeps them in the order of the CPU. Only cracks whose faces
+part are treated by one thread, as what one releases depends on the others of its cell, and so is the log. All leave
+at once where there are no cracks. The forces of a crack stand in the rows of its facet, in which the loop over facets
+has left zeros: what moves the cells knows nothing of cracks.
 """
 
 from bondem._compile import device

@@ -1,11 +1,11 @@
 """Facets of cells that break at once on a device, as `bondem.kernels.facet_breaking` has it.
 
-Before the stresses of a step a thread a facet holds its force, with the stresses of the step before, against its bound;
-with the forces of the step it judges what the bound has marked. What breaks is gathered and sorted as among beams.
-Its two cells change their stress, and with it the forces of all their facets: they and their neighbours wait. One
-thread books energies in the order of the facets, as the order of two of one cell matters. Then weights, V θ, stresses
-and forces are found again where a cell has lost a facet, by the functions of the step itself: in another order of
-sums a run that goes on would have other bits than one that never paused.
+Before the stresses of a step a thread a facet holds its force, with the stresses of the step before, against its
+bound; with the forces of the step it judges what the bound has marked. What breaks is gathered and sorted as among
+beams. Its two cells change their stress, and with it the forces of all their facets: they and their neighbours wait.
+One thread books energies in the order of the facets, as the order of two of one cell matters. Then weights, V θ,
+stresses and forces are found again where a cell has lost a facet, by the functions of the step itself: in another
+order of sums a run that goes on would have other bits than one that never paused.
 """
 
 import math
