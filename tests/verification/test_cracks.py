@@ -165,6 +165,31 @@ def test_two_cells_soften_along_a_straight_line_and_give_back_their_energy(one_t
     assert run.residual < 1e-5
 
 
+def test_a_hinge_cracks_and_gives_back_its_energy(one_thread: None) -> None:
+    """Two cubes turned against each other: it begins at f_t = E ρ / √12, and takes G_f A, as in tension."""
+    size = 10e-3
+    lattice = grid((2, 1, 1), size)
+    last = 2.0 * ENERGY / STRENGTH * np.sqrt(12.0) / size
+    speed, rise = 1.2, 2e-4
+    rates = {"vy": 0.25 * size * speed, "vz": 0.0, "wx": 0.0, "wy": 0.0}
+    turns = [
+        bd.Drive(bd.Index([p]), wz=bd.Ramp(0.0, sign * 0.5 * speed, rise), **{
+            name: bd.Ramp(0.0, rate, rise) for name, rate in rates.items()
+        })
+        for p, sign in ((0, -1.0), (1, 1.0))
+    ]  # fmt: skip
+    run = bd.solve_explicit(
+        model_of(lattice, 0.0, boundary=turns), duration=1.2 * last / speed, dt=5e-7, every=2,
+        damping=bd.MassDamping(alpha=2e4),
+    )  # fmt: skip
+    turned = speed * np.maximum(run.history.time - 0.5 * rise, 0.0)
+    begins = turned[np.flatnonzero(run.history.energy["fracture"] > 0.0)[0]]
+    assert begins == pytest.approx(np.sqrt(12.0) * STRENGTH / E, rel=0.02)
+    assert run.history.energy["fracture"][-1] == pytest.approx(ENERGY * size**2, rel=5e-3)
+    assert list(run.events.mode) == ["tension"]
+    assert run.residual < 1e-4
+
+
 @functools.cache
 def torn(share: float = 0.9, energy: float | None = ENERGY) -> bd.ExplicitResult:
     """A bar that is pulled apart, slowly enough for its crack; without a fracture energy it breaks at once."""

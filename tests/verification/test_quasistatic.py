@@ -226,6 +226,40 @@ def test_a_pressed_facet_cracks_by_its_own_shear() -> None:
     assert t @ t - across**2 == pytest.approx(STRENGTH * (STRENGTH - across), rel=1e-9)
 
 
+def hinge(strain: float, turn: float) -> tuple[bd.Model, bd.Region]:
+    """Two cubes turned against each other about the middle of their facet, and pulled."""
+    law, last = bd.CellBond(E=E, nu=0.0, facet_rotation="full"), bd.Index([1])
+    failure = bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY)
+    drive = bd.Drive(last, x=SIZE * strain, y=0.5 * SIZE * turn, z=0.0, rx=0.0, ry=0.0, rz=turn)
+    return bd.Model(bar(2), law, 2500.0, failure=failure, boundary=[bd.Fix(bd.Index([0])), drive]), last
+
+
+@pytest.mark.parametrize("strain", [0.0, 3e-5, -1e-5])
+def test_a_facet_that_is_bent_begins_at_its_traction_with_that_of_bending(strain: float) -> None:
+    """t + T_b = f in tension; T_b = f + p/2 under a pressure p, of which cells held in the middle have half."""
+    turn = 1e-4
+    model, last = hinge(strain, turn)
+    found = bd.solve_quasistatic(model, last, most=1, together=0.0)
+    t, bent = E * strain, E * turn / np.sqrt(12.0)
+    wanted = STRENGTH / (bent + t if strain >= 0.0 else bent + 0.5 * t)
+    assert found.factor[0] == pytest.approx(wanted, rel=1e-7)  # H is of single precision
+    state = model.state()
+    # the state turns by some 1e-4
+    state.set_pose(position=found.state.position, orientation=found.state.orientation)
+    assert bd.failure_index(model, state)[0] == pytest.approx(1.0, rel=1e-3)
+
+
+@pytest.mark.parametrize("strain", [0.0, 3e-5])
+def test_a_facet_that_is_bent_softens_by_the_rms_of_its_tractions(strain: float) -> None:
+    """From √(t² + T_b²) at t + T_b = f to the opening 2 G_f / f."""
+    model, last = hinge(strain, 1e-4)
+    found = bd.solve_quasistatic(model, last, together=0.0, until=0.0, ripple=0.2)
+    assert found.bond_integrity[0] == 0.0
+    t, bent = E * strain, E * 1e-4 / np.sqrt(12.0)
+    share = np.hypot(t, bent) / (t + bent)
+    assert found.energy.sum() == pytest.approx(share * ENERGY * SIZE**2, rel=1e-4)
+
+
 def test_whole_facets_have_the_matrix_of_the_body() -> None:
     model = pulled(block(200))
     body = damaged(model)
@@ -296,7 +330,7 @@ def test_elements_that_are_driven_themselves_feel_the_same_load() -> None:
     """A bar of cubes pulled by the middle of its last cube, half a cube nearer than its face."""
     model = pulled(bar(4), nu=0.0)
     held, last = bd.Fix(bd.Face("x_min")), bd.Index([3])
-    ends = [held, bd.Drive(last, x=1e-6)]
+    ends = [held, bd.Drive(last, x=1e-6, ry=0.0, rz=0.0)]
     inner = bd.Model(model.lattice, model.bond, 2500.0, failure=model.failure, boundary=ends)
     found = bd.solve_quasistatic(inner, last, together=0.0, until=0.5)
     np.testing.assert_allclose(found.load[0], STRENGTH * SIZE**2, rtol=1e-9)

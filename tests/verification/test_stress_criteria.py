@@ -13,6 +13,7 @@ from bondem._compile import threads
 from bondem.errors import InputError, RunFileError
 from bondem.kernels.crack_tables import GAMMA
 from bondem.laws.failure.drucker_prager import cone_index
+from bondem.laws.plasticity import largest_pressure
 from bondem.model.state import State
 from bondem.solve.timestep import critical_step
 
@@ -47,6 +48,15 @@ def undefined(stress, limit):
 def body(count: int) -> bd.Lattice:
     particles = bd.pack(bd.Box(size=(16e-3, 8e-3, 8e-3)), count=count, method="even", seed=1)
     return bd.connect(particles, method="laguerre")
+
+
+def test_the_largest_pressure_is_the_least_eigenvalue() -> None:
+    rng = np.random.default_rng(3)
+    some = [rng.standard_normal(6) + shift for shift in (-3.0, 0.0, 3.0) for _ in range(50)]
+    alike = [np.array([-1.0, -1.0, p, 0.0, 0.0, 0.0]) for p in (-1.0, -1.0 + 1e-9, -2.0, 5.0)]
+    for s in (*some, *alike, np.zeros(6), np.array([1.0, 1.0, -2.0, 0.0, 0.0, 0.0]) * 1e7):
+        least = np.linalg.eigvalsh(s[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]])[0]
+        assert largest_pressure(s) == pytest.approx(max(-least, 0.0), abs=1e-7 * np.abs(s).max())
 
 
 def test_the_cone_through_two_strengths_has_the_others_of_its_closed_form() -> None:

@@ -11,7 +11,7 @@ from bondem._compile import device, kernel, loop
 from bondem.kernels.bond_pass import ahead, apart, group, groups, mark
 from bondem.kernels.lane_memory import add_loads, add_numbers, add_rows, places, put_side, row, side, widened
 from bondem.kernels.lanes import dot, fused, zero_of
-from bondem.laws.cell_energy import facet_force, facet_pull, swellings, turned_by
+from bondem.laws.cell_energy import bending_square, facet_force, facet_pull, swellings, turned_by
 
 # Column of a row of the pose that holds λ θ of a cell [Pa].
 STRESS = 3
@@ -113,13 +113,13 @@ def moment_of(b, f):
 
 
 @device
-def _keep(cells, row_i, row_j, k, known, arm_i, arm_j, force):
-    """Keep the forces of facets on their cells i, and add b⊗f to the sums of both; `force` is that on j."""
+def _keep(cells, row_i, row_j, k, known, arm_i, arm_j, force, bent):
+    """Keep the forces of facets on their cells i, and add b⊗f and T_b² to the sums of both; `force` is that on j."""
     for d in range(3):
         put_side(cells.force[d], k, -force[d], known)
     a = moment_of(arm_i, (-force[0], -force[1], -force[2]))
     b, zero = moment_of(arm_j, force), zero_of(force[0])
-    a, b = (a[0], a[1], a[2], zero, a[3], a[4], a[5], zero), (b[0], b[1], b[2], zero, b[3], b[4], b[5], zero)
+    a, b = (a[0], a[1], a[2], bent, a[3], a[4], a[5], zero), (b[0], b[1], b[2], bent, b[3], b[4], b[5], zero)
     add_rows(cells.sums, places(row_i, k), places(row_j, k), a, b, known)
 
 
@@ -148,5 +148,6 @@ def facet_loads(pose, bonds, cells, moment, sums, row_i, row_j, first, last):
         )  # fmt: skip
         if moment is not None:  # decided when compiled
             arm_i, arm_j = turned_by(_orientation(a), b_i), turned_by(_orientation(b), b_j)
-            _keep(cells, row_i, row_j, k, known, arm_i, arm_j, force)
+            bent = bending_square(_orientation(a), _orientation(b), side(cells.bends, k), H)
+            _keep(cells, row_i, row_j, k, known, arm_i, arm_j, force, bent)
         add_loads(sums, places(row_i, k), places(row_j, k), force, on_i, on_j, known)

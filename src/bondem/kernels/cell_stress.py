@@ -9,19 +9,19 @@ import numpy as np
 from bondem._compile import device, kernel, loop
 from bondem.kernels.cell_pass import moment_of
 from bondem.kernels.element_pass import collect_parts
-from bondem.kernels.single_facets import column, facet_of, facets_of, lever, orientation
-from bondem.laws.cell_energy import turned_by
+from bondem.kernels.single_facets import column, facet_of, facets_of, lever, orientation, resistance
+from bondem.laws.cell_energy import bending_square, turned_by
 
 
 @loop(parallel=False)
 def take_moments(moment, sums, element, row_of_sums, first, last):
-    """Take over V σ of the cells first … last of a list, whose sums are complete, and leave zeros there."""
+    """Take over V σ and Σ T_b² of the cells first … last of a list, whose sums are complete; leave zeros there."""
     if moment is None:  # decided when compiled
         return
     for e in range(first, last):
         p, s = np.uint64(element[e]), np.uint64(row_of_sums[e])
         moment[p, 0], moment[p, 1], moment[p, 2] = sums[s, 0], sums[s, 1], sums[s, 2]
-        moment[p, 3], moment[p, 4], moment[p, 5] = sums[s, 4], sums[s, 5], sums[s, 6]
+        moment[p, 3], moment[p, 4], moment[p, 5], moment[p, 6] = sums[s, 4], sums[s, 5], sums[s, 6], sums[s, 3]
         sums[s, :] = 0.0
 
 
@@ -42,15 +42,16 @@ def add_moment(moment, pose, p, b, f):
 
 
 @kernel(parallel=False)
-def sum_moments(pose, cells):
-    """V σ of all cells from the forces that are kept, as a run begins: to the bits of the sums above."""
+def sum_moments(pose, bonds, cells):
+    """V σ and Σ T_b² of all cells from the forces that are kept, as a run begins: to the bits of the sums above."""
     moment, force = cells.moment, cells.force
     moment[:, :] = 0.0
     for p in range(len(pose)):
         inward = cells.in_start[p + 1] - cells.in_start[p]
         for e in range(facets_of(cells, p)):
             k = facet_of(cells, p, e)
-            f = column(force, k)
+            f, at = column(force, k), (orientation(pose, bonds.i[k]), orientation(pose, bonds.j[k]))
+            moment[p, 6] += bending_square(at[0], at[1], cells.bends[k], resistance(cells, bonds.integrity[k], k))
             if e < inward:
                 add_moment(moment, pose, p, lever(cells.lever_j, cells.pitch, k), (-f[0], -f[1], -f[2]))
             else:
@@ -65,6 +66,7 @@ def cell_stresses(moment, stress, first, last):
         one = 1.0 / volume[p]
         for d in range(6):
             tensor[p, d] = one * moment[p, d]
+        stress.bending[p] = moment[p, 6]
 
 
 @loop(parallel=False)

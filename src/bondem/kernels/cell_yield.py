@@ -1,5 +1,7 @@
 """Cells that yield under their mean stress: plastic deformation, levers that it stretches, energy it dissipates."""
 
+import math
+
 import numpy as np
 
 from bondem._compile import device, kernel, loop
@@ -79,7 +81,8 @@ def yield_cells(pose, stress, cells, hot, cracked, hotter, first, last):
     for p in range(first, last):
         s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
         mean, deviator = invariants(s)
-        hotter[p] = 1 if cracked[p] != 0 or largest_at_most(mean, deviator) > hot else 0
+        bent = max(math.sqrt(stress.bending[p]) + min(mean, 0.0), 0.0)
+        hotter[p] = 1 if cracked[p] != 0 or largest_at_most(mean, deviator) + bent > hot else 0
         if not cells.yielding:
             continue
         kept, V = 1.0, stress.volume[p]

@@ -4,8 +4,11 @@ What is called from several places is compiled once for all of them (`kernel`), 
 tables costs more than all that is done here.
 """
 
+import math
+
 from bondem._compile import device, kernel, loop
-from bondem.laws.cell_energy import cross, relative, resisted_turn, scalar, turned_by
+from bondem.laws.cell_energy import bending_square, cross, relative, resisted_turn, scalar, turned_by
+from bondem.laws.plasticity import invariants, largest_pressure
 from bondem.laws.softening import opening_force, whole_force
 
 
@@ -34,6 +37,16 @@ def bending(p, q, H):
     h = turned_by(p, turned)
     c = cross(space, h)
     return 2.0 * scalar(v, turned), (2.0 * (w * h[0] + c[0]), 2.0 * (w * h[1] + c[1]), 2.0 * (w * h[2] + c[2]))
+
+
+@kernel(parallel=False)
+def bending_opening(p, q, factor, H, mean):
+    """T_b of a facet less the largest pressure of the `mean` stress of its cells, at least 0 [Pa]."""
+    bent = math.sqrt(max(bending_square(p, q, factor, H), 0.0))
+    least, _ = invariants(mean)
+    if bent <= -least:
+        return 0.0
+    return max(bent - largest_pressure(mean), 0.0)
 
 
 @device

@@ -8,6 +8,7 @@ from bondem._compile import device, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.cell_yield import principal_stresses
+from bondem.kernels.crack_energy import bending_opening
 from bondem.kernels.crack_tables import (
     ACTIVE,
     AT_REST,
@@ -24,7 +25,7 @@ from bondem.kernels.crack_tables import (
     STATUS,
     TREATED_ONES,
 )
-from bondem.kernels.single_facets import column, facet_of, facets_of, present_normal
+from bondem.kernels.single_facets import column, facet_of, facets_of, orientation, present_normal, resistance
 from bondem.kernels.stress_index import strength_along
 from bondem.laws.cell_energy import scalar
 from bondem.laws.softening import opening_force
@@ -89,6 +90,20 @@ def list_cracks(bonds, cracks):
     sizes[CELLS], sizes[TREATED_ONES], sizes[AT_REST] = count, treated, rest
 
 
+@device
+def bent_stress(s, n, bent):
+    """Mean stress s of two cells with what bending pulls along n beyond it, as it directs the crack [Pa]."""
+    along = (
+        s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2]
+        + 2.0 * (s[3] * n[0] * n[1] + s[4] * n[0] * n[2] + s[5] * n[1] * n[2])
+    )  # fmt: skip
+    more = max(bent - max(along, 0.0), 0.0)
+    return (
+        s[0] + more * n[0] * n[0], s[1] + more * n[1] * n[1], s[2] + more * n[2] * n[2],
+        s[3] + more * n[0] * n[1], s[4] + more * n[0] * n[2], s[5] + more * n[1] * n[2],
+    )  # fmt: skip
+
+
 @loop(parallel=False)
 def begin_cracks(pose, bonds, cells, stress, onset, cracks):
     """Facets that were marked begin to crack, in their order."""
@@ -102,14 +117,17 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
         if marked[k] == 1:
             f, A = column(force, k), cracks.area[k]
             mean = pair_stress(stress.tensor, bonds.i[k], bonds.j[k])
-            high, _, one, _ = principal_stresses(mean, a, v)
+            i, j = orientation(pose, bonds.i[k]), orientation(pose, bonds.j[k])
+            bent = bending_opening(i, j, cells.bends[k], resistance(cells, 1.0, k), mean)
             normal = present_normal(pose, bonds, cells, k)
+            mean = bent_stress(mean, normal, bent)
+            high, _, one, _ = principal_stresses(mean, a, v)
             slope = abs(scalar(normal, (v[0, one], v[1, one], v[2, one])))
             f, _ = opening_force(f, normal)
             most = strength[k]
             if onset.judge != 0:
                 most = strength_along(onset, mean, high, most, a)
-            start = min(math.sqrt(scalar(f, f)) / A, most * max(slope, LEAST_START))
+            start = min(math.sqrt(scalar(f, f) / (A * A) + bent * bent), most * max(slope, LEAST_START))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
         write_three(cracks.pull[c], 0, column(force, k))

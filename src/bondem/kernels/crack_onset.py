@@ -9,10 +9,12 @@ import numpy as np
 from bondem._compile import device, loop, prange
 from bondem.kernels.cell_stress import cell_stresses, pair_stress, surface_stresses
 from bondem.kernels.cell_yield import book_loads, stretch_cells, stretch_grips, yield_cells
-from bondem.kernels.single_facets import column, orientation
+from bondem.kernels.crack_energy import bending_opening
+from bondem.kernels.single_facets import column, orientation, resistance
 from bondem.kernels.stress_index import cool_cells, reaches
 from bondem.laws.cell_energy import scalar, turned_by
 from bondem.laws.plasticity import below
+from bondem.laws.softening import plus
 
 # Below this many cells launching threads costs more than the loop.
 _SERIAL = 1000
@@ -45,12 +47,21 @@ def sheared_off(t, across, strength):
     return scalar(t, t) - across * across >= strength * (strength - across)
 
 
+@device
+def pulled_by_bending(t, across, n, bent):
+    """A traction, and how much of it is along n, with what bending adds to it [Pa]."""
+    if bent > 0.0:
+        pulled = max(across, 0.0) + bent
+        return plus(t, pulled - across, n), pulled
+    return t, across
+
+
 @loop(parallel=False)
 def _begin_facets(pose, bonds, cells, stress, onset, first, last):
     """Mark facets that begin to crack: they are pulled or sheared, and σ* reaches the strength of the criterion.
 
-    That is f_t for the largest principal stress, or 1 for the index of another criterion, of which no facet cracks
-    that is not pulled.
+    Bending adds to the traction that pulls (`bondem.laws.softening`). The strength is f_t for the largest principal
+    stress, or 1 for the index of another criterion, of which no facet cracks that is not pulled.
     """
     at_i, at_j, hotter, marked, listed = bonds.i, bonds.j, onset.hotter, onset.marked, onset.listed
     force, normal, tensor, area, strength = cells.force, cells.normal, stress.tensor, onset.area, onset.strength
@@ -67,10 +78,14 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
         n = turned_by(orientation(pose, i), column(normal, k))
         f, A = column(force, k), area[k]
         t = f[0] / A, f[1] / A, f[2] / A
+        mean = pair_stress(tensor, i, j)
+        p, q = orientation(pose, i), orientation(pose, j)
+        bent = bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
         across = scalar(t, n)
+        t, across = pulled_by_bending(t, across, n, bent)
         if across <= 0.0 and (onset.judge != 0 or not sheared_off(t, across, strength[k])):
             continue
-        s = agreed_stress(pair_stress(tensor, i, j), n, t)
+        s = agreed_stress(mean, n, t)
         if onset.judge == 0:
             if not below(s, strength[k]):
                 marked[k] = 1

@@ -8,8 +8,9 @@ import math
 
 from bondem._compile import device, kernel, loop
 from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.contact_pairs import let_touch
-from bondem.kernels.crack_energy import halves, stretched
+from bondem.kernels.crack_energy import bending_opening, halves, stretched
 from bondem.kernels.crack_list import NEW, known, link_cracks, read_three, treat, weigh_cracked, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -38,7 +39,7 @@ from bondem.kernels.crack_tables import (
     TREATED,
     TREATED_ONES,
 )
-from bondem.kernels.single_facets import column, frame
+from bondem.kernels.single_facets import column, frame, orientation, resistance
 from bondem.laws.cell_energy import opened, scalar, turned_by
 from bondem.laws.softening import plus, softened
 
@@ -152,12 +153,16 @@ def hand_over(bonds, cells, cracks, c, k, sign):
 
 
 @device
-def stays_at_rest(K, gap, u, v, one, other, top):
-    """Whether a resting crack of shares u and v, between cells of stresses `one` and `other`, is far from waking."""
+def stays_at_rest(K, gap, u, v, one, other, top, bent):
+    """Whether a resting crack of shares u and v, between cells of stresses `one` and `other`, is far from waking.
+
+    `bent` is what bending adds to its force [N].
+    """
     f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), one, u), other, v)
     across = plus(u, 1.0, v)  # about along the normal
     square, along = scalar(f, f), scalar(f, across)
-    return square < (_CALM * top) ** 2 and along > _GRAZING * math.sqrt(square * scalar(across, across))
+    calm = square + bent * bent < (_CALM * top) ** 2
+    return calm and along > _GRAZING * math.sqrt(square * scalar(across, across))
 
 
 @loop(parallel=False)
@@ -170,7 +175,11 @@ def look_at_rest(pose, bonds, cells, cracks, first, last):
         k, flag[c] = facet[c], 0
         d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
         gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
-        if not stays_at_rest(stiff[k], gap, u, v, pose[at_i[k], STRESS], pose[at_j[k], STRESS], row[c, TOP]):
+        K, one, other, bent = stiff[k], pose[at_i[k], STRESS], pose[at_j[k], STRESS], 0.0
+        if row[c, TOP] < math.inf:
+            mean = pair_stress(cracks.tensor, at_i[k], at_j[k])
+            bent = cracks.area[k] * bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
+        if not stays_at_rest(K, gap, u, v, one, other, row[c, TOP], bent):
             flag[c] = WAKES
 
 
@@ -217,7 +226,7 @@ def soften(pose, bonds, cells, cracks, first, last):
     Those that rest or part now are flagged.
     """
     rows, active, flag, integrity = cracks.row, cracks.active, cracks.flag, cracks.integrity
-    half, geometry = cracks.half, cracks.geometry
+    half, geometry, at_i, at_j = cracks.half, cracks.geometry, bonds.i, bonds.j
     lasting, fastest, area = cracks.last, cracks.fastest, cracks.area
     for e in range(first, last):
         c = active[e]
@@ -226,7 +235,13 @@ def soften(pose, bonds, cells, cracks, first, last):
         (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
         s, before, onset = integrity[k], rows[c, BEFORE], rows[c, ONSET]
         whole = plus((w * one[0], w * one[1], w * one[2]), 1.0 - w, other)
-        force = math.sqrt(scalar(whole, whole))
+        bent = 0.0
+        if s > 0.0:
+            p, q = orientation(pose, at_i[k]), orientation(pose, at_j[k])
+            mean = pair_stress(cracks.tensor, at_i[k], at_j[k])
+            bent = area[k] * bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
+        pull = math.sqrt(scalar(whole, whole))
+        force = math.sqrt(scalar(whole, whole) + bent * bent)
         rows[c, BEFORE] = s
         if before == NEW:
             rows[c, TOP] = max(rows[c, TOP], force)
@@ -246,7 +261,7 @@ def soften(pose, bonds, cells, cracks, first, last):
             flag[c] = TO_PART
         elif press_i == 0.0 and press_j == 0.0:
             calm = s == 0.0 or force < _ASLEEP * rows[c, TOP]
-            if calm and scalar(whole, normal) > 2.0 * _GRAZING * force:
+            if calm and scalar(whole, normal) > 2.0 * _GRAZING * pull:
                 flag[c] = CALMED
 
 

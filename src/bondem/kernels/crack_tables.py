@@ -6,7 +6,7 @@ import numpy as np
 
 # Columns of a cracked facet: which, traction it began at [Pa], slip in the frame of cell i [m], -∂U/∂s now [J],
 # how it is treated, integrity a step ago, friction force a step ago in space [N], energy dissipated [J], largest
-# |F⁺| [N]. Once faces no longer face each other, the last is the distance of centres at which their cells touch [m].
+# A T [N]. Once faces no longer face each other, the last is the distance of centres at which their cells touch [m].
 FACET, ONSET, SLIP, RATE, STATUS, BEFORE, RUB, SPENT, TOP = 0, 1, 2, 5, 6, 7, 8, 11, 12
 CRACK_COLUMNS = 13
 # How cracked facets are treated: one by one; as facets of less stiffness among all others, while they are open and do
@@ -33,10 +33,11 @@ OUTPUT_COLUMNS = 8
 
 
 class CellStresses(NamedTuple):
-    """Mean stresses of n cells; kernels write the last one."""
+    """Mean stresses of n cells; kernels write the last two."""
 
     volume: np.ndarray  #: [m³], (n,)
     tensor: np.ndarray  #: mean stress in the last step, in space, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    bending: np.ndarray  #: Σ T_b² of the facets of a cell, but for cracks [Pa²], (n,)
 
 
 class CellYield(NamedTuple):
@@ -83,6 +84,7 @@ class CrackedFacets(NamedTuple):
     fastest: np.ndarray  #: by how much the integrity of what breaks at once falls in a step at most, (m,)
     area: np.ndarray  #: [m²], (m,)
     friction: float  #: μ
+    tensor: np.ndarray  #: that of `CellStresses`
     weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
     slack_i: np.ndarray  #: what 1 / weight of cell i gains where the facet parts [m³/Pa], (m,)
     slack_j: np.ndarray

@@ -42,7 +42,8 @@ def cool_cells(stress, onset, first, last):
     """Let the facets of those cells first … last be that are far below the criterion, into `onset.hotter`.
 
     They have no cracks, and stay below it at their stress over a share of the strength, and at that with a tension
-    from all sides, a share of its size. (The stress of a cell with cracks says little about its other facets.)
+    from all sides, a share of its size and what their facets bend. (The stress of a cell with cracks says little
+    about its other facets.)
     """
     matrix, tensor, scale = np.empty((3, 3)), stress.tensor, onset.tension / onset.hot
     for p in range(first, last):
@@ -53,7 +54,8 @@ def cool_cells(stress, onset, first, last):
             s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
             hot = reaches(onset, s, scale, matrix)
             if not hot:
-                more = _BEYOND * _size(s)
+                bent = math.sqrt(stress.bending[p]) + min((s[0] + s[1] + s[2]) / 3.0, 0.0)
+                more = _BEYOND * _size(s) + max(bent, 0.0)
                 s = s[0] + more, s[1] + more, s[2] + more, s[3], s[4], s[5]
                 hot = reaches(onset, s, scale, matrix)
         onset.hotter[p] = 1 if hot else 0

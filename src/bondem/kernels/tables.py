@@ -95,7 +95,7 @@ class Alike(NamedTuple):
 class CellTable(NamedTuple):
     """The facets and cells of a body, m facets in the order of the bonds, n cells; kernels write the last four.
 
-    The last three are None where facets do not crack.
+    `bends` and the last three are None where facets do not crack.
     """
 
     k: np.ndarray  #: [N/m], (m,)
@@ -106,6 +106,7 @@ class CellTable(NamedTuple):
     share_j: np.ndarray
     normal: np.ndarray  #: from i to j [-], (3, m)
     H: np.ndarray  #: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], float32, (6, m)
+    bends: np.ndarray | None  #: 4 k / A², by which bending is a traction (`bending_square`) [1/(N m³)], (m,)
     weight: np.ndarray  #: λ / V of each cell [Pa/m³], (n,)
     to_i: np.ndarray  #: where a facet adds to its cell i: there, or for the other domain, uint32, (m,)
     in_start: np.ndarray  #: facets of each cell, as `Adjacency` has them, where facets may crack; else empty
@@ -114,7 +115,8 @@ class CellTable(NamedTuple):
     given: np.ndarray  #: part of V θ from tractions on free facets [m³], (n,)
     swelling: np.ndarray  #: the rest of V θ [m³], (n + …,)
     force: np.ndarray | None  #: of each facet on its cell i in the last step [N], (3, m)
-    moment: np.ndarray | None  #: V σ of each cell, of its facets alone, in space, xx, yy, zz, xy, xz, yz [J], (n, 6)
+    #: V σ of each cell, of its facets alone, in space, xx, yy, zz, xy, xz, yz [J], and Σ T_b² of these [Pa²], (n, 7)
+    moment: np.ndarray | None
     sums: np.ndarray | None  #: what is being found of it, in rows as those of `StepCut.sums`, (…, 8)
 
 

@@ -93,6 +93,16 @@ def resisted_turn(H, v):
 
 
 @device
+def bending_square(p, q, factor, H):
+    """Mean square of the traction by which the points of a facet differ [Pa²]; `factor` is 4 k / A² [1/(N m³)].
+
+    2 k / A² times its energy of bending and twisting 2 v·H v.
+    """
+    _, v, _ = relative(p, q)
+    return factor * scalar(v, resisted_turn(H, v))
+
+
+@device
 def facet_force(d, p, q, lever_i, lever_j, share_i, share_j, k, H, stress_i, stress_j):
     """Force on j and torques on i and j [N, N·m] of one facet; the force on i is the opposite.
 

@@ -40,6 +40,19 @@ def largest_at_most(p, q):
 
 
 @device
+def largest_pressure(s):
+    """-σ3 of a stress, at least 0."""
+    p, q = invariants(s)
+    cube = q * q * q
+    if cube == 0.0:
+        return max(-p, 0.0)
+    a, b, c = s[0] - p, s[1] - p, s[2] - p
+    third = a * (b * c - s[5] * s[5]) - s[3] * (s[3] * c - s[5] * s[4]) + s[4] * (s[3] * s[5] - b * s[4])
+    angle = _THIRD * math.acos(max(-1.0, min(1.0, 1.5 * math.sqrt(3.0) * third / cube)))
+    return max(-p - 2.0 * math.sqrt(_THIRD) * q * math.cos(angle + _THIRD * 2.0 * math.pi), 0.0)
+
+
+@device
 def rotated(a, v, p, q):
     """One Jacobi rotation of a symmetric matrix (6 entries by their place) and of its vectors, that clears (p, q)."""
     apq = a[p, q]

@@ -11,7 +11,18 @@ g_p = R_p (A w M⁻¹n)_p and F⁺ = F less its part along the normal n where th
 so that a closed crack bears pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction on
 what is broken, cut at μ times the pressure on it; an open crack forgets it (Alfano and Sacco 2006).
 
-Softening is linear in the opening u = (1 - s) |F⁺| / k: from the traction t₀ that a facet has when it begins, to the
+Bending opens one edge of a facet more than the other. T_b = √(2 k U_b) / A is the rms of the tractions by which its
+points differ, U_b the energy of bending of the whole facet, and what of it opens the facet is
+
+    b = max(T_b - p, 0),     p = max(-σ3, 0) of the mean stress of both cells.
+
+A facet begins where its traction, with b along n added, reaches the criterion; it softens by the rms of its points,
+
+    T² = |F⁺|² / A² + b²,
+
+so that U_b counts in T as it does in -∂U/∂s.
+
+Softening is linear in the opening u = (1 - s) A T / k: from the traction t₀ that a facet has when it begins, to the
 opening 2 G_f / f_t, the same for facets of all directions. Then each dissipates G_f per area projected on the crack.
 """
 
@@ -42,7 +53,7 @@ def opening_force(force, normal):
 
 @device
 def softened(s, traction, onset, last):
-    """Integrity of a facet under a traction |F⁺| / A [Pa], at most s.
+    """Integrity of a facet under a traction T [Pa], at most s.
 
     Args:
         onset: t₀ [Pa].

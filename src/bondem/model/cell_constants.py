@@ -204,7 +204,7 @@ class CellConstants:
             weight=self.weight.copy(), to_i=with_twins(to_i), given=self.pressed.copy(),
             swelling=np.zeros(max(len(self.weight), int(to_i.max(initial=0)) + 1)),
             in_start=np.zeros(0, dtype=np.int64), out_start=np.zeros(0, dtype=np.int64),
-            out_bond=np.zeros(0, dtype=np.uint32), force=None, moment=None, sums=None,
+            out_bond=np.zeros(0, dtype=np.uint32), bends=None, force=None, moment=None, sums=None,
         )  # fmt: skip
 
     def as_bonds(self, body: Lattice) -> BondStiffness:

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from bondem._types import PerBond, PerElement
+from bondem._types import Floats, PerBond, PerElement
+from bondem.laws.cell_energy import bending_square
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
@@ -28,7 +29,9 @@ def crack_index(model: Model, state: State) -> PerBond:
     stress = mean_stress(model, forces)
     mean = 0.5 * (stress[i] + stress[j])
     n, t = turned_vectors(state.orientation[i], facets.normal), forces.force / facets.area[:, None]
-    across = (t * n).sum(axis=1)
+    across, bent = (t * n).sum(axis=1), _bending(model, state, mean)
+    pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
+    t, across = t + (pulled - across)[:, None] * n, pulled
     off = t - np.einsum("mab,mb->ma", mean, n)
     both = off[:, :, None] * n[:, None, :]
     along = (off * n).sum(axis=1)[:, None, None]
@@ -77,3 +80,13 @@ def yield_index(model: Model, state: State) -> PerElement:
 def _table(model: Model) -> SofteningTable:
     assert model.softening is not None
     return model.softening
+
+
+def _bending(model: Model, state: State, mean: Floats) -> PerBond:
+    """T_b of facets less the largest pressure of the mean stress of their cells, at least 0 [Pa], (m,)."""
+    facets, _ = body_of(model.lattice)
+    constants, turns = model.cell_constants, state.orientation[model.lattice.pairs]
+    H = constants.H.reshape(-1, 9).T[[0, 4, 8, 1, 2, 5]]
+    square = bending_square(turns[:, 0].T, turns[:, 1].T, 4.0 * constants.k / facets.area**2, H)
+    pressure = np.maximum(-np.linalg.eigvalsh(mean)[:, 0], 0.0)
+    return np.maximum(np.sqrt(np.maximum(square, 0.0)) - pressure, 0.0)

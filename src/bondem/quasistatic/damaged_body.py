@@ -17,6 +17,7 @@ from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.facet_loads import loads_on_facets
 from bondem.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
+from bondem.quasistatic.tensors import full_tensor
 from bondem.solve.linear import System
 
 # Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
@@ -32,14 +33,16 @@ class Loaded:
 
     Attributes:
         traction: of each facet [Pa], (m, 3).
+        bending: T_b of each facet, as if it were whole [Pa], (m,).
         tensor: σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6).
         cracked: facets that have lost integrity, (c,).
-        opening: |F⁺| / A of these, as if they were whole [Pa], (c,).
+        opening: T of these, as if they were whole (`bondem.laws.softening`) [Pa], (c,).
         turned: which of their halves close or open now, (c, 2).
         wall: force of the walls on the facets that they hold [N], (g, 3).
     """
 
     traction: Floats
+    bending: Floats
     tensor: Floats
     cracked: Ints
     opening: Floats
@@ -194,7 +197,20 @@ class DamagedBody:
         _add_moments(tensor, i, c.lever_i, force)
         _add_moments(tensor, j, c.lever_j, -force)
         _add_moments(tensor, self._held, grips.lever, wall)
-        return Loaded(force / self.area[:, None], tensor / c.volume[:, None], cracked, opening, turned, wall)
+        tensor /= c.volume[:, None]
+        turn = phi[j] - phi[i]
+        bending = np.sqrt(c.k * np.einsum("ma,mab,mb->m", turn, c.H, turn)) / self.area
+        opening = np.hypot(opening, self.bent(tensor, bending, cracked))
+        return Loaded(force / self.area[:, None], bending, tensor, cracked, opening, turned, wall)
+
+    def mean(self, tensor: Floats, facets: Ints) -> Floats:
+        """Mean of the stresses (n, 6) of the two cells of some facets [Pa], (c, 6)."""
+        return 0.5 * (tensor[self.i[facets]] + tensor[self.j[facets]])
+
+    def bent(self, tensor: Floats, bending: Floats, facets: Ints) -> Floats:
+        """T_b (m,) of some facets less the largest pressure of the mean stress of their cells, at least 0, (c,)."""
+        pressure = -np.linalg.eigvalsh(full_tensor(self.mean(tensor, facets)))[:, 0]
+        return np.maximum(bending[facets] - np.maximum(pressure, 0.0), 0.0)
 
     def _crack(self, cracked: Ints, gap: Floats, stress: Floats, force: Floats) -> tuple[Floats, Mask]:
         """Write forces of cracked facets; |F⁺| / A of these, and which halves turn."""

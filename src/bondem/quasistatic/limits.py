@@ -1,5 +1,7 @@
 """At which load factor a facet begins to crack or goes on, where everything is proportional to it."""
 
+import math
+from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
@@ -9,16 +11,12 @@ from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.quasistatic.teeth import Teeth
+from bondem.quasistatic.tensors import agreed, full_tensor, largest, principal_range
 
-# Facets that are looked at first, those whose bound is the least; then twice as many, and so on.
-_FIRST = 256
+# By what share factors of the closed form may be off.
+_NEAR = 1e-5
 # Least share of its strength that a facet begins with (`bondem.kernels.crack_list`).
 _LEAST = 0.02
-
-
-def full_tensor(s: Floats) -> Floats:
-    """(…, 3, 3) of xx, yy, zz, xy, xz, yz."""
-    return s[..., [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
 
 
 class FacetOnset(Protocol):
@@ -71,56 +69,48 @@ class StressOnset:
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
         """See `FacetOnset`."""
-        body, tensor = self._body, found.tensor
-        size = np.sqrt((tensor[:, :3] ** 2).sum(axis=1) + 2.0 * (tensor[:, 3:] ** 2).sum(axis=1))
-        square = (found.traction[whole] ** 2).sum(axis=1)
-        # no eigenvalue of σ* is beyond |σ̄| + √2 |t - σ̄ n|
-        most = 0.5 * (1.0 + np.sqrt(2.0)) * (size[body.i[whole]] + size[body.j[whole]]) + np.sqrt(2.0 * square)
-        bound = self._strength[whole] / np.maximum(most, 1e-300)
-        order = np.argsort(bound)
-        kept: list[Ints] = []
-        factor: list[Floats] = []
-        first, count = 0, _FIRST
-        while first < len(order) and bound[order[first]] < below:
-            some, reached = self._below(found, whole[order[first : first + count]], below)
-            if len(some):
-                kept.append(some)
-                factor.append(reached)
-                below = min(below, float(reached.min()) * (1.0 + close))
-            first, count = first + count, 2 * count
-        if not kept:
-            return whole[:0], np.zeros(0)
-        return np.concatenate(kept), np.concatenate(factor)
+        body = self._body
+        mean = np.ascontiguousarray(body.mean(found.tensor, whole).T)
+        bent = np.maximum(found.bending[whole] - np.maximum(-principal_range(mean)[0], 0.0), 0.0)
+        about = self._reached(found, whole, mean, bent, lambda star: principal_range(star)[1])
+        least = min(below, float(about.min(initial=np.inf)) * (1.0 + close))
+        near = about <= least * (1.0 + _NEAR)
+        some, mean = whole[near], mean[:, near]
+        bent = body.bent(found.tensor, found.bending, some)
+        return some, self._reached(found, some, mean, bent, largest)
 
-    def _below(self, found: Loaded, facets: Ints, below: float) -> tuple[Ints, Floats]:
-        """Those of some facets that may begin below a load factor, and their factors, (c,) each; inf for never."""
-        body, n, t = self._body, self._body.constants.normal[facets], found.traction[facets]
-        star = agreed(full_tensor(0.5 * (found.tensor[body.i[facets]] + found.tensor[body.j[facets]])), n, t)
-        near = np.flatnonzero(self._strength[facets] <= below * np.sqrt(np.einsum("mab,mab->m", star, star)))
-        facets, n, t = facets[near], n[near], t[near]
-        f, across, square = self._strength[facets], (t * n).sum(axis=1), (t * t).sum(axis=1)
-        high = np.linalg.eigvalsh(star[near])[:, 2]
-        reached = np.where(high > 0.0, f / np.where(high > 0.0, high, 1.0), np.inf)
-        alone = _sheared_at(across, square - across**2, f)
-        return facets, np.where(across > 0.0, reached, np.maximum(reached, alone))
+    def _reached(
+        self, found: Loaded, facets: Ints, mean: Floats, bent: Floats, strongest: Callable[[Floats], Floats]
+    ) -> Floats:
+        """Load factors at which some facets begin, inf for never, (c,).
+
+        Args:
+            found: what all bear.
+            facets: which.
+            mean: stress of their cells [Pa], (6, c).
+            bent: what of their bending opens them [Pa], (c,).
+            strongest: finds the largest principal stress [Pa], (c,), of (6, c).
+        """
+        n, t = self._body.constants.normal[facets].T, found.traction[facets].T
+        across, f = (t * n).sum(axis=0), self._strength[facets]
+        shear = (t * t).sum(axis=0) - across**2
+        pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
+        high = strongest(agreed(mean, n, t + (pulled - across) * n))
+        reached = np.divide(f, high, out=np.full(len(f), np.inf), where=high > 0.0)
+        return np.where(pulled > 0.0, reached, np.maximum(reached, _sheared_at(pulled, shear, f)))
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
         """See `FacetOnset`: from the traction of `bondem.laws.softening` on."""
-        n, t = self._body.constants.normal[k], factor * found.traction[k]
-        mean = full_tensor(0.5 * factor * (found.tensor[self._body.i[k]] + found.tensor[self._body.j[k]]))
-        direction = np.linalg.eigh(mean)[1][:, 2]
+        body, n, t = self._body, self._body.constants.normal[k], factor * found.traction[k]
+        alone = np.array([k])
+        mean = factor * full_tensor(body.mean(found.tensor, alone)[0])
+        bent = factor * float(body.bent(found.tensor, found.bending, alone)[0])
+        along = max(float(n @ mean @ n), 0.0)
+        direction = np.linalg.eigh(mean + max(bent - along, 0.0) * np.outer(n, n))[1][:, 2]
         opening = t - min(float(t @ n), 0.0) * n
-        now = float(np.linalg.norm(opening))
+        now = math.hypot(float(np.linalg.norm(opening)), bent)
         begun = min(now, float(self._strength[k]) * max(abs(float(n @ direction)), _LEAST))
         return Teeth.of(begun, float(self._last[k]), ripple, now)
-
-
-def agreed(mean: Floats, n: Floats, t: Floats) -> Floats:
-    """σ*: mean tensors (…, 3, 3) made to agree with the tractions t on facets of normals n, (…, 3)."""
-    off = t - np.einsum("mab,mb->ma", mean, n)
-    both = off[:, :, None] * n[:, None, :]
-    along = (off * n).sum(axis=1)[:, None, None]
-    return mean + both + np.swapaxes(both, 1, 2) - along * n[:, :, None] * n[:, None, :]
 
 
 def _sheared_at(across: Floats, shear: Floats, strength: PerBond) -> Floats:

@@ -47,10 +47,12 @@ def with_forces(cells: CellTable, model: Model, state: State, rows: int) -> Cell
         state: where to start.
         rows: how many rows of sums there are.
     """
-    adjacency = model.layout.adjacency
+    adjacency, table = model.layout.adjacency, model.softening
+    assert table is not None
     return cells._replace(
+        bends=with_zeros(4.0 * cells.k[: len(table.area)] / table.area**2),
         in_start=adjacency.in_start, out_start=adjacency.out_start, out_bond=adjacency.out_bond,
-        force=with_zeros(state.facet_force), moment=np.zeros((len(state.pose), 6)), sums=lines(rows),
+        force=with_zeros(state.facet_force), moment=np.zeros((len(state.pose), 7)), sums=lines(rows),
     )  # fmt: skip
 
 
@@ -91,6 +93,7 @@ def crack_table(
     if table is None or constants is None or cells is None:
         return None
     n, m = len(state.pose), len(state.integrity)
+    tensor = np.zeros((n, 6))
     row = np.zeros((m, CRACK_COLUMNS))  # memory is taken as facets crack
     count = len(state.cracks)
     row[:count] = state.cracks
@@ -102,7 +105,7 @@ def crack_table(
     listed = np.zeros(m, dtype=np.uint8)
     facets = CrackedFacets(
         last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0), area=table.area,
-        friction=table.friction, weight=constants.weight,
+        friction=table.friction, tensor=tensor, weight=constants.weight,
         slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
         listed=listed, row=row, sizes=np.array([count, 0, 0, 0, 0], dtype=np.int64), flag=np.zeros(m, dtype=np.uint8),
         facet=np.zeros(m, dtype=np.int64), active=np.zeros(m, dtype=np.int64), resting=np.zeros(m, dtype=np.int64),
@@ -115,7 +118,7 @@ def crack_table(
     cracked = np.zeros(n, dtype=np.uint8)
     cracked[i[facet]] = cracked[j[facet]] = 1
     return CrackTable(
-        stress=CellStresses(volume=constants.volume, tensor=np.zeros((n, 6))),
+        stress=CellStresses(volume=constants.volume, tensor=tensor, bending=np.zeros(n)),
         flow=_flow(model, state, table, cells, grips, constants),
         onset=Onset(
             strength=table.strength, area=table.area, hot=table.hot,
@@ -171,7 +174,7 @@ def take_up(pose: Floats, bonds: Bonds, cells: CellTable, grips: GripTable, crac
     # these are no part of the loop over facets: what they bear stands in `pull`
     assert cells.force is not None
     cells.force[:, rows[active, FACET].astype(np.int64)] = 0.0
-    sum_moments(pose, cells)
+    sum_moments(pose, bonds, cells)
 
 
 def keep_cracks(cells: CellTable, cracks: CrackedFacets, state: State) -> None:

@@ -2,9 +2,9 @@
 
 Bytes on the device, in double precision, more than without:
 
-    a facet   634: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
-              integrity 8, how it is treated 2, strength, softening and weights 56, numbers and lists 24
-    a cell    126: V σ and stress 96, volume, weight and V θ 24, where its cracks begin and whether it has any 6
+    a facet   642: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
+              integrity 8, how it is treated 2, strength, softening and weights 64, numbers and lists 24
+    a cell    134: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 6
 """
 
 from typing import Any
@@ -32,7 +32,7 @@ from bondem.kernels.cuda.tables import DeviceBody, DeviceLists, DeviceOnset
 from bondem.kernels.tables import BROKEN_COLUMNS
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.cracks import crack_table
+from bondem.solve.cracks import crack_table, with_forces
 from bondem.solve.forces_cuda import DeviceRun, FacetForces, starts
 
 # Parts in which what cracks dissipate in a step is added up: a number of its own, so that no bit depends on a device.
@@ -51,13 +51,15 @@ class CrackForces:
         forces[:3] = -state.facet_force
         facets.forces.copy_to_device(forces)
         n = len(state.pose)
-        self._body = DeviceBody(*facets, *run.adjacency, moment=zeros(n, 6))
         assert model.cells is not None
-        table = crack_table(
-            model, state, model.cells.rows(model.layout.i),
-            model.cells.grips.table(model.layout, model.constraints.row_of, 0), np.zeros((0, 6)), dt,
-        )  # fmt: skip
+        cells = with_forces(model.cells.rows(model.layout.i), model, state, 0)
+        grips = model.cells.grips.table(model.layout, model.constraints.row_of, 0)
+        table = crack_table(model, state, cells, grips, np.zeros((0, 6)), dt)
         assert table is not None
+        assert cells.bends is not None
+        self._body = DeviceBody(
+            *facets, *run.adjacency, bends=upload(cells.bends[: self.m]), moment=zeros(n, 7)
+        )  # fmt: skip
         self._onset, self._lists = _onset(model, table), _lists(table)
         self._cracks = _cracks(table.facets)
         launch(states.weigh_all_cracked, n, self._body, self._cracks)
@@ -90,10 +92,10 @@ class CrackForces:
         """As a step begins: facets begin to crack by the stresses of the step before."""
         run, body, cracks, onset, lists = self._run, self._body, self._cracks, self._onset, self._lists
         pose, n = run.elements.pose, run.elements.pose.shape[0]
-        launch(beginnings.judge_cells, n, pose, body, cracks, onset, stream=stream)
+        launch(beginnings.stress_tensors, n, pose, body, cracks, onset.volume, stream=stream)
         launch(
-            beginnings.heat_cells, n, run.clock, run.scheme, pose, run.rows, run.schedules, self._whole.grips,
-            self._whole.holds, onset, stream=stream,
+            beginnings.heat_cells, n, run.clock, run.scheme, pose, cracks.tensor, body.moment, run.rows,
+            run.schedules, self._whole.grips, self._whole.holds, onset, stream=stream,
         )  # fmt: skip
         launch(beginnings.mark_cracks, self.m, pose, body, cracks, onset, lists, stream=stream)
         launch(beginnings.order_beginnings, 1, run.clock, run.scheme, cracks, lists, stream=stream)
@@ -191,6 +193,6 @@ def _onset(model: Model, table: CrackTable) -> DeviceOnset:
     row, load = np.nonzero(pressed.any(axis=2))
     arrays = starts(row, len(held.element)), held.press_schedule[load], pressed[row, load]
     return DeviceOnset(
-        upload(onset.strength), onset.hot, upload(table.stress.volume), *map(upload, arrays), tensor=zeros(n, 6),
+        upload(onset.strength), onset.hot, upload(table.stress.volume), *map(upload, arrays),
         cracked=upload(onset.cracked), hotter=upload(np.zeros(n, dtype=np.uint8)),
     )  # fmt: skip

@@ -3,8 +3,8 @@
 Where a step ends, a thread a cell adds up V σ = sym Σ b⊗f of its facets, with levers and forces of one instant. As
 the next one begins, a thread a cell makes the stress of it, and a thread a facet judges (`begins`); one thread puts
 those that begin into the list of cracks, in the order of the facets, and a thread each of them sets it up
-(`traction_at_onset`). No bit depends on the order of threads. These two functions hold the rule of onset, and call
-what the CPU calls.
+(`traction_at_onset`). No bit depends on the order of threads. These two, `bent_traction` and `_is_hot` hold the rule
+of onset, and call what the CPU calls.
 """
 
 import math
@@ -13,13 +13,14 @@ from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.boundary import value_at
 from bondem.kernels.cell_stress import pair_stress
-from bondem.kernels.crack_list import LEAST_START, NEW, treat, write_three
-from bondem.kernels.crack_onset import agreed_stress, sheared_off
+from bondem.kernels.crack_energy import bending_opening
+from bondem.kernels.crack_list import LEAST_START, NEW, bent_stress, treat, write_three
+from bondem.kernels.crack_onset import agreed_stress, pulled_by_bending, sheared_off
 from bondem.kernels.crack_tables import ACTIVE, BEFORE, CRACKS, FACET, ONSET, RUBBED_AWAY, TREATED
 from bondem.kernels.cuda.breaking import FOUND, put_in_order
-from bondem.kernels.single_facets import column, lever, orientation, present_normal
+from bondem.kernels.single_facets import column, lever, orientation, present_normal, resistance
 from bondem.kernels.tables import RUBBED
-from bondem.laws.cell_energy import scalar, turned_by
+from bondem.laws.cell_energy import bending_square, scalar, turned_by
 from bondem.laws.plasticity import below, invariants, largest_at_most, principal
 from bondem.laws.softening import opening_force
 
@@ -45,23 +46,32 @@ def _add_moment(table, pose, p, b, f):
     table[p, 5] += 0.5 * (b[1] * f[2] + b[2] * f[1])
 
 
+@device
+def _bent_square(pose, body, k):
+    """T_b² of a facet of its present integrity [Pa²]."""
+    p, q = orientation(pose, body.i[k]), orientation(pose, body.j[k])
+    return bending_square(p, q, body.bends[k], resistance(body, body.integrity[k], k))
+
+
 @cuda_kernel
 def sum_moments(elements, body, cracks, change):
-    """V σ of the facets of a cell that no crack has taken out of the loop; and what its cracks rub away."""
+    """V σ and Σ T_b² of the facets of a cell that no crack has taken out of the loop; what its cracks rub away."""
     p = cuda.grid(1)
     pose, moment, listed = elements.pose, body.moment, cracks.listed
     if p >= pose.shape[0]:
         return
-    for d in range(6):
+    for d in range(7):
         moment[p, d] = 0.0
     for k in range(body.in_start[p], body.in_start[p + 1]):
         if listed[k] != 1 + ACTIVE:
             f = _pull(body, k)
             _add_moment(moment, pose, p, lever(body.lever_j, body.pitch, k), (-f[0], -f[1], -f[2]))
+            moment[p, 6] += _bent_square(pose, body, k)
     for e in range(body.out_start[p], body.out_start[p + 1]):
         k = body.out_bond[e]
         if listed[k] != 1 + ACTIVE:
             _add_moment(moment, pose, p, lever(body.lever_i, body.pitch, k), _pull(body, k))
+            moment[p, 6] += _bent_square(pose, body, k)
     h = cracks.head[p] if change else -1
     while h >= 0:
         if h % 2 == 0 and cracks.half[h, TREATED] != 0.0:
@@ -86,9 +96,9 @@ def _add_crack_moments(tensor, pose, body, cracks, p):
 
 
 @device
-def _add_surface_stress(t, pose, schedules, grips, holds, onset, p, r):
+def _add_surface_stress(t, pose, tensor, schedules, grips, holds, onset, p, r):
     """Add what loads and walls of row r do to the stress of its cell, as `kernels.cell_stress.surface_stresses`."""
-    tensor, volume = onset.tensor, onset.volume[p]
+    volume = onset.volume[p]
     for e in range(onset.load_start[r], onset.load_start[r + 1]):
         factor = value_at(schedules, onset.load_schedule[e], t)
         for d in range(6):
@@ -105,33 +115,47 @@ def _add_surface_stress(t, pose, schedules, grips, holds, onset, p, r):
 
 
 @cuda_kernel
-def judge_cells(pose, body, cracks, onset):
+def stress_tensors(pose, body, cracks, volume):
     """Stress of each cell a step ago, of its facets and cracks."""
     p = cuda.grid(1)
     if p >= pose.shape[0]:
         return
-    tensor = onset.tensor
+    tensor = cracks.tensor
     for d in range(6):
         tensor[p, d] = body.moment[p, d]
     _add_crack_moments(tensor, pose, body, cracks, p)
-    one = 1.0 / onset.volume[p]
+    one = 1.0 / volume[p]
     for d in range(6):
         tensor[p, d] *= one
 
 
+@device
+def _is_hot(s, square, hot):
+    """Whether facets of a cell of stress s, that bend by Σ T_b² `square`, are looked at: `kernels.cell_yield`."""
+    mean, deviator = invariants(s)
+    return largest_at_most(mean, deviator) + max(math.sqrt(max(square, 0.0)) + min(mean, 0.0), 0.0) > hot
+
+
 @cuda_kernel
-def heat_cells(clock, scheme, pose, rows, schedules, grips, holds, onset):
+def heat_cells(clock, scheme, pose, tensor, moment, rows, schedules, grips, holds, onset):
     """The stress of cells with walls and loads, in the step to come; and whose facets are looked at."""
     p = cuda.grid(1)
     if p >= pose.shape[0]:
         return
-    tensor, r = onset.tensor, rows.of[p]
+    r = rows.of[p]
     if r >= 0:
         t = scheme.origin + (clock[0] + 1) * scheme.dt
-        _add_surface_stress(t, pose, schedules, grips, holds, onset, p, r)
+        _add_surface_stress(t, pose, tensor, schedules, grips, holds, onset, p, r)
     s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
-    mean, deviator = invariants(s)
-    onset.hotter[p] = 1 if onset.cracked[p] != 0 or largest_at_most(mean, deviator) > onset.hot else 0
+    onset.hotter[p] = 1 if onset.cracked[p] != 0 or _is_hot(s, moment[p, 6], onset.hot) else 0
+
+
+@device
+def bent_traction(pose, body, cracks, k):
+    """What bending adds to the traction of a facet that cracks or may [Pa]."""
+    i, j = body.i[k], body.j[k]
+    mean = pair_stress(cracks.tensor, i, j)
+    return bending_opening(orientation(pose, i), orientation(pose, j), body.bends[k], resistance(body, 1.0, k), mean)
 
 
 @device
@@ -143,20 +167,23 @@ def begins(pose, body, cracks, onset, k):
     n = turned_by(orientation(pose, i), column(body.normal, k))
     f, A = _pull(body, k), cracks.area[k]
     t = f[0] / A, f[1] / A, f[2] / A
-    across = scalar(t, n)
+    mean = pair_stress(cracks.tensor, i, j)
+    t, across = pulled_by_bending(t, scalar(t, n), n, bent_traction(pose, body, cracks, k))
     if across <= 0.0 and not sheared_off(t, across, onset.strength[k]):
         return False
-    return not below(agreed_stress(pair_stress(onset.tensor, i, j), n, t), onset.strength[k])
+    return not below(agreed_stress(mean, n, t), onset.strength[k])
 
 
 @device
 def traction_at_onset(pose, body, cracks, onset, k, a, v):
     """Traction from which facet k softens [Pa], as `bondem.kernels.crack_list` has it; a and v are (3, 3) to use."""
-    _, _, one, _ = principal(pair_stress(onset.tensor, body.i[k], body.j[k]), a, v)
-    normal = present_normal(pose, body, body, k)
+    bent, normal = bent_traction(pose, body, cracks, k), present_normal(pose, body, body, k)
+    mean = pair_stress(cracks.tensor, body.i[k], body.j[k])
+    _, _, one, _ = principal(bent_stress(mean, normal, bent), a, v)
     slope = abs(scalar(normal, (v[0, one], v[1, one], v[2, one])))
     f, _ = opening_force(_pull(body, k), normal)
-    return min(math.sqrt(scalar(f, f)) / cracks.area[k], onset.strength[k] * max(slope, LEAST_START))
+    A = cracks.area[k]
+    return min(math.sqrt(scalar(f, f) / (A * A) + bent * bent), onset.strength[k] * max(slope, LEAST_START))
 
 
 @cuda_kernel

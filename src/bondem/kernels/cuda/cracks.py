@@ -8,6 +8,8 @@ at once where there are no cracks. The forces of a crack stand in the rows of it
 has left zeros: what moves the cells knows nothing of cracks.
 """
 
+import math
+
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.cell_pass import STRESS
@@ -47,6 +49,7 @@ from bondem.kernels.crack_tables import (
 from bondem.kernels.cracking import crack_forces, log_crack
 from bondem.kernels.cuda.breaking import FOUND, put_in_order
 from bondem.kernels.cuda.cells import book_hold, hand_on_hold, linear_stress
+from bondem.kernels.cuda.crack_beginnings import bent_traction
 from bondem.kernels.cuda.facets import place_of
 from bondem.kernels.cuda.sample import NORMAL as NORMAL_SUM
 from bondem.kernels.single_facets import column, facet_of, facets_of, orientation, resistance
@@ -152,7 +155,10 @@ def wake_some(pose, body, cracks):
     gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
     one, other = pose[body.i[k], STRESS], pose[body.j[k], STRESS]
     cracks.flag[c] = 0
-    if not stays_at_rest(body.k[k], gap, u, v, one, other, cracks.row[c, TOP]):
+    top, bent = cracks.row[c, TOP], 0.0
+    if top < math.inf:
+        bent = cracks.area[k] * bent_traction(pose, body, cracks, k)
+    if not stays_at_rest(body.k[k], gap, u, v, one, other, top, bent):
         if wake_crack(pose, body, body, None, cracks, c, k, place):
             cracks.flag[c] = WAKES
 

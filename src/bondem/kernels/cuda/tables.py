@@ -74,11 +74,13 @@ class DeviceBody(NamedTuple):
     in_start: Array  #: facets of each cell, as `bondem.kernels.tables.Adjacency` has them
     out_start: Array
     out_bond: Array
-    moment: Array  #: V σ of each cell but for cracks that are treated one by one, a step ago [J], (n, 6)
+    bends: Array  #: 4 k / A², by which bending is a traction [1/(N m³)], (m,)
+    #: V σ of each cell but for cracks that are treated one by one, a step ago [J], and Σ T_b² of these [Pa²], (n, 7)
+    moment: Array
 
 
 class DeviceOnset(NamedTuple):
-    """Where facets begin to crack; kernels write the last three."""
+    """Where facets begin to crack; kernels write the last two. Stresses are those of `CrackedFacets.tensor`."""
 
     strength: Array  #: f_t of each facet [Pa], (m,)
     hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
@@ -86,7 +88,6 @@ class DeviceOnset(NamedTuple):
     load_start: Array  #: where the loads on free facets of the cells of each row begin, (r + 1,)
     load_schedule: Array  #: (e,)
     load_value: Array  #: what each adds to V σ of its cell at full load [J], (e, 6)
-    tensor: Array  #: mean stress of each cell a step ago, in space, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
     cracked: Array  #: 1 for cells with cracks, however treated, uint8, (n,)
     hotter: Array  #: 1 for cells whose facets are looked at, uint8, (n,)
 
