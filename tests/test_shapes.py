@@ -237,3 +237,12 @@ def test_the_dog_bone_strains_in_its_gauge():
     assert by_sections == pytest.approx(1.267, abs=1e-3)
     assert measured == pytest.approx(by_sections, rel=0.06)
     assert lattice.particles.envelope.volume == pytest.approx(4.01e-6, rel=2e-3)
+
+
+@pytest.mark.parametrize("thickness", [0.1e-3, 0.3e-3, 1e-3])
+def test_thin_rings_have_their_volume(thickness: float) -> None:
+    """Of a section as high as wide, about a bore of 16 mm: discs much flatter than wide are measured as well."""
+    radius = 8e-3
+    bore = bd.Cylinder(radius=radius - 0.5 * thickness, length=3.0 * thickness).moved((-thickness, 0.0, 0.0))
+    ring = bd.Cylinder(radius=radius + 0.5 * thickness, length=thickness).cut(bore, name="bore")
+    assert ring.volume == pytest.approx(2.0 * np.pi * radius * thickness**2, rel=0.02)

@@ -11,7 +11,8 @@ import numpy as np
 
 from bondem._types import PerElement, PerElement3, Vector
 
-_CELLS = 8  # along the longest edge, to begin with
+_CELLS = 8  # along the longest edge, to begin with; in thin boxes as many as make them cubes, up to so many
+_THIN = 256
 _HALVINGS = {1: 7, 2: 7, 3: 4}  # by dimension: to 128 cells along the longest edge, 1024 of a flat region
 
 
@@ -74,11 +75,14 @@ def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper
     """The cells that make up a box, from the largest to the smallest; arguments as of `content`."""
     axes = np.flatnonzero(upper > lower)
     count = np.ones(3, dtype=int)
-    # Cells a little off a cube are as good; the box is filled exactly, so that its own walls are too.
-    count[axes] = np.maximum(1, np.ceil(_CELLS * (upper - lower)[axes] / (upper - lower).max())).astype(int)
+    # Cells a little off a cube are as good, flat ones are not: half of one at a wall of the box would count as outside.
+    # The box is filled exactly, so that its own walls are too.
+    extent = (upper - lower)[axes]
+    along = np.clip(extent.max() / extent.min(), _CELLS, _THIN)
+    count[axes] = np.maximum(1, np.ceil(along * extent / extent.max() * (1.0 - 1e-12))).astype(int)
     edge = (upper - lower) / count
     index = np.indices(tuple(map(int, count))).reshape(3, -1).T
-    halvings = _HALVINGS[len(axes)]
+    halvings = max(1, _HALVINGS[len(axes)] - round(np.log2(along / _CELLS)))
     finest = edge.max() / 2**halvings
     for level in range(halvings + 1):
         centre = lower + (index + 0.5) * edge
