@@ -1,5 +1,7 @@
 """Facets of cells that break at once on a CUDA device, in the simulator, against the CPU."""
 
+import importlib
+
 import numpy as np
 import pytest
 
@@ -54,6 +56,18 @@ def test_facets_break_beside_each_other_and_at_walls(outcomes) -> None:
     records = cpu["held/records"]
     assert records[-1, FRACTURE] > 0.02 * records[-1, TRANSLATION:WORK].sum()
     assert np.abs(cpu["held/reaction"]).max() > 0.0
+
+
+def test_what_threads_have_gathered_is_put_in_order() -> None:
+    """The simulator gathers in order as it is: so this is shown apart."""
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    put_in_order = importlib.import_module("bondem.kernels.cuda.breaking").put_in_order
+    rng = np.random.default_rng(1)
+    for count in (0, 1, 2, 3, 10, 101):
+        found = rng.permutation(count + 5)
+        expected = np.concatenate([np.sort(found[:count]), found[count:]])
+        put_in_order(found, count)
+        np.testing.assert_array_equal(found, expected)
 
 
 def test_ledger_closes_through_breakage_of_facets_as_on_the_cpu(outcomes) -> None:
