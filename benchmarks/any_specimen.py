@@ -38,6 +38,7 @@ from bondem.calibration.density import element_density
 from bondem.solve.static import Statics
 from continuum import BRACKET, Continuum, Corners, Vibration
 from layers import calibrate_layers
+from matching import matched
 
 ROOT = Path(__file__).resolve().parents[1]
 MATERIALS = ("fused_silica", "soda_lime_glass", "alumina", "granite", "steel")
@@ -121,16 +122,6 @@ def limit(thickness: float) -> float | None:
 # --- the continuum -----------------------------------------------------------------------------------------------
 
 
-def groups(frequency: np.ndarray, gap: float = 5e-3) -> list[list[int]]:
-    """Modes of one frequency each, to a gap; the last group, which may be incomplete, is left out."""
-    found = [[0]]
-    for k in range(1, len(frequency)):
-        if frequency[k] > (1.0 + gap) * frequency[k - 1]:
-            found.append([])
-        found[-1].append(k)
-    return found[:-1]
-
-
 @cache
 def mesh(name: str) -> Continuum:
     return bodies()[name].continuum()
@@ -211,33 +202,23 @@ def moduli(part: Specimen, law: Any) -> tuple[float, float]:
 
 def free_frequencies(part: Specimen, law: Any, density: Any, nu: float) -> list[dict[str, Any]]:
     """Frequencies of a free specimen beside those of the continuum with E = ρ = 1, group by group."""
-    theory = free_modes(part.name, nu)
     lattice = part.lattice
+    theory, moving = free_modes(part.name, nu), lattice.connected
     found = bd.solve_modes(bd.Model(lattice, law, density), count=MODES + 3)
-    moving = lattice.connected
-    root = np.sqrt(lattice.particles.volume[moving])[:, None]
-    pair = found.shape[:, moving, :3], part.expected(theory.shape)
-    seen, expected = ((root * shapes).reshape(len(shapes), -1) for shapes in pair)
-    likeness = (seen @ expected.T) ** 2 / np.outer((seen**2).sum(axis=1), (expected**2).sum(axis=1))
-    rows = []
-    for group in groups(theory.frequency):
-        alike = likeness[:, group].sum(axis=1)
-        best = np.argsort(-alike)[: len(group)]
-        measured, reference = (
-            float(np.sqrt((f**2).mean())) for f in (found.frequency[best], theory.frequency[group])
-        )
-        rows.append({"modes": [k + 1 for k in group], "measured": measured, "reference": reference,
-                     "likeness": float(alike[best].min())})  # fmt: skip
-    return rows
+    groups = matched(found, lattice.particles.volume[moving], theory, part.expected(theory.shape), moving)
+    return [
+        {"modes": [k + 1 for k in one.modes], "measured": one.measured, "reference": one.reference,
+         "likeness": one.likeness}
+        for one in groups
+    ]  # fmt: skip
 
 
-def deflections(part: Specimen, law: Any) -> dict[str, float]:
-    """What each unit load on the clamped specimen does where it acts [m/N, rad/(N·m)]: its work."""
-    body, lattice = bodies()[part.name], part.lattice
+def deflections(lattice: bd.Lattice, law: Any, loaded: str, loads: dict[str, tuple]) -> dict[str, float]:
+    """What each unit load on a face of the clamped specimen does where it acts [m/N, rad/(N·m)]: its work."""
     statics = Statics(bd.Model(lattice, law, 1000.0, boundary=[bd.Fix(bd.Face("x_min", DEPTH))]))
     moved = {}
-    for load, (force, moment) in body.loads.items():
-        chosen, values = bd.Load(bd.Face(body.loaded, DEPTH), force=force, moment=moment).nodal(lattice)
+    for load, (force, moment) in loads.items():
+        chosen, values = bd.Load(bd.Face(loaded, DEPTH), force=force, moment=moment).nodal(lattice)
         nodal = np.zeros((len(lattice.particles), 6))
         nodal[chosen] = values
         moved[load] = float((statics.response(nodal) * nodal).sum())
@@ -262,7 +243,9 @@ def case(fit: Any, part: Specimen, *, statics: bool = True) -> dict[str, Any]:
         rows = {"E": _row(E, material.E), "nu": _row(nu, material.nu)}
         for k, row in enumerate(free_frequencies(part, law, density, material.nu), start=1):
             rows[f"f{k}"] = _row(row.pop("measured"), speed * row.pop("reference")) | row
-        for load, moved in deflections(part, law).items() if statics else ():
+        body = bodies()[part.name]
+        pushed = deflections(lattice, law, body.loaded, body.loads) if statics else {}
+        for load, moved in pushed.items():
             face, plane = (soft[key][load] / material.E for key in ("face", "plane"))
             rows[load] = _row(moved, plane) | {"error_against_face": moved / face - 1.0}
         result[way] = rows

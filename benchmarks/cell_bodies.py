@@ -9,10 +9,13 @@ bodies are held and loaded on their faces, as the continuum is; what a load does
 Run: python benchmarks/cell_bodies.py [--counts 10000] [--seeds 1 2 3 4 5] [--shapes …] [--nu …] [--out DIR]
      python benchmarks/cell_bodies.py --counts 2500 40000 --seeds 1 2 --nu 0.2 0.4
      python benchmarks/cell_bodies.py --meshes
+     python benchmarks/cell_bodies.py --kept [--shapes …]
      python benchmarks/cell_bodies.py --summary
 Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped; the last command sums
 all of them up in benchmarks/results/cell_bodies.json and cell_bodies.md, with how far the mesh of each body is from a
-finer one (--meshes), so that one sees what finite elements themselves have not converged to.
+finer one (--meshes), so that one sees what finite elements themselves have not converged to. --kept puts the cases of
+these results back in --out, each with its commit, for a run that adds to them; those of a shape whose mesh or law has
+changed have to be measured again.
 """
 
 import argparse
@@ -29,13 +32,14 @@ import numpy as np
 from skfem import Basis, ElementHex2, ElementVector
 
 import bondem as bd
-from any_specimen import FORCE_X, FORCE_Y, FORCE_Z, MODES, MOMENT_X, ROOT, groups
+from any_specimen import FORCE_X, FORCE_Y, FORCE_Z, MODES, MOMENT_X, ROOT
 from any_specimen import MATERIALS as NAMES
 from bondem.observe.surface import surface_displacement
 from bondem.solve.static import Statics
 from continuum import Continuum, Vibration, _lines
 from fem_cylinder import disc, extruded
 from kept import RESULTS, commit, keep, origin
+from matching import matched
 
 #: Poisson's ratios of five materials.
 MATERIALS = {one: bd.materials.get(one).nu for one in NAMES}
@@ -120,7 +124,7 @@ def bodies() -> dict[str, Body]:
     flange, web = (40e-3, 10e-3, 3e-3), (40e-3, 3e-3, 10e-3)
     angle = (((0, 0, 0), flange), ((0, 0, 3e-3), web))
     hole = bd.Cylinder(4e-3, 10e-3).rotated("y", np.pi / 2).moved((20e-3, 10e-3, 8e-3))
-    refined = ((0.0, 40e-3), (), ())
+    refined = ((0.0, 40e-3), (3e-3,), (3e-3,))  # the ends, and the re-entrant edge
     return {
         "cube": _box((10e-3, 10e-3, 10e-3), 1.67e-3),
         "beam": _box((40e-3, 5e-3, 5e-3), 1.25e-3),
@@ -128,7 +132,7 @@ def bodies() -> dict[str, Body]:
         "cylinder": Body(bd.Cylinder(5e-3, 40e-3), _cylinder, 10e-3, loads=BAR),
         "l_beam": Body(
             bd.Box(flange) | bd.Box(web),
-            lambda fine: Continuum.of(angle, cell=1.11e-3 / fine, refined=refined), 3e-3, loads=BAR,
+            lambda fine: Continuum.of(angle, cell=1.6e-3 / fine, refined=refined), 3e-3, loads=BAR,
         ),
         "bracket": Body(
             bd.Surface(ROOT / "examples" / "bracket.stl", unit="mm"),
@@ -144,13 +148,19 @@ def mesh(name: str, fine: float = 1.0) -> Continuum:
 
 
 @cache
+def free_modes(name: str, nu: float, fine: float = 1.0) -> Vibration:
+    """For E = ρ = 1."""
+    return mesh(name, fine).vibration(1.0, nu, 1.0, count=MODES)
+
+
+@cache
 def reference(name: str, nu: float, fine: float = 1.0) -> tuple[Vibration, dict[str, float]]:
     """Free modes for E = ρ = 1, and what each unit load does where it acts on the clamped body."""
     body = bodies()[name]
     motion = mesh(name, fine).response(1.0, nu, held="x_min", loaded=body.loaded, loads=list(body.loads.values()))
     pairs = zip(body.loads.items(), motion, strict=True)
     moved = {load: float(np.concatenate(one) @ way) for (load, one), way in pairs}
-    return mesh(name, fine).vibration(1.0, nu, 1.0, count=MODES), moved
+    return free_modes(name, nu, fine), moved
 
 
 @cache
@@ -208,17 +218,10 @@ def _work(part: bd.Lattice, law: bd.CellBond, name: str) -> dict[str, float]:
 
 
 def _frequencies(part: bd.Lattice, law: bd.CellBond, theory: Vibration, expected: np.ndarray) -> list[float]:
-    found = bd.solve_modes(bd.Model(part, law, 1.0), count=MODES + 3)
     assert part.cells is not None
-    root = np.sqrt(part.cells.volume)[:, None]
-    seen, wanted = ((root * shapes).reshape(len(shapes), -1) for shapes in (found.shape[:, :, :3], expected))
-    likeness = (seen @ wanted.T) ** 2 / np.outer((seen**2).sum(axis=1), (wanted**2).sum(axis=1))
-    errors = []
-    for group in groups(theory.frequency):
-        best = np.argsort(-likeness[:, group].sum(axis=1))[: len(group)]
-        measured, exact = (float(np.sqrt((f**2).mean())) for f in (found.frequency[best], theory.frequency[group]))
-        errors += [measured / exact - 1.0] * len(group)
-    return errors[:6]
+    found = bd.solve_modes(bd.Model(part, law, 1.0), count=MODES + 3)
+    pairs = matched(found, part.cells.volume, theory, expected)
+    return [one.measured / one.reference - 1.0 for one in pairs for _ in one.modes][:6]
 
 
 def meshes(name: str, nu: float) -> dict[str, float]:
@@ -251,25 +254,36 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--nu", type=float, nargs="+", default=sorted(set(MATERIALS.values())))
     parser.add_argument("--out", type=Path, default=Path("out/cell_bodies"))
     parser.add_argument("--meshes", action="store_true", help="hold the meshes of the continuum against finer ones")
+    parser.add_argument("--kept", action="store_true", help="put the kept cases of --shapes in --out")
     parser.add_argument("--summary", action="store_true", help="sum up what is in --out")
     given = parser.parse_args(arguments)
     if given.summary:
         sum_up(given.out)
         return
     given.out.mkdir(parents=True, exist_ok=True)
+    if given.kept:
+        for one in json.loads((RESULTS / "cell_bodies.json").read_text(encoding="utf-8"))["cases"]:
+            if one["shape"] in given.shapes:
+                _file(given.out, one).write_text(json.dumps(one))
+        return
     if given.meshes:
         for shape in given.shapes:
             (given.out / f"meshes-{shape}.json").write_text(json.dumps(meshes(shape, 0.2)))
         return
     cases = []
     for count, seed, shape, nu in product(given.counts, given.seeds, given.shapes, given.nu):
-        file = given.out / f"{shape}-nu{nu:g}-{count}-seed{seed}.json"
+        file = _file(given.out, {"shape": shape, "nu": nu, "count": count, "seed": seed})
         if not file.exists():
             started = time.perf_counter()
             file.write_text(json.dumps(case(shape, nu, count, seed) | {"commit": commit()}))
             print(f"{file.stem}: {time.perf_counter() - started:.0f} s", flush=True)
         cases.append(json.loads(file.read_text()))
     print(table(cases))
+
+
+def _file(out: Path, one: dict[str, Any]) -> Path:
+    """Where a case is kept."""
+    return out / f"{one['shape']}-nu{one['nu']:g}-{one['count']}-seed{one['seed']}.json"
 
 
 def sum_up(out: Path) -> None:

@@ -18,10 +18,11 @@ from scipy.linalg import eigh
 from scipy.sparse import bsr_array
 
 import bondem as bd
-from any_specimen import MODES, groups
+from any_specimen import MODES
 from bondem.solve.linear import System, rigid_motions, solver
 from cell_bodies import cut, mesh
 from kept import RESULTS, keep, origin
+from matching import groups
 
 SHAPE = "beam"
 #: Modes in the subspace.

@@ -91,6 +91,16 @@ class Continuum:
         (_, (_, _, height)), ((inner, _, _), _) = BRACKET
         return cls.of(BRACKET, cell=cell, refined=((0.0, inner), (), (height,)))
 
+    def between(self, inside: float, *faces: str) -> "Continuum":
+        """What lies between planes `inside` [m] of faces; the quarter of the body next to each has to be a prism."""
+        mesh = self.basis.mesh
+        p = mesh.p.copy()
+        for face in faces:
+            axis, sign = "xyz".index(face[0]), 1.0 if face.endswith("max") else -1.0
+            end, quarter = (sign * p[axis]).max(), 0.25 * np.ptp(mesh.p[axis])
+            p[axis] -= sign * inside * np.maximum(1.0 - (end - sign * p[axis]) / quarter, 0.0)
+        return Continuum(Basis(type(mesh)(p, mesh.t), self.basis.elem, intorder=4))
+
     @cached_property
     def _forms(self) -> tuple[csc_matrix, csc_matrix, csc_matrix]:
         """K = λ K_λ + G K_G, and M for ρ = 1."""

@@ -133,3 +133,18 @@ def test_modes_are_read_at_points(beam):
     assert np.abs(at[5, :, 1:]).max() < 0.1 * np.abs(at[5, :, 0]).max()
     # unit modal mass for ρ = 1: ⟨|φ|²⟩ V = 1, to the scatter of 400 points
     assert (at**2).sum(axis=2).mean(axis=1) * np.prod(BEAM) == pytest.approx(np.ones(6), rel=0.15)
+
+
+def test_a_body_between_planes_is_the_part_of_it():
+    inside, units = 0.5e-3, [((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)), ((0.0, 1.0, 0.0), (0.0, 0.0, 0.0))]
+    whole = Continuum.box(BEAM, cell=2.5e-3)
+    part = whole.between(inside, "x_min", "x_max")
+    plain = Continuum.of([((inside, 0, 0), (BEAM[0] - inside, *BEAM[1:]))], cell=2.5e-3,
+                         refined=((inside, BEAM[0] - inside), (), ()))  # fmt: skip
+    assert part.volume == pytest.approx(plain.volume, rel=1e-12)
+    one, other = (body.response(E, NU, held="x_min", loaded="x_max", loads=units) for body in (part, plain))
+    # the meshes differ a little
+    assert np.diag(one) == pytest.approx(np.diag(other), rel=1e-3)
+    # and nothing moves but the ends
+    middle = np.abs(whole.basis.mesh.p[0] - 0.5 * BEAM[0]) <= 0.25 * BEAM[0]
+    np.testing.assert_array_equal(whole.basis.mesh.p[:, middle], part.basis.mesh.p[:, middle])

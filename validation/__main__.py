@@ -11,8 +11,8 @@ from validation.frame.command import command_of
 from validation.frame.study import Study
 
 STUDIES = (
-    "abacus", "assembly", "coverage", "dispersion", "influence", "protocol", "quasistatic", "refinement", "section",
-    "surface", "vibration", "wave",
+    "abacus", "assembly", "coverage", "dispersion", "fracture", "influence", "protocol", "quasistatic", "refinement",
+    "ring", "section", "surface", "vibration", "wave",
 )  # fmt: skip
 
 

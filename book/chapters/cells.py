@@ -14,7 +14,8 @@ RAYLEIGH = Measurement("cell_rayleigh", "python benchmarks/cell_rayleigh.py", "1
 HOLE = Measurement("cell_hole", "python benchmarks/cell_hole.py", "40 min")
 INERTIA = Measurement("cell_inertia", "python benchmarks/cell_inertia.py", "10 min")
 BODIES = Measurement("cell_bodies", "python benchmarks/cell_bodies.py")
-MEASUREMENTS = (MODULI, WAVES, RAYLEIGH, HOLE, INERTIA, BODIES)
+BEAMS = Measurement("beam_bodies", "python benchmarks/beam_bodies.py", "40 min")
+MEASUREMENTS = (MODULI, WAVES, RAYLEIGH, HOLE, INERTIA, BODIES, BEAMS)
 
 #: What is asked for [-].
 E_LIMIT, NU_LIMIT, WAVE_LIMIT, RAYLEIGH_LIMIT, HOLE_LIMIT = 3e-3, 2e-3, 5e-3, 1e-2, 5e-2
@@ -39,7 +40,7 @@ def chapter() -> Chapter:
             "`bd.CellBond(E, nu)` takes the material's constants; nothing is calibrated. Every packing that was tried"
             " is in the tables. What the law is, and where its limits are: [cell_law.md](cell_law.md)."
         ),
-        sections=(_moduli(), _waves(), _rayleigh(), *_bodies(), _hole(), _inertia()),
+        sections=(_moduli(), _waves(), _rayleigh(), *_bodies(), _beams(), _hole(), _inertia()),
     )
 
 
@@ -127,6 +128,9 @@ def _bodies() -> tuple[Section, ...]:
                                 form=SIGNED, ours=BODIES.of(*errors)))  # fmt: skip
     if not rows:
         return ()
+    for shape, own in BODIES.at("meshes").items():
+        rows.append(Row(case=f"{shape.replace('_', ' ')}: errors of the finite elements against a finer mesh",
+                        form=SIGNED, ours=BODIES.of(*own.values())))  # fmt: skip
     return (
         Section(
             title="Seven shapes beside finite elements",
@@ -137,6 +141,42 @@ def _bodies() -> tuple[Section, ...]:
             ),
             rows=tuple(rows),
         ),
+    )
+
+
+def _beams() -> Section:
+    """Beam bonds in the same shapes, each beside the cells of the same packing and the same Poisson's ratios."""
+    found, rows = BEAMS.at("cases"), []
+    for shape, count, seed in dict.fromkeys((one["shape"], one["count"], one["seed"]) for one in found):
+        mine = [one for one in found if one["shape"] == shape]
+        nus = {one["nu"] for one in mine}
+        cells = [
+            one["errors"] for one in BODIES.at("cases")
+            if (one["shape"], one["count"], one["seed"]) == (shape, count, seed) and one["nu"] in nus
+        ]  # fmt: skip
+        ways = {
+            "cells": (BODIES, cells), "beams as calibrated": (BEAMS, [one["calibrated"] for one in mine]),
+            "beams corrected": (BEAMS, [one["corrected"] for one in mine]),
+        }  # fmt: skip
+        for words, (kept, bodies) in ways.items():
+            if bodies:
+                who = f"{shape.replace('_', ' ')}, {words}"
+                worst = max(abs(error) for one in bodies for error in one.values())
+                heard = [one[key] for one in bodies for key in _QUANTITIES["frequencies"]]
+                rows += [
+                    Row(case=f"{who}: worst error of {len(bodies)} bodies", form=PERCENT, ours=kept.of(worst)),
+                    Row(case=f"{who}: errors of frequencies", form=SIGNED, ours=kept.of(*heard)),
+                ]
+    return Section(
+        title="Beam bonds in the same shapes",
+        before=(
+            f"Euler–Bernoulli bonds calibrated once for each of {len({one['material'] for one in found})} materials,"
+            f" in {BEAMS.at('cells')} periodic cells of {_spaced(BEAMS.at('cell'))} spheres: as calibrated, and with"
+            " E_μ and r̃ changed for each body by the surface correction. The quantities are those of the cells;"
+            f" {_spaced(found[0]['count'])} elements, seed {found[0]['seed']}. What loads do is held against the"
+            " continuum between the centres of the spheres that are held and loaded, in favour of the beams."
+        ),
+        rows=tuple(rows),
     )
 
 

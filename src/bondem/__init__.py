@@ -25,6 +25,7 @@ _PUBLIC = {
     "bondem.specimen.layering": ("Layering", "wall_layering"),
     "bondem.specimen.radial_distribution": ("RadialDistribution", "radial_distribution"),
     "bondem.packing": ("pack",),
+    "bondem.packing.grading": ("Graded",),
     "bondem.packing.sizes": ("Lognormal", "Sieve", "SizeLaw", "Uniform"),
     "bondem.fracture.crack_growth": ("CrackGrowth", "crack_speed"),
     "bondem.fracture.crack_polygons": ("CrackPolygons",),

@@ -91,6 +91,7 @@ from bondem.observe.cell_forces import SmallMotion as SmallMotion
 from bondem.observe.cell_stress import cell_stress as cell_stress
 from bondem.observe.energy import EnergyParts as EnergyParts
 from bondem.packing import pack as pack
+from bondem.packing.grading import Graded as Graded
 from bondem.packing.sizes import Lognormal as Lognormal
 from bondem.packing.sizes import Sieve as Sieve
 from bondem.packing.sizes import SizeLaw as SizeLaw

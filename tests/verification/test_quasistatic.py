@@ -91,6 +91,17 @@ def test_the_energy_under_the_line_is_dissipated(energy: float) -> None:
     assert abs(errors[2]) < 0.7 * abs(errors[1]) < 0.49 * abs(errors[0]) + 1e-3
 
 
+def test_a_run_ends_where_the_last_twentieth_of_its_events_stays_below() -> None:
+    """One event far below the others, as coarse steps bring them, is not the end."""
+    share, ripple = 0.4, 0.7
+    found = follow(pulled(block(60), fracture_energy=20.0), ripple=ripple, until=share)
+    below = found.load < share * np.maximum.accumulate(found.load)
+    ended = [below[e - int(np.ceil(0.05 * e)) : e].all() for e in range(1, len(below) + 1)]
+    assert found.end == "unloaded"
+    assert ended.index(True) == len(below) - 1
+    assert np.flatnonzero(below)[0] < 0.9 * len(below)  # where a single event would have ended it
+
+
 def test_brittle_facets_break_at_once() -> None:
     found = follow(pulled(bar(2), nu=0.0, fracture_energy=None))
     np.testing.assert_allclose(found.load, [STRENGTH * SIZE**2], rtol=1e-9)

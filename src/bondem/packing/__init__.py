@@ -10,6 +10,8 @@ from bondem.errors import InputError
 from bondem.io.packing_cache import PackingCache, wanted
 from bondem.packing.compression import compress
 from bondem.packing.even import even
+from bondem.packing.graded import graded
+from bondem.packing.grading import SizeField, cells_of, sizes_by
 from bondem.packing.growth import grow
 from bondem.packing.quench import quench
 from bondem.packing.shear import shear
@@ -37,7 +39,8 @@ _MOST = 100_000_000
 def pack(
     shape: Shape,
     *,
-    count: int,
+    count: int | None = None,
+    size: SizeField | None = None,
     spread: float | None = None,
     sizes: SizeLaw | None = None,
     method: str = METHOD,
@@ -61,7 +64,8 @@ def pack(
     - "compression": soft spheres compressed from a dilute gas in small strains, without gravity.
     - "shear" (slowest): grains on a grid, pressed while walls shear them to and fro (André et al. 2012, §4.1).
     - "even": for bodies of cells, `bd.connect(particles, method="laguerre")`: equal spheres, their centres spread
-      evenly, none nearer to a wall than a third of its radius. They hardly touch; no target, spread or sizes.
+      evenly, none nearer to a wall than a third of its radius. They hardly touch; no target, spread or sizes. With
+      `size` in place of `count`, one for all cells or another at each place, `bd.Graded`.
 
     Every target can be had from every other method; one above jamming is reached by compressing soft spheres. What
     a coordination number costs beyond jamming is overlap: at 6.2 on average 0.2 % of the mean radius in a periodic
@@ -71,6 +75,9 @@ def pack(
     Args:
         shape: any shape; walls that are not those of a Cylinder, Box, Ball or Cell are read from a grid of depths.
         count: number of spheres.
+        size: of cells, the cube root of their volume, for "even", in place of `count`: one size [m], `bd.Graded`, or
+            a function of points (k, 3) [m] that gives sizes (k,) [m] and changes by no more than the distance. How
+            many cells there are follows.
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
             `sizes` is given. Equal spheres (0) order at walls.
         sizes: law of the radii: Uniform, Lognormal, Sieve; in place of `spread`.
@@ -86,22 +93,29 @@ def pack(
         progress: called now and then with the done share, from 0 to 1, never less than before.
 
     Returns:
-        Exactly `count` spheres, with their `shape`.
+        Exactly `count` spheres, or as many as have the given size, with their `shape`.
 
     Raises:
         InputError: an argument out of range.
         PackingError: the target was not reached.
     """
     instance("pack", "shape", shape, Shape, "a shape such as bd.Cylinder(radius=5e-3, length=40e-3)")
-    count = whole("pack", "count", count, least=1, advice=f"a whole number of spheres, from 1 to {_MOST}")
-    if count > _MOST:
-        raise InputError(f"pack: count = {count}; give at most {_MOST} spheres")
+    choice("pack", "method", method, METHODS)
+    if (count is None) == (size is None):
+        raise InputError("pack: give count=, how many spheres, or size=, how large cells are, and not both")
+    if size is not None and method != EVEN:
+        raise InputError(f'pack: size= is for cells; give method="even" with it, or count= for {method!r}')
+    if size is not None and not callable(size):
+        count, size = cells_of(size, shape.volume), None
+    if count is not None:
+        count = whole("pack", "count", count, least=1, advice=f"a whole number of spheres, from 1 to {_MOST}")
+        if count > _MOST:
+            raise InputError(f"pack: count = {count}; give at most {_MOST} spheres")
     if sizes is not None and spread is not None:
         raise InputError("give spread= or sizes=, not both: spread=κ is short for sizes=bd.Uniform(κ)")
     if sizes is not None:
         instance("pack", "sizes", sizes, SizeLaw, "a law of the radii: bd.Uniform, bd.Lognormal or bd.Sieve")
     seed = whole("pack", "seed", seed, advice="a whole number from 0 up")
-    choice("pack", "method", method, METHODS)
     told = progress or (lambda share: None)
     if method == EVEN:
         given = (spread, sizes, coordination_number, volume_fraction, jamming or None)
@@ -110,9 +124,16 @@ def pack(
                 'pack: method="even" makes equal spheres that hardly touch; leave out spread=, sizes= and targets, or'
                 " take another method"
             )
-        request = {"shape": shape, "count": count, "method": method, "seed": seed}
-        return _kept(request, lambda: even(shape, count, np.random.Generator(np.random.Philox(seed)), told), told,
-                     cache=cache)  # fmt: skip
+        random = np.random.Generator(np.random.Philox(seed))
+        request: dict[str, object] = {"shape": shape, "count": count, "method": method, "seed": seed}
+        if count is not None:
+            return _kept(request, lambda: even(shape, count, random, told), told, cache=cache)
+        assert callable(size)
+        if shape.period is not None:
+            raise InputError("pack: a periodic cell has cells of one size; give size= as a number, or count=")
+        at = sizes_by(size)
+        return _kept(request | {"size": size}, lambda: graded(shape, at, random, told), told, cache=cache)
+    assert count is not None
     target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
     size_law = Uniform(SPREAD if spread is None else spread) if sizes is None else sizes
 
@@ -134,7 +155,7 @@ def _kept(
 ) -> Particles:
     """The packing of a request, from disk where it may be, else made."""
     count = request["count"]
-    assert isinstance(count, int)
-    particles = PackingCache().remembered(request, make) if cache and wanted(count) else make()
+    worth = wanted(count if isinstance(count, int) else _MOST)
+    particles = PackingCache().remembered(request, make) if cache and worth else make()
     told(1.0)
     return particles

@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.spatial import KDTree
 
-from bondem._types import Floats
+from bondem._types import Floats, PerElement
 from bondem.packing.start import thrown
 from bondem.specimen.cells.tessellation import cell_centroids
 from bondem.specimen.geometry import Shape
@@ -44,10 +44,11 @@ def even(
     spheres = thrown(shape, np.ones(count), _PUSHED, random, inside=_START)
     spheres.relax(1.0, tolerance=_ROUGH, steps=_STEPS)
     width = spheres.mean_radius
-    x = _kept_inside(shape, spheres.sphere[:, :3], spheres.sphere[:, :3], _MARGIN * width)
+    margin = np.full(count, _MARGIN * width)
+    x = kept_inside(shape, spheres.sphere[:, :3], spheres.sphere[:, :3], margin)
     for step in range(_LLOYD):
         told((step + 1) / (_LLOYD + 2))
-        x = _kept_inside(shape, cell_centroids(_points(shape, x, width)), x, _MARGIN * width)
+        x = kept_inside(shape, cell_centroids(_points(shape, x, width)), x, margin)
     return filled(Particles(x, _radius(shape, x, width), shape.period), shape)
 
 
@@ -56,7 +57,7 @@ def _points(shape: Shape, x: Floats, width: float) -> Particles:
     return filled(Particles(x, 1e-3 * width, shape.period), shape)
 
 
-def _kept_inside(shape: Shape, x: Floats, before: Floats, margin: float) -> Floats:
+def kept_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> Floats:
     """Centres that would come nearer to a wall than `margin` go half the way, or stay, and are pushed inwards."""
     if shape.period is not None:
         return np.mod(x, shape.period)
@@ -69,13 +70,14 @@ def _kept_inside(shape: Shape, x: Floats, before: Floats, margin: float) -> Floa
         close = np.flatnonzero(depth < margin)
         if not close.size:
             break
-        tiny = 1e-3 * margin
+        wanted, at = margin[close], depth[close]
+        tiny = 1e-3 * wanted
         slope = np.column_stack([
-            (shape.depth(x[close] + tiny * axis) - depth[close]) / tiny for axis in np.eye(3)
+            (shape.depth(x[close] + tiny[:, None] * axis) - at) / tiny for axis in np.eye(3)
         ])  # fmt: skip
         steep = np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), 0.1)
-        pushed = x[close] + (1.01 * margin - depth[close])[:, None] * slope / steep**2
-        deeper = shape.depth(pushed) > depth[close]
+        pushed = x[close] + (1.01 * wanted - at)[:, None] * slope / steep**2
+        deeper = shape.depth(pushed) > at
         x[close[deeper]] = pushed[deeper]
     return x
 

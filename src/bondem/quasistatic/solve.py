@@ -23,6 +23,8 @@ from bondem.specimen.regions import Region
 _TIE = 1e-9
 # A body whose stiffness is this share of that of the whole one is in two parts.
 _PARTED = 1e-5
+# Share of the events, the last ones, that have to be below the load at which a run ends.
+_LAST = 0.05
 # How often halves may open and close until an equilibrium is found.
 _ROUNDS = 40
 
@@ -102,7 +104,8 @@ def solve_quasistatic(
             the more events.
         together: facets whose load factors are within this share of the least fail in one event, at the middle of
             it; 0 for one after the other, of equal ones that of the lowest number first.
-        until: end where the load has fallen to this share of its peak.
+        until: end where the load has fallen to this share of its peak, and all of the last twentieth of the events
+            stay below: single events come at much less than those about them.
         most: end after so many events.
         gauges: pairs of regions whose relative displacement is recorded, by name.
         progress: called with the share done, 0 … 1, by how far the load has fallen after its peak.
@@ -124,8 +127,8 @@ def solve_quasistatic(
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
     motion = body.motion.copy()
-    first, peak, end = 0.0, 0.0, "events"
-    for _ in range(limit):
+    first, peak, below, end = 0.0, 0.0, 0, "events"
+    for event in range(limit):
         motion, found = _balance(body, equilibrium, motion)
         load, displacement = reading.read(found, motion)
         path.settle(body.potential(motion), load, displacement)
@@ -150,7 +153,8 @@ def solve_quasistatic(
         path.add_event(factor, gauge.read(motion), motion)
         if progress is not None and peak > 0.0 and share < 1.0:
             progress(min(max((1.0 - factor * load / peak) / (1.0 - share), 0.0), 1.0))
-        if factor * load < share * peak:
+        below = below + 1 if factor * load < share * peak else 0
+        if below and below >= _LAST * (event + 1):
             end = "unloaded"
             break
     return path.result(body, end, equilibrium.rounds)

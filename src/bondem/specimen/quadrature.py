@@ -75,8 +75,8 @@ def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper
     """The cells that make up a box, from the largest to the smallest; arguments as of `content`."""
     axes = np.flatnonzero(upper > lower)
     count = np.ones(3, dtype=int)
-    # Cells a little off a cube are as good, flat ones are not: half of one at a wall of the box would count as outside.
-    # The box is filled exactly, so that its own walls are too.
+    # Cells a little off a cube are as good; of flat ones at a wall of the box a part would count as outside. The box
+    # is filled exactly, so that its own walls are too.
     extent = (upper - lower)[axes]
     along = np.clip(extent.max() / extent.min(), _CELLS, _THIN)
     count[axes] = np.maximum(1, np.ceil(along * extent / extent.max() * (1.0 - 1e-12))).astype(int)

@@ -3,7 +3,8 @@
 A cell begins as a box and is cut by the radical plane of one neighbour after another, in the order of their distance.
 Every face is a polygon of its own, cut by planes, without any record of what meets where: nothing can go wrong in
 degenerate cases, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour
-at distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends.
+at distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. Where small spheres are far from
+large ones it ends before: no radius is above B + κ L, with B a bound about each element.
 """
 
 import math
@@ -23,6 +24,10 @@ from bondem.specimen.particles import Particles
 _FACES = 400
 # How it ended: all well, too many faces, a neighbour half a period away, nothing left of a cell.
 _WELL, _CROWDED, _NARROW, _EMPTY = 0, 1, 2, 3
+# Elements of a box among which neighbours are nearer than usual.
+_CROWD = 8.0
+# κ: slope at which bounds of the radii fall with the distance from large spheres.
+_SLOPE = 0.5
 # A plane that reaches less deep does not cut, over the spacing of the centres; rounding of coordinates, over extents.
 _SHALLOW, _ROUNDING = 1e-12, 4e-15
 
@@ -38,6 +43,8 @@ class Bins(NamedTuple):
         boxes: boxes along each axis, (3,).
         start: where the members of each box begin, (boxes + 1,).
         member: elements, box by box, (n,).
+        bound: B of each element: no sphere at distance L has a radius above B + κ L [m], (n,).
+        first: distance to which neighbours are looked for at first, less in crowded boxes [m], (n,).
         reach: usual distance of the farthest neighbour [m].
         tolerance: depth to which planes do not cut [m].
     """
@@ -50,6 +57,8 @@ class Bins(NamedTuple):
     boxes: Ints
     start: Ints
     member: Ints
+    bound: Floats
+    first: Floats
     reach: float
     tolerance: float
 
@@ -89,7 +98,29 @@ def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bi
     period = np.zeros(3) if particles.period is None else np.array(particles.period)
     size = reach / 3.0
     tolerance = max(_SHALLOW * size, _ROUNDING * float(np.abs([lower, upper]).max()))
-    return Bins(x, particles.radius, lower, upper, period, count, start, member, reach, tolerance)
+    first = reach * np.minimum(1.0, np.cbrt(_CROWD / np.diff(start)[box]))
+    bound = np.full(n, particles.radius.max())
+    if particles.period is None:
+        bound = np.minimum(bound, _bounds(particles.radius, box, count, extent / count))
+    return Bins(x, particles.radius, lower, upper, period, count, start, member, bound, first, reach, tolerance)
+
+
+def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
+    """B of elements in boxes of some widths: the largest radius of near boxes, and less of farther ones, (n,)."""
+    most = np.zeros(int(count.prod()))
+    np.maximum.at(most, box, radius)
+    most = most.reshape(tuple(count))
+    for axis in range(3):
+        most = np.moveaxis(most, axis, 0)
+        near = most.copy()
+        near[1:] = np.maximum(near[1:], most[:-1])
+        near[:-1] = np.maximum(near[:-1], most[1:])
+        # a distance is at least the mean of its parts along the axes, times √3
+        fall = _SLOPE / math.sqrt(3.0) * width[axis] * np.arange(len(near))[:, None, None]
+        up = np.maximum.accumulate(near + fall) - fall
+        down = np.maximum.accumulate((near - fall)[::-1])[::-1] + fall
+        most = np.moveaxis(np.maximum(up, down), 0, axis)
+    return most.ravel()[box]
 
 
 class _Room(NamedTuple):
@@ -250,12 +281,26 @@ def _narrow(centres, i, room, faces):
 
 
 @loop(parallel=False)
+def _ends(length, own, bound, farthest):
+    """Whether no plane cuts of elements at a distance or beyond, by B."""
+    return (1.0 - _SLOPE**2) * length - 2.0 * _SLOPE * bound - (bound**2 - own) / length >= 2.0 * farthest
+
+
+@loop(parallel=False)
+def _needed(own, bound, largest, farthest):
+    """Distance beyond which no plane cuts: the lesser of those by the largest radius of all and by B."""
+    ahead, left = _SLOPE * bound + farthest, 1.0 - _SLOPE**2
+    near = (ahead + math.sqrt(ahead * ahead + left * (bound * bound - own))) / left
+    return min(near, farthest + math.sqrt(farthest * farthest + largest * largest - own))
+
+
+@loop(parallel=False)
 def _shaped(centres, i, half, largest, room, found, offset, order):
     """Cut the cell of element i out of its box: how it ended, its faces, and the lists, which may have grown."""
     faces = _begin(centres, i, half, room)
     farthest, own = _radius(room, faces), centres.radius[i] ** 2
-    surplus = largest * largest - own
-    near, far = 0.0, centres.reach
+    surplus, bound = largest * largest - own, centres.bound[i]
+    near, far = 0.0, centres.first[i]
     while True:
         listed, found, offset = _gather(centres, i, near, far, found, offset)
         if listed > order.size:
@@ -264,7 +309,7 @@ def _shaped(centres, i, half, largest, room, found, offset, order):
         for p in range(listed):
             o = order[p]
             length, j = offset[o, 3], found[o]
-            if 0.5 * (length - surplus / length) >= farthest:
+            if 0.5 * (length - surplus / length) >= farthest or _ends(length, own, bound, farthest):
                 break
             d = 0.5 * (length + (own - centres.radius[j] ** 2) / length)
             if d >= farthest:
@@ -275,7 +320,7 @@ def _shaped(centres, i, half, largest, room, found, offset, order):
                 return _EMPTY if cut == 0 else _CROWDED, faces, found, offset, order
             if cut > 0:
                 faces, farthest = cut, _radius(room, cut)
-        needed = farthest + math.sqrt(farthest * farthest + surplus)
+        needed = _needed(own, bound, largest, farthest)
         if far >= needed:
             break
         near, far = far, min(needed, 2.0 * far)

@@ -1,0 +1,128 @@
+"""Centres for cells of sizes that differ from place to place, each at the centroid of its own cell.
+
+Centres begin at random, as many to each part of the shape as it holds; near ones push each other apart; then every
+centre moves to the centroid of its Laguerre cell, a few times over (Lloyd). Radii are as the sizes there, so that the
+plane between two neighbours parts their distance as their sizes are.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._types import Floats, Ints, PerElement, PerElement3
+from bondem.errors import InputError
+from bondem.packing.even import kept_inside
+from bondem.packing.grading import STEEPEST, Sites, SizesAt, sites
+from bondem.specimen.cells.tessellation import cell_centroids
+from bondem.specimen.geometry import Shape
+from bondem.specimen.particles import Particles, filled, freeze
+
+# Radius over the size of a cell, that of a facet half-way between equal ones.
+_RADIUS = 0.5
+# Distance at which centres push each other over the mean of their sizes, neighbours that are looked at, how far they
+# go over what is missing, how often, and how often with the same neighbours; then steps of Lloyd.
+_PUSHED, _NEAR, _STEP, _ROUNDS, _SAME, _LLOYD = 1.12, 16, 0.18, 10, 5, 6
+# Overlap over the smaller radius, and radius over the depth of a centre, at most; how far inside walls centres stay
+# on the way, over their sizes.
+_OVERLAP, _INSIDE, _MARGIN = 0.45, 3.0, 0.2
+_TRIES = 30
+
+
+def graded(
+    shape: Shape, size: SizesAt, random: np.random.Generator,
+    told: Callable[[float], None],
+) -> Particles:  # fmt: skip
+    """Spheres as large as cells are to be, no two of which overlap by half the smaller radius.
+
+    Args:
+        shape: what to fill.
+        size: of cells at points (k, 3) [m], (k,).
+        random: where the randomness comes from.
+        told: called with the done share.
+
+    Raises:
+        InputError: too many cells, sizes that change too fast, or a part of the shape that no centre fell into.
+    """
+    places = sites(shape, size)
+    x = _begun(shape, places, size, random)
+    for _ in range(_ROUNDS if len(x) > 1 else 0):
+        h, other = size(x), _neighbours(x, _NEAR)[1]
+        for _ in range(_SAME):
+            x = kept_inside(shape, _pushed(x, h, other), x, _MARGIN * h)
+    _check_slope(x, size(x))
+    for step in range(_LLOYD):
+        told((step + 1) / (_LLOYD + 2))
+        x = _inside(shape, cell_centroids(_spheres(shape, x, _RADIUS * size(x))), x, size)
+    h = size(x)
+    _check_slope(x, h)
+    return _spheres(shape, x, _share(shape, x, h) * h)
+
+
+def _begun(
+    shape: Shape, places: Sites, size: SizesAt, random: np.random.Generator
+) -> PerElement3:
+    """Centres at random, one in each of `count` equal parts of what the places take [m], (n, 3)."""
+    n = places.count
+    end = np.cumsum(places.cells)
+    along = (np.arange(n) + random.random(n)) * (end[-1] / n)
+    place = np.minimum(np.searchsorted(end, along), len(end) - 1)
+    x = places.centre[place]
+    out = np.arange(n)
+    for _ in range(_TRIES):
+        x[out] = places.centre[place[out]] + (random.random((len(out), 3)) - 0.5) * places.edge[place[out]]
+        out = out[shape.depth(x[out]) <= 0.0]
+        if not out.size:
+            break
+    return _inside(shape, x, x, size)
+
+
+def _inside(
+    shape: Shape, x: PerElement3, before: PerElement3, size: SizesAt
+) -> PerElement3:
+    return kept_inside(shape, x, before, _MARGIN * size(before))
+
+
+def _neighbours(x: PerElement3, most: int) -> tuple[Floats, Ints]:
+    """Distances [m] and numbers of the nearest others, (n, most - 1), or all others where there are less."""
+    distance, other = KDTree(x).query(x, k=min(most, len(x)))
+    return np.asarray(distance)[:, 1:], np.asarray(other)[:, 1:]
+
+
+def _pushed(x: PerElement3, h: PerElement, other: Ints) -> PerElement3:
+    """Centres after those too near to their neighbours (n, k), for their sizes, have gone apart a little."""
+    way = x[:, None] - x[other]
+    distance = np.maximum(np.sqrt(np.einsum("nkc,nkc->nk", way, way)), 1e-12 * h[:, None])
+    apart = np.maximum(0.5 * _PUSHED * (h[:, None] + h[other]) - distance, 0.0)
+    return x + _STEP * np.einsum("nk,nkc->nc", apart / distance, way)
+
+
+def _spheres(shape: Shape, x: PerElement3, radius: PerElement) -> Particles:
+    """Particles as they are, overlap unchecked."""
+    spheres = filled(Particles(x, np.full(len(x), 1e-9 * radius.min())), shape)
+    object.__setattr__(spheres, "radius", freeze(radius))
+    return spheres
+
+
+def _check_slope(x: PerElement3, h: PerElement) -> None:
+    """Refuse sizes that change by more than the distance between neighbours."""
+    if len(x) == 1:
+        return
+    distance, other = _neighbours(x, 2)
+    change = (np.abs(h[:, None] - h[other]) / distance)[:, 0]
+    worst = int(np.argmax(change))
+    if change[worst] > STEEPEST + 1e-9:
+        raise InputError(
+            f"pack: size= changes by {change[worst]:.2g} of the distance at {x[worst]}, and no cells are like that;"
+            f" let it change by at most {STEEPEST:g}, such as bd.Graded(..., growth=0.3)"
+        )
+
+
+def _share(shape: Shape, x: PerElement3, h: PerElement) -> float:
+    """Radius over size, as large as neighbours and walls let all of them be, but not more than half."""
+    share = min(_RADIUS, float((_INSIDE * shape.depth(x) / h).min()))
+    if len(x) == 1:
+        return share
+    distance, other = _neighbours(x, _NEAR)
+    near, far = np.minimum(h[:, None], h[other]), np.maximum(h[:, None], h[other])
+    return min(share, float((distance / (far + (1.0 - _OVERLAP) * near)).min()))

@@ -1,0 +1,143 @@
+"""A published fracture test as data: a body that is the same along z, its supports, and what is known of it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem.errors import InputError
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.rankine import Rankine
+from bondem.model.boundary import BoundaryCondition, Drive, Fix
+from bondem.model.model import Model
+from bondem.packing import EVEN, pack
+from bondem.packing.grading import Graded
+from bondem.specimen.bonding import connect
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face, Index
+from bondem.specimen.shape import Shape
+
+# How far the driven line goes at a load factor of 1 [m]: nothing depends on it.
+_WAY = 1e-6
+# How far from its level a facet of a flat surface may lie [m], and how far from the vertical its normal.
+_LEVEL, _UPRIGHT = 1e-7, 1e-6
+# Points of a line whose nearest facets are under it.
+_POINTS = 60
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line along z on a surface that faces up or down: a roller, the edge of a plate, a knife of a gauge.
+
+    Attributes:
+        x, y: where [m].
+    """
+
+    x: float
+    y: float
+
+    def cells(self, body: Lattice) -> Index:
+        """The elements under the line: those nearest to points along it, one row of cells across the body.
+
+        Raises:
+            InputError: no such surface there.
+        """
+        assert body.cells is not None
+        free = body.cells.free
+        flat = (np.abs(np.abs(free.normal[:, 1]) - 1.0) < _UPRIGHT) & (np.abs(free.centroid[:, 1] - self.y) < _LEVEL)
+        level = np.flatnonzero(flat)
+        if not level.size:
+            raise InputError(f"nothing faces up or down at {self}; look at the shape of the case")
+        lower, upper = body.particles.envelope.bounds
+        z = lower[2] + (upper[2] - lower[2]) * (np.arange(_POINTS) + 0.5) / _POINTS
+        along = np.column_stack([np.full(_POINTS, self.x), z])
+        nearest = KDTree(free.centroid[level][:, [0, 2]]).query(along)[1]
+        return Index(np.unique(free.cell[level[nearest]]))
+
+
+@dataclass(frozen=True)
+class Claim:
+    """What a run is held against.
+
+    Attributes:
+        quantity: "peak" [N] or "work" [J].
+        low, high: between which it is to be.
+        words: where they come from, for tables.
+    """
+
+    quantity: str
+    low: float
+    high: float
+    words: str
+
+    def verdict(self, values: list[float]) -> str:
+        """"met" where all values are within, "met by the mean" where that is, else "missed"."""
+        if all(self.low <= value <= self.high for value in values):
+            return "met"
+        return "met by the mean" if self.low <= float(np.mean(values)) <= self.high else "missed"
+
+
+@dataclass(frozen=True)
+class Case:
+    """A test to failure, in plane geometry, of a body with a thickness along z.
+
+    Attributes:
+        name: of the case, as commands have it.
+        title: for tables and figures.
+        E, nu: of the material [Pa, -].
+        rho: density [kg/m³]; of no account without inertia and weight.
+        tension: strength of `bd.Rankine` [Pa].
+        fracture_energy: [J/m²].
+        shape: of the body.
+        about: where the crack is expected, with the places of rollers: cells are fine there.
+        fine, coarse: sizes of cells at `finer=1` [m].
+        path: the part of the body that a picture of the crack shows, x and y from, to [m].
+        driven: the line that is moved, and whether up (1) or down (-1).
+        claim: what is published of it.
+        held: rollers that hold y.
+        clamped: faces that are held entirely.
+        mouth: knives of the gauge of the crack mouth, if there is one.
+        curve: published load over displacement of the driven line [m, N].
+        ripple, together, until: of `bd.solve_quasistatic`.
+    """
+
+    name: str
+    title: str
+    E: float
+    nu: float
+    rho: float
+    tension: float
+    fracture_energy: float
+    shape: Shape
+    about: Shape
+    fine: float
+    coarse: float
+    path: tuple[float, float, float, float]
+    driven: tuple[Line, int]
+    claim: Claim
+    held: tuple[Line, ...] = ()
+    clamped: tuple[str, ...] = ()
+    mouth: tuple[Line, Line] | None = None
+    curve: tuple[tuple[float, float], ...] = ()
+    ripple: float = 0.2
+    together: float = 0.01
+    until: float = 0.05
+
+    def body(self, seed: int, finer: float = 1.0) -> Lattice:
+        """Cells, fine where the crack is expected; `finer` is how many times smaller they are."""
+        size = Graded(fine=self.fine / finer, coarse=self.coarse / finer, about=self.about, growth=0.3)
+        return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
+
+    def model(self, body: Lattice) -> tuple[Model, Index]:
+        """The test on a body, and the elements that are driven."""
+        line, way = self.driven
+        moved = line.cells(body)
+        boundary: list[BoundaryCondition] = [Fix(Face(name)) for name in self.clamped]
+        boundary += [Fix(roller.cells(body), translation="y", rotation="") for roller in self.held]
+        boundary.append(Drive(moved, y=way * _WAY))
+        failure = Rankine(tension=self.tension, fracture_energy=self.fracture_energy)
+        return Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=boundary), moved
+
+    def gauges(self, body: Lattice) -> dict[str, tuple[Index, Index]]:
+        """What is measured beside the driven line."""
+        return {} if self.mouth is None else {"CMOD": (self.mouth[0].cells(body), self.mouth[1].cells(body))}

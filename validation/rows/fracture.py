@@ -1,0 +1,100 @@
+"""Published fracture tests, each run a row: curves, peak, work, and where the crack went."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.quasistatic.solve import QuasistaticResult, solve_quasistatic
+from bondem.specimen.lattice import Lattice
+from validation.cases.case import Case
+from validation.frame.files import plain
+from validation.frame.request import Request
+
+#: A facet that has lost this share of its integrity is of the crack.
+LOST = 0.5
+# Digits that are kept of curves and cracks.
+_DIGITS = 6
+
+
+@dataclass(frozen=True)
+class FractureRun(Request):
+    """A case on one packing.
+
+    Attributes:
+        case: what is tested.
+        seed: of the packing.
+        finer: how many times smaller cells are than the case has them.
+    """
+
+    case: Case
+    seed: int
+    finer: float = 1.0
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        return f"{self.case.name}_finer{self.finer:g}_seed{self.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return self.finer**4
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`; cells are of one kind, and their number follows."""
+        return {"case": self.case.name, "seed": self.seed, "finer": self.finer, "count": 0, "spread": 0.0}
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """See `Request`: SI units."""
+        case = self.case
+        body = case.body(self.seed, self.finer)
+        model, driven = case.model(body)
+        begun = perf_counter()
+        path = solve_quasistatic(
+            model, driven, ripple=case.ripple, together=case.together, until=case.until, gauges=case.gauges(body)
+        )
+        peak = int(np.argmax(path.load))
+        return plain({
+            "count": len(body.particles), "facets": len(body.pairs), "events": len(path.load),
+            "failures": len(path.bond), "iterations": path.iterations, "end": path.end,
+            "run_seconds": round(perf_counter() - begun, 1),
+            "peak": path.peak, "displacement": path.displacement[peak], "work": path.work[-1],
+            "stored": path.stored[-1], "area": _torn(body, path),
+            "curve": _curve(path), "crack": _crack(body, path),
+        })  # fmt: skip
+
+
+def _rounded(values: Floats) -> list[float]:
+    return [float(f"{value:.{_DIGITS}g}") for value in values.tolist()]
+
+
+def _curve(path: QuasistaticResult) -> dict[str, list[float]]:
+    """Of each event: displacement of the driven line [m], load [N], and what gauges tell along x [m]."""
+    curve = {"displacement": path.displacement, "load": path.load}
+    curve |= {name: moved[:, 0] for name, moved in path.gauge.items()}
+    return {name: _rounded(values) for name, values in curve.items()}
+
+
+def _cracked(path: QuasistaticResult) -> np.ndarray:
+    return np.flatnonzero(path.bond_integrity < 1.0 - LOST)
+
+
+def _torn(body: Lattice, path: QuasistaticResult) -> float:
+    """Area of the facets of the crack [m²]."""
+    assert body.facets is not None
+    return float(body.facets.area[_cracked(path)].sum())
+
+
+def _crack(body: Lattice, path: QuasistaticResult) -> dict[str, list[float]]:
+    """Facets of the crack: centre [m], normal [-], area [m²], and the integrity that is left [-]."""
+    assert body.facets is not None
+    facets, torn = body.facets, _cracked(path)
+    found = {axis: facets.centroid[torn, k] for k, axis in enumerate("xyz")}
+    found |= {f"normal_{axis}": facets.normal[torn, k] for k, axis in enumerate("xyz")}
+    found |= {"area": facets.area[torn], "integrity": path.bond_integrity[torn]}
+    return {name: _rounded(values) for name, values in found.items()}

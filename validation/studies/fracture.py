@@ -1,0 +1,118 @@
+"""Published fracture tests on graded bodies of cells, without inertia: a scorecard, load curves and crack paths."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+from bondem._checks import choice
+from bondem.errors import InputError
+from validation.cases.case import Case
+from validation.cases.garcia_alvarez import GARCIA_ALVAREZ
+from validation.cases.gregoire import GREGOIRE
+from validation.cases.l_panel import L_PANEL
+from validation.cases.petersson import PETERSSON
+from validation.figures.fracture import draw_case
+from validation.frame.files import mean_and_scatter, table
+from validation.frame.study import Row, Stages, Study
+from validation.rows.fracture import FractureRun
+
+CASES: Mapping[str, Case] = {one.name: one for one in (PETERSSON, GREGOIRE, GARCIA_ALVAREZ, L_PANEL)}
+_HEAD = ("case", "quantity", "published", "bondem", "verdict", "cells", "events", "seconds a run")
+# Factor and unit of a quantity in tables.
+_UNITS = {"peak": (1e-3, "kN"), "work": (1.0, "J")}
+
+
+@dataclass(frozen=True)
+class Fracture(Study):
+    """Published fracture tests: load curves, peaks, work and crack paths beside what was measured.
+
+    Attributes:
+        cases: which of them.
+        seeds: packings of each.
+        finer: how many times smaller cells are than the cases have them.
+    """
+
+    name: ClassVar[str] = "fracture"
+    title: ClassVar[str] = "Published fracture tests"
+    template: ClassVar[str] = "plain.html"
+
+    cases: tuple[str, ...] = tuple(CASES)
+    seeds: tuple[int, ...] = (1, 2, 3)
+    finer: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name in self.cases:
+            choice(self.name, "cases", name, tuple(CASES))
+        if not self.seeds or min(self.seeds) < 0:
+            raise InputError("fracture: give seeds from 0 up, such as --seeds 1,2,3")
+        if not 0.0 < self.finer <= 10.0:
+            raise InputError(f"fracture: finer = {self.finer:g}; give a number above 0 up to 10")
+
+    def stages(self, out: Path) -> Stages:
+        """See `Study`."""
+        yield "break", [FractureRun(CASES[name], seed, self.finer) for name in self.cases for seed in self.seeds]
+
+    def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
+        """See `Study`: of each case its claim, what its packings gave, and the verdict."""
+        good = [row for row in rows if not row["error"]]
+        groups = {name: [row for row in good if row["case"] == name] for name in self.cases}
+        return {"finer": self.finer, "cases": [_judged(CASES[name], some) for name, some in groups.items() if some]}
+
+    def table(self, results: Mapping[str, Any]) -> str:
+        """See `Study`: the scorecard."""
+        lines = [line for one in results["cases"] for line in _lines(one)]
+        return table("Scorecard", _HEAD, lines) if lines else "no run\n"
+
+    def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
+        """See `Study`: a figure a case, load curves and the crack path of the first packing."""
+        for name in self.cases:
+            if some := [row for row in rows if row["case"] == name]:
+                draw_case(out / "figures" / f"{name}.png", CASES[name], some)
+
+    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
+        """See `Study`."""
+        met = sum(one["verdict"] != "missed" for one in results["cases"])
+        return {
+            "about": f"Bodies of cells, {len(self.seeds)} packings a case, by bd.solve_quasistatic; nothing fitted.",
+            "verdict": f"{met} of {len(results['cases'])} cases are met.",
+            "captions": {
+                one["name"]: f"{one['title']}: load curves of all packings, and the crack of the first."
+                for one in results["cases"]
+            },
+            "note": "",
+        }
+
+
+def _judged(case: Case, rows: Sequence[Row]) -> dict[str, Any]:
+    values = [row[case.claim.quantity] for row in rows]
+    return {
+        "name": case.name, "title": case.title, "claim": asdict(case.claim), "values": values,
+        "verdict": case.claim.verdict(values),
+        "seeds": [row["seed"] for row in rows],
+        **{key: [row[key] for row in rows] for key in ("count", "events", "peak", "work", "run_seconds", "end")},
+        **{f"{key}_mean": mean_and_scatter([row[key] for row in rows]) for key in ("peak", "work")},
+    }  # fmt: skip
+
+
+def _lines(one: Mapping[str, Any]) -> list[list[str]]:
+    """Lines of the scorecard: what is held against a claim, and the other quantity without a verdict."""
+    claimed = one["claim"]["quantity"]
+    lines = []
+    for quantity in (claimed, *(other for other in _UNITS if other != claimed)):
+        factor, unit = _UNITS[quantity]
+        found = one[f"{quantity}_mean"]
+        text = f"{factor * found['mean']:.3f}"
+        text += "" if found["std"] is None else f" ± {factor * found['std']:.3f}"
+        judged = quantity == claimed
+        lines.append([
+            one["title"], quantity, one["claim"]["words"] if judged else "–", f"{text} {unit}",
+            one["verdict"] if judged else "shown", _range(one["count"]), _range(one["events"]),
+            _range([round(value) for value in one["run_seconds"]]),
+        ])  # fmt: skip
+    return lines
+
+
+def _range(values: Sequence[int]) -> str:
+    low, high = min(values), max(values)
+    return f"{low}" if low == high else f"{low}–{high}"
