@@ -16,12 +16,15 @@ import numba.cuda
 import numpy as np
 from numba.cuda import dispatcher
 
+import bondem as bd
 import cuda_breaking
 import cuda_cases
-from bondem.solve import breakage_cuda, forces_cuda, loop_cuda
+import cuda_facets
+from bondem.solve import breakage_cuda, cracks_cuda, forces_cuda, loop_cuda
 from bondem.solve.plan import Plan
 
 CAPABILITY = (9, 0)
+RANKINE = bd.Rankine(tension=2e5, fracture_energy=1e4, friction=0.5)
 
 
 class OnHost(np.ndarray):
@@ -57,7 +60,7 @@ def main() -> None:
         uploaded.append(np.array(array, order="C").view(OnHost))
         return uploaded[-1]
 
-    for module in (loop_cuda, forces_cuda, breakage_cuda):
+    for module in (loop_cuda, forces_cuda, breakage_cuda, cracks_cuda):
         module.launch = compiled
         module.upload = kept
         module.zeros = lambda *shape: kept(np.zeros(shape))
@@ -69,18 +72,22 @@ def main() -> None:
         ("bonds", cuda_cases.bar(), cuda_cases.GAUGES), ("alike", cuda_cases.cell(), cuda_cases.GAUGES),
         ("breaking", cuda_breaking.breaking_bar(cuda_breaking.CRITERIA["peripheral"]), cuda_cases.GAUGES),
         ("cells", cuda_cases.held_bar(), cuda_cases.CELL_GAUGES),
+        ("breaking cells", cuda_facets.held_bar(), cuda_cases.CELL_GAUGES),
+        ("cracking cells", cuda_facets.breaking(cuda_cases.held_bar(), RANKINE), cuda_cases.CELL_GAUGES),
     ):  # fmt: skip
         uploaded.clear()
         loop_cuda.GpuLoop(model, Plan(duration=1.0), cuda_cases.moving(model), 1e-3)
-        n = len(model.mass)
+        n, m = len(model.mass), len(model.lattice.pairs)
         sizes[name] = {
-            "element": bytes_of_each(uploaded, n, n + 1), "bond": bytes_of_each(uploaded, len(model.lattice.pairs)),
-        }  # fmt: skip
+            "element": bytes_of_each(uploaded, n, n + 1),
+            "bond": bytes_of_each(uploaded, m) + 2 * bytes_of_each(uploaded, 2 * m),  # cracks have two halves
+        }
         if model.cells is not None:
             sizes[name]["held facet"] = bytes_of_each(uploaded, len(model.cells.grips.cell))
-        plan = Plan(duration=1.0, gauges=gauges, damping=cuda_cases.bd.LocalDamping(0.1), every=3)
+        plan = Plan(duration=1.0, gauges=gauges, damping=bd.LocalDamping(0.1), every=3)
         loop = loop_cuda.GpuLoop(model, plan, cuda_cases.moving(model), 1e-3)
         loop.look()
+        loop.look()  # now the acceleration is known
         loop.run(10)
     print(json.dumps({"ptx": ptx, "bytes": sizes}))
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from bondem._compile import device, kernel, loop
+from bondem._compile import device, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.cell_yield import principal_stresses
@@ -33,7 +33,7 @@ from bondem.laws.softening import opening_force
 # What stands for the integrity a step ago of a crack that begins: its rate is found first.
 NEW = 2.0
 # A facet begins at this share of its strength at least.
-_LEAST = 0.02
+LEAST_START = 0.02
 
 
 @device
@@ -91,7 +91,7 @@ def list_cracks(bonds, cracks):
 
 
 @device
-def _bent(s, n, bent):
+def bent_stress(s, n, bent):
     """Mean stress s of two cells with what bending pulls along n beyond it, as it directs the crack [Pa]."""
     along = (
         s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2]
@@ -120,14 +120,14 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
             i, j = orientation(pose, bonds.i[k]), orientation(pose, bonds.j[k])
             bent = bending_opening(i, j, cells.bends[k], resistance(cells, 1.0, k), mean)
             normal = present_normal(pose, bonds, cells, k)
-            mean = _bent(mean, normal, bent)
+            mean = bent_stress(mean, normal, bent)
             high, _, one, _ = principal_stresses(mean, a, v)
             slope = abs(scalar(normal, (v[0, one], v[1, one], v[2, one])))
             f, _ = opening_force(f, normal)
             most = strength[k]
             if onset.judge != 0:
                 most = strength_along(onset, mean, high, most, a)
-            start = min(math.sqrt(scalar(f, f) / (A * A) + bent * bent), most * max(slope, _LEAST))
+            start = min(math.sqrt(scalar(f, f) / (A * A) + bent * bent), most * max(slope, LEAST_START))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
         write_three(cracks.pull[c], 0, column(force, k))
@@ -138,7 +138,7 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
         marked[k] = 0
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def link_cracks(bonds, cells, cracks):
     """Lists and weights of all cracks, as a run begins."""
     for c in range(cracks.sizes[CRACKS]):

@@ -25,7 +25,7 @@ _STRESSES, _YIELDING, _FACETS = range(3)
 
 
 @device
-def _agreed(s, n, t):
+def agreed_stress(s, n, t):
     """Mean tensor of two cells made to agree with the traction t of their facet [Pa]."""
     x = t[0] - (s[0] * n[0] + s[3] * n[1] + s[4] * n[2])
     y = t[1] - (s[3] * n[0] + s[1] * n[1] + s[5] * n[2])
@@ -42,9 +42,18 @@ def _agreed(s, n, t):
 
 
 @device
-def _sheared(t, across, strength):
+def sheared_off(t, across, strength):
     """Whether the traction t of a pressed facet has a principal stress beyond `strength` by itself."""
     return scalar(t, t) - across * across >= strength * (strength - across)
+
+
+@device
+def pulled_by_bending(t, across, n, bent):
+    """A traction, and how much of it is along n, with what bending adds to it [Pa]."""
+    if bent > 0.0:
+        pulled = max(across, 0.0) + bent
+        return plus(t, pulled - across, n), pulled
+    return t, across
 
 
 @loop(parallel=False)
@@ -73,12 +82,10 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
         p, q = orientation(pose, i), orientation(pose, j)
         bent = bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
         across = scalar(t, n)
-        if bent > 0.0:
-            pulled = max(across, 0.0) + bent
-            t, across = plus(t, pulled - across, n), pulled
-        if across <= 0.0 and (onset.judge != 0 or not _sheared(t, across, strength[k])):
+        t, across = pulled_by_bending(t, across, n, bent)
+        if across <= 0.0 and (onset.judge != 0 or not sheared_off(t, across, strength[k])):
             continue
-        s = _agreed(mean, n, t)
+        s = agreed_stress(mean, n, t)
         if onset.judge == 0:
             if not below(s, strength[k]):
                 marked[k] = 1

@@ -6,12 +6,12 @@ whatever thread; what concerns others too is done by one thread, in the order of
 
 import math
 
-from bondem._compile import device, loop
+from bondem._compile import device, kernel, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.contact_pairs import let_touch
 from bondem.kernels.crack_energy import bending_opening, halves, stretched
-from bondem.kernels.crack_list import NEW, known, read_three, treat, weigh_cracked, write_three
+from bondem.kernels.crack_list import NEW, known, link_cracks, read_three, treat, weigh_cracked, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
     ALONG,
@@ -51,11 +51,11 @@ _CALM, _ASLEEP, _GRAZING = 0.98, 0.9, 0.1
 # Faces whose normals are further apart than this cosine do not bear on each other as planes any more.
 _FACING = 0.7
 # What is to be done with a crack, beside nothing: its integrity fell, it goes to rest, its faces part, or it wakes.
-_FELL, _CALMED, _TO_PART, _WAKES = 1, 2, 3, 4
+FELL, CALMED, TO_PART, WAKES = 1, 2, 3, 4
 
 
 @loop(parallel=False)
-def _measure(g, place, n):
+def measure_crack(g, place, n):
     """Write what is known of a crack into g; `place` is its `frame`, n its normal in the frames of both cells."""
     d, p, q, a, b, u, v = place
     a, b = turned_by(p, a), turned_by(q, b)
@@ -72,7 +72,7 @@ def _measure(g, place, n):
 
 
 @loop(parallel=False)
-def _halve(half, g, c, k, w, s):
+def halve_crack(half, g, c, k, w, s):
     """Write the halves of a crack of stiffness k [N/m], part w of cell i and integrity s."""
     gap, normal = read_three(g, GAP), read_three(g, NORMAL)
     along = k * scalar(gap, normal)
@@ -92,8 +92,15 @@ def measure_cracks(pose, bonds, cells, cracks, first, last):
     for e in range(first, last):
         c = active[e]
         k = facet[c]
-        _measure(geometry[c], frame(pose, bonds, cells, k), column(normal, k))
-        _halve(half, geometry[c], c, stiff[k], part[k], integrity[k])
+        measure_crack(geometry[c], frame(pose, bonds, cells, k), column(normal, k))
+        halve_crack(half, geometry[c], c, stiff[k], part[k], integrity[k])
+
+
+@kernel(parallel=False)
+def take_up_cracks(pose, bonds, cells, cracks):
+    """Lists, weights and geometry of all cracks, as a run begins: its first record has their energies."""
+    link_cracks(bonds, cells, cracks)
+    measure_cracks(pose, bonds, cells, cracks, 0, cracks.sizes[TREATED_ONES])
 
 
 @loop(parallel=False)
@@ -135,7 +142,7 @@ def relax_cells(pose, cells, cracks, first, last):
 
 
 @device
-def _hand_over(bonds, cells, cracks, c, k, sign):
+def hand_over(bonds, cells, cracks, c, k, sign):
     """Add what a resting crack does to V θ of its cells to `base`, or take it off."""
     g, s = cracks.geometry[c], sign * cracks.integrity[k]
     gap = read_three(g, GAP)
@@ -143,6 +150,19 @@ def _hand_over(bonds, cells, cracks, c, k, sign):
     cracks.base[bonds.j[k]] += s * scalar(read_three(g, SHARE_J), gap)
     weigh_cracked(cells, cracks, bonds.i[k])
     weigh_cracked(cells, cracks, bonds.j[k])
+
+
+@device
+def stays_at_rest(K, gap, u, v, one, other, top, bent):
+    """Whether a resting crack of shares u and v, between cells of stresses `one` and `other`, is far from waking.
+
+    `bent` is what bending adds to its force [N].
+    """
+    f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), one, u), other, v)
+    across = plus(u, 1.0, v)  # about along the normal
+    square, along = scalar(f, f), scalar(f, across)
+    calm = square + bent * bent < (_CALM * top) ** 2
+    return calm and along > _GRAZING * math.sqrt(square * scalar(across, across))
 
 
 @loop(parallel=False)
@@ -155,17 +175,32 @@ def look_at_rest(pose, bonds, cells, cracks, first, last):
         k, flag[c] = facet[c], 0
         d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
         gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
-        K, one, other = stiff[k], pose[at_i[k], STRESS], pose[at_j[k], STRESS]
-        f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), one, u), other, v)
-        across = plus(u, 1.0, v)  # about along the normal
-        bent = 0.0
+        K, one, other, bent = stiff[k], pose[at_i[k], STRESS], pose[at_j[k], STRESS], 0.0
         if row[c, TOP] < math.inf:
             mean = pair_stress(cracks.tensor, at_i[k], at_j[k])
             bent = cracks.area[k] * bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
-        square, along = scalar(f, f), scalar(f, across)
-        calm = square + bent * bent < (_CALM * row[c, TOP]) ** 2
-        if not (calm and along > _GRAZING * math.sqrt(square * scalar(across, across))):
-            flag[c] = _WAKES
+        if not stays_at_rest(K, gap, u, v, one, other, row[c, TOP], bent):
+            flag[c] = WAKES
+
+
+@device
+def wake_crack(pose, bonds, cells, contacts, cracks, c, k, place):
+    """Treat a resting crack one by one, or not at all where its faces part; whether it is treated now.
+
+    `place` is its `frame`. Its cells do not know of it yet (`hand_over`).
+    """
+    row = cracks.row[c]
+    measure_crack(cracks.geometry[c], place, column(cells.normal, k))
+    if cracks.integrity[k] == 0.0 and turned_away(cracks.geometry[c], cracks.area[k]):
+        treat(bonds, cracks, c, k, PARTED)
+        part_faces(pose, bonds, contacts, row, k)
+        return False
+    treat(bonds, cracks, c, k, ACTIVE)
+    halve_crack(cracks.half, cracks.geometry[c], c, cells.k[k], cracks.part[k], cracks.integrity[k])
+    row[BEFORE] = NEW
+    gap, normal, p = read_three(cracks.geometry[c], GAP), read_three(cracks.geometry[c], NORMAL), place[1]
+    write_three(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), plus(gap, -scalar(gap, normal), normal)))
+    return True
 
 
 @loop(parallel=False)
@@ -174,21 +209,12 @@ def wake_cracks(pose, bonds, cells, contacts, cracks):
     woken = False
     for e in range(cracks.sizes[AT_REST]):
         c = cracks.resting[e]
-        if cracks.flag[c] != _WAKES:
+        if cracks.flag[c] != WAKES:
             continue
-        k, row = cracks.facet[c], cracks.row[c]
-        place = frame(pose, bonds, cells, k)
-        _measure(cracks.geometry[c], place, column(cells.normal, k))
-        if cracks.integrity[k] == 0.0 and _leaves(cracks.geometry[c], cracks.area[k]):
-            treat(bonds, cracks, c, k, PARTED)
-            _part(pose, bonds, contacts, row, k)
+        k = cracks.facet[c]
+        if not wake_crack(pose, bonds, cells, contacts, cracks, c, k, frame(pose, bonds, cells, k)):
             continue
-        treat(bonds, cracks, c, k, ACTIVE)
-        _halve(cracks.half, cracks.geometry[c], c, cells.k[k], cracks.part[k], cracks.integrity[k])
-        row[BEFORE] = NEW
-        gap, normal, p = read_three(cracks.geometry[c], GAP), read_three(cracks.geometry[c], NORMAL), place[1]
-        write_three(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), plus(gap, -scalar(gap, normal), normal)))
-        _hand_over(bonds, cells, cracks, c, k, -1.0)
+        hand_over(bonds, cells, cracks, c, k, -1.0)
         woken = True
     return woken
 
@@ -230,13 +256,13 @@ def soften(pose, bonds, cells, cracks, first, last):
             integrity[k] = new
             half[2 * c, LOOSE] = half[2 * c + 1, LOOSE] = (1.0 - new) / K
             rows[c, TOP] = max(rows[c, TOP], force)
-            flag[c] = _FELL
-        elif s == 0.0 and _leaves(geometry[c], area[k]):
-            flag[c] = _TO_PART
+            flag[c] = FELL
+        elif s == 0.0 and turned_away(geometry[c], area[k]):
+            flag[c] = TO_PART
         elif press_i == 0.0 and press_j == 0.0:
             calm = s == 0.0 or force < _ASLEEP * rows[c, TOP]
             if calm and scalar(whole, normal) > 2.0 * _GRAZING * pull:
-                flag[c] = _CALMED
+                flag[c] = CALMED
 
 
 @loop(parallel=False)
@@ -249,17 +275,19 @@ def leave_cracks(pose, bonds, cells, contacts, cracks):
         if now == 0:
             continue
         changed = True
-        if now == _CALMED:
-            _leave(bonds, cells, cracks, c, RESTING)
-        elif now == _TO_PART:
-            cracks.released[0] += _let_go(pose, bonds, cells, cracks, c)
-            _leave(bonds, cells, cracks, c, PARTED)
-            _part(pose, bonds, contacts, cracks.row[c], cracks.facet[c])
+        if now == CALMED:
+            leave_crack(bonds, cracks, c, RESTING)
+        elif now == TO_PART:
+            cracks.released[0] += let_go_crack(pose, bonds, cells, cracks, c)
+            leave_crack(bonds, cracks, c, PARTED)
+            part_faces(pose, bonds, contacts, cracks.row[c], cracks.facet[c])
+        if now != FELL:
+            hand_over(bonds, cells, cracks, c, cracks.facet[c], 1.0)
     return changed
 
 
 @device
-def _let_go(pose, bonds, cells, cracks, c):
+def let_go_crack(pose, bonds, cells, cracks, c):
     """Energy of a broken facet whose faces no longer bear on each other [J].
 
     Of each half that of the force that presses, less what its cell takes up as its stress changes by it; and that of
@@ -291,7 +319,7 @@ def _stiffness(pose, cells, cracks, p, without):
 
 
 @device
-def _leaves(g, area):
+def turned_away(g, area):
     """Whether the faces of a crack no longer face each other."""
     gap, normal = read_three(g, GAP), read_three(g, NORMAL)
     along = max(scalar(gap, normal), 0.0)
@@ -300,7 +328,7 @@ def _leaves(g, area):
 
 
 @device
-def _part(pose, bonds, contacts, row, k):
+def part_faces(pose, bonds, contacts, row, k):
     """Let the cells of a facet touch like others from now on, where cells do."""
     row[TOP] = math.inf
     if contacts is not None:  # decided when compiled
@@ -308,8 +336,8 @@ def _part(pose, bonds, contacts, row, k):
 
 
 @device
-def _leave(bonds, cells, cracks, c, status):
-    """Treat a crack one by one no longer."""
+def leave_crack(bonds, cracks, c, status):
+    """Treat a crack one by one no longer; its cells do not know yet (`hand_over`)."""
     k, row = cracks.facet[c], cracks.row[c]
     treat(bonds, cracks, c, k, status)
     if cracks.integrity[k] == 0.0:
@@ -319,4 +347,3 @@ def _leave(bonds, cells, cracks, c, status):
     write_three(cracks.pull[c], 0, (0.0, 0.0, 0.0))
     cracks.half[2 * c, :] = 0.0
     cracks.half[2 * c + 1, :] = 0.0
-    _hand_over(bonds, cells, cracks, c, k, 1.0)

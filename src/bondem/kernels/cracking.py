@@ -38,7 +38,7 @@ from bondem.laws.softening import crack_couple, plus, rubbed
 
 
 @device
-def _log(pose, bonds, cracks, c, k, mode, gap):
+def log_crack(pose, bonds, cracks, c, k, mode, gap):
     """Write down a crack of which nothing is left."""
     i, arm = bonds.i[k], read_three(cracks.geometry[c], ARM_I)
     place = pose[i, 0] + arm[0], pose[i, 1] + arm[1], pose[i, 2] + arm[2]
@@ -183,7 +183,7 @@ def log_cracks(pose, bonds, cracks):
             if cracks.flag[c] != 0:
                 g = cracks.geometry[c]
                 gap = scalar(read_three(g, GAP), read_three(g, NORMAL))
-                _log(pose, bonds, cracks, c, k, TENSION if gap > 0.0 else SHEAR, gap)
+                log_crack(pose, bonds, cracks, c, k, TENSION if gap > 0.0 else SHEAR, gap)
     cracks.released[0] += lost
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from bondem._types import Floats, PerBond
 from bondem.kernels.cell_stress import sum_moments
 from bondem.kernels.cell_yield import stretch_cells, stretch_grips
-from bondem.kernels.crack_list import link_cracks
+from bondem.kernels.crack_states import take_up_cracks
 from bondem.kernels.crack_tables import (
     ACTIVE,
     CRACK_COLUMNS,
@@ -165,10 +165,10 @@ def _pressed(model: Model) -> Floats:
 
 def take_up(pose: Floats, bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable) -> None:
     """Go on with cracks and plastic strains as a run begins: lists, weights, levers and sums of forces."""
-    link_cracks(bonds, cells, cracks.facets)
     if cracks.flow.yielding:
         stretch_cells(cells, cracks.flow, True, 0, len(cracks.flow.plastic))
     stretch_grips(grips, cracks.flow)
+    take_up_cracks(pose, bonds, cells, cracks.facets)
     rows = cracks.facets.row[: cracks.facets.sizes[CRACKS]]
     active = rows[:, STATUS] == ACTIVE
     # these are no part of the loop over facets: what they bear stands in `pull`

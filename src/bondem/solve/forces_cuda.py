@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from bondem._compile_cuda import Array, launch, upload, zeros
+from bondem.kernels.crack_tables import ACTIVE, FACET, STATUS
 from bondem.kernels.cuda import sample
 from bondem.kernels.cuda.bonds import bond_forces
 from bondem.kernels.cuda.cells import facet_sums, stress_cells
@@ -61,6 +62,10 @@ class DeviceForces(Protocol):
         """The four elastic energies, into `parts`."""
         ...
 
+    def keep(self, state: State) -> None:
+        """Write what bonds store into the state."""
+        ...
+
 
 class BeamForces:
     """Of bonds that are beams."""
@@ -95,6 +100,9 @@ class BeamForces:
         """A thread a part."""
         launch(sample.bond_sums, parts.shape[1], self._elements, self.bonds, parts)
 
+    def keep(self, state: State) -> None:
+        """Nothing: the poses say all."""
+
 
 class FacetForces:
     """Of the facets of a body of cells, and of walls that hold some of them."""
@@ -103,23 +111,25 @@ class FacetForces:
         assert model.cells is not None
         self._run = run
         layout, held = model.layout, model.constraints
-        cells = model.cells.stretched(state.eigenstrain, layout).damaged(state.integrity, layout.i, layout.j)
+        cells = model.cells.stretched(state.eigenstrain, layout)
+        if model.softening is None:  # else they are weighed crack by crack
+            cells = cells.damaged(state.integrity, layout.i, layout.j)
         self.m = m = len(layout.i)
         table = cells.rows(layout.i)
         arrays = (
-            layout.i, layout.j, state.integrity, model.period,
+            layout.i, layout.j, _left(state), model.period,
             table.k[:m], table.pitch, table.lever_i[:, :m], table.lever_j[:, :m], table.share_i[:, :m],
             table.share_j[:, :m], table.normal[:, :m], table.H[:, :m], table.weight,
         )  # fmt: skip
-        self._facets = DeviceFacets._make([m, *map(upload, arrays), zeros(9, m)])
-        self.forces, self.integrity = self._facets.forces, self._facets.integrity
-        self._grips, self._holds = _holds(cells, held, model, state)
+        self.facets = DeviceFacets._make([m, *map(upload, arrays), zeros(9, m)])
+        self.forces, self.integrity = self.facets.forces, self.facets.integrity
+        self.grips, self.holds = _holds(cells, held, model, state)
 
     def act(self, ahead: int, stream: Any = 0) -> None:
         """Stresses of the cells first, then forces."""
         elements = self._run.elements
         self._stress(ahead, stream)
-        launch(facet_loads, self.m, elements, self._facets, stream=stream)
+        launch(facet_loads, self.m, elements, self.facets, stream=stream)
 
     def take_up(self) -> None:
         """Stresses, and walls and tractions where time has brought them."""
@@ -127,21 +137,32 @@ class FacetForces:
 
     def _stress(self, ahead: int, stream: Any) -> None:
         clock, scheme, elements, adjacency, rows, schedules = self._run
-        pose, facets = elements.pose, self._facets
+        pose, facets = elements.pose, self.facets
         launch(swell, self.m, elements, facets, stream=stream)
         # what a launch is given must fit into 4 KB: no whole tables where two of their arrays do
         launch(
             stress_cells, pose.shape[0], clock, ahead, scheme, pose, facets.weight, facets.forces, adjacency, rows,
-            schedules, self._grips, self._holds, stream=stream,
+            schedules, self.grips, self.holds, stream=stream,
         )  # fmt: skip
 
     def guard(self, flags: Array) -> None:
         """A thread a facet."""
-        launch(turn_guard, self.m, self._run.elements, self._facets, flags)
+        launch(turn_guard, self.m, self._run.elements, self.facets, flags)
 
     def sums(self, parts: Array) -> None:
         """A thread a part."""
-        launch(facet_sums, parts.shape[1], self._run.elements, self._facets, self._grips, self._holds, parts)
+        launch(facet_sums, parts.shape[1], self._run.elements, self.facets, self.grips, self.holds, parts)
+
+    def keep(self, state: State) -> None:
+        """Nothing: the poses say all."""
+
+
+def _left(state: State) -> np.ndarray:
+    """Integrities as the loop over facets has them: cracks that are treated one by one are no part of it, (m,)."""
+    left = state.integrity.copy()
+    active = state.cracks[:, STATUS] == ACTIVE
+    left[state.cracks[active, FACET].astype(np.int64)] = 0.0
+    return left
 
 
 def starts(rows: np.ndarray, count: int) -> np.ndarray:

@@ -1,7 +1,8 @@
 """Explicit dynamics on a CUDA device: the whole step stays there.
 
 Bytes on the device of an element, in double precision: 212, as pose 64, motion 64, acceleration 48, loss 24, row and
-adjacency 12, and 12 more where body forces act; those of bonds, facets and cells stand in `bondem.solve.forces_cuda`.
+adjacency 12, and 12 more where body forces act; those of bonds, facets and cells stand in `bondem.solve.forces_cuda`,
+and what breaking and cracks take besides in `breakage_cuda` and `cracks_cuda`.
 1e8 bonds of 3.2e7 elements take 19 or 23 GB, and 1e7 cells with 7e7 facets 16 GB. Records gather on the device and
 come over once a call; the state comes over when a call ends, which is at checkpoints, at looks of events, and every
 10 000 steps.
@@ -23,7 +24,8 @@ from bondem.model.constraints import Constraints
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.breakage_cuda import DeviceBreakage
+from bondem.solve.breakage_cuda import BeamBreakage, DeviceBreakage, FacetBreakage
+from bondem.solve.cracks_cuda import CrackForces
 from bondem.solve.forces_cuda import BeamForces, DeviceForces, DeviceRun, FacetForces, starts
 from bondem.solve.loop_cpu import gauge_tables, noticeable
 from bondem.solve.plan import Plan
@@ -61,15 +63,25 @@ class GpuLoop:
         run = DeviceRun(
             self._clock, self._scheme, self._elements, self._adjacency, self._rows, self._schedules
         )  # fmt: skip
-        self._forces: DeviceForces = (BeamForces if model.cells is None else FacetForces)(model, state, run)
-        self._breakage = None
-        if model.breaking is not None and isinstance(self._forces, BeamForces):
-            self._breakage = DeviceBreakage(model.breaking, model, state, run, self._bodies, self._forces)
+        self._forces, self._breakage = self._law(model, state, run, dt)
         self._gauges = _gauges(gauge_tables(model, plan), state)
         parts = _parts(max(self._count, self._forces.m))
         self._parts, self._fewer = zeros(sample.SUMS, parts), zeros(sample.SUMS, -(-parts // 128))
         self._graphs: dict[int, Any] = {}
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
+
+    def _law(
+        self, model: Model, state: State, run: DeviceRun, dt: float
+    ) -> tuple[DeviceForces, DeviceBreakage | None]:
+        """What makes the forces, and what breaks at once of what bears them."""
+        table = model.breaking
+        if model.cells is None:
+            beams = BeamForces(model, state, run)
+            return beams, None if table is None else BeamBreakage(table, model, state, run, self._bodies, beams)
+        if model.softening is not None:
+            return CrackForces(model, state, run, dt), None
+        facets = FacetForces(model, state, run)
+        return facets, None if table is None else FacetBreakage(table, model, state, run, self._bodies, facets)
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
@@ -132,9 +144,12 @@ class GpuLoop:
     def _step(self, tick: int, *, go_on: bool = False, still: bool = False, stream: Any = 0) -> None:
         """Forces of all bonds, and the motion of all elements; `still` finds the acceleration only."""
         scheme = self._still_scheme if still else self._scheme
+        breakage = None if still else self._breakage
+        if breakage is not None:
+            breakage.mark(stream)
         self._forces.act(tick, stream)
-        if self._breakage is not None and not still:
-            self._breakage.move(tick, go_on=go_on, stream=stream)
+        if breakage is not None:
+            breakage.move(tick, go_on=go_on, stream=stream)
             return
         launch(
             move, self._count, self._clock, tick, self._elements, self._adjacency, self._forces.forces, self._rows,
@@ -204,6 +219,7 @@ class GpuLoop:
             (self._rows.work, state.work), (self._rows.reaction, state.reaction),
         ):  # fmt: skip
             download(array, target)
+        self._forces.keep(state)
         if self._breakage is not None:
             self._breakage.keep(state)
 
@@ -214,12 +230,12 @@ def require_runnable(model: Model, plan: Plan) -> None:
     Raises:
         InputError: something that runs on the CPU only, or no device.
     """
-    held = model.constraints
+    held, softening = model.constraints, model.softening
     lacking = {
         "contacts and walls": model.contact is not None,
-        "facets that soften (fracture_energy=)": model.softening is not None,
+        "cells that yield": softening is not None and softening.slip is not None,
+        "criteria that are functions of the stress": softening is not None and softening.judge is not None,
         "beams that soften (fracture_energy=)": model.beam_softening is not None,
-        "facets that break": model.failure is not None and model.cells is not None,
         "the non-local law": model.non_local is not None,
         "the incremental formulation": model.formulation != "total",
         "absorbing faces": len(held.absorbing) > 0,

@@ -81,12 +81,6 @@ def _judge(pose, bonds, breaks, k):
     return judged(breaks.kind, load, breaks.coefficient[k])
 
 
-@device
-def _gather(breaks, k):
-    """Put what breaks into the list; the order of threads does not matter, as it is sorted."""
-    breaks.found[cuda.atomic.add(breaks.counts, FOUND, 1)] = k
-
-
 @cuda_kernel
 def judge_bonds(elements, bonds, breaks):
     """Gather the bonds that break by their present force, and hold back their ends."""
@@ -96,7 +90,8 @@ def judge_bonds(elements, bonds, breaks):
     if _size(bonds.forces, breaks, k) >= breaks.limit[k] and bonds.integrity[k] > 0.0:
         index, _ = _judge(elements.pose, bonds, breaks, k)
         if index >= 1.0:
-            _gather(breaks, k)
+            # the order of threads does not matter, as the list is sorted
+            breaks.found[cuda.atomic.add(breaks.counts, FOUND, 1)] = k
             breaks.held[bonds.i[k]] = 1
             breaks.held[bonds.j[k]] = 1
 
@@ -127,22 +122,28 @@ def _sift(found, root, count):
 
 
 @device
-def _taken(breaks):
-    """How many broke, and their list in order; the counter begins anew."""
-    found, count = breaks.found, breaks.counts[FOUND]
-    breaks.counts[FOUND] = 0
-    breaks.counts[WAITING] = count
+def put_in_order(found, count):
+    """Sort the first `count` numbers of a list."""
     for back in range(1, count // 2 + 1):
         _sift(found, count // 2 - back, count)
     for last in range(count - 1, 0, -1):
         one, other = found[0], found[last]
         found[0], found[last] = other, one
         _sift(found, 0, last)
+
+
+@device
+def taken(breaks):
+    """How many broke, and their list in order; the counter begins anew."""
+    count = breaks.counts[FOUND]
+    breaks.counts[FOUND] = 0
+    breaks.counts[WAITING] = count
+    put_in_order(breaks.found, count)
     return count
 
 
 @device
-def _write_down(breaks, t, step, k, mode, gap, energy, place):
+def write_down(breaks, t, step, k, mode, gap, energy, place):
     """Write a row of the log, and book the energy."""
     row = breaks.counts[LOGGED]
     breaks.counts[LOGGED] = row + 1
@@ -174,7 +175,7 @@ def _break_bond(pose, bonds, breaks, t, step, k):
     for c in range(9):
         bonds.forces[c, k] = 0.0
     place = pose[a, 0] + share * d[0], pose[a, 1] + share * d[1], pose[a, 2] + share * d[2]
-    _write_down(breaks, t, step, k, mode, gap, energy, place)
+    write_down(breaks, t, step, k, mode, gap, energy, place)
 
 
 @cuda_kernel
@@ -182,7 +183,7 @@ def break_bonds(clock, scheme, elements, bonds, breaks):
     """One thread: break the bonds that were found in this step, in their order."""
     if cuda.grid(1) > 0:
         return
-    count, step = _taken(breaks), clock[0]
+    count, step = taken(breaks), clock[0]
     t = scheme.origin + step * scheme.dt
     for e in range(count):
         _break_bond(elements.pose, bonds, breaks, t, step, breaks.found[e])

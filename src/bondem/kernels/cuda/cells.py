@@ -60,7 +60,7 @@ def _of_tractions(holds, r):
 
 
 @device
-def _hand_on(pose, rest, grips, holds, rows, r):
+def hand_on(pose, rest, grips, holds, rows, r):
     """Forces of the walls of row r, with the stress of its cell known."""
     for d in range(6):
         rows.grip[r, d] = 0.0
@@ -81,6 +81,29 @@ def _swelling(forces, adjacency, p, start):
     return total
 
 
+@device
+def linear_stress(pose, weight, forces, adjacency, grips, holds, p, r):
+    """Stress of cell p, of row r of the boundary or -1 without one, in proportion to its V θ [Pa]."""
+    if r < 0:
+        return weight[p] * _swelling(forces, adjacency, p, 0.0)
+    swelling = _swelling(forces, adjacency, p, _of_walls(pose, holds.rest, grips, holds, r))
+    return weight[p] * (swelling + _of_tractions(holds, r))
+
+
+@device
+def book_hold(t, moving, pose, rows, schedules, grips, holds, p, r):
+    """Bring walls and tractions of row r to time t, and book half their work with the stress before."""
+    _arrive(t, schedules, grips, holds, r, moving)
+    rows.work[r] += _work(grips, holds, r, pose[p, STRESS])
+
+
+@device
+def hand_on_hold(pose, rows, grips, holds, p, r):
+    """Forces of the walls of row r, and half the work of walls and tractions with the stress after."""
+    hand_on(pose, holds.rest, grips, holds, rows, r)
+    rows.work[r] += _work(grips, holds, r, pose[p, STRESS])
+
+
 @cuda_kernel
 def stress_cells(clock, ahead, scheme, pose, weight, forces, adjacency, rows, schedules, grips, holds):
     """Stresses of all cells, `ahead` steps from now; where that is 0, walls and tractions do no work."""
@@ -88,16 +111,12 @@ def stress_cells(clock, ahead, scheme, pose, weight, forces, adjacency, rows, sc
     if p >= pose.shape[0]:
         return
     r = rows.of[p]
-    if r < 0:
-        pose[p, STRESS] = weight[p] * _swelling(forces, adjacency, p, 0.0)
-        return
-    t = scheme.origin + (clock[0] + ahead) * scheme.dt
-    _arrive(t, schedules, grips, holds, r, 1.0 if ahead > 0 else 0.0)
-    rows.work[r] += _work(grips, holds, r, pose[p, STRESS])
-    swelling = _swelling(forces, adjacency, p, _of_walls(pose, holds.rest, grips, holds, r))
-    pose[p, STRESS] = weight[p] * (swelling + _of_tractions(holds, r))
-    _hand_on(pose, holds.rest, grips, holds, rows, r)
-    rows.work[r] += _work(grips, holds, r, pose[p, STRESS])
+    if r >= 0:
+        t = scheme.origin + (clock[0] + ahead) * scheme.dt
+        book_hold(t, 1.0 if ahead > 0 else 0.0, pose, rows, schedules, grips, holds, p, r)
+    pose[p, STRESS] = linear_stress(pose, weight, forces, adjacency, grips, holds, p, r)
+    if r >= 0:
+        hand_on_hold(pose, rows, grips, holds, p, r)
 
 
 @cuda_kernel

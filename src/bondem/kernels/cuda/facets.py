@@ -28,41 +28,52 @@ def levers(facets, k):
 
 
 @device
-def _shares(facets, k):
-    return column(facets.share_i, k), column(facets.share_j, k)
-
-
-@cuda_kernel
-def swell(elements, facets):
-    """What every facet adds to V θ of its two cells."""
-    k = cuda.grid(1)
-    if k >= facets.m:
-        return
-    pose, s = elements.pose, facets.integrity[k]
-    d, p, q = between(pose, facets, k), orientation(pose, facets.i[k]), orientation(pose, facets.j[k])
+def place_of(pose, facets, k):
+    """Branch, orientations, levers and shares of a facet, as `bondem.kernels.single_facets.frame` has them."""
     a, b = levers(facets, k)
-    u, v = _shares(facets, k)
+    return (
+        between(pose, facets, k), orientation(pose, facets.i[k]), orientation(pose, facets.j[k]), a, b,
+        column(facets.share_i, k), column(facets.share_j, k),
+    )  # fmt: skip
+
+
+@device
+def swell_facet(pose, facets, k):
+    """What a facet adds to V θ of its two cells, into its rows."""
+    s = facets.integrity[k]
+    d, p, q, a, b, u, v = place_of(pose, facets, k)
     one, other = swellings(d, p, q, a, b, u, v)
     facets.forces[OF_I, k], facets.forces[OF_J, k] = s * one, s * other
 
 
-@cuda_kernel
-def facet_loads(elements, facets):
-    """Force on j and torques on i and j of every facet, with the stresses of the cells known."""
-    n = cuda.grid(1)
-    if n >= facets.m:
-        return
-    pose, forces, s = elements.pose, facets.forces, facets.integrity[n]
+@device
+def load_facet(pose, facets, n):
+    """Force on j and torques on i and j of a facet, into its rows, with the stresses of the cells known."""
+    forces, s = facets.forces, facets.integrity[n]
     i, j = facets.i[n], facets.j[n]
-    d, p, q = between(pose, facets, n), orientation(pose, i), orientation(pose, j)
-    a, b = levers(facets, n)
-    u, v = _shares(facets, n)
+    d, p, q, a, b, u, v = place_of(pose, facets, n)
     f, on_i, on_j = facet_force(
         d, p, q, a, b, u, v, s * facets.k[n], resistance(facets, s, n), s * pose[i, STRESS], s * pose[j, STRESS],
     )  # fmt: skip
     forces[0, n], forces[1, n], forces[2, n] = f
     forces[3, n], forces[4, n], forces[5, n] = on_i
     forces[6, n], forces[7, n], forces[8, n] = on_j
+
+
+@cuda_kernel
+def swell(elements, facets):
+    """What every facet adds to V θ of its two cells."""
+    k = cuda.grid(1)
+    if k < facets.m:
+        swell_facet(elements.pose, facets, k)
+
+
+@cuda_kernel
+def facet_loads(elements, facets):
+    """Force on j and torques on i and j of every facet, with the stresses of the cells known."""
+    k = cuda.grid(1)
+    if k < facets.m:
+        load_facet(elements.pose, facets, k)
 
 
 @device

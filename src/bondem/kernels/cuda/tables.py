@@ -50,8 +50,62 @@ class DeviceFacets(NamedTuple):
     forces: Array  #: V θ of i and of j (2 rows), then force on j, torque on i and on j; (9, m)
 
 
+class DeviceBody(NamedTuple):
+    """`DeviceFacets`, and what of a body cracks need besides: the bonds and the cells of the CPU's functions in one.
+
+    Kernels write `integrity`, `weight`, `forces` and `moment`.
+    """
+
+    m: int
+    i: Array
+    j: Array
+    integrity: Array  #: as the loop over facets has it, 0 of cracks that are treated one by one, (m,)
+    period: Array
+    k: Array
+    pitch: Array
+    lever_i: Array
+    lever_j: Array
+    share_i: Array
+    share_j: Array
+    normal: Array
+    H: Array
+    weight: Array
+    forces: Array
+    in_start: Array  #: facets of each cell, as `bondem.kernels.tables.Adjacency` has them
+    out_start: Array
+    out_bond: Array
+    bends: Array  #: 4 k / A², by which bending is a traction [1/(N m³)], (m,)
+    #: V σ of each cell but for cracks that are treated one by one, a step ago [J], and Σ T_b² of these [Pa²], (n, 7)
+    moment: Array
+
+
+class DeviceOnset(NamedTuple):
+    """Where facets begin to crack; kernels write the last two. Stresses are those of `CrackedFacets.tensor`."""
+
+    strength: Array  #: f_t of each facet [Pa], (m,)
+    hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
+    volume: Array  #: [m³], (n,)
+    load_start: Array  #: where the loads on free facets of the cells of each row begin, (r + 1,)
+    load_schedule: Array  #: (e,)
+    load_value: Array  #: what each adds to V σ of its cell at full load [J], (e, 6)
+    cracked: Array  #: 1 for cells with cracks, however treated, uint8, (n,)
+    hotter: Array  #: 1 for cells whose facets are looked at, uint8, (n,)
+
+
+class DeviceLists(NamedTuple):
+    """What changes in a step by its number: facets that begin to crack, cracks that part, cracks that break."""
+
+    found: Array  #: numbers of those, int32, (m,)
+    counts: Array  #: how many of these; how many cracks there were before, int32, (2,)
+    crack: Array  #: of each facet, or -1, int32, (m,)
+    lost: Array  #: parts of what cracks have dissipated in this step [J], (S,)
+
+
 class DeviceBreaks(NamedTuple):
-    """When the m bonds break, and what is kept of those that do; kernels write all from `held` on."""
+    """When the m bonds or facets break, and what is kept of those that do; kernels write all from `held` on.
+
+    Of facets `station` and `share` are not used.
+    """
 
     kind: int  #: number of the criterion
     coefficient: Array  #: what judges each bond, (m, 4)
@@ -65,6 +119,14 @@ class DeviceBreaks(NamedTuple):
     counts: Array  #: how many of these, how many in the log, whether any element waits, int32, (3,)
     log: Array  #: what broke in this call (`bondem.kernels.tables.BROKEN_…`), (m, 9)
     released: Array  #: energy released since the start of the run [J], (1,)
+
+
+class WholeCells(NamedTuple):
+    """What cells weigh by as they lose facets."""
+
+    weight: Array  #: λ / V with all facets [Pa/m³], (n,)
+    slack_i: Array  #: what 1 / weight of cell i gains where a facet breaks [m³/Pa], (m,)
+    slack_j: Array
 
 
 class DeviceHolds(NamedTuple):

@@ -1,0 +1,198 @@
+"""Facets of cells that crack on a CUDA device: their tables, and what a step launches.
+
+Bytes on the device, in double precision, more than without:
+
+    a facet   642: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
+              integrity 8, how it is treated 2, strength, softening and weights 64, numbers and lists 24
+    a cell    134: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 6
+"""
+
+from typing import Any
+
+import numpy as np
+
+from bondem._compile_cuda import Array, download, launch, upload, zeros
+from bondem.kernels.crack_tables import (
+    CRACK_COLUMNS,
+    CRACKS,
+    FACET,
+    GEOMETRY_COLUMNS,
+    HALF_COLUMNS,
+    LOGGED,
+    OUTPUT_COLUMNS,
+    STATUS,
+    CrackedFacets,
+    CrackTable,
+)
+from bondem.kernels.cuda import crack_beginnings as beginnings
+from bondem.kernels.cuda import cracks as states
+from bondem.kernels.cuda.breaking import released_sum
+from bondem.kernels.cuda.facets import facet_loads, swell
+from bondem.kernels.cuda.tables import DeviceBody, DeviceLists, DeviceOnset
+from bondem.kernels.tables import BROKEN_COLUMNS
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.solve.cracks import crack_table, with_forces
+from bondem.solve.forces_cuda import DeviceRun, FacetForces, starts
+
+# Parts in which what cracks dissipate in a step is added up: a number of its own, so that no bit depends on a device.
+_PARTS = 256
+
+
+class CrackForces:
+    """Of the facets of a body of cells that crack."""
+
+    def __init__(self, model: Model, state: State, run: DeviceRun, dt: float) -> None:
+        self._run = run
+        self._whole = FacetForces(model, state, run)
+        facets, self.m = self._whole.facets, self._whole.m
+        self.forces, self.integrity = facets.forces, facets.integrity
+        forces = np.zeros((9, self.m))
+        forces[:3] = -state.facet_force
+        facets.forces.copy_to_device(forces)
+        n = len(state.pose)
+        assert model.cells is not None
+        cells = with_forces(model.cells.rows(model.layout.i), model, state, 0)
+        grips = model.cells.grips.table(model.layout, model.constraints.row_of, 0)
+        table = crack_table(model, state, cells, grips, np.zeros((0, 6)), dt)
+        assert table is not None
+        assert cells.bends is not None
+        self._body = DeviceBody(
+            *facets, *run.adjacency, bends=upload(cells.bends[: self.m]), moment=zeros(n, 7)
+        )  # fmt: skip
+        self._onset, self._lists = _onset(model, table), _lists(table)
+        self._cracks = _cracks(table.facets)
+        launch(states.weigh_all_cracked, n, self._body, self._cracks)
+
+    def act(self, ahead: int, stream: Any = 0) -> None:
+        """Find the forces: facets begin to crack where a step has led here, and cracks change."""
+        run, whole, body, cracks, lists = self._run, self._whole, self._body, self._cracks, self._lists
+        pose, n, m = run.elements.pose, run.elements.pose.shape[0], self.m
+        if ahead > 0:
+            self._begin(stream)
+        launch(swell, m, run.elements, whole.facets, stream=stream)
+        launch(
+            states.begin_stresses, n, run.clock, ahead, run.scheme, pose, body.weight, body.forces, run.adjacency,
+            run.rows, run.schedules, whole.grips, whole.holds, stream=stream,
+        )  # fmt: skip
+        launch(states.link_cells, n, pose, body, cracks, lists, self._onset.cracked, stream=stream)
+        launch(states.measure_some, m, pose, body, cracks, stream=stream)
+        launch(states.relax_some, n, pose, body, cracks, stream=stream)
+        if ahead > 0:
+            self._change(stream)
+        launch(states.end_stresses, n, pose, run.rows, whole.grips, whole.holds, stream=stream)
+        launch(facet_loads, m, run.elements, whole.facets, stream=stream)
+        launch(states.load_cracks, m, pose, body, cracks, lists, ahead > 0, stream=stream)
+        if ahead > 0:
+            launch(states.add_losses, _PARTS, cracks, lists, stream=stream)
+            launch(states.log_cracks, 1, pose, body, cracks, lists, stream=stream)
+        launch(beginnings.sum_moments, n, run.elements, body, cracks, ahead > 0, stream=stream)
+
+    def _begin(self, stream: Any) -> None:
+        """As a step begins: facets begin to crack by the stresses of the step before."""
+        run, body, cracks, onset, lists = self._run, self._body, self._cracks, self._onset, self._lists
+        pose, n = run.elements.pose, run.elements.pose.shape[0]
+        launch(beginnings.stress_tensors, n, pose, body, cracks, onset.volume, stream=stream)
+        launch(
+            beginnings.heat_cells, n, run.clock, run.scheme, pose, cracks.tensor, body.moment, run.rows,
+            run.schedules, self._whole.grips, self._whole.holds, onset, stream=stream,
+        )  # fmt: skip
+        launch(beginnings.mark_cracks, self.m, pose, body, cracks, onset, lists, stream=stream)
+        launch(beginnings.order_beginnings, 1, run.clock, run.scheme, cracks, lists, stream=stream)
+        launch(beginnings.begin_cracks, self.m, pose, body, cracks, onset, lists, stream=stream)
+
+    def _change(self, stream: Any) -> None:
+        """Cracks wake, soften, part and go to rest, and their cells with them."""
+        body, cracks, lists = self._body, self._cracks, self._lists
+        pose, n, m = self._run.elements.pose, self._run.elements.pose.shape[0], self.m
+        launch(states.wake_some, m, pose, body, cracks, stream=stream)
+        launch(states.wake_cells, n, pose, body, cracks, lists, self._onset.cracked, stream=stream)
+        launch(states.soften_some, m, pose, body, cracks, lists, stream=stream)
+        launch(states.part_cracks, 1, pose, body, cracks, lists, stream=stream)
+        launch(states.calm_cracks, m, body, cracks, stream=stream)
+        launch(states.change_cells, n, pose, body, cracks, stream=stream)
+
+    def take_up(self) -> None:
+        """Walls, tractions and cracks where time has brought them; stresses and forces are those of the state."""
+        run, whole, body, cracks = self._run, self._whole, self._body, self._cracks
+        pose, n = run.elements.pose, run.elements.pose.shape[0]
+        launch(
+            states.take_up_holds, n, run.clock, run.scheme, pose, run.rows, run.schedules, whole.grips, whole.holds
+        )  # fmt: skip
+        launch(states.link_cells, n, pose, body, cracks, self._lists, self._onset.cracked)
+        launch(states.measure_some, self.m, pose, body, cracks)
+        launch(beginnings.sum_moments, n, run.elements, body, cracks, False)
+
+    def guard(self, flags: Array) -> None:
+        """A thread a facet."""
+        self._whole.guard(flags)
+
+    def sums(self, parts: Array) -> None:
+        """Of facets, cells and walls, then of cracks; and what these have dissipated."""
+        self._whole.sums(parts)
+        launch(states.crack_sums, parts.shape[1], self._run.elements.pose, self._body, self._cracks, parts)
+        launch(released_sum, 1, self._cracks, parts)
+
+    def keep(self, state: State) -> None:
+        """Write what has cracked and broken since the last call into the state."""
+        cracks: Any = self._cracks
+        sizes = cracks.sizes.copy_to_host()
+        count, logged = int(sizes[CRACKS]), int(sizes[LOGGED])
+        state.cracks = cracks.row[:count].copy_to_host() if count else np.zeros((0, CRACK_COLUMNS))
+        state.facet_force[:] = -self.forces[:3].copy_to_host()[:, : self.m]  # the device has those on cells j
+        download(cracks.integrity, state.integrity)
+        download(cracks.released, state.released)
+        if logged:
+            state.broken = np.concatenate([state.broken, cracks.log[:logged].copy_to_host()])
+            sizes[LOGGED] = 0
+            cracks.sizes.copy_to_device(sizes)
+
+
+def _cracks(table: CrackedFacets) -> CrackedFacets:
+    """The table of the CPU on the device, in whose lists every crack and every cell stands in its own place."""
+    n, m = len(table.head), len(table.integrity)
+    own = upload(np.arange(max(n, m), dtype=np.int32))
+    large = {
+        "geometry": zeros(m, GEOMETRY_COLUMNS), "half": zeros(2 * m, HALF_COLUMNS),
+        "output": zeros(m, OUTPUT_COLUMNS), "log": zeros(m, BROKEN_COLUMNS), "load": zeros(1, 6),
+        "active": own, "resting": own, "cell": own,
+    }  # fmt: skip
+    small = {
+        "facet": table.row[:, FACET].astype(np.int32), "listed": _listed(table), "head": table.head.astype(np.int32),
+        "after": table.after.astype(np.int32),
+    }  # fmt: skip
+    shared = {
+        name: upload(getattr(table, name))
+        for name in CrackedFacets._fields
+        if name not in large and name not in small and name != "friction"
+    }
+    moved = {name: upload(array) for name, array in small.items()}
+    return CrackedFacets(friction=table.friction, **shared, **moved, **large)
+
+
+def _listed(table: CrackedFacets) -> np.ndarray:
+    """How the facets are treated, as `kernels.crack_list.treat` writes it."""
+    count = table.sizes[CRACKS]
+    listed = np.zeros(len(table.integrity), dtype=np.uint8)
+    listed[table.row[:count, FACET].astype(np.int64)] = 1 + table.row[:count, STATUS].astype(np.uint8)
+    return listed
+
+
+def _lists(table: CrackTable) -> DeviceLists:
+    facets = table.facets
+    m, count = len(facets.integrity), facets.sizes[CRACKS]
+    crack = np.full(m, -1, dtype=np.int32)
+    crack[facets.row[:count, FACET].astype(np.int64)] = np.arange(count, dtype=np.int32)
+    arrays = np.zeros(m, dtype=np.int32), np.zeros(2, dtype=np.int32), crack
+    return DeviceLists._make([*map(upload, arrays), zeros(_PARTS)])
+
+
+def _onset(model: Model, table: CrackTable) -> DeviceOnset:
+    held, onset, n = model.constraints, table.onset, len(table.stress.volume)
+    pressed = table.flow.pressed[:, held.element].transpose(1, 0, 2)  # (r, l, 6)
+    row, load = np.nonzero(pressed.any(axis=2))
+    arrays = starts(row, len(held.element)), held.press_schedule[load], pressed[row, load]
+    return DeviceOnset(
+        upload(onset.strength), onset.hot, upload(table.stress.volume), *map(upload, arrays),
+        cracked=upload(onset.cracked), hotter=upload(np.zeros(n, dtype=np.uint8)),
+    )  # fmt: skip

@@ -1,0 +1,111 @@
+"""Small runs in which facets crack: python tests/cuda_cracks.py gpu|cpu OUT.npz BODIES IN HANDED.
+
+As `cuda_cases.py` and `cuda_breaking.py`: the device takes the bodies that the CPU has cut, and both sides leave the
+states of half a run in HANDED and go on with those in IN, if it is there.
+"""
+
+import importlib
+import pickle
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+import cuda_cases
+from bondem.kernels.cell_pass import STRESS
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import ExplicitResult, Plan
+
+# A facet begins to crack in the step after half a run, so that a state must keep what it is judged by.
+DT, STEPS, HALF = 8e-4, 80, 37
+FIELDS = (
+    "pose", "motion", "acceleration", "loss", "work", "reaction", "integrity", "released", "broken", "cracks",
+    "facet_force",
+)  # fmt: skip
+SOFT = {"tension": 2.5e5, "fracture_energy": 8e3, "friction": 0.5}
+
+
+def torn(failure: Any) -> bd.Model:
+    """A bar that is torn, sheared and pressed together again between two walls, with loads on two faces."""
+    boundary = [
+        bd.Fix(bd.Face("x_min")),
+        bd.Drive(
+            bd.Face("x_max"), x=bd.Table([0.0, 0.025, 0.064], [0.0, 0.25, -0.1]), y=bd.Ramp(0.0, 0.15, 0.05),
+        ),
+        bd.Load(bd.Face("y_max"), force=(0.0, 3e4, 1e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
+        bd.Pressure(bd.Face("z_max"), 2e4, schedule=bd.Ramp(1.0, 0.0, 0.03)),
+    ]  # fmt: skip
+    return bd.Model(cuda_cases.body(3, 2, 2), bd.CellBond(E=1e7, nu=0.3), 1000.0, boundary=boundary, failure=failure)
+
+
+def flying(failure: Any) -> tuple[bd.Model, bd.State]:
+    """A periodic body whose cells fly apart and against each other."""
+    body = cuda_cases.body(3, 3, 3, periodic=True)
+    model = bd.Model(body, bd.CellBond(E=1e7, nu=0.2), 1000.0, failure=failure)
+    return model, cuda_cases.moving(model, speed=8.0)
+
+
+def start(model: bd.Model, kept: dict[str, Any]) -> bd.State:
+    """A state with the arrays and numbers that were kept of another one."""
+    state = cuda_cases.moving(model)
+    for name, value in kept.items():
+        setattr(state, name, value)
+    return state
+
+
+def kept(state: bd.State) -> dict[str, Any]:
+    """What `start` takes."""
+    return {name: getattr(state, name) for name in (*FIELDS, "step", "time", "stale")}
+
+
+def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Iterator[tuple[str, ExplicitResult]]:
+    """The cases, carried out."""
+    loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop if device == "gpu" else None
+
+    def go(model: bd.Model, state: bd.State, steps: int, dt: float = DT, **options: Any) -> ExplicitResult:
+        return integrate(model, Plan(duration=steps * dt, dt=dt, **options), state=state, loop_of=loop_of)
+
+    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.CELL_GAUGES}
+    scatter = bd.Weibull(modulus=8.0, volume=0.5, seed=3)
+    model = torn(bd.Rankine(**SOFT, scatter=scatter))
+    yield "soft", go(model, cuda_cases.moving(model), STEPS, every=HALF, **common)
+    yield "paused", go(model, cuda_cases.moving(model), STEPS, every=0, save_every=17, **common)
+    half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
+    handed["soft"] = kept(half.copy())
+    yield "resumed", go(model, half.copy(), STEPS, every=HALF, **common)
+    if given:
+        yield "handed", go(model, start(model, given["soft"]), STEPS, every=HALF, **common)
+    half.set_motion(velocity=half.velocity[::-1].copy())
+    yield "stale", go(model, half, HALF + 5, every=1, **common)
+    brittle = torn(bd.Rankine(tension=6e5, friction=0.3))
+    scheme = bd.TchamwaWielgosz(1.2)
+    yield "brittle", go(brittle, cuda_cases.moving(brittle), 60, 2e-3, every=10, scheme=scheme)
+    yield "flying", go(*flying(bd.Rankine(tension=2.5e5, fracture_energy=8e3, friction=0.4)), 30, 1.6e-3, every=5)
+
+
+def main() -> None:
+    """Carry them out, and write what is compared."""
+    device, out, bodies, source, target = sys.argv[1:]
+    if Path(bodies).is_file():
+        cuda_cases.BODIES.update(pickle.loads(Path(bodies).read_bytes()))
+    given = pickle.loads(Path(source).read_bytes()) if Path(source).is_file() else {}
+    arrays: dict[str, np.ndarray] = {}
+    handed: dict[str, Any] = {}
+    for name, result in results(device, given, handed):
+        for field in FIELDS:
+            arrays[f"{name}/{field}"] = getattr(result.state, field)
+        arrays[f"{name}/pose"] = np.delete(result.state.pose, STRESS, axis=1)
+        arrays[f"{name}/stress"] = result.state.pose[:, STRESS]
+        arrays[f"{name}/records"] = result.history.records
+        arrays[f"{name}/end"] = np.array([result.status.name, result.message])
+    arrays["soft/half_cracks"] = handed["soft"]["cracks"]
+    np.savez(out, **arrays)
+    Path(bodies).write_bytes(pickle.dumps(cuda_cases.BODIES))
+    Path(target).write_bytes(pickle.dumps(handed))
+
+
+if __name__ == "__main__":
+    main()
