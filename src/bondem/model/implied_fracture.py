@@ -19,7 +19,7 @@ class ImpliedFracture:
     """Fracture of a lattice, by medians of its bonds or facets.
 
     With a fracture energy G_c of cells is what was given, and K_Ic = √(E G_c). Brittle facets of cells have
-    K_Ic = f_t √L (bars with a slit: 0.86 to 0.93 of it) and so G_c = K_Ic² / E = f_t² L / E, twice
+    K_Ic = f_t √L (bars with a slit: 0.75 to 0.84 of it) and so G_c = K_Ic² / E = f_t² L / E, twice
     the energy f_t² L / 2E that a facet frees for each area of its own: both grow with the size of the
     elements. Brittle beams have for each area of a
     plane crack what the bonds through it hold in tension, (1/2V) Σ U L with U = N_t² / 2 k_n, and those that soften
