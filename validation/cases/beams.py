@@ -14,6 +14,8 @@ _THIN = 1e-6
 class BentBeam:
     """A beam from x = 0 to its length, y = 0 to its depth, on two rollers below, pressed by one above.
 
+    Rollers are forces on rows of cells, each through its line and with nothing that keeps cells from turning.
+
     Attributes:
         length, depth, width: of the beam [m].
         supports: where the rollers are, x [m].

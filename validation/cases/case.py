@@ -5,20 +5,22 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import KDTree
 
+from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.laws.cell_bond import CellBond
-from bondem.model.boundary import BoundaryCondition, Drive, Fix
+from bondem.model.boundary import BoundaryCondition, Fix, Load
 from bondem.model.model import Model
 from bondem.packing import EVEN, pack
 from bondem.packing.grading import Graded
+from bondem.quasistatic.solve import QuasistaticResult
 from bondem.specimen.bonding import connect
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index
 from bondem.specimen.shape import Shape
 from validation.cases.spared import SparedRankine
 
-# How far the driven line goes at a load factor of 1 [m]: nothing depends on it.
-_WAY = 1e-6
+# Load at a factor of 1 [N]: nothing depends on it.
+_LOAD = 1e3
 # How far from its level a facet of a flat surface may lie [m], and how far from the vertical its normal.
 _LEVEL, _UPRIGHT = 1e-7, 1e-6
 # Points of a line whose nearest facets are under it.
@@ -53,6 +55,16 @@ class Line:
         along = np.column_stack([np.full(_POINTS, self.x), z])
         nearest = KDTree(free.centroid[level][:, [0, 2]]).query(along)[1]
         return Index(np.unique(free.cell[level[nearest]]))
+
+    def load(self, body: Lattice, force: float) -> Load:
+        """A force along y [N] on the cells under the line, through the middle of the line exactly.
+
+        It leaves them free to turn: a row of cells is never quite straight, and would clamp the body if it was held.
+        """
+        cells = self.cells(body)
+        lower, upper = body.particles.envelope.bounds
+        off = np.array([self.x, self.y, 0.5 * (lower[2] + upper[2])]) - cells.anchor(body)
+        return Load(cells, force=(0.0, force, 0.0), moment=(-off[2] * force, 0.0, off[0] * force))
 
 
 @dataclass(frozen=True)
@@ -92,13 +104,13 @@ class Case:
         about: where the crack is expected, with the places of rollers: cells are fine there.
         fine, coarse: sizes of cells at `finer=1` [m].
         path: the part of the body that a picture of the crack shows, x and y from, to [m].
-        driven: the line that is moved, and whether up (1) or down (-1).
+        driven: the line that is pushed, and whether up (1) or down (-1).
         claim: what is published of it.
-        held: rollers that hold y.
+        held: two rollers that bear it, or none.
         clamped: faces that are held entirely.
         spared: lines about which nothing fails, and how far [m].
         mouth: knives of the gauge of the crack mouth, if there is one.
-        curve: published load over displacement of the driven line [m, N].
+        curve: published load over displacement of the driven line, from the rollers [m, N].
         ripple, together, until: of `bd.solve_quasistatic`.
     """
 
@@ -123,7 +135,7 @@ class Case:
     curve: tuple[tuple[float, float], ...] = ()
     ripple: float = 0.2
     together: float = 0.01
-    until: float = 0.1
+    until: float = 0.2
 
     def body(self, seed: int, finer: float = 1.0) -> Lattice:
         """Cells, fine where the crack is expected; `finer` is how many times smaller they are."""
@@ -131,16 +143,30 @@ class Case:
         return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
 
     def model(self, body: Lattice) -> tuple[Model, Index]:
-        """The test on a body, and the elements that are driven."""
+        """The test on a body, and the elements that are pushed; rollers are forces in balance, and nothing rubs."""
         line, way = self.driven
-        moved = line.cells(body)
         boundary: list[BoundaryCondition] = [Fix(Face(name)) for name in self.clamped]
-        boundary += [Fix(roller.cells(body), translation="y", rotation="") for roller in self.held]
-        boundary.append(Drive(moved, y=way * _WAY))
+        boundary.append(line.load(body, way * _LOAD))
+        if self.held:
+            first, second = self.held
+            share = (second.x - line.x) / (second.x - first.x)
+            boundary += [one.load(body, -way * part * _LOAD) for one, part in ((first, share), (second, 1.0 - share))]
         lines = tuple((one.x, one.y, reach) for one, reach in self.spared)
         failure = SparedRankine(tension=self.tension, fracture_energy=self.fracture_energy, lines=lines)
-        return Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=boundary), moved
+        model = Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=boundary)
+        return model, line.cells(body)
 
     def gauges(self, body: Lattice) -> dict[str, tuple[Index, Index]]:
-        """What is measured beside the driven line."""
-        return {} if self.mouth is None else {"CMOD": (self.mouth[0].cells(body), self.mouth[1].cells(body))}
+        """What is measured: how far the pushed line is from each roller, and the mouth of the crack."""
+        pushed = self.driven[0].cells(body)
+        gauges = {f"roller {k}": (one.cells(body), pushed) for k, one in enumerate(self.held)}
+        if self.mouth is not None:
+            gauges["CMOD"] = self.mouth[0].cells(body), self.mouth[1].cells(body)
+        return gauges
+
+    def way(self, path: QuasistaticResult) -> Floats:
+        """How far the pushed line has gone at each event, from the rollers where there are any [m], (e,)."""
+        if not self.held:
+            return path.displacement
+        moved = [path.gauge[f"roller {k}"][:, 1] for k in range(len(self.held))]
+        return self.driven[1] * np.mean(moved, axis=0)

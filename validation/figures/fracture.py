@@ -16,6 +16,8 @@ from validation.cases.case import Case
 _COLOURS = (BLUE, ORANGE, GREEN, PURPLE, INK)
 # Of the figure, and of a set of curves in it [inch].
 _HEIGHT, _WIDTH = 4.2, 4.6
+# Integrity below which a facet is drawn as torn: that of one whose opening is most of the way to its end.
+_GONE = 0.02
 # Points of the grid on which the outline of a shape is found, along its longer side.
 _GRID = 600
 
@@ -79,7 +81,7 @@ def envelope(x: Floats, load: Floats, bins: int = 120) -> tuple[Floats, Floats]:
 
 
 def _crack_path(ax: Axes, case: Case, row: dict[str, Any]) -> None:
-    """Facets of the crack, seen along the thickness: short lines along them, darker where less is left."""
+    """Facets of the crack, seen along the thickness: short lines along them, orange where nothing is left to speak of."""
     crack = {name: np.array(values) for name, values in row["crack"].items()}
     along = np.column_stack([-crack["normal_y"], crack["normal_x"]])
     half = 0.5 * np.sqrt(crack["area"])[:, None] * along
@@ -88,7 +90,9 @@ def _crack_path(ax: Axes, case: Case, row: dict[str, Any]) -> None:
     lines = 1e3 * np.stack([middle - half, middle + half], axis=1)[order]
     low_x, high_x, low_y, high_y = case.path
     _outline(ax, case)
-    ax.add_collection(LineCollection(list(lines), colors=ORANGE, linewidths=1.1, alpha=0.6))
+    gone = crack["integrity"][order] < _GONE
+    for chosen, colour, width in ((~gone, GREY, 0.6), (gone, ORANGE, 1.3)):
+        ax.add_collection(LineCollection(list(lines[chosen]), colors=colour, linewidths=width, alpha=0.7))
     ax.set(xlim=(1e3 * low_x, 1e3 * high_x), ylim=(1e3 * low_y, 1e3 * high_y), aspect="equal", xlabel="x [mm]",
            ylabel="y [mm]", title=f"crack, seed {row['seed']}")  # fmt: skip
     ax.grid(False)

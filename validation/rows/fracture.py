@@ -1,4 +1,7 @@
-"""Published fracture tests, each run a row: curves, peak, work, and where the crack went."""
+"""Published fracture tests, each run a row: curves, peak, work, and where the crack went.
+
+The work of the load is what events have dissipated and what is stored at the last one.
+"""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -58,14 +61,15 @@ class FractureRun(Request):
         path = solve_quasistatic(
             model, driven, ripple=case.ripple, together=case.together, until=case.until, gauges=case.gauges(body)
         )
-        peak = int(np.argmax(path.load))
+        peak, way = int(np.argmax(path.load)), case.way(path)
+        stored = 0.5 * path.load[-1] * way[-1]
         return plain({
             "count": len(body.particles), "facets": len(body.pairs), "events": len(path.load),
             "failures": len(path.bond), "iterations": path.iterations, "end": path.end,
             "run_seconds": round(perf_counter() - begun, 1),
-            "peak": path.peak, "displacement": path.displacement[peak], "work": path.work[-1],
-            "stored": path.stored[-1], "area": _torn(body, path),
-            "curve": _curve(path), "crack": _crack(body, path),
+            "peak": path.peak, "displacement": way[peak], "work": path.energy.sum() + stored,
+            "stored": stored, "area": _torn(body, path),
+            "curve": _curve(case, path), "crack": _crack(body, path),
         })  # fmt: skip
 
 
@@ -73,10 +77,11 @@ def _rounded(values: Floats) -> list[float]:
     return [float(f"{value:.{_DIGITS}g}") for value in values.tolist()]
 
 
-def _curve(path: QuasistaticResult) -> dict[str, list[float]]:
-    """Of each event: displacement of the driven line [m], load [N], and what gauges tell along x [m]."""
-    curve = {"displacement": path.displacement, "load": path.load}
-    curve |= {name: moved[:, 0] for name, moved in path.gauge.items()}
+def _curve(case: Case, path: QuasistaticResult) -> dict[str, list[float]]:
+    """Of each event: how far the pushed line has gone [m], load [N], and how far the crack's mouth is open [m]."""
+    curve = {"displacement": case.way(path), "load": path.load}
+    if case.mouth is not None:
+        curve["CMOD"] = path.gauge["CMOD"][:, 0]
     return {name: _rounded(values) for name, values in curve.items()}
 
 
