@@ -4,7 +4,7 @@ Given (pypd's data of Grégoire, Rojas-Solano and Pijaudier-Cabot 2013): D = 50 
 50 mm, notch 0.5 D at mid-span, mouth opening over 20 mm; E = 37 GPa, f_t = 3.9 MPa, G_f = 143.2 N/m, ρ = 2346 kg/m³.
 Held against: peaks of 933 to 1114 N.
 
-Fixed before the first run: ν = 0.2, which is not given; a notch 2 mm wide; no weight of its own; nothing fails within
+Fixed before the runs of the scorecard: ν = 0.2, which is not given; a notch 2 mm wide; no weight of its own; nothing fails within
 0.15 D of the rollers below and 0.1 D of the one above, whose plates are not known.
 """
 
