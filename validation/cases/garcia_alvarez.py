@@ -4,9 +4,9 @@ Given (pypd's data of García-Álvarez, Gettu and Carol 2012): D = 80 mm, width 
 0.3125 D and 2.8125 D, notch 0.25 D deep and 0.625 D off the middle; E = 33.8 GPa, f_t = 3.5 MPa, G_f = 125.2 N/m.
 Held against: peaks of 4.89 to 5.41 kN.
 
-Fixed before the runs of the scorecard: ν = 0.2, which is not given; the load half-way between the supports; the mouth opening
-between knives 20 mm apart; a notch 2 mm wide; no weight of its own; nothing fails within 0.15 D of the
-rollers below and 0.1 D of the one above, whose plates are not known; a density of 2400 kg/m³, of no account.
+Fixed before the runs of the scorecard: ν = 0.2, which is not given; the load half-way between the supports; the
+mouth opening between knives 20 mm apart; a notch 2 mm wide; no weight of its own; nothing fails within 0.15 D of
+the rollers below and 0.1 D of the one above, whose plates are not known; a density of 2400 kg/m³, of no account.
 """
 
 from validation.cases.beams import BentBeam

@@ -1,11 +1,11 @@
 """Grégoire's half-notched beam of 50 mm in three-point bending: its peak load.
 
 Given (pypd's data of Grégoire, Rojas-Solano and Pijaudier-Cabot 2013): D = 50 mm, length 3.5 D, span 2.5 D, width
-50 mm, notch 0.5 D at mid-span, mouth opening over 20 mm; E = 37 GPa, f_t = 3.9 MPa, G_f = 143.2 N/m, ρ = 2346 kg/m³.
-Held against: peaks of 933 to 1114 N.
+50 mm, notch 0.5 D at mid-span, mouth opening over 20 mm; E = 37 GPa, f_t = 3.9 MPa, G_f = 143.2 N/m, ρ = 2346
+kg/m³. Held against: peaks of 933 to 1114 N.
 
-Fixed before the runs of the scorecard: ν = 0.2, which is not given; a notch 2 mm wide; no weight of its own; nothing fails within
-0.15 D of the rollers below and 0.1 D of the one above, whose plates are not known.
+Fixed before the runs of the scorecard: ν = 0.2, which is not given; a notch 2 mm wide; no weight of its own;
+nothing fails within 0.15 D of the rollers below and 0.1 D of the one above, whose plates are not known.
 """
 
 from validation.cases.beams import BentBeam

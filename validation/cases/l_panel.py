@@ -4,10 +4,9 @@ Given (lShapedPanelBenchmark, after Winkler 2001): 500 × 500 × 100 mm without 
 clamped, pushed up at (470, 250); E = 25.85 GPa, ν = 0.18, G_f = 89 N/m, f_t = 2.65 MPa. Held against: the largest
 load of the curve, 7.22 kN, within 10 %; the curve is drawn beside.
 
-Fixed before the runs of the scorecard, as the plate under the load is not known: a force on one row of cells across the lower
-side of the arm at x = 470 mm, which may turn and slide; its displacement is that of the curve. Nothing fails within
-30 mm of it. A density of 2400 kg/m³, of
-no account.
+Fixed before the runs of the scorecard, as the plate under the load is not known: a force on one row of cells across
+the lower side of the arm at x = 470 mm, which may turn and slide; its displacement is that of the curve. Nothing
+fails within 30 mm of it. A density of 2400 kg/m³, of no account.
 """
 
 from bondem.specimen.geometry import Box

@@ -1,11 +1,12 @@
 """Petersson's notched beam in three-point bending: the work of fracture.
 
-Given (a second-hand document of Petersson 1981): 2000 × 200 × 50 mm, a notch of 100 mm at mid-span; E = 30 GPa,
-ν = 0.2, f_t = 3.33 MPa, G_f = 124 N/m. Held against: the work of the load, G_f b (D - a) = 0.62 J, within 5 %.
+Given (a second-hand document of Petersson 1981): 2000 × 200 × 50 mm, a notch of 100 mm at mid-span; E = 30 GPa, ν =
+0.2, f_t = 3.33 MPa, G_f = 124 N/m. Held against: the work of the load, G_f b (D - a) = 0.62 J, within 5 %.
 
-Fixed before the runs of the scorecard, as the document does not say it: a span of 2000 mm between lines, with 50 mm of beam
-beyond each, which bears nothing; a notch 5 mm wide; no weight of its own, so that the work is that of the load alone;
-nothing fails within 0.15 D of the rollers below, whose plates are not known; a density of 2400 kg/m³, of no account.
+Fixed before the runs of the scorecard, as the document does not say it: a span of 2000 mm between lines, with 50 mm
+of beam beyond each, which bears nothing; a notch 5 mm wide; no weight of its own, so that the work is that of the
+load alone; nothing fails within 0.15 D of the rollers below, whose plates are not known; a density of 2400 kg/m³,
+of no account.
 """
 
 from validation.cases.beams import BentBeam
