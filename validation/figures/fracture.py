@@ -81,7 +81,7 @@ def envelope(x: Floats, load: Floats, bins: int = 120) -> tuple[Floats, Floats]:
 
 
 def _crack_path(ax: Axes, case: Case, row: dict[str, Any]) -> None:
-    """Facets of the crack, seen along the thickness: short lines along them, orange where nothing is left to speak of."""
+    """Facets of the crack, seen along the thickness: short lines along them, orange where nothing is left."""
     crack = {name: np.array(values) for name, values in row["crack"].items()}
     along = np.column_stack([-crack["normal_y"], crack["normal_x"]])
     half = 0.5 * np.sqrt(crack["area"])[:, None] * along
