@@ -17,6 +17,7 @@ import bondem as bd
 import cuda_cases
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
+from cuda_halves import kept, start
 
 CRITERIA: dict[str, Any] = {
     "peripheral": bd.PeripheralStress(tension=1.5e5, shear=1e5, scatter=bd.Weibull(modulus=6.0, volume=0.3, seed=2)),
@@ -40,19 +41,6 @@ def breaking_cell() -> bd.Model:
     return bd.Model(model.lattice, model.bond, model.density, failure=bd.PeripheralStress(tension=4e5, shear=2e5))
 
 
-def start(model: bd.Model, kept: dict[str, Any]) -> bd.State:
-    """A state with the arrays and numbers that were kept of another one."""
-    state = cuda_cases.moving(model)
-    for name, value in kept.items():
-        setattr(state, name, value)
-    return state
-
-
-def kept(state: bd.State) -> dict[str, Any]:
-    """What `start` takes."""
-    return {name: getattr(state, name) for name in (*FIELDS, "step", "time", "stale")}
-
-
 def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Iterator[tuple[str, ExplicitResult]]:
     """The cases, carried out."""
     loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop if device == "gpu" else None
@@ -73,7 +61,7 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     yield "alike", go(model, cuda_cases.moving(model, speed=1.2), every=5)
     model = breaking_bar(CRITERIA["peripheral"])
     half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
-    handed["beams"] = kept(half)
+    handed["beams"] = kept(half, FIELDS)
     yield "resumed", go(model, half.copy(), every=5, **common)
     if given:
         yield "handed", go(model, start(model, given["beams"]), every=5, **common)

@@ -5,19 +5,14 @@ states of half a run in HANDED and go on with those in IN, if it is there.
 """
 
 import importlib
-import pickle
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 import bondem as bd
 import cuda_cases
-from bondem.kernels.cell_pass import STRESS
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
+from cuda_halves import kept, leave_cells, start
 
 # A facet begins to crack in the step after half a run, so that a state must keep what it is judged by.
 DT, STEPS, HALF = 8e-4, 80, 37
@@ -48,19 +43,6 @@ def flying(failure: Any) -> tuple[bd.Model, bd.State]:
     return model, cuda_cases.moving(model, speed=8.0)
 
 
-def start(model: bd.Model, kept: dict[str, Any]) -> bd.State:
-    """A state with the arrays and numbers that were kept of another one."""
-    state = cuda_cases.moving(model)
-    for name, value in kept.items():
-        setattr(state, name, value)
-    return state
-
-
-def kept(state: bd.State) -> dict[str, Any]:
-    """What `start` takes."""
-    return {name: getattr(state, name) for name in (*FIELDS, "step", "time", "stale")}
-
-
 def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Iterator[tuple[str, ExplicitResult]]:
     """The cases, carried out."""
     loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop if device == "gpu" else None
@@ -74,7 +56,7 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     yield "soft", go(model, cuda_cases.moving(model), STEPS, every=HALF, **common)
     yield "paused", go(model, cuda_cases.moving(model), STEPS, every=0, save_every=17, **common)
     half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
-    handed["soft"] = kept(half.copy())
+    handed["soft"] = kept(half.copy(), FIELDS)
     yield "resumed", go(model, half.copy(), STEPS, every=HALF, **common)
     if given:
         yield "handed", go(model, start(model, given["soft"]), STEPS, every=HALF, **common)
@@ -86,26 +68,5 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     yield "flying", go(*flying(bd.Rankine(tension=2.5e5, fracture_energy=8e3, friction=0.4)), 30, 1.6e-3, every=5)
 
 
-def main() -> None:
-    """Carry them out, and write what is compared."""
-    device, out, bodies, source, target = sys.argv[1:]
-    if Path(bodies).is_file():
-        cuda_cases.BODIES.update(pickle.loads(Path(bodies).read_bytes()))
-    given = pickle.loads(Path(source).read_bytes()) if Path(source).is_file() else {}
-    arrays: dict[str, np.ndarray] = {}
-    handed: dict[str, Any] = {}
-    for name, result in results(device, given, handed):
-        for field in FIELDS:
-            arrays[f"{name}/{field}"] = getattr(result.state, field)
-        arrays[f"{name}/pose"] = np.delete(result.state.pose, STRESS, axis=1)
-        arrays[f"{name}/stress"] = result.state.pose[:, STRESS]
-        arrays[f"{name}/records"] = result.history.records
-        arrays[f"{name}/end"] = np.array([result.status.name, result.message])
-    arrays["soft/half_cracks"] = handed["soft"]["cracks"]
-    np.savez(out, **arrays)
-    Path(bodies).write_bytes(pickle.dumps(cuda_cases.BODIES))
-    Path(target).write_bytes(pickle.dumps(handed))
-
-
 if __name__ == "__main__":
-    main()
+    leave_cells(results, FIELDS)

@@ -5,20 +5,15 @@ states of half a run in HANDED and go on with those in IN, if it is there.
 """
 
 import importlib
-import pickle
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 import bondem as bd
 import cuda_cases
-from bondem.kernels.cell_pass import STRESS
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
-from cuda_breaking import FIELDS, kept, start
+from cuda_breaking import FIELDS
+from cuda_halves import kept, leave_cells, start
 
 DT, STEPS, HALF = 1e-3, 24, 14
 
@@ -51,7 +46,7 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     yield "held", go(held, cuda_cases.moving(held), every=6, **common)
     yield "paused", go(held, cuda_cases.moving(held), every=0, save_every=5, **common)
     half = go(held, cuda_cases.moving(held), HALF, every=0, **common).state
-    handed["held"] = kept(half)
+    handed["held"] = kept(half, FIELDS)
     yield "resumed", go(held, half.copy(), every=6, **common)
     if given:
         yield "handed", go(held, start(held, given["held"]), every=6, **common)
@@ -63,25 +58,5 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     yield "flying", go(flying, cuda_cases.moving(flying, speed=1.5), every=3)
 
 
-def main() -> None:
-    """Carry them out, and write what is compared."""
-    device, out, bodies, source, target = sys.argv[1:]
-    if Path(bodies).is_file():
-        cuda_cases.BODIES.update(pickle.loads(Path(bodies).read_bytes()))
-    given = pickle.loads(Path(source).read_bytes()) if Path(source).is_file() else {}
-    arrays: dict[str, np.ndarray] = {}
-    handed: dict[str, Any] = {}
-    for name, result in results(device, given, handed):
-        for field in FIELDS:
-            arrays[f"{name}/{field}"] = getattr(result.state, field)
-        arrays[f"{name}/pose"] = np.delete(result.state.pose, STRESS, axis=1)
-        arrays[f"{name}/stress"] = result.state.pose[:, STRESS]
-        arrays[f"{name}/records"] = result.history.records
-        arrays[f"{name}/end"] = np.array([result.status.name, result.message])
-    np.savez(out, **arrays)
-    Path(bodies).write_bytes(pickle.dumps(cuda_cases.BODIES))
-    Path(target).write_bytes(pickle.dumps(handed))
-
-
 if __name__ == "__main__":
-    main()
+    leave_cells(results, FIELDS)

@@ -5,8 +5,8 @@ import pytest
 
 from bondem.kernels.crack_tables import ACTIVE, FACET, PARTED, RESTING, SPENT, STATUS
 from bondem.kernels.tables import BROKEN_BOND, BROKEN_STEP, FRACTURE, FRICTION, LOSS, TRANSLATION, WORK
-from tests.test_gpu import SIMULATOR, run
-from tests.test_gpu_failure import apart, same_breaks
+from tests.gpu_sides import ends_alike, records_alike, three_sides
+from tests.test_gpu_failure import apart
 
 CASES = "soft", "paused", "resumed", "stale", "brittle", "flying"
 FIELDS = "pose", "stress", "motion", "acceleration", "loss", "reaction", "integrity", "released", "facet_force"
@@ -16,40 +16,26 @@ FIELDS = "pose", "stress", "motion", "acceleration", "loss", "reaction", "integr
 def outcomes(tmp_path_factory):
     """The runs on the CPU, in the simulator, and on the CPU from half a run of the simulator."""
     pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
-    folder = tmp_path_factory.mktemp("cracks")
-    cpu, gpu, back, bodies = (str(folder / name) for name in ("cpu", "gpu", "back", "bodies"))
-    run("cuda_cracks.py", "cpu", f"{cpu}.npz", bodies, "", f"{cpu}.pkl")
-    run("cuda_cracks.py", "gpu", f"{gpu}.npz", bodies, f"{cpu}.pkl", f"{gpu}.pkl", **SIMULATOR)
-    run("cuda_cracks.py", "cpu", f"{back}.npz", bodies, f"{gpu}.pkl", f"{back}.pkl")
-    with np.load(f"{cpu}.npz") as one, np.load(f"{gpu}.npz") as other, np.load(f"{back}.npz") as third:
-        return dict(one), dict(other), dict(third)
+    return three_sides("cuda_cracks.py", tmp_path_factory.mktemp("cracks"))
 
 
 def agree(expected: dict, found: dict, case: str, as_case: str) -> None:
     """Assert that a case has cracked in the same facets in the same order, and ended alike."""
-    assert expected[f"{as_case}/end"].tolist() == found[f"{case}/end"].tolist()
+    ends_alike(expected, found, case, as_case, FIELDS)
     one, other = expected[f"{as_case}/cracks"], found[f"{case}/cracks"]
     for column in (FACET, STATUS):
         np.testing.assert_array_equal(one[:, column], other[:, column])
-    missed = same_breaks(expected[f"{as_case}/broken"], found[f"{case}/broken"])
     for column in range(one.shape[1]):
         known = np.isfinite(one[:, column])  # of parted cracks the force at which they would wake is infinite
-        missed.append(apart(one[known, column], other[known, column]))
+        assert apart(one[known, column], other[known, column]) < 1e-12
         np.testing.assert_array_equal(known, np.isfinite(other[:, column]))
-    missed += [apart(expected[f"{as_case}/{field}"], found[f"{case}/{field}"]) for field in FIELDS]
-    # the work of walls is booked with the rows of their cells
-    missed.append(apart(expected[f"{as_case}/work"].sum(), found[f"{case}/work"].sum()))
-    assert max(missed) < 1e-12
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_simulated_device_cracks_in_the_same_facets(outcomes, case: str) -> None:
     cpu, gpu, _ = outcomes
     agree(cpu, gpu, case, case)
-    records, found = cpu[f"{case}/records"], gpu[f"{case}/records"]
-    scale = np.abs(records).max(axis=0, initial=0.0)
-    scale[1 : FRACTURE + 1] = scale[1 : FRACTURE + 1].max(initial=0.0)
-    assert np.abs((found - records) / np.where(scale, scale, 1.0)).max(initial=0.0) < 1e-12
+    records_alike(cpu, gpu, case)
 
 
 def test_cracks_do_all_that_a_device_knows(outcomes) -> None:

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from bondem.kernels.tables import BROKEN_STEP, FRACTURE, TRANSLATION, WORK
-from tests.test_gpu import SIMULATOR, run
-from tests.test_gpu_failure import apart, same_breaks
+from tests.gpu_sides import ends_alike, records_alike, three_sides
 
 CASES = "held", "paused", "resumed", "pressed", "flying"
 FIELDS = "pose", "stress", "motion", "acceleration", "loss", "reaction", "integrity", "released"
@@ -17,33 +16,14 @@ FIELDS = "pose", "stress", "motion", "acceleration", "loss", "reaction", "integr
 def outcomes(tmp_path_factory):
     """The runs on the CPU, in the simulator, and on the CPU from half a run of the simulator."""
     pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
-    folder = tmp_path_factory.mktemp("facets")
-    cpu, gpu, back, bodies = (str(folder / name) for name in ("cpu", "gpu", "back", "bodies"))
-    run("cuda_facets.py", "cpu", f"{cpu}.npz", bodies, "", f"{cpu}.pkl")
-    run("cuda_facets.py", "gpu", f"{gpu}.npz", bodies, f"{cpu}.pkl", f"{gpu}.pkl", **SIMULATOR)
-    run("cuda_facets.py", "cpu", f"{back}.npz", bodies, f"{gpu}.pkl", f"{back}.pkl")
-    with np.load(f"{cpu}.npz") as one, np.load(f"{gpu}.npz") as other, np.load(f"{back}.npz") as third:
-        return dict(one), dict(other), dict(third)
-
-
-def agree(expected: dict, found: dict, case: str, as_case: str) -> None:
-    """Assert that a case has broken the same facets at the same times, and ended alike."""
-    assert expected[f"{as_case}/end"].tolist() == found[f"{case}/end"].tolist()
-    missed = same_breaks(expected[f"{as_case}/broken"], found[f"{case}/broken"])
-    missed += [apart(expected[f"{as_case}/{field}"], found[f"{case}/{field}"]) for field in FIELDS]
-    # the work of walls is booked with the rows of their cells
-    missed.append(apart(expected[f"{as_case}/work"].sum(), found[f"{case}/work"].sum()))
-    assert max(missed) < 1e-12
+    return three_sides("cuda_facets.py", tmp_path_factory.mktemp("facets"))
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_simulated_device_breaks_the_same_facets(outcomes, case: str) -> None:
     cpu, gpu, _ = outcomes
-    agree(cpu, gpu, case, case)
-    records, found = cpu[f"{case}/records"], gpu[f"{case}/records"]
-    scale = np.abs(records).max(axis=0, initial=0.0)
-    scale[1 : FRACTURE + 1] = scale[1 : FRACTURE + 1].max(initial=0.0)
-    assert np.abs((found - records) / np.where(scale, scale, 1.0)).max(initial=0.0) < 1e-12
+    ends_alike(cpu, gpu, case, case, FIELDS)
+    records_alike(cpu, gpu, case)
 
 
 def test_facets_break_beside_each_other_and_at_walls(outcomes) -> None:
@@ -93,5 +73,5 @@ def test_pausing_changes_no_bit_of_facets_that_break(outcomes, parted: str) -> N
 def test_a_body_that_breaks_goes_on_on_the_other_side(outcomes) -> None:
     """From the CPU to the device and back."""
     cpu, gpu, back = outcomes
-    agree(cpu, gpu, "handed", "held")
-    agree(cpu, back, "handed", "held")
+    ends_alike(cpu, gpu, "handed", "held", FIELDS)
+    ends_alike(cpu, back, "handed", "held", FIELDS)
