@@ -137,6 +137,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "TchamwaWielgosz": {"phi": 1.1},
     "Timoshenko": BEAM | {"radius": None},
     "Uniform": {"spread": 0.2},
+    "Bilinear": {"stress": 0.3, "opening": 0.8},
     "Weibull": {"modulus": 8.0, "volume": 1e-6, "seed": 1, "correlation": 1e-3},
     "WallGauge": {"wall": 0, "quantity": "force"},
     "Within": {"shape": BALL},

@@ -42,6 +42,7 @@ _PUBLIC = {
     "bondem.laws.contact_bond": ("ContactBond",),
     "bondem.laws.damping": ("AnyDamping", "BondDamping", "LocalDamping", "MassDamping"),
     "bondem.laws.euler_bernoulli": ("EulerBernoulli",),
+    "bondem.laws.failure.bilinear": ("Bilinear",),
     "bondem.laws.failure.criterion": ("Criterion",),
     "bondem.laws.failure.drucker_prager": ("DruckerPrager",),
     "bondem.laws.failure.elliptic": ("Elliptic",),

@@ -41,6 +41,7 @@ from bondem.laws.damping import BondDamping as BondDamping
 from bondem.laws.damping import LocalDamping as LocalDamping
 from bondem.laws.damping import MassDamping as MassDamping
 from bondem.laws.euler_bernoulli import EulerBernoulli as EulerBernoulli
+from bondem.laws.failure.bilinear import Bilinear as Bilinear
 from bondem.laws.failure.criterion import Criterion as Criterion
 from bondem.laws.failure.drucker_prager import DruckerPrager as DruckerPrager
 from bondem.laws.failure.elliptic import Elliptic as Elliptic

@@ -10,7 +10,7 @@ from bondem.errors import InputError
 from bondem.model.matrices import stiffness_matrix
 from bondem.quasistatic.damaged_body import DamagedBody
 from bondem.quasistatic.equilibrium import Iterated
-from bondem.quasistatic.teeth import Teeth
+from bondem.quasistatic.teeth import SofteningLine, Teeth
 from bondem.solve.linear import Elimination, Iteration, System
 
 E, STRENGTH, ENERGY = 40e9, 4e6, 50.0
@@ -50,7 +50,7 @@ def softened_bar(count: int, energy: float, ripple: float) -> tuple[bd.Quasistat
     """A bar of cubes, and load and displacement of its events by hand: the first facet cracks and no other."""
     found = follow(pulled(bar(count), nu=0.0, fracture_energy=energy), ripple=ripple, until=0.0)
     area, k = SIZE**2, E * SIZE
-    line = Teeth.of(STRENGTH, k / area * 2.0 * energy / STRENGTH, ripple)
+    line = Teeth.of(SofteningLine(STRENGTH, k / area * 2.0 * energy / STRENGTH), ripple)
     s, T = np.append(1.0, line.integrity[:-1]), np.append(STRENGTH, line.limit)
     load = area * s * T
     return found, load, load * count * SIZE / (E * area) + (1.0 - s) * T * area / k

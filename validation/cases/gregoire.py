@@ -23,5 +23,6 @@ GREGOIRE = Case(
     shape=BEAM.shape, about=BEAM.about(2e-3), fine=2.3e-3, coarse=10e-3,
     path=(1.25 * D, 2.25 * D, 0.0, D),
     driven=BEAM.driven, held=BEAM.held, spared=BEAM.spared(0.15 * D, 0.1 * D), mouth=BEAM.mouth,
+    until=0.5,
     claim=Claim("peak", 933.0, 1114.0, "933–1114 N measured"),
 )  # fmt: skip

@@ -59,7 +59,7 @@ def _curves(ax: Axes, case: Case, rows: Sequence[dict[str, Any]], name: str) -> 
     handles, _ = ax.get_legend_handles_labels()
     if claim.quantity == "work":
         handles += [
-            Patch(color="none", label=f"work, seed {row['seed']}: {row['work']:.3f} J") for row in rows
+            Patch(color="none", label=f"work, seed {row['seed']}: {row['work'] + row['tail']:.3f} J") for row in rows
         ] + [Patch(color="none", label=claim.words)]  # fmt: skip
     ax.legend(handles=handles, loc="upper right", fontsize=8.0)
 

@@ -1,6 +1,8 @@
 """Published fracture tests, each run a row: curves, peak, work, and where the crack went.
 
-The work of the load is what events have dissipated and what is stored at the last one.
+The work of the load is counted to the last event at `until` of the peak or more: what events have dissipated by
+then, and what is stored. Beyond it a hinge bears a load that falls with the square of its way, whose work is P δ of
+that event (Elices, Guinea and Planas 1992): the tail.
 """
 
 from dataclasses import dataclass
@@ -31,16 +33,18 @@ class FractureRun(Request):
         case: what is tested.
         seed: of the packing.
         finer: how many times smaller cells are than the case has them.
+        curve: how cracks soften: "bilinear", or "straight".
     """
 
     case: Case
     seed: int
     finer: float = 1.0
+    curve: str = "bilinear"
 
     @property
     def readable(self) -> str:
         """See `Request`."""
-        return f"{self.case.name}_finer{self.finer:g}_seed{self.seed}"
+        return f"{self.case.name}_{self.curve}_finer{self.finer:g}_seed{self.seed}"
 
     @property
     def weight(self) -> float:
@@ -50,25 +54,27 @@ class FractureRun(Request):
     @property
     def asked(self) -> dict[str, Any]:
         """See `Request`; cells are of one kind, and their number follows."""
-        return {"case": self.case.name, "seed": self.seed, "finer": self.finer, "count": 0, "spread": 0.0}
+        run = {"case": self.case.name, "seed": self.seed, "finer": self.finer, "curve": self.curve}
+        return run | {"count": 0, "spread": 0.0}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units."""
         case = self.case
         body = case.body(self.seed, self.finer)
-        model, driven = case.model(body)
+        model, driven = case.model(body, self.curve)
         begun = perf_counter()
         path = solve_quasistatic(
             model, driven, ripple=case.ripple, together=case.together, until=case.until, gauges=case.gauges(body)
         )
         peak, way = int(np.argmax(path.load)), case.way(path)
-        stored = 0.5 * path.load[-1] * way[-1]
+        last = int(np.flatnonzero(path.load >= case.until * path.peak)[-1])
+        stored = 0.5 * path.load[last] * way[last]
         return plain({
             "count": len(body.particles), "facets": len(body.pairs), "events": len(path.load),
             "failures": len(path.bond), "iterations": path.iterations, "end": path.end,
             "run_seconds": round(perf_counter() - begun, 1),
-            "peak": path.peak, "displacement": way[peak], "work": path.energy.sum() + stored,
-            "stored": stored, "area": _torn(body, path),
+            "peak": path.peak, "displacement": way[peak], "work": path.energy[:last].sum() + stored,
+            "tail": path.load[last] * way[last], "area": _torn(body, path),
             "curve": _curve(case, path), "crack": _crack(body, path),
         })  # fmt: skip
 

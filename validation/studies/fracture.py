@@ -1,13 +1,13 @@
 """Published fracture tests on graded bodies of cells, without inertia: a scorecard, load curves and crack paths."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
 from bondem._checks import choice
 from bondem.errors import InputError
-from validation.cases.case import Case
+from validation.cases.case import CURVES, Case
 from validation.cases.garcia_alvarez import GARCIA_ALVAREZ
 from validation.cases.gregoire import GREGOIRE
 from validation.cases.l_panel import L_PANEL
@@ -19,8 +19,11 @@ from validation.rows.fracture import FractureRun
 
 CASES: Mapping[str, Case] = {one.name: one for one in (PETERSSON, GREGOIRE, GARCIA_ALVAREZ, L_PANEL)}
 _HEAD = ("case", "quantity", "published", "bondem", "verdict", "cells", "events", "seconds a run")
-# Factor and unit of a quantity in tables.
-_UNITS = {"peak": (1e-3, "kN"), "work": (1.0, "J")}
+# What is read of a row, with factor and unit in tables; work is that until the end and its tail.
+_UNITS: Mapping[str, tuple[Callable[[Row], float], float, str]] = {
+    "peak": (lambda row: float(row["peak"]), 1e-3, "kN"),
+    "work": (lambda row: float(row["work"] + row["tail"]), 1.0, "J"),
+}
 
 
 @dataclass(frozen=True)
@@ -31,6 +34,7 @@ class Fracture(Study):
         cases: which of them.
         seeds: packings of each.
         finer: how many times smaller cells are than the cases have them.
+        curve: how cracks soften: "bilinear", Petersson's curve of concrete, or "straight".
     """
 
     name: ClassVar[str] = "fracture"
@@ -40,10 +44,12 @@ class Fracture(Study):
     cases: tuple[str, ...] = tuple(CASES)
     seeds: tuple[int, ...] = (1, 2, 3)
     finer: float = 1.0
+    curve: str = "bilinear"
 
     def __post_init__(self) -> None:
         for name in self.cases:
             choice(self.name, "cases", name, tuple(CASES))
+        choice(self.name, "curve", self.curve, tuple(CURVES))
         if not self.seeds or min(self.seeds) < 0:
             raise InputError("fracture: give seeds from 0 up, such as --seeds 1,2,3")
         if not 0.0 < self.finer <= 10.0:
@@ -51,13 +57,16 @@ class Fracture(Study):
 
     def stages(self, out: Path) -> Stages:
         """See `Study`."""
-        yield "break", [FractureRun(CASES[name], seed, self.finer) for name in self.cases for seed in self.seeds]
+        yield "break", [
+            FractureRun(CASES[name], seed, self.finer, self.curve) for name in self.cases for seed in self.seeds
+        ]
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         """See `Study`: of each case its claim, what its packings gave, and the verdict."""
         good = [row for row in rows if not row["error"]]
         groups = {name: [row for row in good if row["case"] == name] for name in self.cases}
-        return {"finer": self.finer, "cases": [_judged(CASES[name], some) for name, some in groups.items() if some]}
+        cases = [_judged(CASES[name], some) for name, some in groups.items() if some]
+        return {"finer": self.finer, "curve": self.curve, "cases": cases}
 
     def table(self, results: Mapping[str, Any]) -> str:
         """See `Study`: the scorecard."""
@@ -85,26 +94,26 @@ class Fracture(Study):
 
 
 def _judged(case: Case, rows: Sequence[Row]) -> dict[str, Any]:
-    values = [row[case.claim.quantity] for row in rows]
+    values = [_UNITS[case.claim.quantity][0](row) for row in rows]
     return {
         "name": case.name, "title": case.title, "claim": asdict(case.claim), "values": values,
         "verdict": case.claim.verdict(values),
         "seeds": [row["seed"] for row in rows],
-        **{key: [row[key] for row in rows] for key in ("count", "events", "peak", "work", "run_seconds", "end")},
-        **{f"{key}_mean": mean_and_scatter([row[key] for row in rows]) for key in ("peak", "work")},
+        **{key: [row[key] for row in rows]
+           for key in ("count", "events", "peak", "work", "tail", "run_seconds", "end")},
+        "mean": {key: mean_and_scatter([read(row) for row in rows]) for key, (read, *_) in _UNITS.items()},
     }  # fmt: skip
 
 
 def _lines(one: Mapping[str, Any]) -> list[list[str]]:
-    """Lines of the scorecard: what is held against a claim, and the other quantity without a verdict."""
+    """Lines of the scorecard: what is held against a claim, and beside work the peak without a verdict."""
     claimed = one["claim"]["quantity"]
     lines = []
-    for quantity in (claimed, *(other for other in _UNITS if other != claimed)):
-        factor, unit = _UNITS[quantity]
-        found = one[f"{quantity}_mean"]
+    for quantity in dict.fromkeys((claimed, "peak")):
+        _, factor, unit = _UNITS[quantity]
+        found, judged = one["mean"][quantity], quantity == claimed
         text = f"{factor * found['mean']:.3f}"
         text += "" if found["std"] is None else f" ± {factor * found['std']:.3f}"
-        judged = quantity == claimed
         lines.append([
             one["title"], quantity, one["claim"]["words"] if judged else "–", f"{text} {unit}",
             one["verdict"] if judged else "shown", _range(one["count"]), _range(one["events"]),

@@ -15,6 +15,7 @@ from bondem.errors import RunFileError
 from bondem.laws.catalogue import CELL_LAWS, LAWS
 from bondem.laws.contact import LinearContact
 from bondem.laws.damping import BondDamping, LocalDamping, MassDamping
+from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.catalogue import CRITERIA
 from bondem.laws.failure.scatter import Normal, Weibull
 from bondem.laws.failure.stress_criterion import StressCriterion
@@ -36,7 +37,7 @@ from bondem.specimen.surface import Surface
 _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
-        *LAWS.values(), *CELL_LAWS.values(), NonLocal, *CRITERIA.values(), Weibull, Normal,
+        *LAWS.values(), *CELL_LAWS.values(), NonLocal, *CRITERIA.values(), Bilinear, Weibull, Normal,
         LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
         LinearContact, HertzMindlin, PlaneWall, CylinderWall, SphereWall, Driven, Servo, Free,
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,
@@ -71,7 +72,7 @@ def encode(value: Any) -> Any:
 
 def _arguments(value: Any) -> dict[str, Any]:
     if isinstance(value, StressCriterion):  # the name stands for the function
-        kept = ("fracture_energy", "friction", "scatter", "parameters")
+        kept = ("fracture_energy", "friction", "curve", "scatter", "parameters")
         return {"function": value.name} | {name: getattr(value, name) for name in kept}
     if isinstance(value, Drive):
         names = ("x", "y", "z", "rx", "ry", "rz"), ("vx", "vy", "vz", "wx", "wy", "wz")

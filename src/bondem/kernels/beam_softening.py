@@ -67,7 +67,7 @@ def _look_at(pose, bonds, soft, change, first, last):
         d, extension, opening, sliding = whole_beam(pose, bonds, k)
         rate, new = opening + sliding, s
         if change and s > 0.0:
-            new = softened(s, math.sqrt(rate), row[FIRST], row[LAST])
+            new = softened(s, math.sqrt(rate), row[FIRST], row[LAST], 0.0, 1.0)
             if new < _NOTHING:
                 new = 0.0
         output[LOST] = math.sqrt(row[RATE] * rate) * (s - new)

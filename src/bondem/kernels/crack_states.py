@@ -249,7 +249,7 @@ def soften(pose, bonds, cells, cracks, first, last):
         new = 0.0
         if s > 0.0:
             most = fastest[k] if onset == 0.0 or lasting[k] == 0.0 else _FASTEST
-            new = max(softened(s, force / area[k], onset, lasting[k]), s - most)
+            new = max(softened(s, force / area[k], onset, lasting[k], cracks.kink, cracks.steep), s - most)
             if new < 1e-9:
                 new = 0.0
         if new < s:

@@ -83,6 +83,8 @@ class CrackedFacets(NamedTuple):
     part: np.ndarray  #: w_i: part of cell i in the compliance, (m,)
     fastest: np.ndarray  #: by how much the integrity of what breaks at once falls in a step at most, (m,)
     area: np.ndarray  #: [m²], (m,)
+    kink: float  #: of the softening curve, and
+    steep: float  #: its first line (`bondem.laws.softening.softened`)
     friction: float  #: μ
     tensor: np.ndarray  #: that of `CellStresses`
     weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)

@@ -34,7 +34,7 @@ def direct_tension(
         UnstableRunError: the run became unstable.
     """
     softening = softening_of("direct_tension", failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
-    opening = 2.0 * softening.fracture_energy / softening.tension
+    opening = softening.last * softening.fracture_energy / softening.tension
     loading = Loading(
         sign=1.0, expected=softening.tension, reach=1.3 * softening.tension / law.E, opening=1.5 * opening,
         ending=0.002, pressure=0.0, traverses=traverses,

@@ -24,6 +24,7 @@ so that U_b counts in T as it does in -∂U/∂s.
 
 Softening is linear in the opening u = (1 - s) A T / k: from the traction t₀ that a facet has when it begins, to the
 opening 2 G_f / f_t, the same for facets of all directions. Then each dissipates G_f per area projected on the crack.
+Or it follows two lines with a kink at κ t₀: s T is the larger of both, each of the form a - b (1 - s) T.
 """
 
 import math
@@ -52,18 +53,25 @@ def opening_force(force, normal):
 
 
 @device
-def softened(s, traction, onset, last):
+def softened(s, traction, onset, last, kink, steep):
     """Integrity of a facet under a traction T [Pa], at most s.
 
     Args:
         onset: t₀ [Pa].
         last: k u / A at the opening where nothing is left [Pa]; above `onset`, or 0 where it breaks at once.
+        kink: κ, 0 for a straight line.
+        steep: where the first line would reach nothing, over `last`; 1 for a straight line.
     """
     if traction <= onset:
         return s
     if traction >= last:
         return 0.0
-    return min(s, onset * (1.0 - traction / last) / (traction * (1.0 - onset / last)))
+    first = steep * last
+    left = onset * (1.0 - traction / first) / (traction * (1.0 - onset / first))
+    if kink > 0.0:
+        slope = kink * onset / (last - (1.0 - kink) * first)
+        left = max(left, slope * (last - traction) / (traction * (1.0 - slope)))
+    return min(s, left)
 
 
 @device

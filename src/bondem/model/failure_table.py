@@ -131,6 +131,8 @@ def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:
             raise InputError("MohrCoulomb: dilatancy is of cells that yield; leave it out for beams that soften")
         if failure.fracture_energy_shear == math.inf:
             raise InputError("MohrCoulomb: fracture_energy_shear = inf is for cells that yield; give beams a number")
+        if failure.curve is not None:
+            raise InputError("MohrCoulomb: curve is of cracks between cells; beams soften along a straight line")
     if contact is not None and contact.parallel:
         raise InputError(
             "contact= with parallel=True presses beside bonds, and beams that soften bear pressure themselves until"

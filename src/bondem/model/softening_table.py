@@ -30,6 +30,7 @@ class SofteningTable:
     Attributes:
         strength: f_t of each facet [Pa], (m,).
         last: k u / A at the opening where nothing is left [Pa], 0 where facets break at once, (m,).
+        kink, steep: of the softening curve (`bondem.laws.softening.softened`) [-].
         area: [m²], (m,).
         part: part of cell i in the compliance of a facet [-], (m,).
         hot: largest principal stress of a cell from which its facets are looked at [Pa]; of another criterion that
@@ -45,6 +46,8 @@ class SofteningTable:
 
     strength: PerBond
     last: PerBond
+    kink: float
+    steep: float
     area: PerBond
     part: PerBond
     hot: float
@@ -84,9 +87,9 @@ class SofteningTable:
         last = np.zeros(len(area))
         if softening.fracture_energy > 0.0:
             _check_length(facets.span[order], cells, layout, softening)
-            # the opening 2 G_f / f_t, as the traction that it takes from a whole facet
-            last = cells.k / area * 2.0 * softening.fracture_energy / strength
-            last = np.maximum(last, _SNAP * strength)
+            # the last opening, as the traction that it takes from a whole facet
+            last = cells.k / area * softening.last * softening.fracture_energy / strength
+            last = np.maximum(last, _SNAP * strength / softening.steep)
         depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])
         other = np.where(layout.flipped, facets.depth_i[order], facets.depth_j[order])
         soft_i, soft_j = depth / cells.G[layout.i], other / cells.G[layout.j]
@@ -94,7 +97,8 @@ class SofteningTable:
         if softening.slip is not None and math.isfinite(softening.slip.fracture_energy):
             fade = np.cbrt(cells.volume) * softening.slip.cohesion / (2.0 * softening.slip.fracture_energy)
         return cls(
-            strength=strength, last=last, area=area, part=soft_i / (soft_i + soft_j),
+            strength=strength, last=last, kink=softening.kink, steep=softening.steep, area=area,
+            part=soft_i / (soft_i + soft_j),
             hot=(_MARGIN if surface is None else _WIDER) * float(strength.min(initial=softening.tension)),
             judge=None if surface is None else callback(surface.function, len(surface.values)),
             given=np.array(() if surface is None else surface.values, dtype=float),
@@ -104,13 +108,14 @@ class SofteningTable:
 
 
 def _check_length(span: PerBond, cells: CellConstants, layout: Layout, softening: Softening) -> None:
-    """Refuse elements that snap back: longer than 2 E G_f / f_t²."""
+    """Refuse elements that snap back: that stretch more at their strength than the first line opens."""
     i = layout.i
     E = cells.G[i] * (3.0 * cells.lame[i] + 2.0 * cells.G[i]) / (cells.lame[i] + cells.G[i])
-    longest = 2.0 * E * softening.fracture_energy / softening.tension**2
+    steepest = softening.steep * softening.last
+    longest = steepest * E * softening.fracture_energy / softening.tension**2
     if np.median(span / longest) > 1.0:
         raise InputError(
             f"elements {np.median(span):.3g} m long release more energy than fracture_energy="
-            f"{softening.fracture_energy:g} J/m² takes up: they snap back above 2 E G_f / f_t² ="
+            f"{softening.fracture_energy:g} J/m² takes up: they snap back above {steepest:.3g} E G_f / f_t² ="
             f" {np.median(longest):.3g} m; use smaller elements, or fracture_energy=None for brittle facets"
         )

@@ -10,7 +10,7 @@ from bondem._types import Floats, Ints, PerBond
 from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
-from bondem.quasistatic.teeth import Teeth
+from bondem.quasistatic.teeth import SofteningLine, Teeth
 from bondem.quasistatic.tensors import agreed, full_tensor, largest, principal_range
 
 # By what share factors of the closed form may be off.
@@ -58,14 +58,14 @@ class TractionOnset:
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
         """See `FacetOnset`."""
-        return Teeth.of(1.0, 0.0, ripple)
+        return Teeth.of(SofteningLine(1.0, 0.0), ripple)
 
 
 class StressOnset:
     """When whole facets begin to crack: σ1(σ*) reaches the strength, they are pulled or sheared (`bd.Rankine`)."""
 
     def __init__(self, body: DamagedBody, table: SofteningTable) -> None:
-        self._body, self._strength, self._last = body, table.strength, table.last
+        self._body, self._table, self._strength = body, table, table.strength
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
         """See `FacetOnset`."""
@@ -110,7 +110,9 @@ class StressOnset:
         opening = t - min(float(t @ n), 0.0) * n
         now = math.hypot(float(np.linalg.norm(opening)), bent)
         begun = min(now, float(self._strength[k]) * max(abs(float(n @ direction)), _LEAST))
-        return Teeth.of(begun, float(self._last[k]), ripple, now)
+        return Teeth.of(
+            SofteningLine(begun, float(self._table.last[k]), self._table.kink, self._table.steep), ripple, now
+        )
 
 
 def _sheared_at(across: Floats, shear: Floats, strength: PerBond) -> Floats:

@@ -1,6 +1,6 @@
-"""Softening in steps: a line from the strength to an opening followed by teeth within a band about it."""
+"""Softening in steps: a curve from the strength to an opening, followed by teeth within a band about it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,13 +14,63 @@ _BELOW = 0.999
 _ROUNDS = 8
 
 
+@dataclass(frozen=True)
+class SofteningLine:
+    """What a facet bears as it softens: the larger of two straight lines in its opening (`bondem.laws.softening`).
+
+    T stands for |F⁺| / A, the traction that the facet would have if it were whole, which is its gap but for a factor;
+    it bears s T. Each line is s T = a - b (1 - s) T.
+
+    Attributes:
+        onset: traction from which the facet softens [Pa].
+        last: T where nothing is left [Pa], 0 where it breaks at once.
+        kink: traction where both lines meet, over `onset`; 0 for one line.
+        steep: where the first line would reach nothing, over `last`.
+    """
+
+    onset: float
+    last: float
+    kink: float = 0.0
+    steep: float = 1.0
+
+    @property
+    def lines(self) -> tuple[tuple[float, float], ...]:
+        """a [Pa] and b [-] of each."""
+        end = self.steep * self.last
+        first = self.onset, self.onset / end
+        if self.kink == 0.0:
+            return (first,)
+        slope = self.kink * self.onset / (self.last - (1.0 - self.kink) * end)
+        return first, (slope * self.last, slope)
+
+    def borne(self, T: float) -> float:
+        """s T at T [Pa]."""
+        return max(0.0, *((a - b * T) / (1.0 - b) for a, b in self.lines))
+
+    def reached(self, s: float, share: float) -> float:
+        """T at which a facet of integrity s bears `share` times what it does on the curve [Pa]."""
+        return max(share * a / (s * (1.0 - b) + share * b) for a, b in self.lines)
+
+    def energy(self, now: float) -> float:
+        """∫ T² (-ds) from T = `now` on [Pa²]."""
+        lines, taken = self.lines, 0.0
+        ends = (
+            [self.last]
+            if len(lines) == 1
+            else [self.kink * self.onset + (1.0 - self.kink) * self.steep * self.last, self.last]
+        )
+        for (a, b), end in zip(lines, ends, strict=True):
+            taken += max(end - now, 0.0) * a / (1.0 - b)
+            now = max(now, end)
+        return taken
+
+
 @dataclass(frozen=True, eq=False)
 class Teeth:
     """What a facet goes through from its onset on.
 
-    Between two events a facet is elastic with its integrity; at an event it loses some of it. T stands for |F⁺| / A,
-    the traction that the facet would have if it were whole, which is its gap but for a factor; it bears s T, and
-    dissipates T² Δs per event, in units of A / 2k.
+    Between two events a facet is elastic with its integrity; at an event it loses some of it, and dissipates T² Δs,
+    in units of A / 2k.
 
     Attributes:
         integrity: after events 1 … t, falling to 0, (t,).
@@ -31,43 +81,40 @@ class Teeth:
     limit: Floats
 
     @classmethod
-    def of(cls, onset: float, last: float, ripple: float, now: float = 0.0) -> "Teeth":
-        """Teeth of linear softening; a facet that breaks at once has one.
+    def of(cls, line: SofteningLine, ripple: float, now: float = 0.0) -> "Teeth":
+        """Teeth of a curve; a facet that breaks at once has one.
 
-        The first event comes at the onset, the others where the traction is `ripple` above the line, as a share of
-        it, but a little below that at the onset at most, and each leaves it as much below the line. The line is drawn
-        out for all of them together to take the energy under that of the material, onset · last. Where T is beyond
-        the onset when a facet begins, it falls to the line there.
+        The first event comes at the onset, the others where the traction is `ripple` above the curve, as a share of
+        it, but a little below that at the onset at most, and each leaves it as much below the curve. The curve is
+        drawn out for all of them together to take the energy under that of the material. Where T is beyond the onset
+        when a facet begins, it falls to the curve there.
 
         Args:
-            onset: traction from which the facet softens [Pa].
-            last: k u / A at the opening where nothing is left [Pa], 0 where it breaks at once (`softened`).
+            line: the curve of the material.
             ripple: in (0, 1).
             now: T as it begins, if that is more than the onset [Pa].
         """
-        now = max(now, onset)
-        if last <= now:
+        now = max(now, line.onset)
+        if line.last <= now:
             return cls(np.zeros(1), np.zeros(0))
-        wanted, longer = (last - now) * onset / (1.0 - onset / last), last
-        integrity, limit = _steps(onset, longer, ripple, now)
+        wanted, longer = line.energy(now), line
+        integrity, limit = _steps(longer, ripple, now)
         for _ in range(_ROUNDS):
             lost = integrity[:-1] - integrity[1:]
             taken = ripple / (1.0 - ripple) * integrity[0] * now**2 + float(lost @ limit**2)
-            longer = now + (longer - now) * wanted / taken
-            integrity, limit = _steps(onset, longer, ripple, now)
+            longer = replace(longer, last=now + (longer.last - now) * wanted / taken)
+            integrity, limit = _steps(longer, ripple, now)
         return cls(integrity, limit)
 
 
-def _steps(onset: float, last: float, ripple: float, now: float) -> tuple[Floats, Floats]:
-    """Integrities and limits within a band about a line, from T = `now` on."""
-    r = onset / last
-    line = (1.0 - r * now / onset) / (1.0 - r)
-    s, T = [(1.0 - ripple) * line * onset / now], []
-    while line > _REST:
-        above = (1.0 + ripple) * onset / (s[-1] * (1.0 - r) + (1.0 + ripple) * r)
-        T.append(min(above, _BELOW * onset / s[-1]))
-        line = (1.0 - r * T[-1] / onset) / (1.0 - r)
-        s.append((1.0 - ripple) * line * onset / T[-1] if line > _REST else 0.0)
+def _steps(line: SofteningLine, ripple: float, now: float) -> tuple[Floats, Floats]:
+    """Integrities and limits within a band about a curve, from T = `now` on."""
+    borne = line.borne(now)
+    s, T = [(1.0 - ripple) * borne / now], []
+    while borne > _REST * line.onset:
+        T.append(min(line.reached(s[-1], 1.0 + ripple), _BELOW * line.onset / s[-1]))
+        borne = line.borne(T[-1])
+        s.append((1.0 - ripple) * borne / T[-1] if borne > _REST * line.onset else 0.0)
     if not T:
         s = [0.0]
     return np.array(s), np.array(T)

@@ -105,7 +105,7 @@ def crack_table(
     listed = np.zeros(m, dtype=np.uint8)
     facets = CrackedFacets(
         last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0), area=table.area,
-        friction=table.friction, tensor=tensor, weight=constants.weight,
+        kink=table.kink, steep=table.steep, friction=table.friction, tensor=tensor, weight=constants.weight,
         slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
         listed=listed, row=row, sizes=np.array([count, 0, 0, 0, 0], dtype=np.int64), flag=np.zeros(m, dtype=np.uint8),
         facet=np.zeros(m, dtype=np.int64), active=np.zeros(m, dtype=np.int64), resting=np.zeros(m, dtype=np.int64),

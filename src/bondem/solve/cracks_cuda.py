@@ -167,7 +167,7 @@ def _cracks(table: CrackedFacets) -> CrackedFacets:
         if name not in large and name not in small and name != "friction"
     }
     moved = {name: upload(array) for name, array in small.items()}
-    return CrackedFacets(friction=table.friction, **shared, **moved, **large)
+    return CrackedFacets(kink=table.kink, steep=table.steep, friction=table.friction, **shared, **moved, **large)
 
 
 def _listed(table: CrackedFacets) -> np.ndarray:

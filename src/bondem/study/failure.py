@@ -3,6 +3,7 @@
 from typing import Any
 
 from bondem.errors import InputError, StudyError
+from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.drucker_prager import DruckerPrager
 from bondem.laws.failure.hydrostatic import Hydrostatic
@@ -38,7 +39,7 @@ def read_failure(table: TomlTable) -> Criterion:
         given["fracture_energy"] = table.number("fracture_energy", "J/m²", above=0.0)
         given["fracture_energy_shear"] = table.number("fracture_energy_shear", "J/m²", default=None, above=0.0)
         given["dilatancy"] = table.number("dilatancy", "rad", default=0.0)
-        return _made(table, MohrCoulomb, given)
+        return _made(table, MohrCoulomb, given | {"curve": _curve(table)})
 
 
 def _cracks(table: TomlTable) -> dict[str, Any]:
@@ -46,7 +47,20 @@ def _cracks(table: TomlTable) -> dict[str, Any]:
     return {
         "fracture_energy": table.number("fracture_energy", "J/m²", default=None, above=0.0),
         "friction": table.number("friction", "-", default=0.0, above=-1e-300),
+        "curve": _curve(table),
     }
+
+
+def _curve(table: TomlTable) -> Bilinear | None:
+    """How cracks soften: along a straight line, or along two, whose kink is Petersson's where it is not given."""
+    if table.text("curve", default="straight", choices=("straight", "bilinear")) == "straight":
+        return None
+    usual = Bilinear()
+    kink = {one: table.number(f"kink_{one}", "-", default=getattr(usual, one)) for one in ("stress", "opening")}
+    try:
+        return Bilinear(**kink)
+    except InputError as error:
+        raise StudyError(f"'{table.name('curve')}': {error}") from None
 
 
 def _made(table: TomlTable, kind: type[Criterion], given: dict[str, Any]) -> Criterion:

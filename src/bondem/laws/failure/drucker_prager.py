@@ -6,6 +6,7 @@ from typing import Any
 
 from bondem._checks import number
 from bondem.errors import InputError
+from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Slip, Softening, StressIndex, check_crack, check_slip
 
@@ -39,6 +40,7 @@ class DruckerPrager(Criterion):
         fracture_energy_shear: G_II of slip [J/m²], inf for a cohesion that stays; 10 G_f unless given.
         dilatancy: β of the flow potential √J2 + β I1 [-], in [0, α]; the volume grows by 3 β of the slip.
         friction: μ on the faces of closed cracks [-].
+        curve: how cracks soften; None is a straight line.
 
     Reference: Drucker and Prager (1952).
 
@@ -54,6 +56,7 @@ class DruckerPrager(Criterion):
     fracture_energy_shear: float | None = None
     dilatancy: float = 0.0
     friction: float = 0.0
+    curve: Bilinear | None = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -66,7 +69,7 @@ class DruckerPrager(Criterion):
                 " hydrostatic, the third follows"
             )
         self._check_cone()
-        check_crack(_NAME, self.fracture_energy, self.friction)
+        check_crack(_NAME, self.fracture_energy, self.friction, self.curve)
         number(_NAME, "dilatancy", self.dilatancy, least=0.0)
         if self.dilatancy > self.slope:
             raise InputError(f"{_NAME}: dilatancy = {self.dilatancy:g}; give β in [0, α] = [0, {self.slope:.4g}]")
@@ -116,6 +119,7 @@ class DruckerPrager(Criterion):
         return Softening(
             tension=k / (1.0 / _ROOT + slope), fracture_energy=energy or 0.0, friction=self.friction, slip=slip,
             surface=StressIndex(function=cone_index, values=(slope, k, 0.0 if slip is None else 1.0)),
+            curve=self.curve,
         )  # fmt: skip
 
 

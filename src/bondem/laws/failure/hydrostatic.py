@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from bondem._checks import number
+from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening, StressIndex, check_crack
 
@@ -21,6 +22,7 @@ class Hydrostatic(Criterion):
         tension: largest mean stress [Pa].
         fracture_energy: G_f, of a bar that is torn apart [J/m²]; None is brittle.
         friction: μ on the faces of closed cracks [-].
+        curve: how cracks soften; None is a straight line.
 
     Raises:
         InputError: a strength or energy that is not positive, or a negative friction.
@@ -29,17 +31,19 @@ class Hydrostatic(Criterion):
     tension: float
     fracture_energy: float | None = None
     friction: float = 0.0
+    curve: Bilinear | None = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
         number("Hydrostatic", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
-        check_crack("Hydrostatic", self.fracture_energy, self.friction)
+        check_crack("Hydrostatic", self.fracture_energy, self.friction, self.curve)
 
     @property
     def softening(self) -> Softening:
         return Softening(
             tension=3.0 * self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction,
             slip=None, surface=StressIndex(function=mean_index, values=(self.tension,)),
+            curve=self.curve,
         )  # fmt: skip
 
 

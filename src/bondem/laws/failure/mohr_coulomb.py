@@ -9,6 +9,7 @@ import numpy as np
 from bondem._checks import number
 from bondem._compile import device
 from bondem._types import Floats, PerBond
+from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import SHEAR, TENSION, BondCriterion, Joint, columns
 from bondem.laws.failure.softening import Slip, Softening, check_crack, check_slip
 
@@ -39,6 +40,7 @@ class MohrCoulomb(BondCriterion):
         fracture_energy: G_f of tension [J/m²]; None for bonds or facets that break at once, by their traction.
         fracture_energy_shear: G_II of slip [J/m²], of cells inf for a cohesion that stays; 10 G_f unless given.
         dilatancy: ψ of cells [rad], in [0, φ].
+        curve: how cracks between cells soften; None is a straight line, and beams have no other.
 
     Raises:
         InputError: a strength that is not positive, or an angle outside [0, π/2),
@@ -54,6 +56,7 @@ class MohrCoulomb(BondCriterion):
     fracture_energy: float | None = None
     fracture_energy_shear: float | None = None
     dilatancy: float = 0.0
+    curve: Bilinear | None = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -65,7 +68,7 @@ class MohrCoulomb(BondCriterion):
         )  # fmt: skip
         number("MohrCoulomb", "dilatancy", self.dilatancy, unit="rad", least=0.0, advice="an angle in [0, φ] rad")
         number("MohrCoulomb", "friction_angle - dilatancy", self.friction_angle - self.dilatancy, least=0.0)
-        check_crack("MohrCoulomb", self.fracture_energy, 0.0)
+        check_crack("MohrCoulomb", self.fracture_energy, 0.0, self.curve)
         check_slip("MohrCoulomb", self.fracture_energy, self.fracture_energy_shear, self.dilatancy)
 
     @property
@@ -84,7 +87,7 @@ class MohrCoulomb(BondCriterion):
         )  # fmt: skip
         return Softening(
             tension=self.tension, fracture_energy=self.fracture_energy, friction=math.tan(self.friction_angle),
-            slip=slip,
+            slip=slip, curve=self.curve,
         )  # fmt: skip
 
     def coefficients(self, joint: Joint, factor: PerBond) -> Floats:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from bondem._checks import number
+from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening, check_crack
 
@@ -17,12 +18,14 @@ class Rankine(Criterion):
     that traction. A facet that is pressed cracks where its traction alone has such a principal stress, too:
     t_s² ≥ tension (tension - t_n). A crack softens linearly in its opening, from the traction that the facet has then
     (its shear where it is pressed) to the opening 2 G_f / f_t, so that it dissipates G_f per area of the crack
-    whatever way its facets zigzag. Without a fracture energy it breaks at once. Bodies of cells only.
+    whatever way its facets zigzag; or along the two lines of a `bd.Bilinear`, as concrete. Without a fracture energy
+    it breaks at once. Bodies of cells only.
 
     Attributes:
         tension: f_t [Pa].
         fracture_energy: G_f [J/m²]; None is brittle.
         friction: μ on the faces of closed cracks [-].
+        curve: how cracks soften; None is a straight line.
 
     Raises:
         InputError: a strength or energy that is not positive, or a negative friction.
@@ -31,14 +34,16 @@ class Rankine(Criterion):
     tension: float
     fracture_energy: float | None = None
     friction: float = 0.0
+    curve: Bilinear | None = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
         number("Rankine", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
-        check_crack("Rankine", self.fracture_energy, self.friction)
+        check_crack("Rankine", self.fracture_energy, self.friction, self.curve)
 
     @property
     def softening(self) -> Softening:
         return Softening(
-            tension=self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slip=None
-        )
+            tension=self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slip=None,
+            curve=self.curve,
+        )  # fmt: skip

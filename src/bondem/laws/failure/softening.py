@@ -7,10 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtri
 
-from bondem._checks import number
+from bondem._checks import instance, number
 from bondem._compile import callback
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.counter import uniform_by_counter
 
 # Largest strength that is looked for [Pa], and in how many directions drawn by chance.
@@ -104,6 +105,7 @@ class Softening:
         friction: μ on the faces of cracks that have closed [-].
         slip: how cells yield, or None where they do not.
         surface: when facets begin to crack; None where the largest principal stress reaches `tension`.
+        curve: how a crack softens in its opening; None for a straight line.
     """
 
     tension: float
@@ -111,14 +113,34 @@ class Softening:
     friction: float
     slip: Slip | None
     surface: StressIndex | None = None
+    curve: Bilinear | None = None
+
+    @property
+    def kink(self) -> float:
+        """Stress over `tension` at which the curve has a kink [-], 0 where it is straight."""
+        return 0.0 if self.curve is None else self.curve.stress
+
+    @property
+    def steep(self) -> float:
+        """Opening where the first line of the curve would reach nothing, over the last opening [-]."""
+        return 1.0 if self.curve is None else self.curve.steep
+
+    @property
+    def last(self) -> float:
+        """Opening of a crack at which it bears nothing, over G_f / f_t [-]."""
+        return 2.0 if self.curve is None else self.curve.last
 
 
-def check_crack(owner: str, fracture_energy: float | None, friction: float) -> None:
-    """Refuse what no crack has: G_f [J/m²] and μ [-] of a criterion of the name `owner`.
+def check_crack(owner: str, fracture_energy: float | None, friction: float, curve: Bilinear | None = None) -> None:
+    """Refuse what no crack has: G_f [J/m²], μ [-] and how it softens, of a criterion of the name `owner`.
 
     Raises:
-        InputError: an energy that is not positive, or a negative friction.
+        InputError: an energy that is not positive, a negative friction, or a curve without an energy.
     """
+    if curve is not None:
+        instance(owner, "curve", curve, Bilinear, "bd.Bilinear(), or None for a straight line")
+        if fracture_energy is None:
+            raise InputError(f"{owner}: curve is of facets that soften; give fracture_energy too")
     if fracture_energy is not None:
         advice = "a positive energy in J/m², or None for brittle facets"
         number(owner, "fracture_energy", fracture_energy, unit="J/m²", above=0.0, advice=advice)

@@ -12,6 +12,7 @@ import numpy as np
 from bondem._checks import number, shown
 from bondem._compile import callback
 from bondem.errors import InputError
+from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.scatter import Normal, Weibull
 from bondem.laws.failure.softening import TRIED, Softening, StressIndex, check_crack
@@ -44,6 +45,7 @@ class StressCriterion(Criterion):
         function: of the stress and the parameters; it returns the index [-]. What is no number breaks a facet.
         fracture_energy: G_f [J/m²]; None is brittle.
         friction: μ on the faces of closed cracks [-].
+        curve: how cracks soften; None is a straight line.
         scatter: how strengths differ from facet to facet.
         **parameters: numbers, by the names of the function's arguments.
 
@@ -56,6 +58,7 @@ class StressCriterion(Criterion):
     function: Callable[..., Any]
     fracture_energy: float | None
     friction: float
+    curve: Bilinear | None
     parameters: Mapping[str, float] = field(hash=False)
 
     def __init__(
@@ -64,16 +67,18 @@ class StressCriterion(Criterion):
         *,
         fracture_energy: float | None = None,
         friction: float = 0.0,
+        curve: Bilinear | None = None,
         scatter: Weibull | Normal | None = None,
         **parameters: float,
     ) -> None:
         object.__setattr__(self, "function", function)
         object.__setattr__(self, "fracture_energy", fracture_energy)
         object.__setattr__(self, "friction", friction)
+        object.__setattr__(self, "curve", curve)
         object.__setattr__(self, "scatter", scatter)
         object.__setattr__(self, "parameters", _own_parameters(function, parameters))
         self.__post_init__()
-        check_crack(_NAME, fracture_energy, friction)
+        check_crack(_NAME, fracture_energy, friction, curve)
         self._try()
         object.__setattr__(self, "_tension", min(self._surface.reached(direction) for direction in TRIED[:3]))
         if not math.isfinite(self._tension):
@@ -93,7 +98,7 @@ class StressCriterion(Criterion):
     def softening(self) -> Softening:
         return Softening(
             tension=self._tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slip=None,
-            surface=self._surface,
+            surface=self._surface, curve=self.curve,
         )  # fmt: skip
 
     @property
