@@ -5,8 +5,8 @@ cells held by their displacement clamp a body, as they are never quite straight 
 crack under a line of force, where experiments have plates.
 
 Publications give f_t and G_f, and not how concrete softens between. A straight line was tried first, in bands of 0.2,
-with one packing of each beam: work of Petersson's 0.755 J, peaks of Grégoire's 1365 N and García-Álvarez' 6.05 kN, all
-above what is claimed. Since then the curve is Petersson's of 1981, that of concrete; the straight line is left as an
+with one packing of each beam: work of Petersson's 0.755 J, peaks of Grégoire's 1365 N and García-Álvarez' 6.05 kN,
+all above what is claimed. Since then the curve is Petersson's of 1981, that of concrete; the straight line is an
 option. The band was narrowed as it makes work: Petersson's beam of 566 cells takes 0.627, 0.613, 0.602 J until the
 load has fallen to 0.02 of its peak, with bands of 0.2, 0.1, 0.05 and `together=0.01`; 0.596 with 0.05 and 0.002.
 """
