@@ -7,17 +7,21 @@ from typing import Any, ClassVar
 
 from bondem._checks import choice
 from bondem.errors import InputError
+from validation.cases import gregoire, petersson
 from validation.cases.case import CURVES, Case
 from validation.cases.garcia_alvarez import GARCIA_ALVAREZ
-from validation.cases.gregoire import GREGOIRE
 from validation.cases.l_panel import L_PANEL
-from validation.cases.petersson import PETERSSON
 from validation.figures.fracture import draw_case
 from validation.frame.files import mean_and_scatter, table
 from validation.frame.study import Row, Stages, Study
+from validation.measures.hinge import hinge_peak
 from validation.rows.fracture import FractureRun
 
-CASES: Mapping[str, Case] = {one.name: one for one in (PETERSSON, GREGOIRE, GARCIA_ALVAREZ, L_PANEL)}
+CASES: Mapping[str, Case] = {
+    one.name: one for one in (petersson.PETERSSON, gregoire.GREGOIRE, GARCIA_ALVAREZ, L_PANEL)
+}
+# Beams pressed above their notch, which a hinge describes too.
+_HINGES = {"petersson": petersson.BEAM, "gregoire": gregoire.BEAM}
 _HEAD = ("case", "quantity", "published", "bondem", "verdict", "cells", "events", "seconds a run")
 # What is read of a row, with factor and unit in tables; work is that until the end and its tail.
 _UNITS: Mapping[str, tuple[Callable[[Row], float], float, str]] = {
@@ -65,7 +69,7 @@ class Fracture(Study):
         """See `Study`: of each case its claim, what its packings gave, and the verdict."""
         good = [row for row in rows if not row["error"]]
         groups = {name: [row for row in good if row["case"] == name] for name in self.cases}
-        cases = [_judged(CASES[name], some) for name, some in groups.items() if some]
+        cases = [_judged(CASES[name], some, self.curve) for name, some in groups.items() if some]
         return {"finer": self.finer, "curve": self.curve, "cases": cases}
 
     def table(self, results: Mapping[str, Any]) -> str:
@@ -93,11 +97,12 @@ class Fracture(Study):
         }
 
 
-def _judged(case: Case, rows: Sequence[Row]) -> dict[str, Any]:
+def _judged(case: Case, rows: Sequence[Row], curve: str) -> dict[str, Any]:
     values = [_UNITS[case.claim.quantity][0](row) for row in rows]
     return {
         "name": case.name, "title": case.title, "claim": asdict(case.claim), "values": values,
         "verdict": case.claim.verdict(values),
+        "hinge": hinge_peak(case, _HINGES[case.name], CURVES[curve]) if case.name in _HINGES else None,
         "seeds": [row["seed"] for row in rows],
         **{key: [row[key] for row in rows]
            for key in ("count", "events", "peak", "work", "tail", "run_seconds", "end")},
