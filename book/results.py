@@ -101,23 +101,28 @@ class Measurement:
         return float(found)
 
 
-def study(name: str, figures: Mapping[str, str], *, without: Sequence[str] = ()) -> Measurement:
+def study(
+    name: str, figures: Mapping[str, str], *, options: str = "", kept: str = "", without: Sequence[str] = ()
+) -> Measurement:
     """A study of `validation`: its results without curves and rows, and some of its figures.
 
     Args:
         name: of the study.
         figures: name in the folder that the study leaves → name in `docs/figures`, both without ending.
+        options: of its command.
+        kept: name of what is kept, where it is not that of the study.
         without: what else of its results is not kept.
     """
 
     def keep(folder: Path) -> dict[str, Any]:
         results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
         # as it was called, but for the folder of the day
-        results["command"] = re.sub(r"--out \S+", f"--out BUILD/{name}", results["command"])
+        results["command"] = re.sub(r"--out \S+", f"--out BUILD/{kept or name}", results["command"])
         return {key: found for key, found in results.items() if key not in ("curves", "profile", "rows", *without)}
 
-    kept = {f"figures/{drawn}.png": f"{target}.png" for drawn, target in figures.items()}
-    return Measurement(name, f"python -m validation {name} --out BUILD/{name}", condense=keep, figures=kept)
+    drawn = {f"figures/{one}.png": f"{target}.png" for one, target in figures.items()}
+    command = f"python -m validation {name} --out BUILD/{kept or name} {options}".rstrip()
+    return Measurement(kept or name, command, condense=keep, figures=drawn)
 
 
 @cache

@@ -12,7 +12,7 @@ from validation.frame.study import Study
 
 STUDIES = (
     "abacus", "assembly", "coverage", "dispersion", "fracture", "influence", "protocol", "quasistatic", "refinement",
-    "ring", "section", "surface", "vibration", "wave",
+    "ring", "section", "surface", "vibration", "wave", "weibull",
 )  # fmt: skip
 
 
