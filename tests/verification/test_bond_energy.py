@@ -10,8 +10,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.kernels.bond_pass import bond_energies, bond_loads, rotation_guard
+from bondem.kernels.bond_pass import bond_energies, bond_loads
 from bondem.kernels.tables import lines
+from bondem.kernels.turn_guard import rotation_guard
 from bondem.laws.bond import BondLaw
 from bondem.laws.rotations import rotate, turn
 from bondem.model.matrices import stiffness_matrix
@@ -327,7 +328,7 @@ def test_guard_counts_wide_and_lost_bonds(bend: float, twist: float, wide: int, 
     state.set_pose(position=position, orientation=orientation)
 
     def count(integrity: np.ndarray) -> tuple[int, int, bool]:
-        return rotation_guard(state.pose, model.bonds.rows(model.layout, model.period, integrity))
+        return rotation_guard(state.pose, model.bonds.rows(model.layout, model.period, integrity), None)
 
     assert count(np.ones(2)) == (wide, lost, False)
     assert count(np.zeros(2)) == (0, 0, False)

@@ -224,6 +224,26 @@ def test_a_block_set_in_motion_from_rest_is_not_stopped(condition) -> None:
 # ---- callbacks
 
 
+@pytest.mark.parametrize(
+    ("resists", "spin", "ends"),
+    [("bending", (1.0, 0.0, 0.0), Status.COMPLETED), ("bending", (0.0, 0.0, 1.0), Status.UNSTABLE),
+     ("none", (1.0, 0.0, 0.0), Status.COMPLETED), ("full", (1.0, 0.0, 0.0), Status.UNSTABLE)],
+)  # fmt: skip
+def test_a_cell_may_spin_about_a_facet_that_does_not_resist_it(
+    resists: str, spin: tuple[float, float, float], ends: Status, one_thread: None
+) -> None:
+    """Two cubes, turned against each other by three quarters of a turn, as a fragment that hangs on one facet may be."""
+    size, rate = 1e-3, 1e4
+    centre = np.array([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]]) * size
+    pair = bd.connect(bd.Particles(centre, 0.5 * size, shape=bd.Box((2.0 * size, size, size))), method="laguerre")
+    turn = {name: rate * part for name, part in zip(("wx", "wy", "wz"), spin, strict=True)}
+    drive = bd.Drive(bd.Index([1]), vx=0.0, vy=0.0, vz=0.0, **turn)
+    law = bd.CellBond(E=1e9, nu=0.2, facet_rotation=resists)
+    model = bd.Model(pair, law, density=2000.0, boundary=[bd.Fix(bd.Index([0])), drive])
+    run = bd.solve_explicit(model, duration=1.5 * np.pi / rate, every=20)
+    assert run.status is ends
+
+
 def shaken() -> tuple[bd.Model, State]:
     model = block()
     state = State(model)

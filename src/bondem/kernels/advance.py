@@ -4,7 +4,6 @@ import numpy as np
 
 from bondem._compile import device, kernel, loop
 from bondem.kernels.beam_softening import clear_pushes
-from bondem.kernels.bond_pass import rotation_guard
 from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.cell_strain import strain_body
 from bondem.kernels.contact_pass import contact_loads, outdated
@@ -14,6 +13,7 @@ from bondem.kernels.grip_pass import place_walls
 from bondem.kernels.press_pass import press
 from bondem.kernels.sample import kinetic_energies, sample
 from bondem.kernels.sweep import all_forces
+from bondem.kernels.turn_guard import rotation_guard
 from bondem.kernels.walls import WORK as WALL_WORK
 from bondem.kernels.walls import move_walls
 
@@ -144,7 +144,7 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
         set_body_clock(body, t, now)
         all_forces(run, same, history, body, non_local, scheme, added, contacts, breaks, soft, not paused)
         if looked:
-            turned, lost, broken = rotation_guard(elements.pose, bonds)
+            turned, lost, broken = rotation_guard(elements.pose, bonds, body)
             wide = max(wide, turned)
             sick = NOT_FINITE if broken else guard(elements.motion, rows.work, contacts, run.budget)
             if lost > 0 or sick != FINE:

@@ -9,7 +9,7 @@ import numpy as np
 from bondem._compile import device, kernel
 from bondem.kernels.lane_memory import add_loads, places, prefetch, row, side, widened
 from bondem.kernels.lanes import WIDTH, dot, reached
-from bondem.laws.beam_energy import bond_cosines, bond_energy, bond_force
+from bondem.laws.beam_energy import bond_energy, bond_force
 
 # Bonds ahead of the loop whose first elements are asked for: those of the second ends follow one another.
 _AHEAD = 32
@@ -139,32 +139,3 @@ def bond_energies(pose, bonds):
         bend += s * part[2]
         twist += s * part[3]
     return normal, slip, bend, twist
-
-
-@kernel(parallel=False)
-def rotation_guard(pose, bonds):
-    """How many unbroken bonds are turned beyond the valid range, and beyond its end.
-
-    Returns:
-        (count with c1 or c2 < 0.7 or w² < 0.75, count with c1 or c2 <= 0 or w² <= 0.25, whether a number
-        was not finite).
-    """
-    wide = 0
-    lost = 0
-    sick = False
-    for k in range(bonds.m):
-        a = bonds.i[k]
-        b = bonds.j[k]
-        dx, dy, dz = branch(pose, a, b, bonds.period)
-        c1, c2, w2 = bond_cosines(
-            dx, dy, dz,
-            pose[a, 4], pose[a, 5], pose[a, 6], pose[a, 7],
-            pose[b, 4], pose[b, 5], pose[b, 6], pose[b, 7],
-            bonds.X0[k], bonds.Y0[k], bonds.Z0[k],
-        )  # fmt: skip
-        c = min(c1, c2)
-        sick |= not (c * c + w2 < 4.0)
-        if bonds.integrity[k] > 0.0:
-            wide += (c < 0.7) | (w2 < 0.75)
-            lost += (c <= 0.0) | (w2 <= 0.25)
-    return wide, lost, sick

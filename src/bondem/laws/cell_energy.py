@@ -18,6 +18,9 @@ change under rigid motion.
 
 from bondem._compile import device
 
+# n·H n over the trace of H below which a facet does not resist that its cells twist: rounding.
+_FREE = 1e-5
+
 
 @device
 def cross(a, b):
@@ -90,6 +93,20 @@ def resisted_turn(H, v):
         H[3] * v[0] + H[1] * v[1] + H[5] * v[2],
         H[4] * v[0] + H[5] * v[1] + H[2] * v[2],
     )
+
+
+@device
+def swing_square(w2, v, normal, H):
+    """cos² of half the angle by which two cells are turned, but for a twist that their facet does not resist.
+
+    Args:
+        w2: that of the whole angle.
+        v: vector of the rotation in the frame of the reference (`relative`); the normal is in the same.
+        H: [N·m].
+    """
+    if scalar(normal, resisted_turn(H, normal)) > _FREE * (H[0] + H[1] + H[2]):
+        return w2
+    return w2 + scalar(v, normal) ** 2
 
 
 @device

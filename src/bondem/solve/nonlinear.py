@@ -13,8 +13,9 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError
-from bondem.kernels.bond_pass import bond_loads, rotation_guard
+from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.tables import lines
+from bondem.kernels.turn_guard import rotation_guard
 from bondem.model.bond_table import with_twins
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -121,7 +122,7 @@ def _advance(model: Model, system: System, start: State, load: Floats, motion: F
         supports = np.where(system.free, walls, force)
         scale = np.linalg.norm(load * metric) + np.linalg.norm(supports * metric)
         if k and np.linalg.norm(rest) <= _TOLERANCE * scale + noise:
-            wide, _, sick = rotation_guard(state.pose, bonds)
+            wide, _, sick = rotation_guard(state.pose, bonds, None)
             left = float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
             return _Trial(k) if wide or sick else _Trial(k, state, left)
         tangent = replace(system, matrix=tangent_matrix(model, system.matrix.bonds, state.pose))

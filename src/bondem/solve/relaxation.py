@@ -5,9 +5,9 @@ import numpy as np
 from bondem._checks import count, instance, number
 from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
-from bondem.kernels.bond_pass import rotation_guard
 from bondem.kernels.dynamic_relaxation import Relaxation, relax_bonds
 from bondem.kernels.tables import lines
+from bondem.kernels.turn_guard import rotation_guard
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.energy import energy_of
@@ -78,7 +78,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         gone, ratio = relax_bonds(state.pose, rows, same, relaxation, done, goal)
         finished = gone < goal
         done += gone
-        _, lost, sick = rotation_guard(state.pose, rows)
+        _, lost, sick = rotation_guard(state.pose, rows, None)
         if lost or sick:
             raise ConvergenceError(
                 f"{lost} bonds are turned beyond 90 degrees after {done} steps; lower the load, or bond with more and"

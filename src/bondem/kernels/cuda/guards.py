@@ -6,8 +6,9 @@ from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.cuda.bonds import branch
 from bondem.kernels.cuda.facets import between, levers
-from bondem.kernels.single_facets import orientation
+from bondem.kernels.single_facets import column, orientation, resistance
 from bondem.laws.beam_energy import bond_cosines
+from bondem.laws.cell_energy import relative, swing_square
 
 
 @device
@@ -63,4 +64,6 @@ def turn_guard(elements, facets, flags):
     c1, c2, w2 = bond_cosines(
         d[0], d[1], d[2], p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3], x, y, z
     )  # fmt: skip
+    _, v, _ = relative(p, q)
+    w2 = swing_square(w2, v, column(facets.normal, k), resistance(facets, 1.0, k))
     _count(flags, min(c1, c2), w2, facets.integrity[k])

@@ -1,0 +1,148 @@
+"""Kalthoff and Winkler's plate, struck between its notches, as rows of a study: the way that its crack takes."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import InputError, UnstableRunError
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.rankine import Rankine
+from bondem.model.boundary import Drive, Fix
+from bondem.model.model import Model
+from bondem.model.schedules import Ramp
+from bondem.packing import EVEN, pack
+from bondem.run import solve_explicit
+from bondem.solve.plan import Status
+from bondem.specimen.bonding import connect
+from bondem.specimen.geometry import Box
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face, Region, Within
+from validation.frame.files import plain
+from validation.frame.request import Request
+
+# Until when a run goes on, and in what time the edge gets its speed [s].
+_DURATION, _RISE = 90e-6, 1e-6
+# Facets with less integrity are of the crack, its angle of those from so many cells to so far from the tip [m].
+_BROKEN, _NEAREST, _FARTHEST = 0.1, 2.0, 30e-3
+# Digits that are kept of places.
+_DIGITS = 4
+
+
+@dataclass(frozen=True)
+class Plate:
+    """The upper half of the plate: y from its plane of symmetry, x from the edge that is struck.
+
+    Attributes:
+        length, width, thickness: of the half [m].
+        notch: its length, distance from the plane of symmetry, and width [m].
+        E, nu, rho: of the material [Pa, -, kg/m³].
+        fracture_energy: G [J/m²].
+        speed: of the edge below the notch [m/s].
+    """
+
+    length: float = 0.1
+    width: float = 0.1
+    thickness: float = 9e-3
+    notch: tuple[float, float, float] = (50e-3, 25e-3, 0.5e-3)
+    E: float = 190e9
+    nu: float = 0.3
+    rho: float = 8000.0
+    fracture_energy: float = 22.13e3
+    speed: float = 16.5
+
+    @property
+    def tip(self) -> tuple[float, float]:
+        """End of the notch [m]."""
+        return self.notch[:2]
+
+    def body(self, size: float, seed: int) -> Lattice:
+        """Its cells, of a size [m]."""
+        deep, at, wide = self.notch
+        slot = Box((2.0 * deep, wide, 3.0 * self.thickness)).moved((-deep, at - 0.5 * wide, -self.thickness))
+        shape = Box((self.length, self.width, self.thickness)).cut(slot, name="notch")
+        return connect(pack(shape, count=round(shape.volume / size**3), method=EVEN, seed=seed), method="laguerre")
+
+    def struck(self, size: float) -> Region:
+        """The edge between the notches."""
+        _, at, wide = self.notch
+        return Face("x_min") & Within(Box((3.0 * size, at - 0.5 * wide, self.thickness)))
+
+    def angle(self, place: Floats, area: Floats, size: float) -> float:
+        """Mean direction of a crack from the tip, against the notch, weighted by area [degrees].
+
+        Args:
+            place: of its facets [m], (k, 3).
+            area: of these [m²], (k,).
+            size: of the cells [m].
+
+        Raises:
+            InputError: no crack there.
+        """
+        way = place[:, :2] - np.array(self.tip)
+        far = np.hypot(way[:, 0], way[:, 1])
+        counts = (far > _NEAREST * size) & (far < _FARTHEST) & (way > -size).all(axis=1)
+        if not counts.any():
+            raise InputError(f"no crack within {_FARTHEST:g} m of the notch; make the plate weaker or its cells smaller")
+        along, up = area[counts] @ way[counts]
+        return float(np.degrees(np.arctan2(up, along)))
+
+
+@dataclass(frozen=True)
+class KalthoffRun(Request):
+    """A plate of a strength, struck.
+
+    Attributes:
+        plate: what is struck.
+        tension: its strength [Pa].
+        size: of cells [m].
+        seed: of the packing.
+    """
+
+    plate: Plate
+    tension: float
+    size: float
+    seed: int
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        return f"kalthoff_{1e-6 * self.tension:g}MPa_{1e6 * self.size:g}um_seed{self.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return self.size**-4
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        return {"tension": self.tension, "size": self.size, "seed": self.seed, "count": 0, "spread": 0.0}
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """See `Request`: SI units, angles in degrees."""
+        plate, body = self.plate, self.plate.body(self.size, self.seed)
+        failure = Rankine(tension=self.tension, fracture_energy=plate.fracture_energy)
+        boundary = [
+            Fix(Face("y_min"), translation="y", rotation=""),
+            Drive(plate.struck(self.size), vx=Ramp(0.0, plate.speed, _RISE)),
+        ]
+        model = Model(body, CellBond(E=plate.E, nu=plate.nu), plate.rho, failure=failure, boundary=boundary)
+        begun = perf_counter()
+        run = solve_explicit(model, duration=_DURATION, every=50)
+        seconds = perf_counter() - begun
+        if run.status is not Status.COMPLETED:
+            raise UnstableRunError(run.message)
+        integrity = np.empty(len(body.pairs))
+        integrity[model.layout.bond_order] = run.state.integrity
+        assert body.facets is not None
+        broken = np.flatnonzero(integrity < _BROKEN)
+        place, area = body.facets.centroid[broken], body.facets.area[broken]
+        return plain({
+            "count": len(body.particles), "steps": run.state.step, "run_seconds": round(seconds, 1),
+            "residual": run.residual, "angle": plate.angle(place, area, self.size), "area": area.sum(),
+            **{axis: [float(f"{one:.{_DIGITS}g}") for one in place[:, k].tolist()] for k, axis in enumerate("xy")},
+        })  # fmt: skip
