@@ -232,7 +232,7 @@ def test_a_block_set_in_motion_from_rest_is_not_stopped(condition) -> None:
 def test_a_cell_may_spin_about_a_facet_that_does_not_resist_it(
     resists: str, spin: tuple[float, float, float], ends: Status, one_thread: None
 ) -> None:
-    """Two cubes, turned against each other by three quarters of a turn, as a fragment that hangs on one facet may be."""
+    """Two cubes, turned against each other by three quarters of a turn, as what hangs on one facet may be."""
     size, rate = 1e-3, 1e4
     centre = np.array([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]]) * size
     pair = bd.connect(bd.Particles(centre, 0.5 * size, shape=bd.Box((2.0 * size, size, size))), method="laguerre")

@@ -86,7 +86,7 @@ class Plate:
         far = np.hypot(way[:, 0], way[:, 1])
         counts = (far > _NEAREST * size) & (far < _FARTHEST) & (way > -size).all(axis=1)
         if not counts.any():
-            raise InputError(f"no crack within {_FARTHEST:g} m of the notch; make the plate weaker or its cells smaller")
+            raise InputError(f"no crack within {_FARTHEST:g} m of the notch; weaken the plate, or make cells smaller")
         along, up = area[counts] @ way[counts]
         return float(np.degrees(np.arctan2(up, along)))
 

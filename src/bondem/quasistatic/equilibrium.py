@@ -5,6 +5,7 @@ from typing import Protocol
 import numpy as np
 
 from bondem._types import Floats
+from bondem.errors import ConvergenceError
 from bondem.quasistatic.facet_matrix import FacetMatrix
 from bondem.solve.linear import Elimination, Iteration, System, conjugate_gradients
 
@@ -62,15 +63,25 @@ class Iterated:
         S, matrix = self._begun, self._matrix
         x = S.unscaled(guess)
         scaled = S.turned(self._system.balanced(right))
-        step, rounds = conjugate_gradients(
-            matrix, S.approximate, scaled - matrix @ x, RTOL * float(np.linalg.norm(scaled))
-        )
+        try:
+            step, rounds = conjugate_gradients(
+                matrix, S.approximate, scaled - matrix @ x, RTOL * float(np.linalg.norm(scaled))
+            )
+        except ConvergenceError:
+            if self._fresh:
+                raise
+            self._renew()
+            return self.solve(right, guess)
         self.rounds += rounds
         found = self._system.without_rigid_motion(S.displacement(x + step))
         if self._fresh:
             self._usual, self._fresh = rounds, False
         elif rounds > max(_FEW, _SLOWER * self._usual):
-            self._begun = Iteration(self._system)
-            self._matrix.rescale(self._begun.root)
-            self._fresh = True
+            self._renew()
         return found
+
+    def _renew(self) -> None:
+        """Make the preconditioner of the matrix as it is now."""
+        self._begun = Iteration(self._system)
+        self._matrix.rescale(self._begun.root)
+        self._fresh = True

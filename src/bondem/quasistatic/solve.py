@@ -7,7 +7,7 @@ import numpy as np
 
 from bondem._checks import count, instance, number
 from bondem._types import Floats, Ints, PerBond, PerElement3
-from bondem.errors import InputError
+from bondem.errors import ConvergenceError, InputError
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
@@ -47,7 +47,8 @@ class QuasistaticResult:
         event: in which event, (f,).
         position: of the facet in the reference [m], (f, 3).
         bond_integrity: of all facets at the end, user's order, (m,).
-        end: why it ended: "unloaded", "parted", "strong" where nothing fails at any load, or "events".
+        end: why it ended: "unloaded", "parted", "strong" where nothing fails at any load, "loose" where parts hang
+            together by so little that no equilibrium is found any more, or "events".
         motion: of the elements at the last event [m], (n, 3).
         state: the last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
         iterations: of all solutions.
@@ -129,7 +130,13 @@ def solve_quasistatic(
     motion = body.motion.copy()
     first, peak, below, end = 0.0, 0.0, 0, "events"
     for event in range(limit):
-        motion, found = _balance(body, equilibrium, motion)
+        try:
+            motion, found = _balance(body, equilibrium, motion)
+        except ConvergenceError:
+            if not event:
+                raise
+            end = "loose"
+            break
         load, displacement = reading.read(found, motion)
         path.settle(body.potential(motion), load, displacement)
         stiffness = load / displacement
