@@ -103,8 +103,9 @@ def _condensed(case: Case, beam: BentBeam, across: int) -> tuple[Floats, Ints]:
     columns, lines = len(x), len(y)
     number = np.arange(columns * lines).reshape(columns, lines)
     corner = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=-1)
-    a, b = (np.broadcast_to(one, corner.shape[:2]) for one in (np.diff(x)[:, None], np.diff(y)[None, :]))
-    block = _quad(a.ravel(), b.ravel(), case.E, case.nu, beam.width)
+    a: Floats = np.repeat(np.diff(x), lines - 1).astype(np.float64)
+    b: Floats = np.tile(np.diff(y), columns - 1).astype(np.float64)
+    block = _quad(a, b, case.E, case.nu, beam.width)
     dof = (2 * corner.reshape(-1, 4)[:, :, None] + np.arange(2)).reshape(-1, 8)
     i, j = np.broadcast_to(dof[:, :, None], block.shape), np.broadcast_to(dof[:, None, :], block.shape)
     size = 2 * columns * lines

@@ -61,8 +61,10 @@ class WeibullStudy(Study):
         for correlated in _KINDS:
             own = [row for row in good if row["correlated"] == correlated]
             for first, others in ((_bar(own, 0), (1, 2)), (_bar(own, 1), (3, 4))):
-                bars += [_compared(first, first)] * (first is not None and others[0] == 1)
-                bars += [_compared(_bar(own, k), first) for k in others if first is not None and _bar(own, k)]
+                if first is None:
+                    continue
+                bars += [_compared(first, first)] * (others[0] == 1)
+                bars += [_compared(bar, first) for bar in (_bar(own, k) for k in others) if bar]
         return {"limit": LIMIT, "seeds": list(self.seeds), "bars": bars}
 
     def table(self, results: Mapping[str, Any]) -> str:
