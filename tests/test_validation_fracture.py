@@ -11,7 +11,7 @@ from validation.cases.beams import BentBeam
 from validation.cases.case import Claim
 from validation.figures.fracture import envelope
 from validation.frame.runner import run
-from validation.rows.fracture import FractureRun
+from validation.rows.fracture import FractureRun, counted
 from validation.studies import fracture
 from validation.studies.fracture import CASES, Fracture
 
@@ -117,6 +117,13 @@ def test_the_work_of_petersson_is_that_of_his_ligament():
     case = CASES["petersson"]
     assert case.fracture_energy * 0.05 * 0.1 == pytest.approx(0.62)
     assert (case.claim.low, case.claim.high) == (pytest.approx(0.589), pytest.approx(0.651))
+
+
+def test_events_of_a_folded_hinge_do_not_count():
+    load = np.array([1.0, 5.0, 10.0, 8.0, 2.0, 0.1, 50.0, 3.0])
+    way = np.array([0.1, 0.5, 1.0, 1.2, 2.0, 3.0, 90.0, 1.0])
+    assert counted(load, way, 0.2, 10.0) == (2, 4)
+    assert counted(load, way, 0.2, 100.0) == (6, 6)
 
 
 def test_an_envelope_holds_the_peak():

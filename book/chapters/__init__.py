@@ -14,6 +14,7 @@ from book.chapters import (
     dynamic_tests,
     dynamics,
     formulations,
+    fracture,
     packings,
     parameters,
     protocol,
@@ -24,8 +25,8 @@ from book.results import Measurement
 from book.small import PACKINGS
 
 _FILES = (
-    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, packings,
-    parameters, dynamic_tests, surface, formulations, dynamics, cost,
+    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, fracture,
+    packings, parameters, dynamic_tests, surface, formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}

@@ -2,7 +2,9 @@
 
 The work of the load is counted to the last event at `until` of the peak or more: what events have dissipated by
 then, and what is stored. Beyond it a hinge bears a load that falls with the square of its way, whose work is P δ of
-that event (Elices, Guinea and Planas 1992): the tail.
+that event (Elices, Guinea and Planas 1992): the tail. Displacements are small in `bd.solve_quasistatic`, so that a
+crack's last cells become a hinge that bears ever more where a real one folds: events at which the line has gone by
+more than `FOLDED` of the height of the body, and all later ones, are not counted.
 """
 
 from dataclasses import dataclass
@@ -19,6 +21,8 @@ from validation.cases.case import Case
 from validation.frame.files import plain
 from validation.frame.request import Request
 
+#: Largest way of the pushed line of events that count, over the largest height of the body [-].
+FOLDED = 0.05
 #: A facet that has lost this share of its integrity is of the crack.
 LOST = 0.5
 # Digits that are kept of curves and cracks.
@@ -66,17 +70,32 @@ class FractureRun(Request):
         path = solve_quasistatic(
             model, driven, ripple=case.ripple, together=case.together, until=case.until, gauges=case.gauges(body)
         )
-        peak, way = int(np.argmax(path.load)), case.way(path)
-        last = int(np.flatnonzero(path.load >= case.until * path.peak)[-1])
+        way = case.way(path)
+        peak, last = counted(path.load, way, case.until, FOLDED * float(np.ptp(body.particles.position[:, 1])))
         stored = 0.5 * path.load[last] * way[last]
         return plain({
             "count": len(body.particles), "facets": len(body.pairs), "events": len(path.load),
             "failures": len(path.bond), "iterations": path.iterations, "end": path.end,
             "run_seconds": round(perf_counter() - begun, 1),
-            "peak": path.peak, "displacement": way[peak], "work": path.energy[:last].sum() + stored,
+            "peak": path.load[peak], "displacement": way[peak], "work": path.energy[:last].sum() + stored,
             "tail": path.load[last] * way[last], "area": _torn(body, path),
             "curve": _curve(case, path), "crack": _crack(body, path),
         })  # fmt: skip
+
+
+def counted(load: Floats, way: Floats, until: float, farthest: float) -> tuple[int, int]:
+    """Events of the peak, and of the last load of at least `until` of it, among those before any goes too far.
+
+    Args:
+        load: of events [N], (e,).
+        way: how far the pushed line has gone by then [m], (e,).
+        until: share of the peak.
+        farthest: ways that are too far [m]; nothing after the first such event counts.
+    """
+    far = np.flatnonzero(way > farthest)
+    load = load[: far[0]] if far.size else load
+    peak = int(np.argmax(load))
+    return peak, int(np.flatnonzero(load >= until * load[peak])[-1])
 
 
 def _rounded(values: Floats) -> list[float]:

@@ -33,6 +33,8 @@ class WeibullStudy(Study):
     two and of three cells had been tried before with seeds 1 to 10; two was kept, and these seeds are others.
 
     Attributes:
+        modulus: m [-].
+        length: of correlation of the field of strengths [mm].
         seeds: of the strengths.
     """
 
@@ -40,17 +42,26 @@ class WeibullStudy(Study):
     title: ClassVar[str] = "Strength over volume"
     template: ClassVar[str] = "plain.html"
 
+    modulus: float = Ceramic.modulus
+    length: float = 1e3 * Ceramic.correlation
     seeds: tuple[int, ...] = tuple(range(11, 51))
 
     def __post_init__(self) -> None:
+        if not (self.modulus > 1.0 and self.length > 0.0):
+            raise InputError("weibull: modulus must exceed 1 and length 0 mm, such as --modulus 10 --length 6")
         if len(self.seeds) < 2 or min(self.seeds) < 0:
             raise InputError("weibull: give two seeds or more, from 0 up, such as --seeds 11,12,13")
+
+    @property
+    def ceramic(self) -> Ceramic:
+        """What the bars are of."""
+        return Ceramic(modulus=self.modulus, correlation=1e-3 * self.length)
 
     def stages(self, out: Path) -> Stages:
         """See `Study`."""
         bars = [(count, _SIZE) for count in _VOLUMES] + [(_VOLUMES[1], size) for size in _SIZES]
         yield "pull", [
-            WeibullRun(Ceramic(), count * _SIZE**3, size, correlated, seed)
+            WeibullRun(self.ceramic, count * _SIZE**3, size, correlated, seed)
             for correlated in _KINDS for count, size in bars for seed in self.seeds
         ]  # fmt: skip
 
@@ -63,8 +74,8 @@ class WeibullStudy(Study):
             for first, others in ((_bar(own, 0), (1, 2)), (_bar(own, 1), (3, 4))):
                 if first is None:
                     continue
-                bars += [_compared(first, first)] * (others[0] == 1)
-                bars += [_compared(bar, first) for bar in (_bar(own, k) for k in others) if bar]
+                bars += [_compared(first, first, self.modulus)] * (others[0] == 1)
+                bars += [_compared(bar, first, self.modulus) for bar in (_bar(own, k) for k in others) if bar]
         return {"limit": LIMIT, "seeds": list(self.seeds), "bars": bars}
 
     def table(self, results: Mapping[str, Any]) -> str:
@@ -79,7 +90,7 @@ class WeibullStudy(Study):
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: mean strengths over volume."""
-        ceramic = Ceramic()
+        ceramic = self.ceramic
         with sheet(out / "figures" / "weibull.png", 6.0, 4.2) as (_, ax):
             V = np.geomspace(_VOLUMES[0], _VOLUMES[-1], 50) * _SIZE**3
             link = 1e-6 * ceramic.tension * gamma(1.0 + 1.0 / ceramic.modulus)
@@ -118,12 +129,12 @@ def _bar(rows: Sequence[Row], k: int) -> list[Row] | None:
     return found if len(found) > 1 else None
 
 
-def _compared(rows: Sequence[Row] | None, first: Sequence[Row]) -> dict[str, Any]:
+def _compared(rows: Sequence[Row] | None, first: Sequence[Row], modulus: float) -> dict[str, Any]:
     assert rows is not None
     strength, usual = (np.array([row["strength"] for row in some]) for some in (rows, first))
     mean, about = float(strength.mean()), float(usual.mean())
     error, other = (float(some.std(ddof=1) / np.sqrt(len(some))) for some in (strength, usual))
-    asked, ratio = (rows[0]["bar"] / first[0]["bar"]) ** (-1.0 / Ceramic().modulus), mean / about
+    asked, ratio = (rows[0]["bar"] / first[0]["bar"]) ** (-1.0 / modulus), mean / about
     within = abs(ratio / asked - 1.0) <= LIMIT
     return {
         **{key: rows[0][key] for key in ("correlated", "bar", "size", "count")}, "runs": len(rows), "mean": mean,

@@ -199,7 +199,8 @@ class DamagedBody:
         _add_moments(tensor, self._held, grips.lever, wall)
         tensor /= c.volume[:, None]
         turn = phi[j] - phi[i]
-        bending = np.sqrt(c.k * np.einsum("ma,mab,mb->m", turn, c.H, turn)) / self.area
+        square = np.einsum("ma,mab,mb->m", turn, c.H, turn)  # of slivers below 0 by rounding
+        bending = np.sqrt(c.k * np.maximum(square, 0.0)) / self.area
         opening = np.hypot(opening, self.bent(tensor, bending, cracked))
         return Loaded(force / self.area[:, None], bending, tensor, cracked, opening, turned, wall)
 

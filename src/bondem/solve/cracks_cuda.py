@@ -161,13 +161,14 @@ def _cracks(table: CrackedFacets) -> CrackedFacets:
         "facet": table.row[:, FACET].astype(np.int32), "listed": _listed(table), "head": table.head.astype(np.int32),
         "after": table.after.astype(np.int32),
     }  # fmt: skip
+    numbers = {"kink": table.kink, "steep": table.steep, "friction": table.friction}
     shared = {
         name: upload(getattr(table, name))
         for name in CrackedFacets._fields
-        if name not in large and name not in small and name != "friction"
+        if name not in large and name not in small and name not in numbers
     }
     moved = {name: upload(array) for name, array in small.items()}
-    return CrackedFacets(kink=table.kink, steep=table.steep, friction=table.friction, **shared, **moved, **large)
+    return CrackedFacets(**numbers, **shared, **moved, **large)
 
 
 def _listed(table: CrackedFacets) -> np.ndarray:
