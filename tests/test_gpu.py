@@ -243,6 +243,7 @@ def test_every_option_is_known_to_the_device() -> None:
     }  # fmt: skip
 
 
+@pytest.mark.filterwarnings("ignore:Couldn't get spec for numba_cuda")  # Numba's redirector, where it is installed
 def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
     monkeypatch.delitem(sys.modules, "bondem.solve.loop_cuda", raising=False)
     monkeypatch.delitem(sys.modules, "bondem._compile_cuda", raising=False)
