@@ -133,7 +133,7 @@ def _implied_lines(model: Model, one: ImpliedFracture) -> list[str]:
     kind = "cells" if cells else "elements"
     lines = [
         f"Fracture of {len(model.lattice.particles)} {kind} with {len(model.lattice.pairs)} {what}s by"
-        f" {type(model.failure).__name__}",
+        f" {', '.join(dict.fromkeys(type(one.criterion).__name__ for one in model.failure_parts))}",
         f"  tensile strength of a {what}  {_number(one.strength, 'Pa')}  (median)",
         f"  Young's modulus           {_number(one.E, 'Pa')}" + ("" if cells else "  (affine estimate, from above)"),
         f"  length L                  {_number(one.length, 'm')}  (median)",

@@ -95,19 +95,19 @@ def yield_cells(pose, stress, cells, hot, cracked, hotter, first, last):
                 hotter[p] = 2
         strength = kept * cells.cohesion[p]
         if cells.cone:
-            gamma = cone_flow(mean, deviator, cells.sine, strength, cells.G[p])
+            gamma = cone_flow(mean, deviator, cells.sine[p], strength, cells.G[p])
             if gamma > 0.0:
-                _flow_on_cone(pose, s, plastic, p, gamma, cells.dilation)
+                _flow_on_cone(pose, s, plastic, p, gamma, cells.dilation[p])
                 plastic[p, GAMMA] += gamma
                 plastic[p, HEAT] += 0.5 * V * _work(s, plastic[p, INCREMENT:HEAT])
             continue
-        if yield_bound(mean, deviator, cells.sine, strength) <= 0.0:
+        if yield_bound(mean, deviator, cells.sine[p], strength) <= 0.0:
             continue
         increment = plastic[p, INCREMENT:HEAT]
         high, low, one, three = principal_stresses(s, a, v)
-        gamma = flow(high, low, cells.sine, strength, cells.G[p])
+        gamma = flow(high, low, cells.sine[p], strength, cells.G[p])
         if gamma > 0.0:
-            up, down = 0.5 * gamma * (1.0 + cells.dilation), -0.5 * gamma * (1.0 - cells.dilation)
+            up, down = 0.5 * gamma * (1.0 + cells.dilation[p]), -0.5 * gamma * (1.0 - cells.dilation[p])
             e1, e3 = (v[0, one], v[1, one], v[2, one]), (v[0, three], v[1, three], v[2, three])
             _add_flow(increment, up, e1)
             _add_flow(increment, down, e3)

@@ -45,9 +45,9 @@ class CellYield(NamedTuple):
 
     yielding: bool  #: whether any do
     cone: bool  #: by Drucker–Prager, else by Mohr–Coulomb
-    cohesion: np.ndarray  #: c cos φ of each cell, or k of a cone [Pa], (n,)
-    sine: float  #: sin φ, or α
-    dilation: float  #: sin ψ, or β
+    cohesion: np.ndarray  #: c cos φ of each cell, or k of a cone [Pa]; inf where it does not yield, (n,)
+    sine: np.ndarray  #: sin φ, or α, (n,)
+    dilation: np.ndarray  #: sin ψ, or β, (n,)
     fade: np.ndarray  #: V^(1/3) c / 2 G_II, k in place of c: share of the cohesion lost by Δγ of 1, (n,)
     G: np.ndarray  #: [Pa], of a cone G + 9 K α β, (n,)
     base_i: np.ndarray  #: levers without plastic strain, int32, (3, m) or (3, 0)
@@ -85,7 +85,7 @@ class CrackedFacets(NamedTuple):
     area: np.ndarray  #: [m²], (m,)
     kink: float  #: of the softening curve, and
     steep: float  #: its first line (`bondem.laws.softening.softened`)
-    friction: float  #: μ
+    friction: np.ndarray  #: μ of each facet, (m,)
     tensor: np.ndarray  #: that of `CellStresses`
     weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
     slack_i: np.ndarray  #: what 1 / weight of cell i gains where the facet parts [m³/Pa], (m,)

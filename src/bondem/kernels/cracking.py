@@ -103,7 +103,7 @@ def crack_forces(pose, bonds, cells, cracks, change, first, last):
         along = w * press_i + (1.0 - w) * press_j
         p, q = orientation(pose, at_i[k]), orientation(pose, at_j[k])
         slip = turned_by(p, read_three(row, SLIP))
-        rub, now = rubbed(K, s, gap, normal, slip, -friction * (1.0 - s) * along)
+        rub, now = rubbed(K, s, gap, normal, slip, -friction[facet[c]] * (1.0 - s) * along)
         f = plus(plus(rub, s * w, one), s * (1.0 - w), other)
         f = plus(f, along, normal)
         ci = _half_couple(K, w, s, gap, shares[0], stresses[0], one)

@@ -68,6 +68,10 @@ class BondStiffness:
         for item in fields(self):
             getattr(self, item.name)[chosen] = getattr(other, item.name)
 
+    def take(self, chosen: np.ndarray) -> "BondStiffness":
+        """The same for a subset of the bonds."""
+        return BondStiffness(**{item.name: getattr(self, item.name)[chosen] for item in fields(self)})
+
     @classmethod
     def empty(cls, count: int) -> "BondStiffness":
         """Room for `count` bonds, not yet set."""

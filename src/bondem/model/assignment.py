@@ -39,7 +39,8 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
         return bond.stiffness(geometry), bond.formulation
     if not isinstance(bond, Mapping) or not bond:
         raise InputError("bond= takes a bond law, or a mapping {region: law, (region, region): law}")
-    entries = [(_ends(where), instance("Model", "bond", law, BondLaw, "a bond law")) for where, law in bond.items()]
+    laws = [instance("Model", "bond", law, BondLaw, "a bond law") for law in bond.values()]
+    entries = [(ends_of("bond=", where), law) for where, law in zip(bond, laws, strict=True)]
     formulations = {law.formulation for law in bond.values()}
     if len(formulations) > 1:
         raise InputError("all bond laws of one model must share a formulation; choose 'total' or 'incremental'")
@@ -60,8 +61,13 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
     return table, formulations.pop()
 
 
-def _ends(where: object) -> tuple[Region, Region]:
+def ends_of(argument: str, where: object) -> tuple[Region, Region]:
+    """The regions of both ends of bonds, of an entry of `argument`: a region, or a pair of regions.
+
+    Raises:
+        InputError: neither.
+    """
     pair = where if isinstance(where, tuple) else (where, where)
     if len(pair) != 2:
-        raise InputError(f"bond= names {len(pair)} regions together; a bond has two: give (region, region): law")
-    return as_region("bond=", pair[0]), as_region("bond=", pair[1])
+        raise InputError(f"{argument} names {len(pair)} regions together; a bond has two: give (region, region): law")
+    return as_region(argument, pair[0]), as_region(argument, pair[1])

@@ -8,6 +8,7 @@ from bondem._types import PerBond
 from bondem.errors import InputError
 from bondem.laws.bond import BondStiffness
 from bondem.laws.failure.criterion import BondCriterion, Joint
+from bondem.model.failure_assignment import FailurePart
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
 
@@ -26,27 +27,36 @@ class BeamSoftening:
 
     @classmethod
     def of(
-        cls, lattice: Lattice, layout: Layout, criterion: BondCriterion, stiffness: BondStiffness, at_contact: bool
+        cls,
+        lattice: Lattice,
+        layout: Layout,
+        parts: tuple[FailurePart, ...],
+        stiffness: BondStiffness,
+        at_contact: bool,
     ) -> "BeamSoftening | None":
         """The table of a lattice of beams; None where they break at once.
 
         Args:
             lattice: bonds.
             layout: their order in the kernels.
-            criterion: when they begin.
+            parts: when they begin, by criteria of one kind.
             stiffness: of the bonds, user's order.
             at_contact: whether moments count at the contact point.
 
         Raises:
             InputError: bonds that are too long for the fracture energies.
         """
-        if criterion.energies is None:
-            return None
         area = np.pi * stiffness.radius**2
-        tear, shear = (energy * area for energy in criterion.energies)
+        tear, shear = np.zeros((2, len(area)))
         middle = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
         joint = Joint(area, lattice.length, area * lattice.length, middle, stiffness)
-        _check_lengths(joint, criterion, at_contact)
+        for part in parts:
+            assert isinstance(part.criterion, BondCriterion)
+            if part.criterion.energies is None:
+                return None
+            for values, energy in zip((tear, shear), part.criterion.energies, strict=True):
+                values[part.bonds] = energy * area[part.bonds]
+            _check_lengths(joint.take(part.bonds), part.criterion, at_contact)
         order = layout.bond_order
         return cls(tear=tear[order], shear=shear[order])
 

@@ -6,16 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._checks import instance
 from bondem._types import Floats, PerBond
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.contact import ContactLaw
-from bondem.laws.failure.criterion import BondCriterion, Criterion, Joint
+from bondem.laws.failure.criterion import COEFFICIENTS, BondCriterion, Criterion, Joint
 from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.laws.non_local import NonLocal
 from bondem.model.cell_constants import body_of
+from bondem.model.failure_assignment import FailurePart, criteria_of
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
 
@@ -50,7 +50,7 @@ class FailureTable:
         cls,
         lattice: Lattice,
         layout: Layout,
-        criterion: BondCriterion,
+        parts: tuple[FailurePart, ...],
         stiffness: BondStiffness | None,
         at_contact: bool,
     ) -> "FailureTable":
@@ -59,7 +59,7 @@ class FailureTable:
         Args:
             lattice: bonds or facets.
             layout: their order in the kernels.
-            criterion: when they break.
+            parts: when they break, by criteria of one kind.
             stiffness: of the bonds, user's order; None for facets of cells.
             at_contact: whether moments count at the contact point.
         """
@@ -70,9 +70,7 @@ class FailureTable:
             area = np.pi * stiffness.radius**2
             middle = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
             joint = Joint(area, lattice.length, area * lattice.length, middle, stiffness)
-        factor = criterion.factors(joint.volume, joint.place, lattice.particles.period)
-        coefficient = criterion.coefficients(joint, factor)
-        a, b = criterion.bounds(joint, coefficient)
+        coefficient, a, b, kind = _judged(joint, parts, lattice.particles.period)
         order, flipped = layout.bond_order, layout.flipped
         # each part of the bound weighs as on an average bond
         force, bent = _scale(a), np.isfinite(b) & (b > 0.0)
@@ -80,13 +78,13 @@ class FailureTable:
         # a |F| + b |M| <= √((a/force)² + (b/moment)²) √(force² |F|² + moment² |M|²)
         with np.errstate(divide="ignore"):
             share = (a / force) ** 2 + np.where(b > 0.0, (b / moment) ** 2, 0.0)
-        limit = (_MARGIN if stiffness is None else 1.0 - _ROUNDING) / share
+            limit = (_MARGIN if stiffness is None else 1.0 - _ROUNDING) / share
         station = np.full(len(order), -1.0)
         if at_contact and stiffness is not None:
             station = stiffness.lever / lattice.length
             station = np.where(flipped, 1.0 - station[order], station[order])
         return cls(
-            kind=type(criterion).kind,
+            kind=kind,
             coefficient=np.ascontiguousarray(coefficient[order]),
             station=station,
             limit=limit[order],
@@ -95,33 +93,53 @@ class FailureTable:
         )
 
 
+def _judged(
+    joint: Joint, parts: tuple[FailurePart, ...], period: Floats | None
+) -> tuple[Floats, PerBond, PerBond, int]:
+    """Coefficients and bounds of all bonds, and the kind of their criteria; a bond without one never breaks."""
+    m, kind = len(joint.length), 0
+    coefficient, a, b = np.zeros((m, COEFFICIENTS)), np.zeros(m), np.zeros(m)
+    for part in parts:
+        criterion, own = part.criterion, joint.take(part.bonds)
+        assert isinstance(criterion, BondCriterion)
+        kind = type(criterion).kind
+        factor = criterion.factors(joint.volume, joint.place, period)[part.bonds]
+        coefficient[part.bonds] = criterion.coefficients(own, factor)
+        a[part.bonds], b[part.bonds] = criterion.bounds(own, coefficient[part.bonds])
+    return coefficient, a, b, kind
+
+
 def check_failure(failure: object, bond: object, contact: ContactLaw | None, formulation: str) -> bool:
     """Whether moments count at the contact point, of a criterion that this model can have.
 
     Raises:
         InputError: no criterion, or one for other bonds, or beside what does not know breaking bonds yet.
     """
-    found = instance("Model", "failure", failure, Criterion, "a criterion such as bd.PeripheralStress(...), or None")
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
-    name = type(found).__name__
     if any(isinstance(law, NonLocal) for law in laws):
         raise InputError("failure= does not know NonLocal bonds yet; use beam bonds or bd.CellBond")
     if formulation != "total":
         raise InputError("failure= needs bonds of the total formulation: use formulation='total'")
     cells = any(isinstance(law, CellBond) for law in laws)
-    soft = found.energies is not None if isinstance(found, BondCriterion) else False
-    if soft and not cells:
-        _check_soft(found, contact)
+    for criterion in criteria_of(failure):
+        _check_criterion(criterion, cells, contact)
     if cells and contact is not None and not contact.stress_free:
         raise InputError("failure= of cells beside contact= needs stress_free=True, as cells touch where they parted")
-    if isinstance(found, BondCriterion) and cells and type(found).needs_beams:
-        raise InputError(f"{name} judges beams, and facets of cells are none; use bd.MohrCoulomb(...)")
-    if found.softening is not None and not cells and not soft:
-        raise InputError(f"{name} with softening or stresses of the material is for bodies of cells: use bd.CellBond")
     at_contact = {law.moments_at_contact for law in laws if isinstance(law, BondLaw)}
     if len(at_contact) > 1:
         raise InputError("failure= counts moments at the ends or at contact points: give bonds of one kind")
     return True in at_contact
+
+
+def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaw | None) -> None:
+    """Refuse a criterion that is for other bonds."""
+    name, soft = type(failure).__name__, isinstance(failure, BondCriterion) and failure.energies is not None
+    if soft and not cells:
+        _check_soft(failure, contact)
+    if isinstance(failure, BondCriterion) and cells and type(failure).needs_beams:
+        raise InputError(f"{name} judges beams, and facets of cells are none; use bd.MohrCoulomb(...)")
+    if failure.softening is not None and not cells and not soft:
+        raise InputError(f"{name} with softening or stresses of the material is for bodies of cells: use bd.CellBond")
 
 
 def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:

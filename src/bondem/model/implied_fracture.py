@@ -11,6 +11,7 @@ from bondem.laws.failure.criterion import BondCriterion, Criterion, Joint
 from bondem.laws.failure.elliptic import Elliptic
 from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.model.cell_constants import CellConstants
+from bondem.model.failure_assignment import FailurePart
 from bondem.specimen.lattice import Lattice
 
 
@@ -57,13 +58,17 @@ class ImpliedFracture:
 
 
 def implied_fracture(
-    lattice: Lattice, failure: Criterion, stiffness: BondStiffness, cells: CellConstants | None, mass: PerElement
+    lattice: Lattice,
+    parts: tuple[FailurePart, ...],
+    stiffness: BondStiffness,
+    cells: CellConstants | None,
+    mass: PerElement,
 ) -> ImpliedFracture | None:
-    """What a criterion means on a lattice; None without bonds.
+    """What criteria mean on a lattice; None without bonds.
 
     Args:
         lattice: bonds or facets.
-        failure: when they break.
+        parts: when they break.
         stiffness: of the bonds.
         cells: constants of a body, user's order; None of beams.
         mass: of the elements [kg], shape (n,).
@@ -71,11 +76,15 @@ def implied_fracture(
     if not len(lattice.pairs):
         return None
     with np.errstate(all="ignore"):
-        return _implied(lattice, failure, stiffness, cells, mass)
+        return _implied(lattice, parts, stiffness, cells, mass)
 
 
 def _implied(
-    lattice: Lattice, failure: Criterion, stiffness: BondStiffness, cells: CellConstants | None, mass: PerElement
+    lattice: Lattice,
+    parts: tuple[FailurePart, ...],
+    stiffness: BondStiffness,
+    cells: CellConstants | None,
+    mass: PerElement,
 ) -> ImpliedFracture:
     volume = lattice.particles.envelope.volume
     lower, upper = lattice.particles.envelope.bounds
@@ -87,16 +96,18 @@ def _implied(
         area, length, held = np.pi * stiffness.radius**2, lattice.length, stiffness
         place = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
         E = _affine_modulus(length, stiffness, volume)
-    pull = _tensile_force(failure, Joint(area, length, area * length, place, held), lattice.particles.period)
+    joint = Joint(area, length, area * length, place, held)
+    pull, given = np.zeros((2, len(area)))
+    for part in parts:
+        pull[part.bonds] = _tensile_force(part, joint, lattice.particles.period)
+        given[part.bonds] = _given_energy(part.criterion, cells=held is None)
     stored = 0.5 * pull**2 * (length / (E * area) if held is None else 1.0 / stiffness.kn)
     strength, L = float(np.median(pull / area)), float(np.median(length))
-    softening = failure.softening if held is None else None
-    energies = failure.energies if held is not None and isinstance(failure, BondCriterion) else None
-    softens = energies is not None or (softening is not None and softening.fracture_energy > 0.0)
-    if energies is not None:
-        energy = float((energies[0] * area * length).sum() / (2.0 * volume))
-    elif softening is not None and softens:
-        energy = softening.fracture_energy
+    softens = bool(given.any())
+    if softens and held is not None:
+        energy = float((given * area * length).sum() / (2.0 * volume))
+    elif softens:
+        energy = float(np.median(given))
     elif held is None:
         energy = strength * strength * L / E
     else:
@@ -108,9 +119,19 @@ def _implied(
     )  # fmt: skip
 
 
-def _tensile_force(failure: Criterion, joint: Joint, period: Floats | None) -> PerBond:
-    """Tension that breaks each bond by itself [N], (m,)."""
-    factor = failure.factors(joint.volume, joint.place, period)
+def _given_energy(failure: Criterion, *, cells: bool) -> float:
+    """Fracture energy of tension that a criterion has [J/m²], 0 where bonds or facets break at once."""
+    if cells:
+        return 0.0 if failure.softening is None else failure.softening.fracture_energy
+    energies = failure.energies if isinstance(failure, BondCriterion) else None
+    return 0.0 if energies is None else energies[0]
+
+
+def _tensile_force(part: FailurePart, joint: Joint, period: Floats | None) -> PerBond:
+    """Tension that breaks each bond of a part by itself [N], (c,)."""
+    failure = part.criterion
+    factor = failure.factors(joint.volume, joint.place, period)[part.bonds]
+    joint = joint.take(part.bonds)
     if failure.softening is not None and joint.stiffness is None:
         return joint.area * failure.softening.tension * factor
     assert isinstance(failure, BondCriterion)

@@ -13,7 +13,7 @@ from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.contact import ContactLaw
-from bondem.laws.failure.criterion import BondCriterion, Criterion
+from bondem.laws.failure.criterion import BondCriterion
 from bondem.laws.non_local import NonLocal
 from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.model.beam_softening import BeamSoftening
@@ -22,6 +22,7 @@ from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.cell_constants import CellAssignment, CellConstants, body_of
 from bondem.model.constraints import Constraints
 from bondem.model.contacts import ContactModel
+from bondem.model.failure_assignment import FailureAssignment, FailurePart, failure_parts
 from bondem.model.failure_table import FailureTable, check_failure
 from bondem.model.grips import Holds, holds_wall
 from bondem.model.implied_fracture import ImpliedFracture, implied_fracture
@@ -51,8 +52,8 @@ class Model:
         boundary: what is fixed, driven, loaded, absorbed or strained; one condition or several.
         contact: law of the contacts between elements that no intact bond joins, and with walls; None for none.
         walls: rigid planes and cylinders; they need a `contact` law.
-        failure: when bonds or facets break, such as `bd.PeripheralStress(...)`; None for never. Bonds break in
-            explicit runs only.
+        failure: when bonds or facets break, such as `bd.PeripheralStress(...)`, or criteria of one kind by region:
+            {region: criterion, (region, region): criterion}; None for never. Bonds break in explicit runs only.
 
     Raises:
         InputError: a density that is not positive, boundary conditions that contradict each other, or masses and
@@ -66,7 +67,7 @@ class Model:
     boundary: Sequence[BoundaryCondition] = field(default=())
     contact: ContactLaw | None = None
     walls: Sequence[Wall] = field(default=())
-    failure: Criterion | None = None
+    failure: FailureAssignment | None = None
 
     def __post_init__(self) -> None:
         instance("Model", "lattice", self.lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
@@ -204,39 +205,47 @@ class Model:
         return np.cbrt(0.75 / np.pi * body_of(self.lattice)[1].volume)
 
     @cached_property
+    def failure_parts(self) -> tuple[FailurePart, ...]:
+        """Which bonds and elements fail by which criterion, user's order."""
+        return () if self.failure is None else failure_parts(self.lattice, self.failure)
+
+    @cached_property
     def breaking(self) -> FailureTable | None:
         """When bonds break, in the kernels' order, or None."""
         if self.failure is None:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
-        softening = self.softening
-        if softening is not None or not isinstance(self.failure, BondCriterion):
+        if self.softening is not None or not self._by_bond:
             return None
         beams = self.stiffness if self._cells is None else None
-        return FailureTable.of(self.lattice, self.layout, self.failure, beams, at_contact)
+        return FailureTable.of(self.lattice, self.layout, self.failure_parts, beams, at_contact)
+
+    @property
+    def _by_bond(self) -> bool:
+        """Whether criteria judge single bonds."""
+        return any(isinstance(one.criterion, BondCriterion) for one in self.failure_parts)
 
     @cached_property
     def beam_softening(self) -> BeamSoftening | None:
         """What beams take up as they soften, in the kernels' order, or None."""
-        if self.failure is None or self._cells is not None or not isinstance(self.failure, BondCriterion):
+        if self.failure is None or self._cells is not None or not self._by_bond:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
-        return BeamSoftening.of(self.lattice, self.layout, self.failure, self.stiffness, at_contact)
+        return BeamSoftening.of(self.lattice, self.layout, self.failure_parts, self.stiffness, at_contact)
 
     @cached_property
     def softening(self) -> SofteningTable | None:
         """How facets crack and cells yield, in the kernels' order, or None."""
-        found = None if self.failure is None else self.failure.softening
-        if self.failure is None or found is None or self.cells is None:
+        if self.failure is None or self.cells is None:
             return None
-        return SofteningTable.of(self.lattice, self.layout, self.cells, found, self.failure.factors)
+        return SofteningTable.of(self.lattice, self.layout, self.cells, self.failure_parts)
 
     @property
     def implied_fracture(self) -> ImpliedFracture | None:
         """What the criterion means with these elements, or None."""
         if self.failure is None:
             return None
-        return implied_fracture(self.lattice, self.failure, self.stiffness, self._cells, self.mass)
+        return implied_fracture(self.lattice, self.failure_parts, self.stiffness, self._cells, self.mass)
 
     @property
     def pressed(self) -> PerElement:
@@ -282,8 +291,8 @@ class Model:
         for name in ("lattice", "bond", "density", "contact", "walls", "failure"):
             object.__setattr__(other, name, getattr(self, name))
         object.__setattr__(other, "boundary", _conditions(boundary))
-        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia", "breaking", "softening",
-                "beam_softening")
+        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia", "failure_parts",
+                "breaking", "softening", "beam_softening")
         for name in kept if self._cells is not None else (*kept, "_cells"):
             other.__dict__[name] = getattr(self, name)
         other.constraints  # noqa: B018  regions are checked now

@@ -1,16 +1,16 @@
 """What kernels read of facets that soften and cells that yield, in their order."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
 from bondem._compile import Callback, callback
-from bondem._types import Floats, PerBond, PerBond3, PerElement
+from bondem._types import Floats, Ints, PerBond, PerElement
 from bondem.errors import InputError
-from bondem.laws.failure.softening import Slip, Softening
+from bondem.laws.failure.softening import Softening
 from bondem.model.cell_constants import CellConstants, body_of
+from bondem.model.failure_assignment import FailurePart
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
 
@@ -21,6 +21,46 @@ _MARGIN = 0.7
 _WIDER, _NEARER = 0.5, 0.7
 # Opening where nothing is left of a facet that is too long for its fracture energy, over that at its strength.
 _SNAP = 1.05
+
+
+@dataclass(frozen=True, eq=False)
+class SlipTable:
+    """How cells yield (`bondem.laws.failure.softening.Slip`), internal order; (n,) each.
+
+    Attributes:
+        cone: whether by Drucker–Prager, else by Mohr–Coulomb.
+        strength: c cos φ, or k of the cone [Pa]; inf of cells that do not yield.
+        slope: sin φ, or α [-].
+        dilation: sin ψ, or β [-].
+        fade: share of its cohesion that a cell loses by a slip of 1.
+    """
+
+    cone: bool
+    strength: PerElement
+    slope: PerElement
+    dilation: PerElement
+    fade: PerElement
+
+    @classmethod
+    def of(cls, parts: tuple[FailurePart, ...], volume: PerElement, rank: Ints) -> "SlipTable | None":
+        """The table of a body; None where no cell yields.
+
+        Args:
+            parts: which cells fail how.
+            volume: of the cells [m³], internal order, (n,).
+            rank: place of each cell in that order, (n,).
+        """
+        n, cone, yields = len(volume), False, False
+        strength, slope, dilation, fade = np.full(n, np.inf), np.zeros(n), np.zeros(n), np.zeros(n)
+        for part in parts:
+            slip = None if part.criterion.softening is None else part.criterion.softening.slip
+            if slip is None:
+                continue
+            own, yields, cone = rank[part.elements], True, slip.cone
+            strength[own], slope[own], dilation[own] = slip.strength, slip.slope, slip.dilation
+            if math.isfinite(slip.fracture_energy):
+                fade[own] = np.cbrt(volume[own]) * slip.cohesion / (2.0 * slip.fracture_energy)
+        return cls(cone, strength, slope, dilation, fade) if yields else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,10 +78,9 @@ class SofteningTable:
         judge: the index of another criterion, or None for the largest principal stress.
         given: its parameters.
         least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
-        tension: f_t without scatter [Pa].
-        friction: μ [-].
+        tension: f_t of another criterion without scatter [Pa].
+        friction: μ of each facet [-], (m,).
         slip: how cells yield, or None.
-        fade: share of its cohesion that a cell loses by a slip of 1, (n,).
     """
 
     strength: PerBond
@@ -55,61 +94,70 @@ class SofteningTable:
     given: Floats
     least: float
     tension: float
-    friction: float
-    slip: Slip | None
-    fade: PerElement
+    friction: PerBond
+    slip: SlipTable | None
 
     @classmethod
     def of(
-        cls,
-        body: Lattice,
-        layout: Layout,
-        cells: CellConstants,
-        softening: Softening,
-        factors: Callable[[PerBond, PerBond3, Floats | None], PerBond],
-    ) -> "SofteningTable":
-        """The table of a body.
+        cls, body: Lattice, layout: Layout, cells: CellConstants, parts: tuple[FailurePart, ...]
+    ) -> "SofteningTable | None":
+        """The table of a body; None where facets break one by one.
 
         Args:
             body: facets and cells.
             layout: their order in the kernels.
             cells: constants of the law, in that order.
-            softening: how they fail.
-            factors: strengths over the parameter (`Criterion.factors`).
+            parts: which facets and cells fail how.
 
         Raises:
             InputError: elements that are too long for the fracture energy.
         """
+        materials = [one.criterion.softening for one in parts if one.criterion.softening is not None]
+        if not materials:
+            return None
+        softening = materials[0]
         facets, _ = body_of(body)
-        order = layout.bond_order
-        factor = factors(facets.area * facets.span, facets.centroid, body.particles.period)[order]
-        area, strength = facets.area[order], softening.tension * factor
-        last = np.zeros(len(area))
-        if softening.fracture_energy > 0.0:
-            _check_length(facets.span[order], cells, layout, softening)
-            # the last opening, as the traction that it takes from a whole facet
-            last = cells.k / area * softening.last * softening.fracture_energy / strength
-            last = np.maximum(last, _SNAP * strength / softening.steep)
+        order, surface = layout.bond_order, softening.surface
+        area = facets.area[order]
+        strength, last, friction = np.full(len(area), np.inf), np.zeros(len(area)), np.zeros(len(area))
+        back = np.empty_like(order)
+        back[order] = np.arange(len(order))
+        for part in parts:
+            soft, own = part.criterion.softening, back[part.bonds]
+            assert soft is not None
+            factor = part.criterion.factors(facets.area * facets.span, facets.centroid, body.particles.period)
+            factor = factor[part.bonds]
+            strength[own], friction[own] = soft.tension * factor, soft.friction
+            if soft.fracture_energy > 0.0:
+                _check_length(facets.span[part.bonds], cells, layout.i[own], soft)
+                # the last opening, as the traction that it takes from a whole facet
+                end = cells.k[own] / area[own] * soft.last * soft.fracture_energy / strength[own]
+                last[own] = np.maximum(end, _SNAP * strength[own] / soft.steep)
         depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])
         other = np.where(layout.flipped, facets.depth_i[order], facets.depth_j[order])
         soft_i, soft_j = depth / cells.G[layout.i], other / cells.G[layout.j]
-        fade, surface = np.zeros(len(cells.volume)), softening.surface
-        if softening.slip is not None and math.isfinite(softening.slip.fracture_energy):
-            fade = np.cbrt(cells.volume) * softening.slip.cohesion / (2.0 * softening.slip.fracture_energy)
+        least = float(strength.min(initial=max(soft.tension for soft in materials)))
         return cls(
             strength=strength, last=last, kink=softening.kink, steep=softening.steep, area=area,
-            part=soft_i / (soft_i + soft_j),
-            hot=(_MARGIN if surface is None else _WIDER) * float(strength.min(initial=softening.tension)),
+            part=soft_i / (soft_i + soft_j), hot=(_MARGIN if surface is None else _WIDER) * least,
             judge=None if surface is None else callback(surface.function, len(surface.values)),
             given=np.array(() if surface is None else surface.values, dtype=float),
             least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,
-            friction=softening.friction, slip=softening.slip, fade=fade,
+            friction=friction, slip=SlipTable.of(parts, cells.volume, layout.rank),
         )  # fmt: skip
 
 
-def _check_length(span: PerBond, cells: CellConstants, layout: Layout, softening: Softening) -> None:
-    """Refuse elements that snap back: that stretch more at their strength than the first line opens."""
-    i = layout.i
+def _check_length(span: PerBond, cells: CellConstants, i: Ints, softening: Softening) -> None:
+    """Refuse elements that snap back: that stretch more at their strength than the first line opens.
+
+    Args:
+        span: of the facets of a material [m], (c,).
+        cells: constants of the body.
+        i: their cells, (c,).
+        softening: of the material.
+    """
+    if not len(span):
+        return
     E = cells.G[i] * (3.0 * cells.lame[i] + 2.0 * cells.G[i]) / (cells.lame[i] + cells.G[i])
     steepest = softening.steep * softening.last
     longest = steepest * E * softening.fracture_energy / softening.tension**2

@@ -66,14 +66,14 @@ def yield_index(model: Model, state: State) -> PerElement:
         return np.zeros(len(model.lattice.particles))
     principal = np.linalg.eigvalsh(mean_stress(model, CellForces.of(model, state)))
     low, high, first = principal[:, 0], principal[:, 2], principal.sum(axis=1)
-    fade = table.fade[model.layout.rank]
-    left = 1.0 - fade * state.slipped
-    bears = slip.strength * np.maximum(left, 0.0)
+    rank = model.layout.rank
+    left, slope = 1.0 - slip.fade[rank] * state.slipped, slip.slope[rank]
+    bears = slip.strength[rank] * np.maximum(left, 0.0)
     if slip.cone:
         shear = np.sqrt(0.5 * ((principal - first[:, None] / 3.0) ** 2).sum(axis=1))
-        load = np.where(first <= 0.0, shear + slip.slope * first, 0.0)
+        load = np.where(first <= 0.0, shear + slope * first, 0.0)
     else:
-        load = 0.5 * (high - low) + 0.5 * (high + low) * slip.slope
+        load = 0.5 * (high - low) + 0.5 * (high + low) * slope
     return np.where(bears > 0.0, np.maximum(load, 0.0) / np.where(bears > 0.0, bears, 1.0), 1.0)
 
 

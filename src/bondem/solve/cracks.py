@@ -134,14 +134,14 @@ def _flow(
     model: Model, state: State, table: SofteningTable, cells: CellTable, grips: GripTable, constants: CellConstants
 ) -> CellYield:
     """How cells yield; nothing of it is used where none do."""
-    slip, bare, n = table.slip, np.zeros((3, 0), dtype=np.int32), len(constants.volume)
+    slip, bare, none = table.slip, np.zeros((3, 0), dtype=np.int32), np.zeros(len(constants.volume))
     G = constants.G
     if slip is not None and slip.cone:
         G = G + (9.0 * constants.lame + 6.0 * G) * slip.slope * slip.dilation
     return CellYield(
         yielding=slip is not None, cone=slip is not None and slip.cone,
-        cohesion=np.full(n, 0.0 if slip is None else slip.strength), sine=0.0 if slip is None else slip.slope,
-        dilation=0.0 if slip is None else slip.dilation, fade=table.fade, G=G,
+        cohesion=none if slip is None else slip.strength, sine=none if slip is None else slip.slope,
+        dilation=none if slip is None else slip.dilation, fade=none if slip is None else slip.fade, G=G,
         base_i=bare if slip is None else cells.lever_i.copy(), base_j=bare if slip is None else cells.lever_j.copy(),
         base_grip=grips.arm.copy(), pressed=_pressed(model), plastic=state.plastic,
     )  # fmt: skip

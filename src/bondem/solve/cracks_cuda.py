@@ -161,7 +161,7 @@ def _cracks(table: CrackedFacets) -> CrackedFacets:
         "facet": table.row[:, FACET].astype(np.int32), "listed": _listed(table), "head": table.head.astype(np.int32),
         "after": table.after.astype(np.int32),
     }  # fmt: skip
-    numbers = {"kink": table.kink, "steep": table.steep, "friction": table.friction}
+    numbers = {"kink": table.kink, "steep": table.steep}
     shared = {
         name: upload(getattr(table, name))
         for name in CrackedFacets._fields

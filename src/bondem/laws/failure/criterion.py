@@ -12,7 +12,7 @@ from typing import ClassVar
 import numpy as np
 
 from bondem._checks import instance
-from bondem._types import Floats, PerBond, PerBond3
+from bondem._types import Floats, Ints, PerBond, PerBond3
 from bondem.laws.bond import BondStiffness, Section
 from bondem.laws.failure.scatter import Normal, Weibull
 from bondem.laws.failure.softening import Softening
@@ -42,6 +42,11 @@ class Joint:
     volume: PerBond
     place: PerBond3
     stiffness: BondStiffness | None
+
+    def take(self, chosen: Ints) -> "Joint":
+        """The same for a subset of the bonds."""
+        stiffness = None if self.stiffness is None else self.stiffness.take(chosen)
+        return Joint(self.area[chosen], self.length[chosen], self.volume[chosen], self.place[chosen], stiffness)
 
     @property
     def section(self) -> Section:
