@@ -107,3 +107,16 @@ def test_waves_of_a_struck_plate_run_at_the_speed_of_the_material(tmp_path: Path
     first, second = [(np.abs(p) < 1e-3 * np.abs(p).max()).mean() for p in pressures]
     assert first > 0.4 > second
     assert (tmp_path / "stress_waves.png").stat().st_size > 50_000
+
+
+def test_cracks_go_round_the_stones_of_the_mesoscale_example(tmp_path: Path, monkeypatch) -> None:
+    """A small prism with few stones: between the strengths of the interface and of mortar, and no stone breaks."""
+    example = script("examples/mesoscale.py")
+    monkeypatch.setattr(example, "SIDE", 24e-3)
+    monkeypatch.setattr(example, "SIEVE", bd.Sieve((7e-3, 10e-3), (0.0, 1.0)))
+    monkeypatch.setattr(example, "TIME", 1.2e-3)
+    strength, share = example.main(size=2.4e-3, folder=tmp_path)
+    assert 2e6 < strength < 4e6
+    assert share["stone"] == 0.0
+    assert share["interface"] > 0.3
+    assert (tmp_path / "mesoscale.png").stat().st_size > 20_000

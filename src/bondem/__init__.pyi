@@ -64,6 +64,7 @@ from bondem.model.boundary import BoundaryCondition as BoundaryCondition
 from bondem.model.boundary import Drive as Drive
 from bondem.model.boundary import Fix as Fix
 from bondem.model.boundary import Load as Load
+from bondem.model.failure_assignment import FailureAssignment as FailureAssignment
 from bondem.model.gauges import AnyGauge as AnyGauge
 from bondem.model.gauges import Gauge as Gauge
 from bondem.model.gauges import WallGauge as WallGauge
@@ -91,6 +92,7 @@ from bondem.observe.breakage import failure_index as failure_index
 from bondem.observe.cell_forces import SmallMotion as SmallMotion
 from bondem.observe.cell_stress import cell_stress as cell_stress
 from bondem.observe.energy import EnergyParts as EnergyParts
+from bondem.packing import aggregates as aggregates
 from bondem.packing import pack as pack
 from bondem.packing.grading import Graded as Graded
 from bondem.packing.sizes import Lognormal as Lognormal
@@ -118,6 +120,7 @@ from bondem.solve.solution import Solution as Solution
 from bondem.solve.solution import Status as Status
 from bondem.solve.static import StaticResult as StaticResult
 from bondem.specimen import materials as materials
+from bondem.specimen.aggregates import Aggregates as Aggregates
 from bondem.specimen.bonding import connect as connect
 from bondem.specimen.cells.polyhedra import Polyhedra as Polyhedra
 from bondem.specimen.cells.polyhedra import polyhedra as polyhedra

@@ -13,14 +13,16 @@ from bondem.packing.even import even
 from bondem.packing.graded import graded
 from bondem.packing.grading import SizeField, cells_of, sizes_by
 from bondem.packing.growth import grow
+from bondem.packing.inclusions import aggregates, around_balls
 from bondem.packing.quench import quench
 from bondem.packing.shear import shear
 from bondem.packing.sizes import SPREAD, SizeLaw, Uniform
 from bondem.packing.targets import chosen
+from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
 
-__all__ = ["EVEN", "METHOD", "METHODS", "SEED", "pack"]
+__all__ = ["EVEN", "METHOD", "METHODS", "SEED", "aggregates", "pack"]
 
 _METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": shear}
 # Relaxation steps after which progress stands at one half; how many are needed is not known beforehand.
@@ -41,6 +43,7 @@ def pack(
     *,
     count: int | None = None,
     size: SizeField | None = None,
+    around: Aggregates | None = None,
     spread: float | None = None,
     sizes: SizeLaw | None = None,
     method: str = METHOD,
@@ -78,6 +81,8 @@ def pack(
         size: of cells, the cube root of their volume, for "even", in place of `count`: one size [m], `bd.Graded`, or
             a function of points (k, 3) [m] that gives sizes (k,) [m] and changes by no more than the distance. How
             many cells there are follows.
+        around: balls that cells of "even" end at, from `bd.aggregates`; cells have one size then, 0.8 of the smallest
+            radius at most.
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
             `sizes` is given. Equal spheres (0) order at walls.
         sizes: law of the radii: Uniform, Lognormal, Sieve; in place of `spread`.
@@ -105,6 +110,13 @@ def pack(
         raise InputError("pack: give count=, how many spheres, or size=, how large cells are, and not both")
     if size is not None and method != EVEN:
         raise InputError(f'pack: size= is for cells; give method="even" with it, or count= for {method!r}')
+    if around is not None:
+        instance("pack", "around", around, Aggregates, "balls from bd.aggregates(...), or None")
+        if method != EVEN or callable(size) or shape.period is not None:
+            raise InputError(
+                'pack: around= is for cells of one size in a shape with walls; give method="even", and count= or'
+                " size= as a number"
+            )
     if size is not None and not callable(size):
         count, size = cells_of(size, shape.volume), None
     if count is not None:
@@ -126,6 +138,11 @@ def pack(
             )
         random = np.random.Generator(np.random.Philox(seed))
         request: dict[str, object] = {"shape": shape, "count": count, "method": method, "seed": seed}
+        if around is not None:
+            assert count is not None
+            cells, balls = count, around
+            request["around"] = balls
+            return _kept(request, lambda: around_balls(shape, cells, balls, random, told), told, cache=cache)
         if count is not None:
             return _kept(request, lambda: even(shape, count, random, told), told, cache=cache)
         assert callable(size)

@@ -48,11 +48,11 @@ def even(
     x = kept_inside(shape, spheres.sphere[:, :3], spheres.sphere[:, :3], margin)
     for step in range(_LLOYD):
         told((step + 1) / (_LLOYD + 2))
-        x = kept_inside(shape, cell_centroids(_points(shape, x, width)), x, margin)
-    return filled(Particles(x, _radius(shape, x, width), shape.period), shape)
+        x = kept_inside(shape, cell_centroids(points_of(shape, x, width)), x, margin)
+    return filled(Particles(x, usual_radius(shape, x, width), shape.period), shape)
 
 
-def _points(shape: Shape, x: Floats, width: float) -> Particles:
+def points_of(shape: Shape, x: Floats, width: float) -> Particles:
     """Particles of next to no radius, so that overlap is no matter."""
     return filled(Particles(x, 1e-3 * width, shape.period), shape)
 
@@ -82,7 +82,7 @@ def kept_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> 
     return x
 
 
-def _radius(shape: Shape, x: Floats, width: float) -> float:
+def usual_radius(shape: Shape, x: Floats, width: float) -> float:
     """Radius of the spheres [m]: as large as neighbours and walls let them be."""
     if len(x) == 1:
         return float(min(width, shape.depth(x)[0]))

@@ -47,9 +47,9 @@ def graded(
     places = sites(shape, size)
     x = _begun(shape, places, size, random)
     for _ in range(_ROUNDS if len(x) > 1 else 0):
-        h, other = size(x), _neighbours(x, _NEAR)[1]
+        h, other = size(x), nearest_others(x, _NEAR)[1]
         for _ in range(_SAME):
-            x = kept_inside(shape, _pushed(x, h, other), x, _MARGIN * h)
+            x = kept_inside(shape, pushed(x, h, other), x, _MARGIN * h)
     _check_slope(x, size(x))
     for step in range(_LLOYD):
         told((step + 1) / (_LLOYD + 2))
@@ -83,13 +83,13 @@ def _inside(
     return kept_inside(shape, x, before, _MARGIN * size(before))
 
 
-def _neighbours(x: PerElement3, most: int) -> tuple[Floats, Ints]:
+def nearest_others(x: PerElement3, most: int) -> tuple[Floats, Ints]:
     """Distances [m] and numbers of the nearest others, (n, most - 1), or all others where there are less."""
     distance, other = KDTree(x).query(x, k=min(most, len(x)))
     return np.asarray(distance)[:, 1:], np.asarray(other)[:, 1:]
 
 
-def _pushed(x: PerElement3, h: PerElement, other: Ints) -> PerElement3:
+def pushed(x: PerElement3, h: PerElement, other: Ints) -> PerElement3:
     """Centres after those too near to their neighbours (n, k), for their sizes, have gone apart a little."""
     way = x[:, None] - x[other]
     distance = np.maximum(np.sqrt(np.einsum("nkc,nkc->nk", way, way)), 1e-12 * h[:, None])
@@ -108,7 +108,7 @@ def _check_slope(x: PerElement3, h: PerElement) -> None:
     """Refuse sizes that change by more than the distance between neighbours."""
     if len(x) == 1:
         return
-    distance, other = _neighbours(x, 2)
+    distance, other = nearest_others(x, 2)
     change = (np.abs(h[:, None] - h[other]) / distance)[:, 0]
     worst = int(np.argmax(change))
     if change[worst] > STEEPEST + 1e-9:
@@ -123,6 +123,6 @@ def _share(shape: Shape, x: PerElement3, h: PerElement) -> float:
     share = min(_RADIUS, float((_INSIDE * shape.depth(x) / h).min()))
     if len(x) == 1:
         return share
-    distance, other = _neighbours(x, _NEAR)
+    distance, other = nearest_others(x, _NEAR)
     near, far = np.minimum(h[:, None], h[other]), np.maximum(h[:, None], h[other])
     return min(share, float((distance / (far + (1.0 - _OVERLAP) * near)).min()))

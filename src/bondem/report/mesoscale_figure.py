@@ -1,0 +1,68 @@
+"""A body with aggregates on one sheet: broken, cut open, and its curve."""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.colors import to_rgb
+
+from bondem._types import Floats
+from bondem.model.state import State
+from bondem.report.cell_pictures import draw_cells, draw_section, section_through
+from bondem.report.crack_pictures import corners_moved
+from bondem.report.spheres import View
+from bondem.report.style import BLUE, sheet
+from bondem.specimen.aggregates import Aggregates
+from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
+from bondem.specimen.lattice import Lattice
+
+_STONE, _MORTAR, _CRACK = "#8a8f98", "#e3ddd0", "#c1272d"
+_VIEW = View(azimuth=0.5, elevation=0.42)
+# Largest opening drawn, over the length of the specimen.
+_EXAGGERATED = 0.06
+
+
+def draw_mesoscale(path: Path, body: Lattice, state: State, stones: Aggregates, curve: Floats) -> None:
+    """Draw three panels.
+
+    Args:
+        path: PNG to write.
+        body: the cells.
+        state: in the end.
+        stones: which of them are aggregates.
+        curve: elongation [m] and stress [Pa], (k, 2).
+    """
+    solid, inside = polyhedra(body), stones.mask(body)
+    colour = np.where(inside[:, None], to_rgb(_STONE), to_rgb(_MORTAR))
+    with sheet(path, 11.0, 3.5, 1, 3, width_ratios=(1.25, 1.1, 1.0)) as (_, (left, middle, right)):
+        moved = corners_moved(solid, body, state)
+        reach = max(1.0, _EXAGGERATED * float(np.ptp(body.centre[:, 0])) / max(float(np.ptp(moved[:, 0])), 1e-12))
+        draw_cells(left, solid, colour, view=_VIEW, moved=corners_moved(solid, body, state, reach))
+        left.set_title(f"broken, motion × {reach:.0f}")
+        draw_section(middle, section_through(solid, 2, float(body.centre[:, 2].mean())), colour)
+        _draw_cuts(middle, solid, body, state)
+        middle.set(title="section, cracks in red", xlabel="x [mm]", ylabel="y [mm]")
+        right.plot(1e6 * curve[:, 0], 1e-6 * curve[:, 1], color=BLUE)
+        right.set(xlabel="elongation [µm]", ylabel="stress [MPa]", title="direct tension")
+        right.set_ylim(bottom=0.0)
+        right.set_xlim(left=0.0)
+
+
+def _draw_cuts(ax: Axes, solid: Polyhedra, body: Lattice, state: State) -> None:
+    """Lines in which the middle plane cuts facets that have lost integrity, the wider the more."""
+    lost = {frozenset(pair): loss for pair, loss in zip(
+        body.pairs.tolist(), (1.0 - state.bond_integrity).tolist(), strict=True) if loss > 0.0}  # fmt: skip
+    at, lines, widths = float(body.centre[:, 2].mean()), [], []
+    for k in np.flatnonzero(solid.neighbour > solid.cell):
+        loss = lost.get(frozenset((int(solid.cell[k]), int(solid.neighbour[k]))), 0.0)
+        corner = solid.vertex[solid.start[k] : solid.start[k + 1]]
+        above = corner[:, 2] - at
+        other, beyond = np.roll(corner, -1, axis=0), np.roll(above, -1)
+        crossed = np.flatnonzero((above > 0.0) != (beyond > 0.0))
+        if loss == 0.0 or len(crossed) != 2:
+            continue
+        share = (above[crossed] / (above[crossed] - beyond[crossed]))[:, None]
+        lines.append(1e3 * ((1.0 - share) * corner[crossed] + share * other[crossed])[:, :2])
+        widths.append(2.2 * loss)
+    ax.add_collection(LineCollection(lines, colors=_CRACK, linewidths=widths))
