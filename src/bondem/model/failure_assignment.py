@@ -15,7 +15,7 @@ from bondem.specimen.regions import Region
 
 FailureAssignment = Criterion | Mapping[Region | tuple[Region, Region], Criterion]
 
-_WANTED = "a criterion such as bd.MohrCoulomb(...), or None"
+_WANTED = "a criterion such as bd.PeripheralStress(...), or None"
 
 
 @dataclass(frozen=True, eq=False)
