@@ -16,7 +16,7 @@ import numpy as np
 import bondem as bd
 from bondem.report.mesoscale_figure import draw_mesoscale
 
-SIDE = 40e-3  # m
+SIDE, FRACTION = 40e-3, 0.25  # m, -
 SIEVE = bd.Sieve(diameters=(6e-3, 8e-3, 12e-3, 16e-3), mass_passing=(0.0, 0.25, 0.6, 1.0))
 MORTAR, STONE = bd.CellBond(E=25e9, nu=0.2), bd.CellBond(E=70e9, nu=0.2)
 STRONG = bd.Rankine(tension=12e6, fracture_energy=100.0)
@@ -28,7 +28,7 @@ PARTS = "mortar", "interface", "stone"
 def main(size: float = 2e-3, folder: Path | None = None) -> tuple[float, dict[str, float]]:
     """Strength [Pa], and how much of the crack surface is in mortar, along stones and through them [-]."""
     box = bd.Box((1.5 * SIDE, SIDE, SIDE))
-    stones = bd.aggregates(box, SIEVE, fraction=0.25, gap=1.2 * size, seed=1)
+    stones = bd.aggregates(box, SIEVE, fraction=FRACTION, gap=1.2 * size, seed=1)
     body = bd.connect(bd.pack(box, size=size, method="even", around=stones, seed=1), method="laguerre")
     model = bd.Model(
         body, {bd.Everything(): MORTAR, stones: STONE}, density=2400.0,

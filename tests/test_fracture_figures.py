@@ -113,6 +113,7 @@ def test_cracks_go_round_the_stones_of_the_mesoscale_example(tmp_path: Path, mon
     """A small prism with few stones: between the strengths of the interface and of mortar, and no stone breaks."""
     example = script("examples/mesoscale.py")
     monkeypatch.setattr(example, "SIDE", 24e-3)
+    monkeypatch.setattr(example, "FRACTION", 0.15)
     monkeypatch.setattr(example, "SIEVE", bd.Sieve((7e-3, 10e-3), (0.0, 1.0)))
     monkeypatch.setattr(example, "TIME", 1.2e-3)
     strength, share = example.main(size=2.4e-3, folder=tmp_path)

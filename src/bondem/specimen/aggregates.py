@@ -73,10 +73,10 @@ class Aggregates(Region):
         if len(R) == 1:
             return float("inf")
         # the pair with the smallest gap is at most this far apart
-        nearest, other = KDTree(x).query(x, k=2)
-        reach = float((nearest[:, 1] - R - R[other[:, 1]]).min()) + 2.0 * float(R.max())
+        distance, other = (np.asarray(found)[:, 1] for found in KDTree(x).query(x, k=2))
+        reach = float((distance - R - R[other]).min()) + 2.0 * float(R.max())
         pairs = KDTree(x).query_pairs(max(reach, 0.0) * (1.0 + 1e-12), output_type="ndarray")
-        i, j = pairs.T if len(pairs) else (np.arange(len(R)), other[:, 1])
+        i, j = pairs.T if len(pairs) else (np.arange(len(R)), other)
         return float((np.linalg.norm(x[i] - x[j], axis=1) - R[i] - R[j]).min())
 
     def depth(self, points: PerElement3) -> Floats:
