@@ -12,15 +12,18 @@ from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.contact import ContactLaw
-from bondem.laws.failure.criterion import BondCriterion, Criterion, Joint
+from bondem.laws.failure.criterion import COEFFICIENTS, BondCriterion, Criterion, Joint
 from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.laws.non_local import NonLocal
 from bondem.model.cell_constants import body_of
 from bondem.model.layout import Layout
+from bondem.model.non_local_constants import NonLocalConstants
 from bondem.specimen.lattice import Lattice
 
 # What rounding may take off a bound.
 _ROUNDING = 1e-6
+# Number of criteria on principal stresses, which no function of forces judges.
+_OF_PRINCIPAL = -1
 # Share of the bound of facets at which they are looked at: it is held against stresses of cells a step ago.
 _MARGIN = 0.75
 
@@ -95,6 +98,30 @@ class FailureTable:
         )
 
 
+    @classmethod
+    def of_principal(
+        cls, lattice: Lattice, layout: Layout, criterion: Criterion, constants: NonLocalConstants
+    ) -> "FailureTable":
+        """The table of bonds of the non-local law: coefficients of `laws.failure.principal`.
+
+        Args:
+            lattice: elements and bonds.
+            layout: their order in the kernels.
+            criterion: on principal stresses.
+            constants: of the bonds, user's order.
+        """
+        middle = lattice.centre[lattice.pairs[:, 0]] + constants.lever_i
+        factor = criterion.factors(constants.area * lattice.length, middle, lattice.particles.period)
+        assert criterion.principal is not None
+        coefficient = np.zeros((len(factor), COEFFICIENTS))
+        coefficient[:, :3] = criterion.principal / factor[:, None]
+        none = np.full(len(factor), np.inf)
+        return cls(
+            kind=_OF_PRINCIPAL, coefficient=np.ascontiguousarray(coefficient[layout.bond_order]), station=-none,
+            limit=none, of_force=0.0, of_moment=0.0,
+        )  # fmt: skip
+
+
 def check_failure(failure: object, bond: object, contact: ContactLaw | None, formulation: str) -> bool:
     """Whether moments count at the contact point, of a criterion that this model can have.
 
@@ -105,7 +132,8 @@ def check_failure(failure: object, bond: object, contact: ContactLaw | None, for
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
     name = type(found).__name__
     if any(isinstance(law, NonLocal) for law in laws):
-        raise InputError("failure= does not know NonLocal bonds yet; use beam bonds or bd.CellBond")
+        _check_non_local(found)
+        return False
     if formulation != "total":
         raise InputError("failure= needs bonds of the total formulation: use formulation='total'")
     cells = any(isinstance(law, CellBond) for law in laws)
@@ -122,6 +150,21 @@ def check_failure(failure: object, bond: object, contact: ContactLaw | None, for
     if len(at_contact) > 1:
         raise InputError("failure= counts moments at the ends or at contact points: give bonds of one kind")
     return True in at_contact
+
+
+def _check_non_local(failure: Criterion) -> None:
+    """Refuse what bonds of the non-local law cannot have."""
+    name = type(failure).__name__
+    if failure.principal is None:
+        raise InputError(
+            f"{name} is no criterion on principal stresses, by which NonLocal bonds break: use bd.Rankine(tension=) or"
+            " bd.MohrCoulomb(...)"
+        )
+    softening = failure.softening
+    if softening is not None and softening.fracture_energy > 0.0:
+        raise InputError(f"{name}: NonLocal bonds break at once; leave fracture_energy= out, or use bd.CellBond")
+    if softening is not None and softening.friction > 0.0:
+        raise InputError(f"{name}: friction= of NonLocal bonds is that of contact=bd.LinearContact(..., friction=)")
 
 
 def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:

@@ -187,7 +187,7 @@ class Model:
             return None
         table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()))
         own = None
-        if self.contact.stress_free and not self.contact.parallel and self._non_local is None:
+        if self.contact.stress_free and not self.contact.parallel:
             own = self.bonds.kn
         return ContactModel.of(self.lattice, self.layout, self.contact, table, own, self.contact_radius)
 
@@ -199,7 +199,7 @@ class Model:
     @property
     def contact_radius(self) -> PerElement:
         """Radius of elements in contact, of cells that of a sphere of their volume [m], user's order, shape (n,)."""
-        if self._cells is None:
+        if not self._as_cells:
             return self.lattice.particles.radius
         return np.cbrt(0.75 / np.pi * body_of(self.lattice)[1].volume)
 
@@ -209,6 +209,8 @@ class Model:
         if self.failure is None:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
+        if self._non_local is not None:
+            return FailureTable.of_principal(self.lattice, self.layout, self.failure, self._non_local)
         softening = self.softening
         if softening is not None or not isinstance(self.failure, BondCriterion):
             return None
@@ -218,7 +220,8 @@ class Model:
     @cached_property
     def beam_softening(self) -> BeamSoftening | None:
         """What beams take up as they soften, in the kernels' order, or None."""
-        if self.failure is None or self._cells is not None or not isinstance(self.failure, BondCriterion):
+        whole = self._cells is not None or self._non_local is not None
+        if self.failure is None or whole or not isinstance(self.failure, BondCriterion):
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
         return BeamSoftening.of(self.lattice, self.layout, self.failure, self.stiffness, at_contact)
@@ -236,7 +239,9 @@ class Model:
         """What the criterion means with these elements, or None."""
         if self.failure is None:
             return None
-        return implied_fracture(self.lattice, self.failure, self.stiffness, self._cells, self.mass)
+        return implied_fracture(
+            self.lattice, self.failure, self.stiffness, self._cells, self._non_local, self.mass
+        )
 
     @property
     def pressed(self) -> PerElement:
