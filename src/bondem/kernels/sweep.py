@@ -19,7 +19,8 @@ from bondem.kernels.facet_breaking import break_facets, judge_facets
 from bondem.kernels.grip_pass import hand_on, swell_grips
 from bondem.kernels.incremental import incremental_loads
 from bondem.kernels.judging import judge_block
-from bondem.kernels.non_local import non_local_loads, settle_stress
+from bondem.kernels.non_local import non_local_forces, non_local_loads
+from bondem.kernels.pair_breaking import break_pairs, judge_pairs
 from bondem.kernels.press_pass import book_presses
 
 
@@ -28,20 +29,20 @@ def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, a
     """A part of the step: bonds, sums, and the elements whose sums are complete.
 
     `history` is what bonds store in the incremental formulation, (6, m), or None; `cells` are facets and cells, whose
-    stresses are known, or None; `non_local` is the table of the non-local law, or None; `breaks` says when bonds
-    break, or is None. `part` is the blocks first … last, and whether elements open the next step.
+    stresses are known, or None; `non_local` is the table of the non-local law, whose forces are known, or None;
+    `breaks` says when bonds break, or is None. `part` is the blocks first … last, and whether elements open the next step.
     """
     first, last, go_on = part
     waiting = 0
-    if cells is not None and breaks is not None:
-        waiting = breaks.found.sum()  # facets are judged before
+    if (cells is not None or non_local is not None) and breaks is not None:
+        waiting = breaks.found.sum()  # facets, and bonds of the non-local law, are judged before
     for b in range(first, last):
         k0, k1 = cut.bond[b], cut.bond[b + 1]
         if cells is not None:  # decided when compiled
             facet_loads(elements.pose, bonds, cells, cells.moment, cut.sums, cut.row_i, cut.row_j, k0, k1)
             take_moments(cells.moment, cells.sums, cut.ready, cut.ready_row, cut.move[b], cut.move[b + 1])
         elif non_local is not None:
-            non_local_loads(elements.pose, bonds, non_local, scheme.dt, cut.sums, cut.row_i, cut.row_j, k0, k1)
+            non_local_loads(non_local, cut.sums, cut.row_i, cut.row_j, k0, min(k1, bonds.m))
         elif history is None:
             place = bond_loads(elements.pose, bonds, same, cut.sums, cut.row_i, cut.row_j, breaks, k0, k1)
             if breaks is not None:
@@ -165,12 +166,16 @@ def all_forces(run, same, history, body, non_local, scheme, added, contacts, bre
     else:
         if soft is not None:
             soften_beams(elements, bonds, contacts, breaks, soft, len(cut.domain) > 2)
+        if non_local is not None:
+            non_local_forces(elements, bonds, non_local, scheme.dt, contacts, breaks, cut)
+            if breaks is not None:
+                judge_pairs(bonds, non_local, breaks, cut)
         sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, breaks, go_on)
         if soft is not None:
             begin_to_soften(breaks, soft)
+        elif breaks is not None and non_local is not None:
+            break_pairs(elements, bonds, non_local, cut.sums, added, contacts, breaks)
         elif breaks is not None:
             break_bonds(elements, bonds, cut.sums, added, contacts, breaks)
     if breaks is not None and soft is None:
         let_go(elements, cut.sums, rows, scheme, added, breaks, go_on)
-    if non_local is not None:  # which is on one thread always
-        settle_stress(non_local)

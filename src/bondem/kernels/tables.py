@@ -121,7 +121,7 @@ class CellTable(NamedTuple):
 
 
 class LaggedTable(NamedTuple):
-    """Bonds of the non-local law, m of them, and its n elements; kernels write `history`, `stress` and `sums`."""
+    """Bonds of the non-local law, m of them, and its n elements; kernels write the last five."""
 
     area: np.ndarray  #: [m²], (m,)
     kn: np.ndarray  #: [N/m], (m,)
@@ -132,9 +132,14 @@ class LaggedTable(NamedTuple):
     inverse: np.ndarray  #: 1 / V of each element [1/m³], (n,)
     nu: float  #: ν [-]
     limited: bool  #: whether the extra shear force is limited
+    in_start: np.ndarray  #: bonds of each element, as `Adjacency` has them
+    out_start: np.ndarray
+    out_bond: np.ndarray
     history: np.ndarray  #: what bonds store (`bondem.kernels.non_local`), (7, m)
     stress: np.ndarray  #: of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
-    sums: np.ndarray  #: V σ that is being found, zero between steps [J], (n, 6)
+    space: np.ndarray  #: the same in space, as the step has it so far [Pa], (n, 6)
+    bound: np.ndarray  #: of the largest and the least principal stress of each [Pa], (n, 2)
+    output: np.ndarray  #: force on i, torque on i, minus torque on j of each bond now [N, N·m], (m, 9)
 
 
 class GripTable(NamedTuple):

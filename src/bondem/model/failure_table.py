@@ -17,10 +17,13 @@ from bondem.laws.non_local import NonLocal
 from bondem.model.cell_constants import body_of
 from bondem.model.failure_assignment import FailurePart, criteria_of
 from bondem.model.layout import Layout
+from bondem.model.non_local_constants import NonLocalConstants
 from bondem.specimen.lattice import Lattice
 
 # What rounding may take off a bound.
 _ROUNDING = 1e-6
+# Number of criteria on principal stresses, which no function of forces judges.
+_OF_PRINCIPAL = -1
 # Share of the bound of facets at which they are looked at: it is held against stresses of cells a step ago.
 _MARGIN = 0.75
 
@@ -92,6 +95,30 @@ class FailureTable:
             of_moment=moment**2 if bent.any() else 0.0,
         )
 
+    @classmethod
+    def of_principal(
+        cls, lattice: Lattice, layout: Layout, parts: tuple[FailurePart, ...], constants: NonLocalConstants
+    ) -> "FailureTable":
+        """The table of bonds of the non-local law: coefficients of `laws.failure.principal`.
+
+        Args:
+            lattice: elements and bonds.
+            layout: their order in the kernels.
+            parts: when they break, by criteria on principal stresses.
+            constants: of the bonds, user's order.
+        """
+        middle = lattice.centre[lattice.pairs[:, 0]] + constants.lever_i
+        coefficient = np.zeros((len(middle), COEFFICIENTS))
+        for part in parts:
+            factor = part.criterion.factors(constants.area * lattice.length, middle, lattice.particles.period)
+            assert part.criterion.principal is not None
+            coefficient[part.bonds, :3] = part.criterion.principal / factor[part.bonds, None]
+        none = np.full(len(middle), np.inf)
+        return cls(
+            kind=_OF_PRINCIPAL, coefficient=np.ascontiguousarray(coefficient[layout.bond_order]), station=-none,
+            limit=none, of_force=0.0, of_moment=0.0,
+        )  # fmt: skip
+
 
 def _judged(
     joint: Joint, parts: tuple[FailurePart, ...], period: Floats | None
@@ -117,7 +144,9 @@ def check_failure(failure: object, bond: object, contact: ContactLaw | None, for
     """
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
     if any(isinstance(law, NonLocal) for law in laws):
-        raise InputError("failure= does not know NonLocal bonds yet; use beam bonds or bd.CellBond")
+        for criterion in criteria_of(failure):
+            _check_non_local(criterion)
+        return False
     if formulation != "total":
         raise InputError("failure= needs bonds of the total formulation: use formulation='total'")
     cells = any(isinstance(law, CellBond) for law in laws)
@@ -140,6 +169,21 @@ def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaw | None
         raise InputError(f"{name} judges beams, and facets of cells are none; use bd.MohrCoulomb(...)")
     if failure.softening is not None and not cells and not soft:
         raise InputError(f"{name} with softening or stresses of the material is for bodies of cells: use bd.CellBond")
+
+
+def _check_non_local(failure: Criterion) -> None:
+    """Refuse what bonds of the non-local law cannot have."""
+    name = type(failure).__name__
+    if failure.principal is None:
+        raise InputError(
+            f"{name} is no criterion on principal stresses, by which NonLocal bonds break: use bd.Rankine(tension=) or"
+            " bd.MohrCoulomb(...)"
+        )
+    softening = failure.softening
+    if softening is not None and softening.fracture_energy > 0.0:
+        raise InputError(f"{name}: NonLocal bonds break at once; leave fracture_energy= out, or use bd.CellBond")
+    if softening is not None and softening.friction > 0.0:
+        raise InputError(f"{name}: friction= of NonLocal bonds is that of contact=bd.LinearContact(..., friction=)")
 
 
 def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:

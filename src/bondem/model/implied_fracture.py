@@ -12,6 +12,7 @@ from bondem.laws.failure.elliptic import Elliptic
 from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.model.cell_constants import CellConstants
 from bondem.model.failure_assignment import FailurePart
+from bondem.model.non_local_constants import NonLocalConstants
 from bondem.specimen.lattice import Lattice
 
 
@@ -22,7 +23,7 @@ class ImpliedFracture:
     With a fracture energy G_c of cells is what was given, and K_Ic = √(E G_c). Brittle facets of cells have
     K_Ic = f_t √L (bars with a slit: 0.75 to 0.84 of it) and so G_c = K_Ic² / E = f_t² L / E, twice
     the energy f_t² L / 2E that a facet frees for each area of its own: both grow with the size of the
-    elements. Brittle beams have for each area of a
+    elements; bonds of `NonLocal` are taken for such facets. Brittle beams have for each area of a
     plane crack what the bonds through it hold in tension, (1/2V) Σ U L with U = N_t² / 2 k_n, and those that soften
     what these take up, U = G_f A; E is the affine estimate, from above.
 
@@ -62,6 +63,7 @@ def implied_fracture(
     parts: tuple[FailurePart, ...],
     stiffness: BondStiffness,
     cells: CellConstants | None,
+    non_local: NonLocalConstants | None,
     mass: PerElement,
 ) -> ImpliedFracture | None:
     """What criteria mean on a lattice; None without bonds.
@@ -70,13 +72,14 @@ def implied_fracture(
         lattice: bonds or facets.
         parts: when they break.
         stiffness: of the bonds.
-        cells: constants of a body, user's order; None of beams.
+        cells: constants of a body, user's order; None of others.
+        non_local: constants of the non-local law, user's order; None of others.
         mass: of the elements [kg], shape (n,).
     """
     if not len(lattice.pairs):
         return None
     with np.errstate(all="ignore"):
-        return _implied(lattice, parts, stiffness, cells, mass)
+        return _implied(lattice, parts, stiffness, cells, non_local, mass)
 
 
 def _implied(
@@ -84,6 +87,7 @@ def _implied(
     parts: tuple[FailurePart, ...],
     stiffness: BondStiffness,
     cells: CellConstants | None,
+    non_local: NonLocalConstants | None,
     mass: PerElement,
 ) -> ImpliedFracture:
     volume = lattice.particles.envelope.volume
@@ -92,6 +96,10 @@ def _implied(
         area, length, place = lattice.facets.area, lattice.facets.span, lattice.facets.centroid
         E = float(np.median(cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)))
         held = None
+    elif non_local is not None:
+        area, length, held = non_local.area, lattice.length, None
+        place = lattice.centre[lattice.pairs[:, 0]] + non_local.lever_i
+        E = float(np.median(non_local.kn * length / area))
     else:
         area, length, held = np.pi * stiffness.radius**2, lattice.length, stiffness
         place = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
@@ -99,7 +107,7 @@ def _implied(
     joint = Joint(area, length, area * length, place, held)
     pull, given = np.zeros((2, len(area)))
     for part in parts:
-        pull[part.bonds] = _tensile_force(part, joint, lattice.particles.period)
+        pull[part.bonds] = _tensile_force(part, joint, lattice.particles.period, non_local=non_local is not None)
         given[part.bonds] = _given_energy(part.criterion, cells=held is None)
     stored = 0.5 * pull**2 * (length / (E * area) if held is None else 1.0 / stiffness.kn)
     strength, L = float(np.median(pull / area)), float(np.median(length))
@@ -127,11 +135,14 @@ def _given_energy(failure: Criterion, *, cells: bool) -> float:
     return 0.0 if energies is None else energies[0]
 
 
-def _tensile_force(part: FailurePart, joint: Joint, period: Floats | None) -> PerBond:
+def _tensile_force(part: FailurePart, joint: Joint, period: Floats | None, *, non_local: bool) -> PerBond:
     """Tension that breaks each bond of a part by itself [N], (c,)."""
     failure = part.criterion
     factor = failure.factors(joint.volume, joint.place, period)[part.bonds]
     joint = joint.take(part.bonds)
+    if non_local:
+        assert failure.principal is not None
+        return joint.area * factor / max(failure.principal[:2])
     if failure.softening is not None and joint.stiffness is None:
         return joint.area * failure.softening.tension * factor
     assert isinstance(failure, BondCriterion)

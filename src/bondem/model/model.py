@@ -188,7 +188,7 @@ class Model:
             return None
         table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()))
         own = None
-        if self.contact.stress_free and not self.contact.parallel and self._non_local is None:
+        if self.contact.stress_free and not self.contact.parallel:
             own = self.bonds.kn
         return ContactModel.of(self.lattice, self.layout, self.contact, table, own, self.contact_radius)
 
@@ -200,7 +200,7 @@ class Model:
     @property
     def contact_radius(self) -> PerElement:
         """Radius of elements in contact, of cells that of a sphere of their volume [m], user's order, shape (n,)."""
-        if self._cells is None:
+        if not self._as_cells:
             return self.lattice.particles.radius
         return np.cbrt(0.75 / np.pi * body_of(self.lattice)[1].volume)
 
@@ -215,6 +215,8 @@ class Model:
         if self.failure is None:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
+        if self._non_local is not None:
+            return FailureTable.of_principal(self.lattice, self.layout, self.failure_parts, self._non_local)
         if self.softening is not None or not self._by_bond:
             return None
         beams = self.stiffness if self._cells is None else None
@@ -228,7 +230,8 @@ class Model:
     @cached_property
     def beam_softening(self) -> BeamSoftening | None:
         """What beams take up as they soften, in the kernels' order, or None."""
-        if self.failure is None or self._cells is not None or not self._by_bond:
+        whole = self._cells is not None or self._non_local is not None
+        if self.failure is None or whole or not self._by_bond:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
         return BeamSoftening.of(self.lattice, self.layout, self.failure_parts, self.stiffness, at_contact)
@@ -245,7 +248,9 @@ class Model:
         """What the criterion means with these elements, or None."""
         if self.failure is None:
             return None
-        return implied_fracture(self.lattice, self.failure_parts, self.stiffness, self._cells, self.mass)
+        return implied_fracture(
+            self.lattice, self.failure_parts, self.stiffness, self._cells, self._non_local, self.mass
+        )
 
     @property
     def pressed(self) -> PerElement:

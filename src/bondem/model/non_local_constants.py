@@ -7,6 +7,7 @@ import numpy as np
 
 from bondem._types import Floats, PerBond, PerBond3, PerElement
 from bondem.errors import InputError
+from bondem.kernels.non_local import OUTPUT_COLUMNS
 from bondem.kernels.tables import LaggedTable
 from bondem.laws.bond import BondStiffness
 from bondem.laws.non_local import NonLocal
@@ -70,13 +71,15 @@ class NonLocalConstants:
             volume=self.volume[layout.order], nu=self.nu, limited=self.limited,
         )  # fmt: skip
 
-    def rows(self, history: Floats, stress: Floats) -> LaggedTable:
+    def rows(self, history: Floats, stress: Floats, layout: Layout) -> LaggedTable:
         """The constants as kernels take them, in the kernels' order, with what the law remembers.
 
         Args:
             history: what bonds store, (7, m) or longer; see `bondem.kernels.non_local`.
             stress: of the elements [Pa], (n, 6).
+            layout: order of elements and bonds.
         """
+        adjacency = layout.adjacency
 
         def columns(each: Floats) -> Floats:
             return np.ascontiguousarray(with_zeros(each.T))
@@ -85,7 +88,9 @@ class NonLocalConstants:
             area=with_zeros(self.area), kn=with_zeros(self.kn), kt=with_zeros(self.kt),
             normal=columns(self.normal), lever_i=columns(self.lever_i), lever_j=columns(self.lever_j),
             inverse=1.0 / self.volume, nu=self.nu, limited=self.limited,
-            history=history, stress=stress, sums=np.zeros_like(stress),
+            in_start=adjacency.in_start, out_start=adjacency.out_start, out_bond=adjacency.out_bond,
+            history=history, stress=stress, space=np.zeros_like(stress), bound=np.zeros((len(stress), 2)),
+            output=np.zeros((len(self.area), OUTPUT_COLUMNS)),
         )  # fmt: skip
 
     def as_bonds(self, lattice: Lattice) -> BondStiffness:

@@ -9,6 +9,7 @@ from bondem._types import Floats, Ints, PerBond
 from bondem.errors import InputError
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.facet_breaking import facet_indices
+from bondem.kernels.pair_breaking import pair_indices
 from bondem.kernels.judging import bond_indices
 from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.kernels.tables import (
@@ -98,7 +99,12 @@ def failure_index(model: Model, state: State) -> PerBond:
         raise InputError("failure_index needs a criterion: give the model failure=bd.PeripheralStress(...)")
     layout = model.layout
     bonds = model.bonds.stretched(state.stress_free_strain).rows(layout, model.period, state.integrity)
-    if model.cells is None:
+    if model.non_local is not None:
+        found = np.empty(bonds.m)
+        lagged = model.non_local.rows(state.history, state.stress, layout)
+        pair_indices(state.pose, bonds, lagged, table.coefficient, found)
+        found = found[: len(layout.i)]
+    elif model.cells is None:
         found = bond_indices(state.pose, bonds, table.kind, table.coefficient, table.station)
         begun = state.softened[:, SOFT_BOND].astype(np.int64)
         found[begun] = state.integrity[begun] > 0.0

@@ -23,8 +23,9 @@ def breaking(model: Model, state: State, blocks: Blocks) -> Breaks | None:
     if table is None:
         return None
     n, m = len(state.pose), len(state.integrity)
-    # facets are judged between the two passes over them, domain by domain
-    begin = blocks.bond[:-1] if cells is None else blocks.bond[blocks.domain[:-1]]
+    # facets, and bonds of the non-local law, are judged before all elements move, domain by domain
+    whole = cells is None and model.non_local is None
+    begin = blocks.bond[:-1] if whole else blocks.bond[blocks.domain[:-1]]
     weights = (np.zeros(0),) * 3 if cells is None else (cells.weight, cells.slack_i, cells.slack_j)
     adjacency = model.layout.adjacency
     limit = np.full(max(m, WIDTH), np.inf, dtype=np.float32)

@@ -77,7 +77,7 @@ class CpuLoop:
             bonds = bonds.separate()
         self._same = None if changing or model.cells is not None or model.non_local is not None else bonds.alike
         domains = 1
-        if len(layout.i) >= SERIAL_BONDS and model.non_local is None:
+        if len(layout.i) >= SERIAL_BONDS:
             domains = min(current_threads(), len(layout.i) // _DOMAIN)
         blocks = Blocks.of(layout, BLOCK, domains, held.row_of >= 0)
         # elements that wait for breaking bonds keep their sums in rows of their own
@@ -133,7 +133,7 @@ class CpuLoop:
         self._history = with_zeros(state.history) if model.formulation == "incremental" else None
         self._non_local = None
         if model.non_local is not None and self._history is not None:
-            self._non_local = model.non_local.rows(self._history, state.stress)
+            self._non_local = model.non_local.rows(self._history, state.stress, layout)
 
     @property
     def _touching(self) -> ContactTable | None:

@@ -2,17 +2,21 @@
 
 import math
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import eigh_tridiagonal
+from scipy.sparse import diags_array
+from scipy.sparse.linalg import eigsh
 
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import StepWarning, UnstableStepError
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.tables import lines
 from bondem.laws.damping import AnyDamping, DampingTerms
+from bondem.laws.non_local import NonLocal
 from bondem.model.bond_table import BondTable
+from bondem.model.local_stiffness import local_stiffness
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.solve.added import bond_delay
@@ -147,6 +151,8 @@ def critical_step(
     """
     terms = DampingTerms.of(damping)
     raised = math.sqrt(1.0 + terms.gamma)
+    if model.non_local is not None:
+        return _lagged_step(model, scheme, terms, highest_frequency(model, integrity=integrity))
     dashpots = bond_delay(model, terms)
     bonds = highest_frequency(model, integrity=integrity)
     if model.failure is not None:
@@ -162,17 +168,49 @@ def critical_step(
         if omega > 0.0:
             zeta = 0.5 * omega * max(delay, dashpots)
             limits.append(scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
-    if model.non_local is None or bonds == 0.0:
-        return min(limits)
-    # dashpots take part in the trials; their bound would go by the smallest facet
-    springs = scheme.critical / (raised * max(math.hypot(bonds, frequency) for frequency, _ in motions))
-    share = stable_share(model, springs, terms)
+    return min(limits)
+
+
+def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: float) -> float:
+    """The critical step of the non-local law [s].
+
+    That of springs and contacts with the dashpots of contacts, and the largest share of that of springs and contacts
+    that lagged steps bear; dashpots of bonds take part in their trials. Dashpots of contacts are bounded by M⁻¹ C, and
+    not by the largest c / k, which would go by the smallest facet.
+
+    Args:
+        model: what will move.
+        scheme: time integration.
+        terms: of damping.
+        springs: ω_max of all bonds [rad/s].
+    """
+    raised, decay = math.sqrt(1.0 + terms.gamma), 0.0
+    contacts, motions = model.contacts, ((0.0, 0.0),)
+    if contacts is not None:
+        motions += contacts.law.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
+        if model.failure is not None and contacts.own is not None and isinstance(model.bond, NonLocal):
+            _, soft, friction, beta, _ = contacts.law.parameters
+            soft = soft if friction > 0.0 else 0.0
+            springs *= math.sqrt(max(1.0, soft * model.bond.E / model.bond.G))
+            decay = _fastest_decay(model, contacts.own, beta, soft)
+    fastest = raised * max(math.hypot(springs, frequency) for frequency, _ in motions)
+    if fastest == 0.0:
+        return math.inf
+    limit = math.inf
+    for frequency, delay in motions:
+        omega = raised * math.hypot(springs, frequency)
+        zeta = 0.5 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
+        if omega > 0.0:
+            limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
+    if springs == 0.0:
+        return limit
+    share = stable_share(model, scheme.critical / fastest, terms)
     if share == 0.0:
         warnings.warn(
             "the lagging stress of the non-local law feeds its motions at any time step: give damping=, or lower nu=",
-            StepWarning, stacklevel=3,
+            StepWarning, stacklevel=4,
         )  # fmt: skip
-    return (share or SHARES[-1]) * springs
+    return min((share or SHARES[-1]) * scheme.critical / fastest, limit)
 
 
 def _with_broken(model: Model, highest: float, delay: float) -> tuple[float, float]:
@@ -194,6 +232,22 @@ def _with_broken(model: Model, highest: float, delay: float) -> tuple[float, flo
         return highest * math.sqrt(max(1.0, soft)), max(delay, slow / math.sqrt(soft))
     sheared = highest_frequency(model, table=model.bonds.sheared(soft * kn))
     return max(highest, sheared), max(delay, slow / math.sqrt(soft))
+
+
+def _fastest_decay(model: Model, kn: PerBond, beta: float, soft: float) -> float:
+    """Largest eigenvalue of M⁻¹ C from above [1/s], if all bonds were contacts with dashpots instead."""
+    constants, layout = model.non_local, model.layout
+    if constants is None or beta == 0.0:
+        return 0.0
+    order = layout.order
+    mass, inertia = model.mass[order], model.inertia[order]
+    pair = mass[layout.i] * mass[layout.j] / (mass[layout.i] + mass[layout.j])
+    along = 2.0 * beta * np.sqrt(kn * pair)
+    matrix = local_stiffness(replace(constants, kn=along, kt=math.sqrt(soft) * along), layout)
+    root = diags_array(1.0 / np.sqrt(np.repeat(np.column_stack([mass, inertia]), 3, axis=1).ravel()))
+    start = np.random.default_rng(0).standard_normal(root.shape[0])
+    found = eigsh(root @ matrix @ root, k=1, which="LA", tol=_TOLERANCE, v0=start, return_eigenvectors=False)
+    return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
 
 
 @dataclass(frozen=True)

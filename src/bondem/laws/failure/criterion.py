@@ -80,6 +80,11 @@ class Criterion(ABC):
     def softening(self) -> Softening | None:
         """What cracks and cells that yield need of it; None of a criterion that breaks single bonds."""
 
+    @property
+    def principal(self) -> tuple[float, float, float] | None:
+        """a, b, c of max(a σ1, b σ1 - c σ3) ≥ 1, by which bonds of `bd.NonLocal` break at once; None of others [1/Pa]."""
+        return None
+
     def factors(self, volume: PerBond, place: PerBond3, period: Floats | None) -> PerBond:
         """Strengths over the parameter [-], user's order, (m,).
 

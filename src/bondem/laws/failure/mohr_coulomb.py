@@ -33,6 +33,13 @@ class MohrCoulomb(BondCriterion):
     on their mean stress; the cohesion falls (r from 1 to 0) as slip dissipates the fracture energy of shear, and
     friction stays. Facets of a cell without cohesion break.
 
+    Bonds of `bd.NonLocal` break at once where the mean stress of their two elements does, as of Celigueta et al. (2020),
+    eq (9), whatever their own direction:
+
+        σ1 ≥ tension        (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ c cos φ
+
+    Their paper has no tensile strength beside: with tension = c / tan φ, the tip of the cone, it has no effect.
+
     Attributes:
         tension: tensile strength [Pa].
         cohesion: c [Pa].
@@ -70,6 +77,11 @@ class MohrCoulomb(BondCriterion):
         number("MohrCoulomb", "friction_angle - dilatancy", self.friction_angle - self.dilatancy, least=0.0)
         check_crack("MohrCoulomb", self.fracture_energy, 0.0, self.curve)
         check_slip("MohrCoulomb", self.fracture_energy, self.fracture_energy_shear, self.dilatancy)
+
+    @property
+    def principal(self) -> tuple[float, float, float] | None:
+        sine, twice = math.sin(self.friction_angle), 2.0 * self.cohesion * math.cos(self.friction_angle)
+        return 1.0 / self.tension, (1.0 + sine) / twice, (1.0 - sine) / twice
 
     @property
     def energies(self) -> tuple[float, float] | None:

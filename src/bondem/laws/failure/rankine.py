@@ -19,7 +19,8 @@ class Rankine(Criterion):
     t_s² ≥ tension (tension - t_n). A crack softens linearly in its opening, from the traction that the facet has then
     (its shear where it is pressed) to the opening 2 G_f / f_t, so that it dissipates G_f per area of the crack
     whatever way its facets zigzag; or along the two lines of a `bd.Bilinear`, as concrete. Without a fracture energy
-    it breaks at once. Bodies of cells only.
+    it breaks at once. Bonds of `bd.NonLocal` break at once where σ1 of the mean stress σ̄ itself reaches the strength;
+    the friction of their faces is that of the contact law. No beams.
 
     Attributes:
         tension: f_t [Pa].
@@ -40,6 +41,10 @@ class Rankine(Criterion):
         super().__post_init__()
         number("Rankine", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
         check_crack("Rankine", self.fracture_energy, self.friction, self.curve)
+
+    @property
+    def principal(self) -> tuple[float, float, float] | None:
+        return 1.0 / self.tension, 0.0, 0.0
 
     @property
     def softening(self) -> Softening:
