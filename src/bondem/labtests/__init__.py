@@ -6,7 +6,7 @@ from bondem.labtests.celerity import impact
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
 from bondem.labtests.isotropic import Isotropic
-from bondem.labtests.loading import StrengthTest
+from bondem.labtests.rig import StrengthTest
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tearing import direct_tension

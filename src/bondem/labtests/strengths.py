@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem.errors import InputError
 from bondem.labtests.compression import uniaxial_compression
-from bondem.labtests.loading import StrengthTest
+from bondem.labtests.rig import StrengthTest
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tearing import direct_tension
 from bondem.laws.cell_bond import CellBond
