@@ -1,4 +1,4 @@
-"""The shear test of Celigueta et al. (2020): the core of a cylinder, between two ring borings, is pushed out of it."""
+"""The shear test of Celigueta et al. (2020): the core of a cylinder, between two ring borings, is pushed out."""
 
 import math
 from collections.abc import Callable
@@ -9,7 +9,15 @@ import numpy as np
 from bondem._checks import number
 from bondem._types import Ints
 from bondem.errors import InputError
-from bondem.labtests.rig import DENSITY, Rig, StrengthTest, check_traverses, require_cells, run_to_failure, softening_of
+from bondem.labtests.rig import (
+    DENSITY,
+    Rig,
+    StrengthTest,
+    check_traverses,
+    require_cells,
+    run_to_failure,
+    softening_of,
+)
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening
@@ -55,12 +63,13 @@ def punch_specimen(
     length = number("labtests.punch_specimen", "height", height, unit="m", above=0.0)
     if not (borings.outer < 0.5 * size and 2.0 * depth < length):
         raise InputError(
-            f"labtests.punch_specimen: borings of outer diameter {2.0 * borings.outer:.4g} m and {depth:.4g} m deep do"
+            f"labtests.punch_specimen: borings of outer diameter {2.0 * borings.outer:.4g} m, {depth:.4g} m deep, do"
             f" not fit into a cylinder of {size:.4g} × {length:.4g} m; take smaller ones"
         )
     shape: Shape = Cylinder(radius=0.5 * size, length=length)
     for start in (-depth, length - depth):
-        tube = Cut(Cylinder(radius=borings.outer, length=2.0 * depth), Cylinder(radius=borings.inner, length=2.0 * depth))
+        rod, core = (Cylinder(radius=radius, length=2.0 * depth) for radius in (borings.outer, borings.inner))
+        tube = Cut(rod, core)
         shape = shape.cut(tube.moved((start, 0.0, 0.0)), name="boring")
     return shape
 
@@ -83,8 +92,8 @@ def shear(
     A smooth piston presses on x_max inside of its boring, a smooth holed plate bears x_min outside of its boring. The
     stress is the mean shear stress P / (π ring h) on the cylinder between both borings, h = height - 2 depth, and the
     strain the motion of the piston over h. Cracks run where stresses drive them: the peak is a limit load of the
-    specimen and no strength of the material, and has no closed form. E is that of an elastic body of the same cells as
-    stiff as the slope of the curve.
+    specimen and no strength of the material, and has no closed form. E is that of an elastic body of the same cells
+    as stiff as the slope of the curve.
 
     Args:
         body: cells of a `punch_specimen`.
@@ -142,7 +151,7 @@ class _Borings:
             for name, value in (("ring", ring), ("width", width), ("depth", depth))
         )
         if wide >= mean:
-            raise InputError(f"labtests.{test}: width = {wide:.4g} m; give less than the diameter of the ring, {mean:.4g} m")
+            raise InputError(f"labtests.{test}: width = {wide:.4g} m; give less than the ring's {mean:.4g} m")
         return cls(0.5 * (mean - wide), 0.5 * (mean + wide), deep)
 
     def sides(self, body: Lattice) -> tuple[Region, Region]:
@@ -184,7 +193,7 @@ class _Borings:
 
 
 def _expected(softening: Softening) -> float:
-    """Roughly the shear stress at the peak [Pa], which sets how slow a test is: the cohesion, or the tensile strength."""
+    """Roughly the shear stress at the peak [Pa], for the speed: the cohesion, or the tensile strength."""
     if softening.slip is None:
         return softening.tension
     return 0.5 * math.sqrt(softening.tension * softening.slip.compressive())

@@ -10,7 +10,15 @@ from bondem._checks import number
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.gauge_length import AffineField
-from bondem.labtests.rig import DENSITY, Rig, StrengthTest, check_traverses, require_cells, run_to_failure, softening_of
+from bondem.labtests.rig import (
+    DENSITY,
+    Rig,
+    StrengthTest,
+    check_traverses,
+    require_cells,
+    run_to_failure,
+    softening_of,
+)
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening
@@ -37,9 +45,10 @@ class BrazilianTest:
     """Result of a Brazilian test.
 
     Attributes:
-        test: as of all tests to failure: the curve is 2 P / (π D t) over the closing of the platens over D, the work is
-            that of the platens over the section D t.
-        centre: elastic stress across the loaded diameter at the centre over 2 P / (π D t) [-]: what `factor` should be.
+        test: as of all tests to failure: the curve is 2 P / (π D t) over the closing of the platens over D, the work
+            is that of the platens over the section D t.
+        centre: elastic stress across the loaded diameter at the centre over 2 P / (π D t) [-]: what `factor` should
+            be.
         factor: the same in theory, where the platens press on flats or strips [-].
         half_angle: of the flats or strips, half of what is seen from the axis [rad].
     """
@@ -93,11 +102,11 @@ def brazilian(
 ) -> BrazilianTest:
     """Press a cylinder, axis x, across a diameter along y between smooth rigid platens until the load has dropped.
 
-    The platens of a plain `bd.Cylinder` hold the free facets in two strips of its side, along y only. The stress across
-    the diameter at the centre is then below that of a line load by the mean of cos β (1 - 4 sin² β) over the pressure
-    under a smooth rigid stamp, ∝ 1 / √(sin² α - sin² β): 0.983 at α = 5°, 0.932 at 10° (chords after Timoshenko and
-    Goodier §41; an even pressure, Hondros 1959, would have 0.989 and 0.955). Of a disc whose shape has flats "top" and
-    "bottom" the platens hold these; the factor is that of Wang et al. (2004), 0.960 at 10°.
+    The platens of a plain `bd.Cylinder` hold the free facets in two strips of its side, along y only. The stress
+    across the diameter at the centre is then below that of a line load by the mean of cos β (1 - 4 sin² β) over the
+    pressure under a smooth rigid stamp, ∝ 1 / √(sin² α - sin² β): 0.983 at α = 5°, 0.932 at 10° (chords after
+    Timoshenko and Goodier §41; an even pressure, Hondros 1959, would have 0.989 and 0.955). Of a disc whose shape has
+    flats "top" and "bottom" the platens hold these; the factor is that of Wang et al. (2004), 0.960 at 10°.
 
     `.peak` is 2 P / (π D t) without that factor, `.tension` with it. E comes from Hooke's law and the strains of the
     inner half of the radius, where σ_yy + σ_zz is on average what it is at the centre, -4 P / (π D t).
@@ -125,13 +134,14 @@ def brazilian(
     softening = softening_of("brazilian", failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     expected = splitting_strength(softening)
     if not math.isfinite(expected):
-        raise InputError(f"{owner}: no stress of this test reaches {failure}; give a criterion with a tensile strength")
+        raise InputError(f"{owner}: no load reaches {failure}; give a criterion with a tensile strength")
     jaws = _Jaws.of(body, half_angle)
     way, centre = _elastic(body, law, jaws)
     way *= expected
 
     def platens(speed: float, begin: float) -> list[BoundaryCondition]:
-        return [Drive(jaws.top, vy=Ramp(0.0, 0.5 * speed, begin)), Drive(jaws.bottom, vy=Ramp(0.0, -0.5 * speed, begin))]
+        pairs = (jaws.top, 0.5 * speed), (jaws.bottom, -0.5 * speed)
+        return [Drive(jaw, vy=Ramp(0.0, each, begin)) for jaw, each in pairs]
 
     rig = Rig(
         axis=1, sign=-1.0, near=jaws.bottom, far=jaws.top, section=0.5 * math.pi * jaws.diameter * jaws.thickness,
@@ -143,7 +153,7 @@ def brazilian(
 
 
 def splitting_strength(softening: Softening) -> float:
-    """Stress s at which a criterion is reached in (0, -3 s, s), as at the centre of a disc [Pa]; inf where it never is.
+    """Stress s at which (0, -3 s, s), as at the centre of a disc, reaches a criterion [Pa]; inf where it never does.
 
     The tensile strength, or less: by Mohr–Coulomb cells yield there at c cos φ / (2 - sin φ).
     """
@@ -160,7 +170,7 @@ def splitting_strength(softening: Softening) -> float:
 
 
 def stamped(half_angle: float) -> float:
-    """Stress at the centre under strips of half an angle α [rad], pressed by smooth rigid stamps, over 2 P / (π D t)."""
+    """Stress at the centre over 2 P / (π D t) under smooth rigid stamps on strips of half an angle α [rad]."""
     angle = math.pi * (np.arange(64) + 0.5) / 64
     sine = math.sin(half_angle) * np.cos(angle)
     return float((np.sqrt(1.0 - sine**2) * (1.0 - 4.0 * sine**2)).mean())
@@ -198,15 +208,15 @@ class _Jaws:
         assert body.cells is not None
         if {"top", "bottom"} <= set(shape.faces):
             if half_angle is not None:
-                raise InputError("labtests.brazilian: half_angle is of plain cylinders; the flats of this shape have theirs")
+                raise InputError("labtests.brazilian: half_angle is of plain cylinders; this one has flats")
             on = body.on_face("top")
             flat = float(np.average(body.cells.free.centroid[on, 1], weights=body.cells.free.area[on])) - middle[1]
             angle = math.acos(min(flat / radius, 1.0 - 1e-6))
             return cls(Face("top"), Face("bottom"), diameter, length, middle, angle, flattened(angle))
         if "side" not in shape.faces or abs(height - diameter) > 1e-6 * diameter:
             raise InputError(
-                f"labtests.brazilian: {type(shape).__name__} is no cylinder along x; take bd.Cylinder, or one whose flats"
-                ' across y are the faces "top" and "bottom"'
+                f"labtests.brazilian: {type(shape).__name__} is no cylinder along x; take bd.Cylinder, or one whose"
+                ' flats across y are the faces "top" and "bottom"'
             )
         edge = float(np.mean(body.cells.volume)) ** (1.0 / 3.0)
         if half_angle is None:

@@ -6,8 +6,8 @@ import numpy as np
 
 from bondem.errors import InputError
 from bondem.labtests.compression import uniaxial_compression
-from bondem.labtests.rig import StrengthTest
 from bondem.labtests.outcome import Outcome
+from bondem.labtests.rig import StrengthTest
 from bondem.labtests.tearing import direct_tension
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
