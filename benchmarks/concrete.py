@@ -1,7 +1,7 @@
 """One concrete in the laboratory's tests: what its strengths imply, and what bodies of cells bear.
 
-E = 40 GPa, ν = 0.2, f_t = 4 MPa, c = 7.4 MPa, φ = 59.8°: what a Mohr–Coulomb continuum needs to bear 55 MPa in uniaxial
-compression and 4 MPa in tension, as the concrete of Celigueta et al. (2020) was measured to do. They publish no
+E = 40 GPa, ν = 0.2, f_t = 4 MPa, c = 7.4 MPa, φ = 59.8°: what a Mohr–Coulomb continuum needs to bear 55 MPa in
+uniaxial compression and 4 MPa in tension, as the concrete of Celigueta et al. (2020) was measured to do. They publish no
 fracture energy: G_f = 100 J/m² is assumed, as is usual for concrete, and G_II is 10 G_f, the default. Nothing is
 calibrated. Cylinders Ø100 × 200 mm for "ucs", "brazilian", "triaxial" and "tension", beams 400 × 100 × 100 mm over
 300 mm for "bending", to a third of the depth "notched" in the middle, and the paper's specimen with two ring borings
@@ -19,7 +19,6 @@ import argparse
 import json
 import math
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
@@ -28,6 +27,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
+from concrete_figures import draw_all
 from kept import RESULTS, commit, keep, origin
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
@@ -169,8 +169,8 @@ def sum_up(rows: Path) -> None:
     keep(file, begun | {"material": material | {"fracture_energy": ENERGY}, "onset": SPLIT, "cases": cases})
     for one in cases:
         told = "–" if one["ratio"] is None else f"{one['ratio']:.3f}"
-        print(f"{one['kind']} {one['pressure'] / 1e6:g} MPa, {one['count']} cells, seed {one['seed']}:"
-              f" {one['peak'] / 1e6:.3f} MPa, over theory {told}, E {one['E']:.4f}, {one['seconds']:.0f} s")  # fmt: skip
+        case = f"{one['kind']} {one['pressure'] / 1e6:g} MPa, {one['count']} cells, seed {one['seed']}"
+        print(f"{case}: {one['peak'] / 1e6:.3f} MPa, over theory {told}, E {one['E']:.4f}, {one['seconds']:.0f} s")
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -188,8 +188,7 @@ def main(arguments: list[str] | None = None) -> None:
         sum_up(given.out)
         return
     if given.figures is not None:
-        draw = _drawing()
-        draw(given.out, given.figures)
+        draw_all(given.out, given.figures)
         return
     for count, seed, case in product(given.counts, given.seeds, CASES):
         file = given.out / f"{name_of(case, count, seed)}.json"
@@ -197,12 +196,6 @@ def main(arguments: list[str] | None = None) -> None:
             found = measured(case, count, seed, file.with_suffix(".npz"))
             file.write_text(json.dumps(found | {"commit": commit()}))
             print(f"{file.stem}: {found['peak'] / 1e6:.3f} MPa, {found['seconds']:.0f} s", flush=True)
-
-
-def _drawing() -> Callable[[Path, Path], None]:
-    from concrete_figures import draw_all  # noqa: PLC0415 - matplotlib is slow to import
-
-    return draw_all
 
 
 if __name__ == "__main__":

@@ -175,7 +175,7 @@ class _Beam:
         if not (between >= depth and between + wide <= length):
             raise InputError(
                 f"{owner}: a span of {between:.4g} m with strips of {wide:.4g} m does not suit a beam {length:.4g} m"
-                f" long and {depth:.4g} m deep; give a span of at least the depth that leaves half a strip over each end"
+                f" long and {depth:.4g} m deep; give at least the depth, and leave half a strip over each end"
             )
         return cls(body, lower, upper, between, wide, _ligament(body, lower, upper))
 
