@@ -8,6 +8,7 @@ import numpy as np
 from bondem._checks import number
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.labtests.probing import walls_along
 from bondem.labtests.rig import DENSITY, require_cells, softening_of
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
@@ -24,8 +25,6 @@ from bondem.specimen.regions import Face, Index, Region, Within
 _LOAD = 1e3
 # Width of the strips that bear, over the depth of the beam, and at least so many mean edges of cells.
 _STRIP, _CELLS = 0.1, 1.5
-# Points along the depth at which a notch is looked for.
-_PROBES = 4000
 
 
 @dataclass(frozen=True, eq=False)
@@ -244,11 +243,10 @@ class _Beam:
 
 def _ligament(body: Lattice, lower: Floats, upper: Floats) -> float:
     """Depth of the section at mid-span that is there, from above [m]: less a notch from below."""
-    middle, depth = 0.5 * (lower + upper), float(upper[1] - lower[1])
-    y = lower[1] + depth * (np.arange(_PROBES) + 0.5) / _PROBES
-    line = np.column_stack([np.full(_PROBES, middle[0]), y, np.full(_PROBES, middle[2])])
-    inside = body.particles.envelope.contains(line)
-    if not inside[-1]:
-        raise InputError("labtests.three_point_bending: there is nothing below the upper roller; cut from below")
-    first = _PROBES - int(np.argmin(inside[::-1])) if not inside.all() else 0
-    return depth * (1.0 - first / _PROBES)
+    start = 0.5 * (lower + upper)
+    end, tiny = start.copy(), 1e-9 * float(upper[1] - lower[1])
+    start[1], end[1] = upper[1] - tiny, lower[1] + tiny
+    inside, walls = walls_along(body.particles.envelope, start, end)
+    if not inside or len(walls) > 1:
+        raise InputError("labtests.three_point_bending: at mid-span there are holes; cut one notch, from below")
+    return float(walls[0]) if len(walls) else float(upper[1] - lower[1])

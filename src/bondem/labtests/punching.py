@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import number
-from bondem._types import Ints
+from bondem._types import Floats, Ints
 from bondem.errors import InputError
+from bondem.labtests.probing import walls_along
 from bondem.labtests.rig import (
     DENSITY,
     Rig,
@@ -58,17 +59,18 @@ def punch_specimen(
 
     Reference: Celigueta, Latorre, Arrufat and Oñate (2020), §4.3.
     """
-    borings = _Borings.of("punch_specimen", ring, width, depth)
-    size = number("labtests.punch_specimen", "diameter", diameter, unit="m", above=0.0)
-    length = number("labtests.punch_specimen", "height", height, unit="m", above=0.0)
-    if not (borings.outer < 0.5 * size and 2.0 * depth < length):
+    sizes = {"diameter": diameter, "height": height, "ring": ring, "width": width, "depth": depth}
+    size, length, mean, wide, deep = (
+        number("labtests.punch_specimen", name, value, unit="m", above=0.0) for name, value in sizes.items()
+    )
+    if not (wide < mean and mean + wide < size and 2.0 * deep < length):
         raise InputError(
-            f"labtests.punch_specimen: borings of outer diameter {2.0 * borings.outer:.4g} m, {depth:.4g} m deep, do"
-            f" not fit into a cylinder of {size:.4g} × {length:.4g} m; take smaller ones"
+            f"labtests.punch_specimen: borings of mean diameter {mean:.4g} m, {wide:.4g} m wide, {deep:.4g} m deep"
+            f" do not fit into a cylinder of {size:.4g} × {length:.4g} m; take smaller ones"
         )
     shape: Shape = Cylinder(radius=0.5 * size, length=length)
-    for start in (-depth, length - depth):
-        rod, core = (Cylinder(radius=radius, length=2.0 * depth) for radius in (borings.outer, borings.inner))
+    for start in (-deep, length - deep):
+        rod, core = (Cylinder(radius=0.5 * (mean + side), length=2.0 * deep) for side in (wide, -wide))
         tube = Cut(rod, core)
         shape = shape.cut(tube.moved((start, 0.0, 0.0)), name="boring")
     return shape
@@ -79,9 +81,6 @@ def shear(
     law: CellBond,
     failure: Criterion,
     *,
-    ring: float = _RING,
-    width: float = _WIDTH,
-    depth: float = _DEPTH,
     density: float | None = None,
     traverses: float = 60.0,
     ending: float = 0.5,
@@ -90,8 +89,8 @@ def shear(
     """Push the core of a `punch_specimen` along x out of the ring around it, until the load has dropped.
 
     A smooth piston presses on x_max inside of its boring, a smooth holed plate bears x_min outside of its boring. The
-    stress is the mean shear stress P / (π ring h) on the cylinder between both borings, h = height - 2 depth, and the
-    strain the motion of the piston over h. Cracks run where stresses drive them: the peak is a limit load of the
+    stress is the mean shear stress P / (π D h) on the cylinder of height h between the middles D of both borings, and
+    the strain the motion of the piston over h. Cracks run where stresses drive them: the peak is a limit load of the
     specimen and no strength of the material, and has no closed form. E is that of an elastic body of the same cells
     as stiff as the slope of the curve.
 
@@ -99,9 +98,6 @@ def shear(
         body: cells of a `punch_specimen`.
         law: its material.
         failure: `bd.MohrCoulomb` with a fracture energy, or another criterion with a tensile strength.
-        ring: mean diameter of its borings [m].
-        width: of its borings [m].
-        depth: of its borings [m].
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
         ending: share of the peak to which the load has to drop [-].
@@ -114,13 +110,12 @@ def shear(
     owner = "labtests.shear"
     check_traverses("shear", traverses)
     share = number(owner, "ending", ending, least=0.0, below=1.0)
-    borings = _Borings.of("shear", ring, width, depth)
     require_cells("shear", body, law, density)
     softening = softening_of("shear", failure, "bd.MohrCoulomb with a fracture_energy")
-    plate, piston = borings.sides(body)
+    core = _Core.of(body)
+    plate, piston = core.plate, core.piston
     lower, upper = body.particles.envelope.bounds
-    height, size = float(upper[0] - lower[0]) - 2.0 * depth, float(upper[1] - lower[1])
-    section = math.pi * ring * height
+    section = math.pi * core.ring * core.height
     compliance = _compliance(body, law, plate, piston) * section
     expected = _expected(softening)
 
@@ -128,68 +123,83 @@ def shear(
         return [Fix(plate, translation="x", rotation=""), Drive(piston, vx=Ramp(0.0, speed, begin))]
 
     rig = Rig(
-        axis=0, sign=-1.0, near=plate, far=piston, section=section, torn=section, length=height, size=size,
+        axis=0, sign=-1.0, near=plate, far=piston, section=section, torn=section, length=core.height,
+        size=float(upper[1] - lower[1]),
         expected=expected, way=compliance * expected, reach=_REACH * compliance * expected, ending=share,
         traverses=traverses, boundary=sides,
     )  # fmt: skip
     test = run_to_failure("shear", body, law, failure, rig, density=density, progress=progress)
-    return replace(test, E=test.E * law.E * compliance / height)
+    return replace(test, E=test.E * law.E * compliance / core.height)
 
 
-@dataclass(frozen=True)
-class _Borings:
-    """Inner and outer radius of the borings [m], and their depth [m]."""
+@dataclass(frozen=True, eq=False)
+class _Core:
+    """What is pushed out: under the piston, beside the holed plate; and the surface between both borings."""
 
-    inner: float
-    outer: float
-    depth: float
+    piston: Region
+    plate: Region
+    ring: float
+    height: float
 
     @classmethod
-    def of(cls, test: str, ring: object, width: object, depth: object) -> "_Borings":
-        mean, wide, deep = (
-            number(f"labtests.{test}", name, value, unit="m", above=0.0)
-            for name, value in (("ring", ring), ("width", width), ("depth", depth))
-        )
-        if wide >= mean:
-            raise InputError(f"labtests.{test}: width = {wide:.4g} m; give less than the ring's {mean:.4g} m")
-        return cls(0.5 * (mean - wide), 0.5 * (mean + wide), deep)
-
-    def sides(self, body: Lattice) -> tuple[Region, Region]:
-        """The face x_min outside of its boring, and x_max inside.
+    def of(cls, body: Lattice) -> "_Core":
+        """From the shape of the body.
 
         Raises:
-            InputError: the body has no such borings.
+            InputError: it has no ring boring in each end.
         """
-        faces = body.particles.envelope.faces
-        found: list[Ints] = []
-        if {"x_min", "x_max"} <= set(faces):
-            for name in ("x_min", "x_max"):
-                cells, radius = self._on_face(body, name)
-                between = (radius > self.inner) & (radius < self.outer)
-                found.append(cells[radius > self.outer] if name == "x_min" else cells[radius < self.inner])
-                if between.any() or not len(found[-1]):
-                    found.clear()
-                    break
-        if len(found) < 2:
-            raise InputError(
-                "labtests.shear: the body has no ring borings between diameters of"
-                f" {2e3 * self.inner:.4g} and {2e3 * self.outer:.4g} mm in both ends; make it from"
-                " bd.labtests.punch_specimen, and give shear the same ring, width and depth"
-            )
-        outside, inside = found
-        return Face("x_min") & Index(outside), Face("x_max") & Index(inside)
+        shape = body.particles.envelope
+        lower, upper = shape.bounds
+        if not {"x_min", "x_max"} <= set(shape.faces):
+            raise _no_borings()
+        below, above = (_boring(shape, lower, upper, end) for end in (lower[0], upper[0]))
+        if abs(below[0] - above[0]) + abs(below[1] - above[1]) > 1e-6 * float(upper[1] - lower[1]):
+            raise InputError("labtests.shear: the ring borings of both ends differ; give both the same radii")
+        regions = []
+        for name, keep_core, radius in (("x_max", True, above[0]), ("x_min", False, below[1])):
+            cells, distance = _on_face(body, name)
+            chosen = cells[(distance < radius) == keep_core]
+            if not len(chosen):
+                raise _no_borings()
+            regions.append(Face(name) & Index(chosen))
+        height = float(upper[0] - lower[0]) - below[2] - above[2]
+        return cls(regions[0], regions[1], below[0] + below[1], height)
 
-    def _on_face(self, body: Lattice, name: str) -> tuple[Ints, np.ndarray]:
-        """Cells of an end, and how far from the axis each is there [m]."""
-        assert body.cells is not None
-        lower, upper = body.particles.envelope.bounds
-        free, on = body.cells.free, body.on_face(name)
-        y, z = (free.centroid[on, axis] - 0.5 * (lower + upper)[axis] for axis in (1, 2))
-        count = len(body.particles)
-        area = np.bincount(free.cell[on], weights=free.area[on], minlength=count)
-        radius = np.bincount(free.cell[on], weights=free.area[on] * np.hypot(y, z), minlength=count)
-        cells = np.flatnonzero(area > 0.0)
-        return cells, radius[cells] / area[cells]
+
+def _boring(shape: Shape, lower: Floats, upper: Floats, end: float) -> tuple[float, float, float]:
+    """Inner and outer radius of the ring boring in an end, and its depth [m]."""
+    middle, length = 0.5 * (lower + upper), float(upper[0] - lower[0])
+    way = 1.0 if end == lower[0] else -1.0
+    start = np.array([end + way * 1e-6 * length, middle[1], middle[2]])
+    inside, walls = walls_along(shape, start, start + np.array([0.0, 0.999 * (upper[1] - middle[1]), 0.0]))
+    if not inside or len(walls) != 2:
+        raise _no_borings()
+    inner, outer = (float(wall) for wall in walls)
+    start = start + np.array([0.0, 0.5 * (inner + outer), 0.0])
+    inside, bottom = walls_along(shape, start, start + np.array([way * 0.999 * length, 0.0, 0.0]))
+    if inside or len(bottom) < 1:
+        raise _no_borings()
+    return inner, outer, float(bottom[0]) + 1e-6 * length
+
+
+def _no_borings() -> InputError:
+    return InputError(
+        "labtests.shear: the body has no ring boring about the axis x in each end; make it from"
+        " bd.labtests.punch_specimen"
+    )
+
+
+def _on_face(body: Lattice, name: str) -> tuple[Ints, Floats]:
+    """Cells of an end, and how far from the axis each is there [m]."""
+    assert body.cells is not None
+    lower, upper = body.particles.envelope.bounds
+    free, on = body.cells.free, body.on_face(name)
+    y, z = (free.centroid[on, axis] - 0.5 * (lower + upper)[axis] for axis in (1, 2))
+    count = len(body.particles)
+    area = np.bincount(free.cell[on], weights=free.area[on], minlength=count)
+    radius = np.bincount(free.cell[on], weights=free.area[on] * np.hypot(y, z), minlength=count)
+    cells = np.flatnonzero(area > 0.0)
+    return cells, radius[cells] / area[cells]
 
 
 def _expected(softening: Softening) -> float:
