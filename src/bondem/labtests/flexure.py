@@ -36,7 +36,7 @@ class BendingTest:
         E: Young's modulus from the deflection of a plain beam, with shear [Pa]; of a notched one the apparent,
             smaller one.
         curve: deflection over the span [-] and 3 P L / (2 b h²) of each event [Pa], from (0, 0) on, shape (k, 2).
-        work: of the rollers over the ligament b h [J/m²].
+        work: of the rollers over the ligament b h [J/m²]: what was dissipated, and what is stored in the end.
         span: L, between the supports [m].
         ligament: h [m].
         path: of all events, with loads [N] and the displacement between the rollers as gauges "left" and "right" [m].
@@ -106,10 +106,11 @@ def three_point_bending(
     deflection = -0.5 * (path.gauge["middle left"] + path.gauge["middle right"])[:, 1]
     stiffness = path.load[0] / deflection[0]
     rollers = -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
+    work = path.energy.sum() + 0.5 * path.load[-1] * rollers[-1]
     curve = np.column_stack([deflection / beam.span, stress])
     return BendingTest(
         peak=float(stress.max()), E=float(stiffness * beam.compliance(law.nu)),
-        curve=np.vstack([np.zeros((1, 2)), curve]), work=_work(path, rollers) / (beam.width * beam.ligament),
+        curve=np.vstack([np.zeros((1, 2)), curve]), work=float(work) / (beam.width * beam.ligament),
         span=beam.span, ligament=beam.ligament, path=path,
     )  # fmt: skip
 
@@ -130,17 +131,6 @@ def _tensile(failure: object) -> Rankine:
         tension=softening.tension, fracture_energy=softening.fracture_energy or None, curve=softening.curve,
         scatter=failure.scatter,
     )  # fmt: skip
-
-
-def _work(path: QuasistaticResult, way: Floats) -> float:
-    """Of the rollers, which approach by `way` at each event [J]: exact, as all between two events is elastic."""
-    factor = path.factor
-    force = path.load[0] / factor[0]
-    unit = way / factor  # at a factor of 1, before each event
-    before = np.concatenate([[0.0], factor[:-1]])
-    elastic = 0.5 * force * unit * (factor**2 - before**2)
-    given = force * factor[:-1] ** 2 * np.diff(unit)
-    return float(elastic.sum() + given.sum())
 
 
 @dataclass(frozen=True, eq=False)
