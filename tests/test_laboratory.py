@@ -58,7 +58,7 @@ def run(name: str, specimen: bd.Lattice | None = None, failure: Any = CONCRETE, 
 def test_nothing_depends_on_density(name: str) -> None:
     light, heavy = (run(name, density=rho, traverses=10.0) for rho in (1.0, 9e3))
     assert heavy.peak == pytest.approx(light.peak, rel=1e-5)
-    assert heavy.E == pytest.approx(light.E, rel=1e-5)
+    assert pytest.approx(light.E, rel=1e-5) == heavy.E
 
 
 @pytest.mark.parametrize("name", TESTS)
@@ -70,7 +70,7 @@ def test_what_a_test_needs_is_told(name: str) -> None:
     spheres = bd.connect(bd.pack(bd.Box((4e-3, 4e-3, 4e-3)), count=300, seed=1))
     with pytest.raises(InputError, match="method='laguerre'"):
         run(name, specimen=spheres)
-    with pytest.raises(InputError, match="bd.CellBond"):
+    with pytest.raises(InputError, match=r"bd\.CellBond"):
         run(name, law=bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5))
 
 
@@ -84,13 +84,13 @@ WRONG: dict[str, tuple[str, str, dict[str, Any]]] = {
     "pressure that is never tension": ("brazilian", "tensile strength", {"failure": bd.Hydrostatic(tension=1e6)}),
     "no pressure": ("triaxial", "uniaxial_compression", {"pressure": 0.0}),
     "a text": ("triaxial", "pressure = '5 MPa'", {"pressure": "5 MPa"}),
-    "cells that do not yield": ("triaxial", "shear strength", {"failure": bd.Rankine(tension=4e6, fracture_energy=20.0)}),
+    "cells that do not yield": ("triaxial", "shear strength", {"failure": bd.Rankine(tension=4e6)}),
     "a ball in bending": ("three_point_bending", "no beam", {"specimen": "ball"}),
     "a hole in place of a notch": ("three_point_bending", "cut one notch, from below", {"specimen": "holed"}),
     "a span too long": ("three_point_bending", "half a strip over each end", {"span": 40e-3}),
     "a span too short": ("three_point_bending", "at least the depth", {"span": 5e-3}),
     "a strip of nothing": ("three_point_bending", "strip = 0", {"strip": 0.0}),
-    "another criterion": ("three_point_bending", "largest principal stress", {"failure": bd.Hydrostatic(tension=1e6)}),
+    "another criterion": ("three_point_bending", "principal stress", {"failure": bd.Hydrostatic(tension=1e6)}),
     "no borings": ("shear", "punch_specimen", {"specimen": "disc"}),
     "a beam in the shear test": ("shear", "punch_specimen", {"specimen": "beam"}),
 }  # fmt: skip

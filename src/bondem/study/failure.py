@@ -73,8 +73,8 @@ def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: b
     """Make sure that tests to failure have a criterion, and that a criterion has a test.
 
     Raises:
-        StudyError: one without the other, bonds between spheres, or a criterion without shear strength for a test that
-            needs one.
+        StudyError: one without the other, bonds between spheres, or a criterion without shear strength for "ucs" or
+            "triaxial".
     """
     asked = [name for name in tests if name in STRENGTH_TESTS]
     if failure is None:

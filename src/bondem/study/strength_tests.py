@@ -54,7 +54,7 @@ def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
     suits: Mapping[str, tuple[bool, str]] = {
         "brazilian": (isinstance(shape, Cylinder), 'a specimen.shape of "cylinder"'),
         "three_point_bending": (
-            isinstance(shape, Box | BoundingBox) or cut == NOTCH, 'a specimen.shape of "box", with [specimen.notch] or not'
+            isinstance(shape, Box | BoundingBox) or cut == NOTCH, 'a specimen.shape of "box", notched or not'
         ),
         "shear": (cut == BORING, 'specimen.shape = "punch"'),
     }
@@ -63,5 +63,5 @@ def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
             raise StudyError(f"'tests' asks for {name}, which is not of this specimen; take {suits[name][1]}")
         if cut is not None and name not in suits:
             raise StudyError(
-                f"'tests' asks for {name}, but the specimen has a {cut}; leave one of them out, or make a study of each"
+                f"'tests' asks for {name}, but the specimen has a {cut}; make a study of each"
             )

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from bondem.errors import StudyError
+from bondem.labtests.strengths import STRENGTH_TESTS
 from bondem.laws.bond import RADIUS_RULES, BondLaw
 from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
 from bondem.laws.cell_bond import FACET_ROTATIONS, CellBond
@@ -17,7 +18,6 @@ from bondem.packing import SEED
 from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
-from bondem.labtests.strengths import STRENGTH_TESTS
 from bondem.study.failure import read_failure, require_strength
 from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
 from bondem.study.strength_tests import cut_as, read_options, require_specimen
