@@ -176,6 +176,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "labtests.dynamic_bending": {"lattice": BAR, "law": LAW, **MOVING},
     "labtests.dynamic_torsion": {"lattice": BAR, "law": LAW, **MOVING},
     "labtests.free_vibration": {"lattice": BAR, "law": LAW, **MOVING, "periods": 1.0, "stress": 1e3},
+    "labtests.punch_specimen": {"diameter": 0.15, "height": 0.08, "ring": 0.045, "width": 0.004, "depth": 0.01},
     "labtests.impact": {"lattice": BAR, "law": LAW, **MOVING, "velocity": 0.1},
 }  # fmt: skip
 # Read and write files (`test_hostile_specimens`, `test_runfile`), have no arguments, or are made by the package.
@@ -191,6 +192,8 @@ ELSEWHERE = {
     "CrackPolygons", "CrackSurfaces", "Cracks", "Explanation", "ImpliedFracture",
     # whole tests to failure (`test_strength`)
     "labtests.direct_tension", "labtests.uniaxial_compression",
+    # the same (`test_laboratory`)
+    "labtests.brazilian", "labtests.triaxial", "labtests.three_point_bending", "labtests.shear",
 }  # fmt: skip
 # Runs on purpose: what is possible there takes as long as was asked for.
 LONG = {("solve_explicit", "duration"), ("solve_explicit", "dt"), ("solve_explicit", "safety"),

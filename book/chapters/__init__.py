@@ -10,6 +10,7 @@ from book.chapters import (
     cells,
     chen_components,
     chen_tables,
+    concrete,
     cost,
     dynamic_tests,
     dynamics,
@@ -25,8 +26,8 @@ from book.results import Measurement
 from book.small import PACKINGS
 
 _FILES = (
-    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, fracture,
-    packings, parameters, dynamic_tests, surface, formulations, dynamics, cost,
+    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, concrete,
+    fracture, packings, parameters, dynamic_tests, surface, formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}

@@ -72,11 +72,8 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
             f"  (over all packings ± {percent(macro['E_std'] / macro['E'])} of E,"
             f" ± {percent(macro['nu_std'] / abs(macro['nu']))} of ν)"
         )  # fmt: skip
-        lines += [
-            _law(micro),
-            f"  E = {with_unit(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, ρ = {with_unit(macro['rho'], 'kg/m³')}"
-            + spread,
-        ]
+        elastic = "" if macro["E"] is None else f"E = {with_unit(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, "
+        lines += [_law(micro), f"  {elastic}ρ = {with_unit(macro['rho'], 'kg/m³')}{spread}"]
     console.print()
     for line in lines:
         console.print(line, soft_wrap=True)

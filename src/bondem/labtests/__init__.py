@@ -4,23 +4,31 @@ from bondem.labtests.any_shape import UniformStress, uniform_stress
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
 from bondem.labtests.compression import uniaxial_compression
+from bondem.labtests.confined import TriaxialTest, triaxial
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
+from bondem.labtests.flexure import BendingTest, three_point_bending
 from bondem.labtests.isotropic import Isotropic
-from bondem.labtests.loading import StrengthTest
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
+from bondem.labtests.punching import punch_specimen, shear
+from bondem.labtests.rig import StrengthTest
+from bondem.labtests.splitting import BrazilianTest, brazilian
 from bondem.labtests.tearing import direct_tension
 from bondem.labtests.tension import Tension, static_tension
 from bondem.labtests.vibration import FreeVibration, free_vibration
 
 __all__ = [
+    "BendingTest",
+    "BrazilianTest",
     "FreeVibration",
     "Isotropic",
     "NaturalFrequencies",
     "Outcome",
     "StrengthTest",
     "Tension",
+    "TriaxialTest",
     "UniformStress",
+    "brazilian",
     "clamped_tension",
     "direct_tension",
     "dynamic_bending",
@@ -29,9 +37,13 @@ __all__ = [
     "free_vibration",
     "impact",
     "natural_frequencies",
+    "punch_specimen",
+    "shear",
     "static_bending",
     "static_tension",
     "static_torsion",
+    "three_point_bending",
+    "triaxial",
     "uniaxial_compression",
     "uniform_stress",
 ]

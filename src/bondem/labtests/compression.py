@@ -4,7 +4,8 @@ from collections.abc import Callable
 
 from bondem._checks import number
 from bondem.errors import InputError
-from bondem.labtests.loading import Loading, StrengthTest, load_to_failure, softening_of
+from bondem.labtests.loading import Loading, load_to_failure
+from bondem.labtests.rig import StrengthTest, softening_of
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.specimen.lattice import Lattice

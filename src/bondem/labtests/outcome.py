@@ -13,7 +13,8 @@ class Outcome:
     Attributes:
         name: name of the test, as in `results.json`.
         measured: what the specimen does [unit].
-        theory: strength of materials with the paper's lengths (eq 12), Euler–Bernoulli for bending [unit].
+        theory: strength of materials with the paper's lengths (eq 12), Euler–Bernoulli for bending [unit]; NaN where
+            there is none.
         unit: SI unit of the three numbers.
         theory_timoshenko: the same with shear deformation, where that differs [unit].
         theory_refined: theory with the specimen's own lengths, between the sets clamped, loaded and measured, and
@@ -32,7 +33,7 @@ class Outcome:
 
     @property
     def error(self) -> float:
-        """Ratio measured / theory - 1 [-]."""
+        """Ratio measured / theory - 1 [-]; NaN without theory."""
         return self.measured / self.theory - 1.0
 
     @property

@@ -41,9 +41,9 @@ def percent(value: float) -> str:
     return f"{100.0 * value:.2f} %"
 
 
-def signed_percent(value: float, digits: int = 2) -> str:
-    """0.0663 becomes +6.63 %, with a true minus sign."""
-    return f"{signed(100.0 * value, digits)} %"
+def signed_percent(value: float | None, digits: int = 2) -> str:
+    """0.0663 becomes +6.63 %, with a true minus sign; what is not known a dash."""
+    return "–" if value is None else f"{signed(100.0 * value, digits)} %"
 
 
 def signed(value: float, digits: int = 4) -> str:

@@ -22,7 +22,7 @@ from bondem.report.numbers import measures, percent, signed, signed_percent, wit
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_free_parameter, draw_profiles, draw_tension
-from bondem.report.strength_figures import TITLES, draw_broken, draw_curves
+from bondem.report.strength_figures import DRAWN, draw_broken, draw_curves
 from bondem.report.summary_figures import draw_errors
 from bondem.specimen.layering import wall_layering
 from bondem.specimen.radial_distribution import radial_distribution
@@ -52,8 +52,8 @@ _CAPTIONS = {
         with the frequency of the mode and those of theory.""",
     "wave": """Impact: one face is pushed at a held velocity; the wave has arrived when the far face, free and so
         twice as fast, passes half of its plateau.""",
-    "strength": """Tests to failure: stress of the platens over the strain between them, every packing, and the
-        strength that was put in.""",
+    "strength": """Tests to failure: stress over strain as each test has them (below), every packing, and the strength
+        that was put in, where that has a closed form.""",
     "broken": """The first specimen as it broke, its motion exaggerated: cells as polyhedra, coloured by the damage of
         their facets, or by their plastic slip.""",
     "errors": "All tests at a glance: means over the packings with their scatter.",
@@ -131,7 +131,7 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         drawings["distribution"] = lambda path: draw_distribution(path, distribution)
     if findings.fit is not None:
         drawings["calibration"] = lambda path: draw_free_parameter(path, findings)
-    if findings.bonds is not None:
+    if first.tension is not None:
         drawings["tension"] = lambda path: draw_tension(path, findings)
     if any(name.startswith("static") for name in first.outcomes):
         drawings["profiles"] = lambda path: draw_profiles(path, first)
@@ -142,10 +142,10 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         drawings["vibration"] = lambda path: draw_vibration(path, first)
     if "impact" in first.outcomes:
         drawings["wave"] = lambda path: draw_wave(path, first)
-    if any(name in first.outcomes for name in TITLES):
+    if any(name in first.outcomes for name in DRAWN):
         drawings["strength"] = lambda path: draw_curves(path, findings)
         drawings["broken"] = lambda path: draw_broken(path, first)
-    if findings.results["tests"]:
+    if any(row["error"] is not None for row in findings.results["tests"].values()):
         drawings["errors"] = lambda path: draw_errors(path, findings)
     return drawings
 
@@ -171,7 +171,7 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         rows=rows,
         bonds=named(type(law).__name__) if law is not None else None,
         free=findings.fit.law.free if findings.fit is not None else None,
-        worst=max(rows, key=lambda row: abs(row["error"])) if rows else None,
+        worst=max((row for row in rows if row["error"] is not None), key=lambda row: abs(row["error"]), default=None),
         quality=quality_rows(findings.specimens),
         shape=measures(findings.specimens[0].lattice.particles.envelope),
         today=date.today().isoformat(),

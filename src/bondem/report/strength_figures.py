@@ -1,63 +1,142 @@
 """Tests to failure: curves of all packings, and the first specimen as it broke."""
 
 import math
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from matplotlib import colormaps
+from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
 
+from bondem._types import Floats
 from bondem.observe.turned_vectors import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.findings import Examined, Findings
 from bondem.report.spheres import View
 from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, sheet
 from bondem.specimen.cells.polyhedra import polyhedra
+from bondem.specimen.lattice import Lattice
 
-TITLES = {"direct_tension": "Direct tension", "ucs": "Uniaxial compression"}
-_VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
+_ASIDE = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
+_ALONG = View(azimuth=math.radians(62.0), elevation=math.radians(14.0))
 # Largest opening drawn, over the length of the specimen.
 _EXAGGERATED = 0.08
+# Figures in a row.
+_COLUMNS = 3
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """How a test to failure is drawn.
+
+    Attributes:
+        title: of its panels.
+        strain, stress: what its curve is of.
+        view: where one looks from.
+        slips: whether cells are coloured by their slip, where there is any.
+        halved: whether the half that is nearer is left out.
+    """
+
+    title: str
+    strain: str = "strain"
+    stress: str = "stress"
+    view: View = _ASIDE
+    slips: bool = False
+    halved: bool = False
+
+
+#: Tests to failure, in the order of figures.
+DRAWN: Mapping[str, Drawn] = {
+    "direct_tension": Drawn("Direct tension"),
+    "ucs": Drawn("Uniaxial compression", slips=True),
+    "brazilian": Drawn("Brazilian test", strain="closing / D", stress="2 P / (π D t)", view=_ALONG),
+    "triaxial": Drawn("Triaxial compression", stress="axial stress", slips=True),
+    "three_point_bending": Drawn(
+        "Three-point bending", strain="deflection / span", stress="flexural stress",
+        view=View(azimuth=math.radians(8.0), elevation=math.radians(66.0)),
+    ),
+    "shear": Drawn("Shear test", strain="piston / ligament", stress="mean shear stress", halved=True),
+}  # fmt: skip
 
 
 def draw_curves(path: Path, findings: Findings) -> None:
     """Stress over strain of every packing, with the strength that was put in."""
-    names = [name for name in TITLES if name in findings.specimens[0].outcomes]
-    with sheet(path, 4.1 * len(names) + 0.4, 3.2, 1, len(names), squeeze=False) as (_, axes):
-        for ax, name in zip(axes[0], names, strict=True):
+    names = _names(findings.specimens[0])
+    rows, columns = _arranged(len(names))
+    with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (_, axes):
+        for ax, name in zip(_panels(axes, len(names)), names, strict=True):
+            told = DRAWN[name]
             for n, one in enumerate(findings.specimens):
                 outcome = one.outcomes[name]
                 ax.plot(1e3 * outcome.curves["strain"], outcome.curves["stress"] / 1e6, color=BLUE, alpha=0.8,
                         linewidth=1.2, label="each packing" if n == 0 else None)  # fmt: skip
             theory = findings.specimens[0].outcomes[name].theory
-            ax.axhline(theory / 1e6, color=ORANGE, linestyle=(0, (4, 3)), label="put in")
-            ax.set(xlabel="strain [10$^{-3}$]", ylabel="stress [MPa]", title=TITLES[name])
+            if math.isfinite(theory):
+                ax.axhline(theory / 1e6, color=ORANGE, linestyle=(0, (4, 3)), label="put in")
+            ax.set(xlabel=f"{told.strain} [10$^{{-3}}$]", ylabel=f"{told.stress} [MPa]", title=told.title)
             ax.set_ylim(bottom=0.0)
             ax.legend(loc="best")
 
 
 def draw_broken(path: Path, specimen: Examined) -> None:
     """The broken specimen, its motion exaggerated: cells by what their facets have lost, or by their slip."""
-    body = specimen.lattice
+    names = _names(specimen)
+    rows, columns = _arranged(len(names))
+    with sheet(path, 4.1 * columns, 3.6 * rows, rows, columns, squeeze=False) as (figure, axes):
+        for ax, name in zip(_panels(axes, len(names)), names, strict=True):
+            draw_failed(figure, ax, specimen.lattice, specimen.outcomes[name].curves, DRAWN[name])
+
+
+def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Floats], told: Drawn) -> None:
+    """Draw one broken specimen.
+
+    Args:
+        figure: for the bar of colours.
+        ax: where to.
+        body: the cells.
+        curves: "displacement" [m], "orientation", "damage" and "slip" of the cells.
+        told: how.
+    """
     solid = polyhedra(body)
     owner = np.repeat(solid.cell, np.diff(solid.start))
-    names = [name for name in TITLES if name in specimen.outcomes]
-    with sheet(path, 4.1 * len(names), 3.6, 1, len(names), squeeze=False) as (figure, axes):
-        for ax, name in zip(axes[0], names, strict=True):
-            curves = specimen.outcomes[name].curves
-            slipped = name == "ucs" and float(curves["slip"].max()) > 0.0
-            value = 100.0 * curves["slip"] if slipped else curves["damage"]
-            norm = Normalize(0.0, float(np.quantile(value, 0.995)) or 1.0)
-            arm = solid.vertex - body.centre[owner]
-            moved = curves["displacement"][owner] + turned_vectors(curves["orientation"][owner], arm) - arm
-            moved -= moved.mean(axis=0)
-            reach = max(1.0, _EXAGGERATED * float(np.ptp(body.centre[:, 0])) / float(np.ptp(moved[:, 0])))
-            colour = np.asarray(colormaps[SEQUENTIAL](norm(value)))[:, :3]
-            draw_cells(ax, solid, colour, view=_VIEW, moved=reach * moved)
-            ax.set_title(f"{TITLES[name]}, motion × {reach:.0f}", color=INK)
-            bar = figure.colorbar(
-                ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
-            )
-            bar.set_label("plastic slip of the cell [%]" if slipped else "largest damage of its facets, 1 − s [-]")
-            bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
+    slipped = told.slips and float(curves["slip"].max()) > 0.0
+    value = 100.0 * curves["slip"] if slipped else curves["damage"]
+    norm = Normalize(0.0, float(np.quantile(value, 0.995)) or 1.0)
+    arm = solid.vertex - body.centre[owner]
+    moved = curves["displacement"][owner] + turned_vectors(curves["orientation"][owner], arm) - arm
+    moved -= moved.mean(axis=0)
+    size = np.ptp(body.centre, axis=0).max()
+    reach = max(1.0, _EXAGGERATED * float(size) / float(np.ptp(moved, axis=0).max()))
+    colour = np.asarray(colormaps[SEQUENTIAL](norm(value)))[:, :3]
+    shown = None
+    if told.halved:
+        toward = told.view.axes[2] * (0.0, 1.0, 1.0)
+        shown = (body.centre - np.mean(body.particles.envelope.bounds, axis=0)) @ toward < 0.0
+    draw_cells(ax, solid, colour, view=told.view, moved=reach * moved, shown=shown)
+    ax.set_title(f"{told.title}, motion × {reach:.0f}", color=INK)
+    bar = figure.colorbar(
+        ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
+    )
+    bar.set_label("plastic slip of the cell [%]" if slipped else "largest damage of its facets, 1 − s [-]")
+    bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
+
+
+def _names(specimen: Examined) -> list[str]:
+    return [name for name in DRAWN if name in specimen.outcomes]
+
+
+def _arranged(count: int) -> tuple[int, int]:
+    """Rows and columns."""
+    return math.ceil(count / _COLUMNS), min(count, _COLUMNS)
+
+
+def _panels(axes: np.ndarray, count: int) -> list[Axes]:
+    """As many as there are tests; the others are left empty."""
+    every = axes.ravel().tolist()
+    for ax in every[count:]:
+        ax.axis("off")
+    return every[:count]

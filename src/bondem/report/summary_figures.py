@@ -11,7 +11,7 @@ from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 def draw_errors(path: Path, findings: Findings) -> None:
     """Error of every test: each packing, mean and scatter, against Timoshenko theory, and published."""
     tests = findings.results["tests"]
-    names = list(tests)
+    names = [name for name, row in tests.items() if row["error"] is not None]
     place = np.arange(len(names))[::-1]
     told: set[str] = set()
 

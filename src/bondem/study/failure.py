@@ -3,6 +3,7 @@
 from typing import Any
 
 from bondem.errors import InputError, StudyError
+from bondem.labtests.strengths import STRENGTH_TESTS, needs_slip
 from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.drucker_prager import DruckerPrager
@@ -12,8 +13,6 @@ from bondem.laws.failure.rankine import Rankine
 from bondem.study.toml_table import TomlTable
 
 _KNOWN = (Rankine, Hydrostatic, DruckerPrager, MohrCoulomb)
-#: Tests to failure, and which criterion each needs.
-STRENGTH_TESTS = ("direct_tension", "ucs")
 
 
 def read_failure(table: TomlTable) -> Criterion:
@@ -74,7 +73,8 @@ def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: b
     """Make sure that tests to failure have a criterion, and that a criterion has a test.
 
     Raises:
-        StudyError: one without the other, bonds between spheres, or a criterion without shear strength for "ucs".
+        StudyError: one without the other, bonds between spheres, or a criterion without shear strength for "ucs" or
+            "triaxial".
     """
     asked = [name for name in tests if name in STRENGTH_TESTS]
     if failure is None:
@@ -88,8 +88,9 @@ def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: b
     if not cells:
         raise StudyError('[failure] is for bodies of cells: set law = "CellBond" in [bond]')
     softening = failure.softening
-    if "ucs" in asked and (softening is None or softening.slip is None):
+    slipping = [name for name in asked if needs_slip(name)]
+    if slipping and (softening is None or softening.slip is None):
         raise StudyError(
-            "'tests' asks for ucs, which needs a shear strength; set criterion = \"MohrCoulomb\", or"
+            f"'tests' asks for {slipping[0]}, which needs a shear strength; set criterion = \"MohrCoulomb\", or"
             ' "DruckerPrager" with a fracture_energy'
         )

@@ -19,7 +19,7 @@ from bondem.labtests.celerity import impact
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
 from bondem.labtests.modal import natural_frequencies
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.strengths import strength_outcome
+from bondem.labtests.strengths import STRENGTH_TESTS, strength_outcome
 from bondem.labtests.tension import static_tension, tension_model
 from bondem.labtests.vibration import free_vibration
 from bondem.laws.cell_bond import CellBond
@@ -35,8 +35,8 @@ from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import fabric
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
-from bondem.study.failure import STRENGTH_TESTS
 from bondem.study.results import collect
+from bondem.study.strength_tests import cut_as
 from bondem.study.study import Study
 
 #: Told the name of a stage and the share of it that is done, 0 … 1.
@@ -150,7 +150,8 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell
         return specimen
     law, density = bonds.law, bonds.density
     known = bonds.fit.tensions[: study.calibrating] if bonds.fit is not None else ()
-    tension = known[k] if k < len(known) else static_tension(lattice, law)
+    whole = cut_as(lattice.particles.envelope) is None
+    tension = None if not whole else known[k] if k < len(known) else static_tension(lattice, law)
     volume = lattice.particles.volume if lattice.cells is None else lattice.cells.volume
     mass = density * volume[lattice.connected].sum()
     specimen = Examined(
@@ -160,6 +161,12 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell
         tension=tension,
         rho=float(mass / lattice.particles.envelope.volume),
     )
+    outcomes: dict[str, Outcome] = {}
+    if tension is None:  # a specimen with a notch or borings is broken only
+        for name in study.tests:
+            outcomes[name] = _to_failure(name, study, lattice, bonds, partial(tell, f"{name}, {stage}"))
+        tell(stage, 1.0)
+        return replace(specimen, outcomes=outcomes)
     own: dict[str, Any] = {"E": tension.E, "nu": tension.nu}
     moving: dict[str, Any] = own | {"density": density, "rho": specimen.rho}
     shared: dict[str, Any] = {}
@@ -168,7 +175,6 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell
         tell(stage, 0.3)
         shared = {"modes": frequencies, "vibration": free_vibration(lattice, law, **moving)}
         specimen = replace(specimen, frequencies=frequencies)
-    outcomes: dict[str, Outcome] = {}
     for done, name in enumerate(study.tests):
         tell(stage, 0.6 + 0.4 * done / len(study.tests))
         if name in _STATIC:
@@ -189,7 +195,9 @@ def _to_failure(
     """A test to failure of a body of cells, which the study has made sure of."""
     assert study.failure is not None
     law = cast(CellBond, bonds.law)
-    return strength_outcome(name, body, law, study.failure, density=bonds.density, progress=progress)
+    return strength_outcome(
+        name, body, law, study.failure, density=bonds.density, options=study.options.get(name), progress=progress
+    )
 
 
 def pulled(specimen: Examined, bonds: Bonding | None) -> dict[str, Any]:

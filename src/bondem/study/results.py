@@ -48,12 +48,15 @@ def _micro(bonds: Bonding) -> dict[str, Any]:
 
 
 def _macro(bonds: Bonding, specimens: Sequence[Examined]) -> dict[str, Any]:
-    """What was calibrated; of cells, which need no calibration, what the first packing was measured to have."""
+    """What was calibrated; of cells, which need no calibration, what the first packing was measured to have.
+
+    Null of a specimen with a notch or borings, which is no bar to pull.
+    """
     tensions = [one.tension for one in specimens if one.tension is not None]
-    found = tensions[0] if bonds.fit is None else bonds.fit
+    found = bonds.fit if bonds.fit is not None else tensions[0] if tensions else None
     return {
-        "E": found.E,
-        "nu": found.nu,
+        "E": None if found is None else found.E,
+        "nu": None if found is None else found.nu,
         "rho": specimens[0].rho,
         "E_std": deviation([tension.E for tension in tensions]),
         "nu_std": deviation([tension.nu for tension in tensions]),
@@ -79,13 +82,15 @@ def _specimen(one: Examined) -> dict[str, Any]:
 def _test(name: str, specimens: Sequence[Examined]) -> dict[str, Any]:
     outcomes = [one.outcomes[name] for one in specimens]
     against = [one.theory_timoshenko for one in outcomes if one.theory_timoshenko is not None]
+    measured = np.array([one.measured for one in outcomes])
     errors = [one.error for one in outcomes]
+    spread = errors if np.isfinite(errors).all() else (measured / measured.mean() - 1.0).tolist()
     return {
-        "measured": np.mean([one.measured for one in outcomes]),
+        "measured": measured.mean(),
         "theory": np.mean([one.theory for one in outcomes]),
         "theory_timoshenko": np.mean(against) if against else None,
         "error": np.mean(errors),
-        "scatter": deviation(errors),
+        "scatter": deviation(spread),
         "unit": outcomes[0].unit,
     }
 

@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 
 from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.io.importing import read_particles
+from bondem.labtests.punching import punch_specimen
 from bondem.packing import EVEN, METHOD, METHODS, pack
 from bondem.packing.sizes import SPREAD, Lognormal, Sieve, SizeLaw, Uniform
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
@@ -15,7 +16,7 @@ from bondem.specimen.particles import Particles
 from bondem.specimen.surface import Surface
 from bondem.study.toml_table import TomlTable
 
-SHAPES = ("cylinder", "box", "ball", "cell", "surface")
+SHAPES = ("cylinder", "box", "ball", "cell", "surface", "punch")
 SIZE_LAWS = ("uniform", "lognormal", "sieve")
 TARGETS = ("coordination_number", "volume_fraction", "jamming")
 # Longest specimen given in plain numbers that is not asked about [m].
@@ -128,8 +129,25 @@ def _plain(kind: str, table: TomlTable) -> Shape:
         case "ball":
             ball = table.number("radius", "m", above=0.0)
             return _made(table.name("radius"), lambda: Ball(radius=ball))
+        case "punch":
+            keys = ("diameter", "height", "ring", "width", "depth")
+            given = {key: table.number(key, "m", default=None, above=0.0) for key in keys}
+            chosen = {key: value for key, value in given.items() if value is not None}
+            return _made(table.name("shape"), lambda: punch_specimen(**chosen))
     size = table.lengths("size")
+    if kind == "box" and table.has("notch"):
+        return _notched(table, size)
     return _made(table.name("size"), lambda: Box(size) if kind == "box" else Cell(size))
+
+
+def _notched(table: TomlTable, size: tuple[float, float, float]) -> Shape:
+    """A box along x with a notch from below, across its middle."""
+    length, height, thick = size
+    with table.section("notch") as notch:
+        width = notch.number("width", "m", above=0.0, below=length)
+        depth = notch.number("depth", "m", above=0.0, below=height)
+    slot = Box((width, 2.0 * depth, 3.0 * thick)).moved((0.5 * (length - width), -depth, -thick))
+    return _made(table.name("notch"), lambda: Box(size).cut(slot, name="notch"))
 
 
 def _sizes(table: TomlTable) -> SizeLaw:

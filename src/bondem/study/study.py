@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from bondem.errors import StudyError
+from bondem.labtests.strengths import STRENGTH_TESTS
 from bondem.laws.bond import RADIUS_RULES, BondLaw
 from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
 from bondem.laws.cell_bond import FACET_ROTATIONS, CellBond
@@ -17,8 +18,9 @@ from bondem.packing import SEED
 from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
-from bondem.study.failure import STRENGTH_TESTS, read_failure, require_strength
+from bondem.study.failure import read_failure, require_strength
 from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
+from bondem.study.strength_tests import cut_as, read_options, require_specimen
 from bondem.study.toml_table import TomlTable
 
 STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
@@ -77,6 +79,7 @@ class Study:
         packings: number of specimens; packing k uses seed + k.
         calibrating: how many of them, the first ones, the calibration uses.
         tests: names of the tests each packing goes through.
+        options: of tests to failure, by test and name, SI.
         seed: of the first packing.
         figures: whether to draw figures.
         vtk: whether to write the first packing for ParaView.
@@ -93,6 +96,7 @@ class Study:
     packings: int = 2
     calibrating: int = 1
     tests: tuple[str, ...] = TESTS
+    options: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     seed: int = SEED
     figures: bool = True
     vtk: bool = False
@@ -122,8 +126,11 @@ class Study:
         """Make sure that what is asked for can be done with a shape.
 
         Raises:
-            StudyError: it is no bar along x.
+            StudyError: it is no bar along x, or not the specimen of a test to failure.
         """
+        if cut_as(shape) is not None and self.bond.cells is not None:
+            require_specimen(self.tests, shape)
+            return
         if self.material is not None and not _is_prism(shape):
             raise StudyError(
                 f"'specimen.shape': a {type(shape).__name__} without flat ends x_min and x_max, or without one"
@@ -135,6 +142,7 @@ class Study:
                 f"'tests' asks for {self.tests[0]}, but a {type(shape).__name__} is no bar along x; set tests = [],"
                 " or take a 'specimen.shape' of cylinder or box"
             )
+        require_specimen(self.tests, shape)
 
     def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Study":
         """The same study with what the command line overrules."""
@@ -187,6 +195,9 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
         material = _material(top.section("material")) if top.has("material") else None
         bond = _bond(top.section("bond"))
         bar = specimen.shape is None or _is_bar(specimen.shape)
+        tests = top.texts(
+            "tests", choices=(*TESTS, *STRENGTH_TESTS), default=TESTS if material is not None and bar else ()
+        )
         return Study(
             name=name,
             seed=top.count("seed", default=Study.seed, least=0),
@@ -196,9 +207,8 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
             bond=bond,
             failure=read_failure(top.section("failure")) if top.has("failure") else None,
             calibrating=_calibrating(top, bond),
-            tests=top.texts(
-                "tests", choices=TESTS + STRENGTH_TESTS, default=TESTS if material is not None and bar else ()
-            ),
+            tests=tests,
+            options=read_options(top, tests),
             **_output(top.section("output")),
             reference=_reference(top.section("reference")) if top.has("reference") else None,
         )

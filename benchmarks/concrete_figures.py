@@ -1,0 +1,60 @@
+"""Figures of the laboratory's tests of one concrete: the broken specimen, and the curves of all seeds."""
+
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+from bondem.report.strength_figures import DRAWN, draw_failed
+from bondem.report.style import BLUE, INK, ORANGE, sheet
+
+#: Tests as figures have them: name, kind of the rows, pressure on the sides [Pa].
+PANELS = (
+    ("ucs", "ucs", 0.0), ("direct_tension", "tension", 0.0), ("triaxial", "triaxial", 5e6),
+    ("brazilian", "brazilian", 0.0), ("three_point_bending", "bending", 0.0),
+    ("three_point_bending", "notched", 0.0), ("shear", "shear", 0.0),
+)  # fmt: skip
+
+
+def draw_all(rows: Path, out: Path, specimen: Callable[[str, int, int], bd.Lattice]) -> None:
+    """Draw, for each test, its largest specimen as it broke and the curves of all that are kept.
+
+    Args:
+        rows: folder of the rows, and of what is kept beside them.
+        out: folder for `concrete_KIND.png`.
+        specimen: makes the body of a kind, number of cells and seed.
+    """
+    out.mkdir(parents=True, exist_ok=True)
+    for name, kind, pressure in PANELS:
+        files = sorted(rows.glob(f"{kind}-{pressure / 1e6:g}-*.json"))
+        found = [(file, json.loads(file.read_text())) for file in files]
+        if found:
+            _draw(out / f"concrete_{kind}.png", name, found, specimen)
+
+
+def _draw(
+    path: Path, name: str, found: list[tuple[Path, dict[str, Any]]], specimen: Callable[[str, int, int], bd.Lattice]
+) -> None:
+    told = DRAWN[name]
+    file, row = max(found, key=lambda one: (one[1]["count"], -one[1]["seed"]))
+    body = specimen(row["kind"], row["count"], row["seed"])
+    with sheet(path, 9.4, 3.6, 1, 2) as (figure, (left, right)), np.load(file.with_suffix(".npz")) as kept:
+        curves = {key: kept[key] for key in ("displacement", "orientation", "damage")}
+        draw_failed(figure, left, body, curves | {"slip": np.zeros(len(body.particles))}, told)
+        notched = ", notched" * (row["kind"] == "notched")
+        left.set_title(f"{told.title}{notched}, {row['count']} cells, seed {row['seed']}", color=INK)
+        for other, one in sorted(found, key=lambda pair: pair[1]["count"]):
+            with np.load(other.with_suffix(".npz")) as beside:
+                x, y = beside["curve"].T
+            largest = one is row
+            right.plot(1e3 * x, y / 1e6, color=BLUE, alpha=1.0 if largest else 0.45,
+                       linewidth=1.4 if largest else 0.9, label=f"{one['count']} cells, seed {one['seed']}")  # fmt: skip
+        if row["theory"] is not None and math.isfinite(row["theory"]):
+            right.axhline(row["theory"] / 1e6, color=ORANGE, linestyle=(0, (4, 3)), label="put in")
+        right.set(xlabel=f"{told.strain} [10$^{{-3}}$]", ylabel=f"{told.stress} [MPa]")
+        right.set_ylim(bottom=0.0)
+        right.legend(loc="best")

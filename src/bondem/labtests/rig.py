@@ -1,0 +1,207 @@
+"""Slow loading of a body of cells between two sides, to failure: what all tests to failure have in common."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance, number
+from bondem._types import Floats
+from bondem.errors import InputError, UnstableRunError
+from bondem.labtests.arguments import check
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.damping import MassDamping
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.softening import Softening
+from bondem.model.boundary import BoundaryCondition
+from bondem.model.gauges import Gauge
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.run import solve_explicit
+from bondem.solve.history import History
+from bondem.solve.plan import ExplicitResult, Status
+from bondem.solve.schemes import VelocityVerlet
+from bondem.solve.timestep import choose_step
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Region
+
+# Share of the critical damping of the first axial vibration, by which what breaks comes to rest.
+_DAMPING = 0.05
+# Records of a test, of which the slope of its curve and its peak are read.
+_RECORDS = 400
+#: The density of a test where none is given [kg/m³]. Nothing depends on it, as speeds are shares of that of sound.
+DENSITY = 2000.0
+# Between these shares of the peak a curve is straight.
+_STRAIGHT = (0.1, 0.5)
+# Share of the time until the expected peak in which the speed of the walls grows.
+_BEGIN = 0.2
+
+
+@dataclass(frozen=True, eq=False)
+class StrengthTest:
+    """Result of a test to failure.
+
+    Attributes:
+        peak: largest stress [Pa], positive in tension and in compression; the test says over which section.
+        E: slope of the curve between a tenth and half of the peak [Pa], or what the test makes of it.
+        curve: strain [-] and stress [Pa] of each record, positive along the load, shape (k, 2).
+        work: of the platens over the section that breaks, until the end [J/m²].
+        asymmetry: largest difference of the forces on both platens over the peak [-]: how far from statics it was.
+        kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
+        residual: of the energy ledger, over its largest entry [-].
+        run: the explicit run.
+    """
+
+    peak: float
+    E: float
+    curve: Floats
+    work: float
+    asymmetry: float
+    kinetic: float
+    residual: float
+    run: ExplicitResult
+
+    @property
+    def state(self) -> State:
+        """The broken specimen."""
+        return self.run.state
+
+
+@dataclass(frozen=True, eq=False)
+class Rig:
+    """How a specimen is loaded between two sides, how forces and motions are read, and when the test ends.
+
+    Attributes:
+        axis: of the load, 0, 1 or 2.
+        sign: 1 where the sides part, -1 where they close up.
+        near, far: both sides; the far one moves along the axis from the near one.
+        section: over which the force is a stress [m²].
+        torn: that breaks, of the work [m²].
+        length: over which the motion is a strain [m].
+        size: that sound runs along in a traverse [m].
+        expected: stress at the peak [Pa].
+        way: motion at the expected peak, as far as it is elastic [m].
+        reach: motion at which the test ends at the latest [m].
+        ending: share of the peak at which it ends, once it has fallen that far [-].
+        traverses: how often sound runs along the size until the expected peak.
+        boundary: the conditions, made from the signed speed of the far side [m/s] and the time in which it grows [s].
+        gauge: strain of which E is the slope of the stress, read off each record; None for the motion over `length`.
+    """
+
+    axis: int
+    sign: float
+    near: Region
+    far: Region
+    section: float
+    torn: float
+    length: float
+    size: float
+    expected: float
+    way: float
+    reach: float
+    ending: float
+    traverses: float
+    boundary: Callable[[float, float], list[BoundaryCondition]]
+    gauge: Callable[[State], float] | None = None
+
+    def stress(self, history: History) -> Floats:
+        """Mean of both sides, tension positive [Pa]."""
+        return 0.5 * (history["far"][:, self.axis] - history["near"][:, self.axis]) / self.section
+
+
+def softening_of(test: str, failure: object, wanted: str) -> Softening:
+    """How a material softens.
+
+    Raises:
+        InputError: no criterion, or one without a fracture energy where one is needed.
+    """
+    found = instance(f"labtests.{test}", "failure", failure, Criterion, wanted).softening
+    if found is None:
+        raise InputError(f"labtests.{test} needs the strength of a material; give {wanted}")
+    return found
+
+
+def require_cells(test: str, body: Lattice, law: object, density: float | None) -> None:
+    """Make sure of a body of cells, its law and a density.
+
+    Raises:
+        InputError: a lattice without cells, another law, or a density that is not positive.
+    """
+    check(test, body, density=DENSITY if density is None else density)
+    if not isinstance(law, CellBond) or body.cells is None:
+        raise InputError(
+            f"labtests.{test} loads bodies of cells: connect with method='laguerre' and give bd.CellBond"
+        )
+
+
+def check_traverses(test: str, traverses: float) -> None:
+    """Refuse a test of less than one traverse of sound."""
+    number(f"labtests.{test}", "traverses", traverses, least=1.0, advice="a number of at least 1")
+
+
+def run_to_failure(
+    test: str,
+    body: Lattice,
+    law: CellBond,
+    failure: Criterion,
+    rig: Rig,
+    *,
+    density: float | None,
+    progress: Callable[[float], None] | None,
+) -> StrengthTest:
+    """Load a specimen slowly until it has failed.
+
+    Raises:
+        UnstableRunError: the run became unstable.
+    """
+    rho = DENSITY if density is None else density
+    sound = math.sqrt(law.E / rho)
+    rise = rig.traverses * rig.size / sound  # time until the expected peak
+    speed = rig.sign * rig.way / rise
+    begin = _BEGIN * rise
+    model = Model(body, law, rho, failure=failure, boundary=rig.boundary(speed, begin))
+    duration = rig.reach / abs(speed) + 0.5 * begin
+    damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / rig.size)
+    dt = choose_step(model, VelocityVerlet(), None, safety=0.9, damping=damping).dt
+    every = max(1, round(duration / _RECORDS / dt))
+    peak, strains = [0.0], list[float]()
+
+    def ended(state: State, record: History) -> bool:
+        if rig.gauge is not None:
+            strains.append(rig.gauge(state))
+        now = rig.sign * float(rig.stress(record)[-1])
+        peak[0] = max(peak[0], now)
+        return peak[0] > 0.5 * rig.expected and now < rig.ending * peak[0]
+
+    run = solve_explicit(
+        model, duration=duration, dt=dt, every=every, damping=damping, callback=ended, progress=progress,
+        gauges={"near": Gauge(rig.near, "force"), "far": Gauge(rig.far, "force")},
+    )  # fmt: skip
+    if run.status is Status.UNSTABLE:
+        raise UnstableRunError(f"labtests.{test}: {run.message}")
+    return _read(run, rig, speed, begin, strains)
+
+
+def _read(run: ExplicitResult, rig: Rig, speed: float, begin: float, strains: list[float]) -> StrengthTest:
+    history = run.history
+    t = history.time
+    moved = np.where(t < begin, 0.5 * t**2 / begin, t - 0.5 * begin) * abs(speed)
+    stress = rig.sign * rig.stress(history)
+    top = int(np.argmax(stress))
+    peak = float(stress[top])
+    low, high = (share * peak for share in _STRAIGHT)
+    rising = np.arange(len(stress)) < top
+    straight = rising & (stress > low) & (stress < high)
+    strain = np.array(strains) if strains else moved / rig.length
+    straight = np.flatnonzero(straight[: len(strain)])
+    E = np.polyfit(strain[straight], stress[straight], 1)[0] if len(straight) > 2 else math.nan
+    energy = history.energy
+    kinetic = energy["translation"] + energy["rotation"]
+    elastic = energy["normal"] + energy["shear"] + energy["bending"] + energy["twisting"]
+    both = np.abs(history["far"][:, rig.axis] + history["near"][:, rig.axis])[: top + 1] / rig.section
+    return StrengthTest(
+        peak=peak, E=float(E), curve=np.column_stack([moved / rig.length, stress]),
+        work=float(energy["work"][-1]) / rig.torn, asymmetry=float(both.max() / peak),
+        kinetic=float(kinetic[: top + 1].max() / elastic[top]), residual=run.residual, run=run,
+    )  # fmt: skip

@@ -1,0 +1,284 @@
+"""The Brazilian test: the tensile strength of a cylinder or disc that is split by pressing it across a diameter."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import number
+from bondem._types import Floats
+from bondem.errors import InputError
+from bondem.labtests.gauge_length import AffineField
+from bondem.labtests.rig import (
+    DENSITY,
+    Rig,
+    StrengthTest,
+    check_traverses,
+    require_cells,
+    run_to_failure,
+    softening_of,
+)
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.softening import Softening
+from bondem.model.boundary import BoundaryCondition, Drive, Fix
+from bondem.model.model import Model
+from bondem.model.schedules import Ramp
+from bondem.model.state import State
+from bondem.observe.cell_stress import cell_stress
+from bondem.solve.static import solve_static
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face, Index, Region
+
+# Half the angle of the strips of a plain cylinder [rad], and at least so many mean edges of cells for half of one.
+_STRIP, _CELLS = math.radians(5.0), 0.75
+_WIDEST = math.radians(20.0)
+# Stress and strain at the centre are read within these shares of the radius.
+_CENTRE, _GAUGE = 0.25, 0.5
+# The motion at which a test ends at the latest, over that of the expected peak.
+_REACH = 4.0
+
+
+@dataclass(frozen=True, eq=False)
+class BrazilianTest:
+    """Result of a Brazilian test.
+
+    Attributes:
+        test: as of all tests to failure: the curve is 2 P / (π D t) over the closing of the platens over D, the work
+            is that of the platens over the section D t.
+        centre: elastic stress across the loaded diameter at the centre over 2 P / (π D t) [-]: what `factor` should
+            be.
+        factor: the same in theory, where the platens press on flats or strips [-].
+        half_angle: of the flats or strips, half of what is seen from the axis [rad].
+    """
+
+    test: StrengthTest
+    centre: float
+    factor: float
+    half_angle: float
+
+    @property
+    def peak(self) -> float:
+        """Brazilian strength 2 P / (π D t) [Pa], as of a line load."""
+        return self.test.peak
+
+    @property
+    def tension(self) -> float:
+        """Elastic tensile stress at the centre at the peak, factor · 2 P / (π D t) [Pa]."""
+        return self.factor * self.test.peak
+
+    @property
+    def E(self) -> float:
+        """Young's modulus from the strains of the middle [Pa], with the ν of the law."""
+        return self.test.E
+
+    @property
+    def curve(self) -> Floats:
+        """Closing of the platens over the diameter [-] and 2 P / (π D t) [Pa], (k, 2)."""
+        return self.test.curve
+
+    @property
+    def work(self) -> float:
+        """Of the platens until the end over the section D t [J/m²]."""
+        return self.test.work
+
+    @property
+    def state(self) -> State:
+        """The broken specimen."""
+        return self.test.state
+
+
+def brazilian(
+    body: Lattice,
+    law: CellBond,
+    failure: Criterion,
+    *,
+    half_angle: float | None = None,
+    density: float | None = None,
+    traverses: float = 100.0,
+    ending: float = 0.5,
+    progress: Callable[[float], None] | None = None,
+) -> BrazilianTest:
+    """Press a cylinder, axis x, across a diameter along y between smooth rigid platens until the load has dropped.
+
+    The platens of a plain `bd.Cylinder` hold the free facets in two strips of its side, along y only. The stress
+    across the diameter at the centre is then below that of a line load by the mean of cos β (1 - 4 sin² β) over the
+    pressure under a smooth rigid stamp, ∝ 1 / √(sin² α - sin² β): 0.983 at α = 5°, 0.932 at 10° (chords after
+    Timoshenko and Goodier §41; an even pressure, Hondros 1959, would have 0.989 and 0.955). Of a disc whose shape has
+    flats "top" and "bottom" the platens hold these; the factor is that of Wang et al. (2004), 0.960 at 10°.
+
+    `.peak` is 2 P / (π D t) without that factor, `.tension` with it. E comes from Hooke's law and the strains of the
+    inner half of the radius, where σ_yy + σ_zz is on average what it is at the centre, -4 P / (π D t).
+
+    Args:
+        body: cells of a cylinder with its axis along x, or of one with flats "top" and "bottom" across y.
+        law: its material.
+        failure: a criterion with a tensile strength; `bd.MohrCoulomb` with a fracture energy.
+        half_angle: α of the strips [rad]; None for 5°, or for as much as three quarters of a cell where that is more.
+        density: of the material [kg/m³]; no result depends on it.
+        traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
+        ending: share of the peak to which the load has to drop [-].
+        progress: called now and then with the share done, 0 … 1.
+
+    Raises:
+        InputError: another shape, a lattice without cells, or a criterion that this stress never reaches.
+        UnstableRunError: the run became unstable.
+
+    Reference: ISRM, Int. J. Rock Mech. Min. Sci. 15 (1978) 99–103; Wang et al., ibid. 41 (2004) 245–253.
+    """
+    owner = "labtests.brazilian"
+    check_traverses("brazilian", traverses)
+    share = number(owner, "ending", ending, least=0.0, below=1.0)
+    require_cells("brazilian", body, law, density)
+    softening = softening_of("brazilian", failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
+    expected = splitting_strength(softening)
+    if not math.isfinite(expected):
+        raise InputError(f"{owner}: no load reaches {failure}; give a criterion with a tensile strength")
+    jaws = _Jaws.of(body, half_angle)
+    way, centre = _elastic(body, law, jaws)
+    way *= expected
+
+    def platens(speed: float, begin: float) -> list[BoundaryCondition]:
+        pairs = (jaws.top, 0.5 * speed), (jaws.bottom, -0.5 * speed)
+        return [Drive(jaw, vy=Ramp(0.0, each, begin)) for jaw, each in pairs]
+
+    rig = Rig(
+        axis=1, sign=-1.0, near=jaws.bottom, far=jaws.top, section=0.5 * math.pi * jaws.diameter * jaws.thickness,
+        torn=jaws.diameter * jaws.thickness, length=jaws.diameter, size=jaws.diameter, expected=expected, way=way,
+        reach=_REACH * way, ending=share, traverses=traverses, boundary=platens, gauge=_gauge(body, law, jaws),
+    )  # fmt: skip
+    test = run_to_failure("brazilian", body, law, failure, rig, density=density, progress=progress)
+    return BrazilianTest(test=test, centre=centre, factor=jaws.factor, half_angle=jaws.half_angle)
+
+
+def splitting_strength(softening: Softening) -> float:
+    """Stress s at which (0, -3 s, s), as at the centre of a disc, reaches a criterion [Pa]; inf where it never does.
+
+    The tensile strength, or less: by Mohr–Coulomb cells yield there at c cos φ / (2 - sin φ).
+    """
+    found = softening.tension
+    if softening.surface is not None:
+        found = softening.surface.reached(np.diag([0.0, -3.0, 1.0]))
+    slip = softening.slip
+    if slip is not None:
+        # √J2 = √(13/3) s and I1 = -2 s; (σ1 - σ3)/2 = 2 s and (σ1 + σ3)/2 = -s
+        size, mean = (math.sqrt(13.0 / 3.0), -2.0) if slip.cone else (2.0, -1.0)
+        bears = size + mean * slip.slope
+        found = min(found, slip.strength / bears if bears > 0.0 else math.inf)
+    return found
+
+
+def stamped(half_angle: float) -> float:
+    """Stress at the centre over 2 P / (π D t) under smooth rigid stamps on strips of half an angle α [rad]."""
+    angle = math.pi * (np.arange(64) + 0.5) / 64
+    sine = math.sin(half_angle) * np.cos(angle)
+    return float((np.sqrt(1.0 - sine**2) * (1.0 - 4.0 * sine**2)).mean())
+
+
+def flattened(half_angle: float) -> float:
+    """The same of a disc with flats of half an angle α [rad], after Wang et al. (2004)."""
+    c, s = math.cos(half_angle), math.sin(half_angle) / half_angle
+    return (2.0 * c**3 + c + s) ** 2 / (8.0 * (c + s)) / s
+
+
+@dataclass(frozen=True, eq=False)
+class _Jaws:
+    """What the platens press on."""
+
+    top: Region
+    bottom: Region
+    diameter: float
+    thickness: float
+    middle: Floats
+    half_angle: float
+    factor: float
+
+    @classmethod
+    def of(cls, body: Lattice, half_angle: float | None) -> "_Jaws":
+        """Flats of the shape, or strips of the side of a cylinder.
+
+        Raises:
+            InputError: neither, or an angle out of range.
+        """
+        shape = body.particles.envelope
+        lower, upper = shape.bounds
+        length, height, diameter = (float(extent) for extent in upper - lower)
+        middle, radius = 0.5 * (lower + upper), 0.5 * diameter
+        assert body.cells is not None
+        if {"top", "bottom"} <= set(shape.faces):
+            if half_angle is not None:
+                raise InputError("labtests.brazilian: half_angle is of plain cylinders; this one has flats")
+            on = body.on_face("top")
+            flat = float(np.average(body.cells.free.centroid[on, 1], weights=body.cells.free.area[on])) - middle[1]
+            angle = math.acos(min(flat / radius, 1.0 - 1e-6))
+            return cls(Face("top"), Face("bottom"), diameter, length, middle, angle, flattened(angle))
+        if "side" not in shape.faces or abs(height - diameter) > 1e-6 * diameter:
+            raise InputError(
+                f"labtests.brazilian: {type(shape).__name__} is no cylinder along x; take bd.Cylinder, or one whose"
+                ' flats across y are the faces "top" and "bottom"'
+            )
+        edge = float(np.mean(body.cells.volume)) ** (1.0 / 3.0)
+        if half_angle is None:
+            half_angle = max(_STRIP, math.asin(min(_CELLS * edge / radius, 1.0)))
+        advice = f"half an angle in (0, {_WIDEST:.3g}) rad; finer cells allow for narrow strips"
+        angle = number("labtests.brazilian", "half_angle", half_angle, above=0.0, below=_WIDEST, advice=advice)
+        top, bottom = (_strip(body, middle, sign, angle) for sign in (1.0, -1.0))
+        return cls(top, bottom, diameter, length, middle, angle, stamped(angle))
+
+
+def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Region:
+    """Part of the side: cells whose facets on it lie within an angle from ±y, on average."""
+    assert body.cells is not None
+    free, on = body.cells.free, body.on_face("side")
+    cell, area, count = free.cell[on], free.area[on], len(body.particles)
+    total = np.bincount(cell, weights=area, minlength=count)
+    y, z = (
+        np.bincount(cell, weights=area * (free.centroid[on, axis] - middle[axis]), minlength=count) for axis in (1, 2)
+    )
+    chosen = (total > 0.0) & (np.abs(np.arctan2(z, sign * y)) < half_angle)
+    if not chosen.any():
+        raise InputError(
+            f"labtests.brazilian: no cell lies within {half_angle:.3g} rad of the loaded diameter; give a larger"
+            " half_angle, or finer cells"
+        )
+    return Face("side") & Index(np.flatnonzero(chosen))
+
+
+def _elastic(body: Lattice, law: CellBond, jaws: _Jaws) -> tuple[float, float]:
+    """Closing of the platens over 2 P / (π D t) [m/Pa], and the stress at the centre over the same [-]."""
+    closing = 1e-6 * jaws.diameter
+    position = body.particles.position - jaws.middle
+    # the platens leave motion along x and z and turning about y free, and nothing resists where that is held
+    inmost = Index([int(np.argmin(np.linalg.norm(position, axis=1)))])
+    boundary = [
+        Drive(jaws.top, y=-0.5 * closing), Drive(jaws.bottom, y=0.5 * closing),
+        Fix(inmost, translation="xz", rotation="y"),
+    ]  # fmt: skip
+    model = Model(body, law, DENSITY, boundary=boundary)
+    static = solve_static(model)
+    pressed = [float(static.reaction[jaw.select(body), 1].sum()) for jaw in (jaws.bottom, jaws.top)]
+    stress = (pressed[0] - pressed[1]) / (math.pi * jaws.diameter * jaws.thickness)
+    near = np.hypot(position[:, 1], position[:, 2]) < _CENTRE * 0.5 * jaws.diameter
+    assert body.cells is not None
+    weight = np.sqrt(body.cells.volume[near])[:, None]
+    y, z = position[near, 1], position[near, 2]
+    across = cell_stress(model, static)[near, 2, 2]
+    columns = np.column_stack([np.ones(len(y)), y**2, z**2])
+    centre = np.linalg.lstsq(weight * columns, weight[:, 0] * across, rcond=None)[0][0]
+    return closing / stress, float(centre) / stress
+
+
+def _gauge(body: Lattice, law: CellBond, jaws: _Jaws) -> Callable[[State], float]:
+    """What the strains of the middle are, so that E times it is 2 P / (π D t)."""
+    position = body.centre - jaws.middle
+    near = np.flatnonzero(np.hypot(position[:, 1], position[:, 2]) < _GAUGE * 0.5 * jaws.diameter)
+    weights = AffineField.weights(position[near])
+    nu = law.nu
+
+    def gauge(state: State) -> float:
+        xx, yy, zz = (weights * state.displacement[near]).sum(axis=0)
+        volume = nu / ((1.0 + nu) * (1.0 - 2.0 * nu)) * (xx + yy + zz)
+        return -(volume + 0.5 * (yy + zz) / (1.0 + nu))
+
+    return gauge

@@ -1,0 +1,67 @@
+"""What a study says of its tests to failure: a table for each that has options, and which specimen each needs."""
+
+from collections.abc import Mapping
+
+from bondem.errors import StudyError
+from bondem.labtests.strengths import NEEDED, STRENGTH_TESTS
+from bondem.specimen.geometry import BoundingBox, Box, Cylinder
+from bondem.specimen.shape import Cut, Shape
+from bondem.study.toml_table import TomlTable
+
+# Names of the faces that the cuts of specimens have.
+NOTCH, BORING = "notch", "boring"
+
+
+def read_options(top: TomlTable, tests: tuple[str, ...]) -> dict[str, dict[str, float]]:
+    """Options of the tests to failure that are asked for, by test and name.
+
+    Raises:
+        StudyError: a table of a test that is not asked for, or a key that is unknown, missing or out of range.
+    """
+    found: dict[str, dict[str, float]] = {}
+    for name, options in STRENGTH_TESTS.items():
+        if not options:
+            continue
+        given = top.has(name)
+        if given and name not in tests:
+            raise StudyError(f"[{name}] is given, but 'tests' does not ask for {name}; add it there, or leave it out")
+        if name not in tests:
+            continue
+        with top.section(name) as table:
+            asked = {key: _option(table, name, key, unit) for key, unit in options.items()}
+        found[name] = {key: value for key, value in asked.items() if value is not None}
+    return found
+
+
+def _option(table: TomlTable, name: str, key: str, unit: str) -> float | None:
+    if (name, key) in NEEDED:
+        return table.number(key, unit, above=0.0)
+    return table.number(key, unit, default=None, above=0.0)
+
+
+def cut_as(shape: Shape) -> str | None:
+    """What was cut out of a specimen, `NOTCH` or `BORING`; None of one that is whole, or cut otherwise."""
+    return shape.name if isinstance(shape, Cut) and shape.name in (NOTCH, BORING) else None
+
+
+def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
+    """Make sure that a specimen suits tests to failure.
+
+    Raises:
+        StudyError: it does not.
+    """
+    cut = cut_as(shape)
+    suits: Mapping[str, tuple[bool, str]] = {
+        "brazilian": (isinstance(shape, Cylinder), 'a specimen.shape of "cylinder"'),
+        "three_point_bending": (
+            isinstance(shape, Box | BoundingBox) or cut == NOTCH, 'a specimen.shape of "box", notched or not'
+        ),
+        "shear": (cut == BORING, 'specimen.shape = "punch"'),
+    }
+    for name in tests:
+        if name in suits and not suits[name][0]:
+            raise StudyError(f"'tests' asks for {name}, which is not of this specimen; take {suits[name][1]}")
+        if cut is not None and name not in suits:
+            raise StudyError(
+                f"'tests' asks for {name}, but the specimen has a {cut}; make a study of each"
+            )
