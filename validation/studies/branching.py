@@ -37,8 +37,8 @@ _COLOURS = (BLUE, ORANGE, GREEN, PURPLE, GREY)
 class Branching(Study):
     """A crack starts from a notch, runs and branches: two plates 100 × 40 mm, notched to their middle.
 
-    A, of many phase-field papers (Borden et al. 2012): E = 32 GPa, ν = 0.2, ρ = 2450 kg/m³, G = 3 J/m², 1 MPa held on
-    the long sides, 80 µs. B, soda-lime glass (Ha and Bobaru 2010): E = 72 GPa, ρ = 2440 kg/m³, G = 3.8 J/m², 2 MPa,
+    A, of many phase-field papers (Borden et al. 2012): E = 32 GPa, ν = 0.2, ρ = 2450 kg/m³, G = 3 J/m², 1 MPa held
+    on the long sides, 80 µs. B, soda-lime glass (Ha and Bobaru 2010): E = 72 GPa, ρ = 2440 kg/m³, G = 3.8 J/m², 2 MPa,
     43 µs. Held against: A's crack branches, and stays below 0.6 of Rayleigh's celerity, 1275 m/s, in its fastest 10
     µs (the distance from the notch of the farthest facet that has broken). That limit, A's traction and its duration,
     and B's speed of about 1580 m/s are from memory of these papers, so that B has no verdict.
