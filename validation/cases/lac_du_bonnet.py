@@ -87,9 +87,10 @@ def bent(granite: Granite, depth: float) -> Case:
     )  # fmt: skip
     return Case(
         name=f"beam_{1e3 * W:g}mm", title=f"notched beam, W = {1e3 * W:g} mm", E=granite.E, nu=granite.nu, rho=2630.0,
-        tension=granite.tension, fracture_energy=granite.fracture_energy, shape=beam.shape, about=beam.about(0.05 * W),
-        fine=0.06 * W, coarse=0.25 * W, path=(reach + 1.5 * W, reach + 2.5 * W, 0.0, W), driven=beam.driven,
-        held=beam.held, spared=beam.spared(0.15 * W, 0.1 * W), mouth=beam.mouth, until=0.1, claim=CLAIMS["toughness"],
+        tension=granite.tension, fracture_energy=granite.fracture_energy,
+        shape=beam.shape, about=beam.about(0.05 * W), fine=0.06 * W, coarse=0.25 * W,
+        path=(reach + 1.5 * W, reach + 2.5 * W, 0.0, W), driven=beam.driven, held=beam.held,
+        spared=beam.spared(0.15 * W, 0.1 * W), mouth=beam.mouth, until=0.1, claim=CLAIMS["toughness"],
     )  # fmt: skip
 
 

@@ -31,7 +31,7 @@ from validation.frame.request import Request
 _DURATION = 130e-6
 # The pull-back ends where the velocity has come up by so much again [m/s].
 _REBOUND = 0.3
-# Pieces of less of the mass are crumbs [-]; facets with less integrity are broken; width of the bins of a profile [m].
+# Pieces of less of the mass are crumbs [-]; facets with less integrity are broken; width of bins of a profile [m].
 _CRUMB, _BROKEN, _BIN = 0.01, 0.1, 3e-3
 
 

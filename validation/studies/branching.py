@@ -38,8 +38,8 @@ class Branching(Study):
     """A crack starts from a notch, runs and branches: two plates 100 × 40 mm, notched to their middle.
 
     A, of many phase-field papers (Borden et al. 2012): E = 32 GPa, ν = 0.2, ρ = 2450 kg/m³, G = 3 J/m², 1 MPa held
-    on the long sides, 80 µs. B, soda-lime glass (Ha and Bobaru 2010): E = 72 GPa, ρ = 2440 kg/m³, G = 3.8 J/m², 2 MPa,
-    43 µs. Held against: A's crack branches, and stays below 0.6 of Rayleigh's celerity, 1275 m/s, in its fastest 10
+    on the long sides, 80 µs. B, soda-lime glass (Ha and Bobaru 2010): E = 72 GPa, ρ = 2440 kg/m³, G = 3.8 J/m², 2
+    MPa, 43 µs. Held against: A's crack branches, and stays below 0.6 of Rayleigh's celerity, 1275 m/s, in its fastest 10
     µs (the distance from the notch of the farthest facet that has broken). That limit, A's traction and its duration,
     and B's speed of about 1580 m/s are from memory of these papers, so that B has no verdict.
 
@@ -151,7 +151,8 @@ def _draw_fronts(ax: Any, plate: NotchedPlate, rows: Sequence[Row]) -> None:
     for row, colour in zip(rows, _COLOURS * len(rows), strict=False):
         ax.plot(1e6 * np.array(row["front"]["time"]), 1e3 * np.array(row["front"]["length"]), color=colour,
                 label=f"{row['count']} cells, seed {row['seed']}")  # fmt: skip
-    limit, start = LIMIT * plate.rayleigh, min((row["onset"] for row in rows if row["onset"] is not None), default=0.0)
+    limit = LIMIT * plate.rayleigh
+    start = min((row["onset"] for row in rows if row["onset"] is not None), default=0.0)
     way = np.array([0.0, 0.5 * plate.length])
     ax.plot(1e6 * (start + way / limit), 1e3 * way, "--", color=INK, label=f"{LIMIT:g} c_R = {limit:.0f} m/s")
     ax.set(xlim=(0.0, 1e6 * plate.duration), ylim=(0.0, 500.0 * plate.length), xlabel="time [µs]",

@@ -20,8 +20,7 @@ from validation.rows.granite import GraniteRun
 #: Depths W of the notched beams [m]: that which is held against K_Ic, and one in which the crack is small.
 DEPTHS = (0.05, 0.2)
 _STRENGTHS = ("ucs", "direct_tension", "brazilian")
-# Compression is drawn in MPa over strain in per mille, as the other two are.
-_TITLES = {"ucs": "Uniaxial compression", "direct_tension": "Direct tension", "brazilian": "Brazilian, flattened disc"}
+_TITLES = {"ucs": "Uniaxial compression", "direct_tension": "Direct tension", "brazilian": "Brazilian test"}
 _HEAD = ("test", "cells", "seeds", "published", "measured", "each", "over the input", "verdict", "seconds")
 _COLOURS = (BLUE, ORANGE, GREEN, PURPLE, GREY)
 
@@ -68,7 +67,8 @@ class GraniteStudy(Study):
         if "toughness" in self.tests:
             usual, large = (bent(granite, depth) for depth in DEPTHS)
             requests += [FractureRun(usual, seed, curve="straight") for seed in self.seeds]
-            requests += [FractureRun(usual, first, self.finer, "straight"), FractureRun(large, first, curve="straight")]
+            requests += [FractureRun(usual, first, self.finer, "straight")]
+            requests += [FractureRun(large, first, curve="straight")]
         yield "test", requests
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:

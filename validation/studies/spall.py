@@ -106,7 +106,8 @@ class Spall(Study):
                 some = [row for row in rows if row["tension"] == tension]
                 for row, colour in zip(some, _COLOURS * len(some), strict=False):
                     said = f"G_f {row['fracture_energy']:g} J/m², {row['count']} cells, seed {row['seed']}"
-                    left.plot(1e6 * np.array(row["curve"]["time"]), row["curve"]["velocity"], color=colour, label=said)
+                    time = 1e6 * np.array(row["curve"]["time"])
+                    left.plot(time, row["curve"]["velocity"], color=colour, label=said)
                     edges = np.linspace(0.0, 1e3 * bar.length, len(row["profile"]) + 1)
                     right.stairs(row["profile"], edges, color=colour)
                 left.axhline(HIGHEST, color=INK, linestyle=":", linewidth=1.0)
