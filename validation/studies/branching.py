@@ -39,9 +39,9 @@ class Branching(Study):
 
     A, of many phase-field papers (Borden et al. 2012): E = 32 GPa, ν = 0.2, ρ = 2450 kg/m³, G = 3 J/m², 1 MPa held
     on the long sides, 80 µs. B, soda-lime glass (Ha and Bobaru 2010): E = 72 GPa, ρ = 2440 kg/m³, G = 3.8 J/m², 2
-    MPa, 43 µs. Held against: A's crack branches, and stays below 0.6 of Rayleigh's celerity, 1275 m/s, in its fastest 10
-    µs (the distance from the notch of the farthest facet that has broken). That limit, A's traction and its duration,
-    and B's speed of about 1580 m/s are from memory of these papers, so that B has no verdict.
+    MPa, 43 µs. Held against: A's crack branches, and stays below 0.6 of Rayleigh's celerity, 1275 m/s, in its
+    fastest 10 µs (the distance from the notch of the farthest facet that has broken). That limit, A's traction and
+    its duration, and B's speed of about 1580 m/s are from memory of these papers, so that B has no verdict.
 
     Fixed beforehand: f_t = 3.08 MPa for A, which papers that need one take (from memory), 30 and 40 MPa for B, whose
     strength is not known; 2 mm thick; notches 1 mm (A) and 0.5 mm (B) wide; ν = 0.22 for B; a crack has branched
