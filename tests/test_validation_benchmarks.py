@@ -97,7 +97,7 @@ def test_a_small_bar_spalls(tmp_path):
     assert 0.9 * bar.length < sum(row["lengths"]) <= 1.001 * bar.length
     assert (bar.crest + bar.length / bar.celerity) < row["first"] < 100e-6
     assert row["residual"] < 1e-2
-    strong = SpallRun(bar, 100e6, 5e4, 6e-3, 1).measured(tmp_path)
+    strong = SpallRun(bar, 60e6, 500.0, 6e-3, 1).measured(tmp_path)
     assert strong["first"] is None
     assert strong["lengths"] == [pytest.approx(bar.length, rel=2e-3)]
 
@@ -173,8 +173,9 @@ def test_bad_granite_is_refused(bad):
 def test_a_ring_is_braked_as_a_breathing_ring(tmp_path):
     ring = Ring(circumference=10e-3)
     row = RingRun(ring, 12e3, 0.15e-3, 1).measured(tmp_path)
-    assert ring.slowed(12e3) < 0.99 * 12e3
-    assert row["slowed"] == pytest.approx(ring.slowed(12e3), rel=0.03)
+    _, slowed = ring.braked(12e3)
+    assert slowed < 0.9 * 12e3
+    assert row["slowed"] == pytest.approx(slowed, rel=0.03)
     assert row["dissipated"] > 0.5
     with pytest.raises(InputError):
         RingStudy(side=0.2e-3, size=0.12e-3)

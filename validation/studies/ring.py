@@ -18,7 +18,7 @@ from validation.rows.ring import Ring, RingRun
 #: How far the mean size of the pieces of all packings may be off the formula [-].
 LIMIT = 0.1
 _HEAD = (
-    "rate [1/s]", "rate / ε̇₀", "pieces", "s/s₀", "formula", "ratio", "verdict", "cells", "rate at first break",
+    "rate [1/s]", "rate / ε̇₀", "pieces", "s/s₀", "formula", "ratio", "verdict", "cells", "rate at σ_c",
     "ratio at it", "dissipated / G",
 )  # fmt: skip
 

@@ -114,7 +114,7 @@ class Spall(Study):
                 left.axhline(HIGHEST - PULL_BACK, color=INK, linestyle=":", linewidth=1.0)
                 left.set(xlim=(30.0, 130.0), xlabel="time [µs]", ylabel="velocity of the free end [m/s]",
                          title=f"f_t = {1e-6 * tension:g} MPa; dotted: published")  # fmt: skip
-                left.legend(fontsize=7.0, loc="upper left")
+                left.legend(fontsize=7.0, loc="lower right")
                 right.axvspan(1e3 * (PLACE - WITHIN), 1e3 * (PLACE + WITHIN), color=GREY, alpha=0.3, linewidth=0.0)
                 right.axvline(1e3 * bar.place(tension), color=INK, linestyle="--", linewidth=1.0)
                 right.set(xlim=(0.0, 1e3 * bar.length), xlabel="from the free end [mm]",
