@@ -15,7 +15,7 @@ from validation.rows.ring import Ring, RingRun
 from validation.rows.spall import Bar, SpallRun, pulled_back
 from validation.studies import branching as branches
 from validation.studies.branching import PLATES, Branching
-from validation.studies.granite import GraniteStudy, _judged
+from validation.studies.granite import GraniteStudy, _judged, first_peak
 from validation.studies.ring import RingStudy
 from validation.studies.spall import Spall
 
@@ -159,6 +159,8 @@ def test_granite_is_judged_by_its_claims(tmp_path):
     assert one["verdict"] == CLAIMS["direct_tension"].verdict(one["values"])
     assert one["over"] == pytest.approx(one["mean"]["mean"] / 6.9e6)
     assert (tmp_path / "figures" / "granite.png").stat().st_size > 10_000
+    assert first_peak([0.0, 3.0, 7.0, 6.0, 5.0, 8.0, 2.0]) == 7.0
+    assert first_peak([0.0, 3.0, 7.0, 6.0]) == 7.0
     rows = [{"seed": 1, "count": 9}, {"seed": 2, "count": 9}]
     assert _judged("ucs", rows, 216e6, [170e6, 200e6])["verdict"] == "met by the mean"
     assert _judged("ucs", rows, 216e6, [170e6, 176e6])["verdict"] == "missed"
