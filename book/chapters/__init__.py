@@ -19,6 +19,7 @@ from book.chapters import (
     packings,
     parameters,
     protocol,
+    rapid_fracture,
     strength,
     surface,
 )
@@ -27,7 +28,7 @@ from book.small import PACKINGS
 
 _FILES = (
     andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, concrete,
-    fracture, packings, parameters, dynamic_tests, surface, formulations, dynamics, cost,
+    fracture, rapid_fracture, packings, parameters, dynamic_tests, surface, formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}

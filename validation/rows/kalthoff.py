@@ -24,8 +24,10 @@ from bondem.specimen.regions import Face, Region, Within
 from validation.frame.files import plain
 from validation.frame.request import Request
 
-# Until when a run goes on, and in what time the edge gets its speed [s].
-_DURATION, _RISE = 90e-6, 1e-6
+#: Until when a run goes on [s].
+DURATION = 90e-6
+# In what time the edge gets its speed [s].
+_RISE = 1e-6
 # Facets with less integrity are of the crack, its angle of those from so many cells to so far from the tip [m].
 _BROKEN, _NEAREST, _FARTHEST = 0.1, 2.0, 30e-3
 # Digits that are kept of places.
@@ -70,6 +72,15 @@ class Plate:
         """The edge between the notches."""
         _, at, wide = self.notch
         return Face("x_min") & Within(Box((3.0 * size, at - 0.5 * wide, self.thickness)))
+
+    def model(self, body: Lattice, tension: float, size: float) -> Model:
+        """The test on a body of a strength [Pa], of cells of a size [m]."""
+        failure = Rankine(tension=tension, fracture_energy=self.fracture_energy)
+        boundary = [
+            Fix(Face("y_min"), translation="y", rotation=""),
+            Drive(self.struck(size), vx=Ramp(0.0, self.speed, _RISE)),
+        ]
+        return Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=boundary)
 
     def angle(self, place: Floats, area: Floats, size: float) -> float:
         """Mean direction of a crack from the tip, against the notch, weighted by area [degrees].
@@ -125,14 +136,9 @@ class KalthoffRun(Request):
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units, angles in degrees."""
         plate, body = self.plate, self.plate.body(self.size, self.seed)
-        failure = Rankine(tension=self.tension, fracture_energy=plate.fracture_energy)
-        boundary = [
-            Fix(Face("y_min"), translation="y", rotation=""),
-            Drive(plate.struck(self.size), vx=Ramp(0.0, plate.speed, _RISE)),
-        ]
-        model = Model(body, CellBond(E=plate.E, nu=plate.nu), plate.rho, failure=failure, boundary=boundary)
+        model = plate.model(body, self.tension, self.size)
         begun = perf_counter()
-        run = solve_explicit(model, duration=_DURATION, every=50)
+        run = solve_explicit(model, duration=DURATION, every=50)
         seconds = perf_counter() - begun
         if run.status is not Status.COMPLETED:
             raise UnstableRunError(run.message)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import pi, sqrt
+from math import asin, pi, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -65,6 +65,18 @@ class Ring:
         """Mean size of fragments at a rate of strain [m]: s₀ · 4.5 / (1 + 4.5 (ε̇/ε̇₀)^(2/3))."""
         return float(self.length * 4.5 / (1.0 + 4.5 * (rate / self.rate) ** (2.0 / 3.0)))
 
+    def braked(self, rate: float) -> tuple[float, float]:
+        """When the hoop stress of a thin elastic ring is σ_c, and its rate of strain then [s, 1/s].
+
+        The stress brakes it: ε = ε̇/ω sin ωt with ω = c/r, as a ring breathes; slower ones stop before.
+
+        Args:
+            rate: at the beginning [1/s].
+        """
+        omega = 2.0 * pi * self.celerity / self.circumference
+        sine = min(omega * self.tension / self.E / rate, 1.0)
+        return asin(sine) / omega, rate * sqrt(1.0 - sine**2)
+
     def body(self, size: float, seed: int) -> Lattice:
         """Its cells, of a size [m]."""
         radius, side = self.circumference / (2.0 * pi), self.side
@@ -115,14 +127,20 @@ class RingRun(Request):
         velocity[:, 0] = 0.0
         state.set_motion(velocity=velocity)
         duration = _UNTIL * ring.tension / ring.E / self.rate + _PASSAGES * ring.side / ring.celerity
-        run = solve_explicit(model, duration=duration, every=50, state=state)
+        run = solve_explicit(model, duration=duration, every=5, state=state)
         pieces = fragments(body, run.state)
         cells = np.bincount(pieces.label)
         whole = cells >= _CHIP
         mass = np.sort(pieces.mass[whole])[::-1]
+        until, slowed = ring.braked(self.rate)
+        energy = run.history.energy
+        moving = energy["translation"] + energy["rotation"]
+        torn = len(mass) * ring.side**2 * ring.fracture_energy
         return plain({
             "count": len(body.particles), "steps": run.state.step, "residual": run.residual, "pieces": len(mass),
             "chips": int((~whole).sum()), "chipped": float(pieces.mass[~whole].sum() / pieces.mass.sum()),
             "over": ring.circumference / len(mass) / ring.length, "formula": ring.size(self.rate) / ring.length,
+            "slowed": self.rate * sqrt(float(np.interp(until, run.history.time, moving) / moving[0])),
+            "slowed_thin": slowed, "dissipated": float(energy["fracture"][-1]) / torn,
             "mass": [float(f"{one:.4g}") for one in (mass / mass.mean()).tolist()],
         })  # fmt: skip

@@ -17,7 +17,10 @@ from validation.rows.ring import Ring, RingRun
 
 #: How far the mean size of the pieces of all packings may be off the formula [-].
 LIMIT = 0.1
-_HEAD = ("rate [1/s]", "rate / ε̇₀", "pieces", "s/s₀", "formula", "ratio", "verdict", "cells")
+_HEAD = (
+    "rate [1/s]", "rate / ε̇₀", "pieces", "s/s₀", "formula", "ratio", "verdict", "cells", "rate at σ_c",
+    "ratio at it", "dissipated / G",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -34,6 +37,7 @@ class RingStudy(Study):
         rates: of strain [1/s].
         seeds: packings of each.
         size: of cells [m].
+        side: of the section [m].
     """
 
     name: ClassVar[str] = "ring"
@@ -43,37 +47,43 @@ class RingStudy(Study):
     rates: tuple[float, ...] = (2e3, 4e3, 8e3, 16e3)
     seeds: tuple[int, ...] = (1, 2, 3)
     size: float = 0.12e-3
+    side: float = Ring.side
 
     def __post_init__(self) -> None:
         for rate in self.rates:
             number("ring", "rates", rate, above=0.0, unit="1/s", advice="positive rates in 1/s")
         if not self.seeds or min(self.seeds) < 0:
             raise InputError("ring: give seeds from 0 up, such as --seeds 1,2,3")
-        number("ring", "size", self.size, above=0.0, below=0.151e-3, unit="m", advice="at most half the section")
+        number("ring", "side", self.side, above=0.0, below=2e-3, unit="m", advice="a width of up to 2 mm")
+        number("ring", "size", self.size, above=0.0, below=0.503 * self.side, unit="m",
+               advice="at most half the section")  # fmt: skip
 
     def stages(self, out: Path) -> Stages:
         """See `Study`."""
-        yield "fly", [RingRun(Ring(), rate, self.size, seed) for rate in self.rates for seed in self.seeds]
+        ring = Ring(side=self.side)
+        yield "fly", [RingRun(ring, rate, self.size, seed) for rate in self.rates for seed in self.seeds]
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         """See `Study`: of each rate the pieces of its packings and their mean size, over the formula's."""
         good = [row for row in rows if not row["error"]]
         groups = [[row for row in good if row["rate"] == rate] for rate in self.rates]
-        return {"size": self.size, "limit": LIMIT, "rates": [_judged(some) for some in groups if some]}
+        rates = [_judged(some) for some in groups if some]
+        return {"size": self.size, "side": self.side, "limit": LIMIT, "rates": rates}
 
     def table(self, results: Mapping[str, Any]) -> str:
         """See `Study`."""
         lines = [
             [f"{one['rate']:g}", f"{one['rate'] / Ring().rate:.3f}", ", ".join(map(str, one["pieces"])),
              f"{one['over']['mean']:.3f}", f"{one['formula']:.3f}", f"{one['ratio']:.3f}", one["verdict"],
-             ", ".join(sorted({str(count) for count in one["count"]}))]
+             ", ".join(sorted({str(count) for count in one["count"]})), f"{one['slowed']:.0f}",
+             f"{one['ratio_slowed']:.3f}", f"{one['dissipated']:.2f}"]
             for one in results["rates"]
         ]  # fmt: skip
         return table("Mean size of fragments, s₀ = E G / σ_c²", _HEAD, lines) if lines else "no run\n"
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: sizes over rates beside the formula."""
-        ring = Ring()
+        ring = Ring(side=self.side)
         with sheet(out / "figures" / "ring.png", 6.0, 4.2) as (_, ax):
             rates = np.geomspace(0.03, 1.0, 100) * ring.rate
             ax.plot(rates / ring.rate, [ring.size(rate) / ring.length for rate in rates], color=INK, label="formula")
@@ -101,9 +111,12 @@ class RingStudy(Study):
 def _judged(rows: Sequence[Row]) -> dict[str, Any]:
     over, formula = mean_and_scatter([row["over"] for row in rows]), rows[0]["formula"]
     assert over["mean"] is not None
-    ratio = over["mean"] / formula
+    ratio, slowed = over["mean"] / formula, float(np.mean([row["slowed"] for row in rows]))
     return {
         "rate": rows[0]["rate"], "over": over, "formula": formula, "ratio": ratio,
         "verdict": "met" if abs(ratio - 1.0) <= LIMIT else "missed",
+        "slowed": slowed, "slowed_thin": rows[0]["slowed_thin"],
+        "ratio_slowed": over["mean"] * Ring().length / Ring().size(slowed),
+        "dissipated": float(np.mean([row["dissipated"] for row in rows])),
         **{key: [row[key] for row in rows] for key in ("seed", "pieces", "chips", "chipped", "count", "residual")},
     }  # fmt: skip

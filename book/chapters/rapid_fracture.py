@@ -1,0 +1,187 @@
+"""Cracks that run, a bar that spalls, and a granite from one input."""
+
+from typing import Any
+
+from book.chapter import Chapter, Figure, Section
+from book.forms import Form, Said
+from book.results import Measurement, study
+from book.row import Row
+from book.tolerances import AtMost, Between, So
+
+BRANCHING = study("branching", {f"branching_{case}": f"branching_{case}" for case in ("A", "B30")})
+FINE = study("branching", {"branching_B40": "branching_B40"}, options="--cases B40 --seeds 1", kept="branching_fine")
+SPALL = study("spall", {"spall": "spall"})
+GRANITE = study("granite", {"granite": "granite"})
+MEASUREMENTS = (BRANCHING, FINE, SPALL, GRANITE)
+
+_SPEED, _TIME, _PLACE = Form("m/s", style=".0f"), Form("µs", 1e-6, ".1f"), Form("mm", 1e-3, ".0f")
+_FINE_SPEED, _RATIO, _MPA = Form("m/s", style=".2f"), Form(style=".2f"), Form("MPa", 1e6, ".2f")
+_FORMS = {"ucs": Form("MPa", 1e6, ".1f"), "direct_tension": _MPA, "brazilian": _MPA,
+          "toughness": Form("MPa√m", 1e6, ".2f")}  # fmt: skip
+
+
+def chapter() -> Chapter:
+    """The chapter."""
+    return Chapter(
+        name="rapid_fracture",
+        title="Cracks that run, spalling, and a granite from one input",
+        summary=(
+            "Material data as publications have them, nothing calibrated. What is not known was fixed before the"
+            " runs; published numbers that could not be checked are said to be from memory, and have no verdict"
+            " unless a limit rests on them. Every packing that was tried is in the tables."
+        ),
+        sections=(_branching(), _soda_lime(), _spall(), _granite()),
+    )
+
+
+def _branching() -> Section:
+    """Plate A, sizes and packings."""
+    runs = [one for one in BRANCHING.at("runs") if one["case"] == "A"]
+    rows = []
+    for count in dict.fromkeys(one["count"] for one in runs):
+        some = [one for one in runs if one["count"] == count]
+        which = f"A, {count} cells of {1e3 * some[0]['size']:.2f} mm, {_seeds(some)}"
+        forked = BRANCHING.of(*[one["branched"] is not None for one in some])
+        rows += [
+            Row(case=f"{which}: the crack branches", ours=forked, form=Said(), tolerance=So()),
+            Row(case=f"{which}: fastest 10 µs, over Rayleigh's {some[0]['rayleigh']:.0f} m/s",
+                paper=f"below {BRANCHING.at('limit'):g} (from memory)", ours=_of(BRANCHING, some, "over"),
+                form=_RATIO, tolerance=AtMost(BRANCHING.at("limit"))),
+            *_course(BRANCHING, some, which),
+        ]  # fmt: skip
+    return Section(
+        title="Branching, plate A",
+        before=(
+            "100 × 40 × 2 mm, notched to the middle, E = 32 GPa, ν = 0.2, ρ = 2450 kg/m³, G = 3 J/m², f_t = 3.08 MPa,"
+            " 1 MPa held on the long sides (Borden et al. 2012; f_t, traction and duration from memory). What counts"
+            " as a branch: three strips of 2 mm in turn with facets of the crack three cells apart."
+        ),
+        rows=tuple(rows),
+        figures=(Figure("branching_A.png", "Crack of the first packing, and the fronts of all"),),
+    )
+
+
+def _soda_lime() -> Section:
+    """Plate B, of two strengths."""
+    rows: list[Row] = []
+    for measured, case in ((BRANCHING, "B30"), (FINE, "B40")):
+        some = [one for one in measured.at("runs") if one["case"] == case]
+        which = (
+            f"B, f_t = {case[1:]} MPa, {some[0]['count']} cells of {some[0]['size'] / some[0]['longest']:.2f} h*,"
+            f" {_seeds(some)}"
+        )
+        branched = measured.of(sum(one["branched"] is not None for one in some))
+        rows += [
+            Row(case=f"{which}: packings whose crack branches", ours=branched, form=Form(style=".0f")),
+            *_course(measured, some, which),
+            Row(case=f"{which}: seconds of the run on one core", form=Form("s", style=".0f"),
+                ours=_of(measured, some, "run_seconds")),
+        ]  # fmt: skip
+    return Section(
+        title="Branching, plate B",
+        before=(
+            "Soda-lime glass (Ha and Bobaru 2010): E = 72 GPa, ρ = 2440 kg/m³, G = 3.8 J/m², 2 MPa, 43 µs; ν = 0.22"
+            " and the strength are not given. No verdict: the published speed, about 1580 m/s, is from memory. Cells"
+            " are as long as 2 E G/f_t² = h* allows, so that a crack takes up energy within a single cell."
+        ),
+        rows=tuple(rows),
+        figures=(
+            Figure("branching_B30.png", "f_t = 30 MPa: crack of the first packing, and the fronts of all"),
+            Figure("branching_B40.png", "f_t = 40 MPa: crack, and its front"),
+        ),
+    )
+
+
+def _course(measured: Measurement, some: list[dict[str, Any]], which: str) -> list[Row]:
+    """When a crack starts, where it branches and how fast it is along x, without verdicts."""
+    rows = [Row(case=f"{which}: it starts at", ours=_of(measured, some, "onset"), form=_TIME)]
+    forked = [one for one in some if one["branched"] is not None]
+    if forked:
+        place = _of(measured, forked, "branched")
+        rows.append(Row(case=f"{which}: it branches, from the notch", ours=place, form=_PLACE))
+    return [*rows, Row(case=f"{which}: speed along x", ours=_of(measured, some, "speed"), form=_SPEED)]
+
+
+def _spall() -> Section:
+    rows, runs = [], SPALL.at("runs")
+    kinds = list(dict.fromkeys((one["tension"], one["fracture_energy"], one["size"]) for one in runs))
+    for kind in kinds:
+        some = [one for one in runs if (one["tension"], one["fracture_energy"], one["size"]) == kind]
+        which = (
+            f"f_t = {1e-6 * kind[0]:g} MPa, G_f = {kind[1]:g} J/m², {some[0]['count']} cells, {_seeds(some)}"
+        )
+        rows.append(Row(case=f"{which}: highest velocity of the free end", ours=_of(SPALL, some, "highest"),
+                        form=_FINE_SPEED))  # fmt: skip
+        fallen = [one for one in some if one["pull_back"] is not None]
+        if fallen:
+            rows.append(Row(case=f"{which}: pull-back", ours=_of(SPALL, fallen, "pull_back"), form=_FINE_SPEED))
+        parted = [one["lengths"][0] for one in some if len(one["lengths"]) > 1]
+        if parted:
+            rows.append(Row(case=f"{which}: length of the piece at the free end", ours=SPALL.of(*parted),
+                            form=_PLACE))  # fmt: skip
+    thin = {1e-6 * one["tension"]: 1e3 * one["thin"] for one in runs}
+    places = " and ".join(f"{place:.0f} mm with {tension:g} MPa" for tension, place in thin.items())
+    return Section(
+        title="Spalling of a granite bar",
+        before=(
+            "Ø45 × 140 mm, E = 43.6 GPa, ν = 0.15, ρ = 2660 kg/m³, a pulse of pressure on one end: to 41.5 MPa in 35"
+            " µs, gone after 55 µs. Published, by a second-hand document: a spall 57 ± 10 mm from the free end, whose"
+            " velocity reaches 7.75 m/s and falls by 3.5 m/s; f_t = 8 MPa in static tests, 18.9 MPa at these rates."
+            " No verdict: G_f is assumed, 50 J/m², and varied."
+        ),
+        rows=tuple(rows),
+        after=(
+            f"In a thin elastic bar, by hand, this pulse makes {SPALL.at('thin_highest'):.2f} m/s, a pull-back of"
+            f" 2 f_t/ρc = {runs[-1]['thin_pull_back']:.2f} m/s with 18.9 MPa, and tension first reaches the strength"
+            f" at {places}: the place that is published does not follow from the pulse and the strength that are."
+        ),
+        figures=(Figure("spall.png", "Velocity of the free end, and what of each section is broken"),),
+    )
+
+
+def _granite() -> Section:
+    rows, split = [], [load / 6.9e6 for one in GRANITE.at("cases") for load in one["split"]]
+    for one in GRANITE.at("cases"):
+        what = one["quantity"] + (f", beam of W = {1e3 * one['depth']:g} mm" if "depth" in one else "")
+        judged = one["verdict"] != "–"
+        rows.append(Row(
+            case=f"{what}; {one['count']} cells, {_seeds_of(one['seeds'])}", form=_FORMS[one["test"]],
+            paper=one["words"] if judged else None, ours=GRANITE.of(*one["values"]),
+            tolerance=Between(one["low"], one["high"]) if judged else None,
+        ))  # fmt: skip
+        rows.append(Row(case=f"{what}; {one['count']} cells: over what is put in", ours=GRANITE.of(one["over"]),
+                        form=Form(style=".3f")))  # fmt: skip
+        if one["split"]:
+            rows.append(Row(case=f"{what}; {one['count']} cells: load at which the disc splits, as that stress",
+                            ours=GRANITE.of(*one["split"]), form=_MPA))  # fmt: skip
+    return Section(
+        title="Lac du Bonnet granite",
+        before=(
+            "One input: E = 69 GPa, ν = 0.26, f_t = 6.9 MPa, c = 30 MPa, φ = 59° (Mohr–Coulomb: UCS"
+            f" {1e-6 * GRANITE.at('mohr_coulomb'):.0f} MPa), G_f = 32.8 N/m (√(E G_f) ="
+            f" {1e-6 * GRANITE.at('toughness'):.2f} MPa√m); `validation/cases/lac_du_bonnet.py` says which of it is"
+            " published, from memory, or fixed beforehand. Direct tension is 6.9 MPa within 10 %."
+        ),
+        rows=tuple(rows),
+        after=(
+            "Why the Brazilian strength is missed: the disc splits where the stress at its centre is f_t, at"
+            f" {min(split):.2f} to {max(split):.2f} of it, and its halves between the platens then bear more or less,"
+            " by packing. Real granite has 1.3 f_t; in the chapter on [strength](validation/strength.md) discs reach that with E G_f/f_t² of"
+            " four diameters, and here it is 0.9. Why K_Ic is missed: that length, 48 mm, is as long as the beam is"
+            " deep, and the formula is of a sharp crack. The beam four times as deep, without a verdict as it was"
+            " fixed, gives √(E G_f)."
+        ),
+        figures=(Figure("granite.png", "Curves of all packings; grey bands are what is published"),),
+    )
+
+
+def _of(measured: Measurement, some: list[dict[str, Any]], key: str) -> Any:
+    return measured.of(*[one[key] for one in some])
+
+
+def _seeds(some: list[dict[str, Any]]) -> str:
+    return _seeds_of([one["seed"] for one in some])
+
+
+def _seeds_of(seeds: list[int]) -> str:
+    return f"seed{'s' * (len(seeds) > 1)} {', '.join(map(str, seeds))}"

@@ -1,0 +1,130 @@
+"""The Brazilian test on a disc with two flats (Wang et al. 2004), pressed between smooth platens.
+
+As `benchmarks/brazilian.py` has it, of any material. The stress at the centre is σ = k 2P / (π D t) in plane stress,
+with k = (2 cos³α + cos α + sin α/α)² / (8 (cos α + sin α/α)) · α/sin α, 0.960 for flats of 2α = 20°.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import UnstableRunError
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.damping import MassDamping
+from bondem.laws.failure.criterion import Criterion
+from bondem.model.boundary import BoundaryCondition, Drive
+from bondem.model.gauges import Gauge
+from bondem.model.model import Model
+from bondem.model.schedules import Ramp
+from bondem.model.state import State
+from bondem.packing import EVEN, pack
+from bondem.run import solve_explicit
+from bondem.solve.history import History
+from bondem.solve.plan import Status
+from bondem.specimen.bonding import connect
+from bondem.specimen.geometry import Box, Cylinder
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face
+from bondem.specimen.shape import Shape
+
+#: α, half the angle of a flat [rad].
+HALF = math.radians(10.0)
+# Traverses of sound until the expected peak; the test ends at this share of the peak, at the latest after this many
+# times until the expected one; strength over E by which the flats have come together at the peak [-].
+_TRAVERSES, _ENDING, _LONGEST, _STRAIN = 100.0, 0.5, 4.0, 8.0
+# The density of a test [kg/m³]: nothing depends on it, as speeds are shares of that of sound.
+_DENSITY = 2000.0
+
+
+@dataclass(frozen=True, eq=False)
+class BrazilianTest:
+    """Result of a test.
+
+    Attributes:
+        peak: stress at the centre by elasticity at the largest load [Pa].
+        curve: approach of the flats over the diameter [-] and that stress [Pa], (k, 2).
+        asymmetry: largest difference of both forces until the peak, over the peak [-].
+        residual: of the energy ledger, over its largest entry [-].
+        state: the broken disc.
+    """
+
+    peak: float
+    curve: Floats
+    asymmetry: float
+    residual: float
+    state: State
+
+
+@dataclass(frozen=True)
+class FlattenedDisc:
+    """A disc with its axis along x, and the flats "top" and "bottom" across y.
+
+    Attributes:
+        diameter, thickness: [m].
+    """
+
+    diameter: float
+    thickness: float
+
+    @property
+    def factor(self) -> float:
+        """k: stress at the centre over that of a whole disc [-]."""
+        c, s = math.cos(HALF), math.sin(HALF) / HALF
+        return (2.0 * c**3 + c + s) ** 2 / (8.0 * (c + s)) / s
+
+    def stress(self, force: Floats) -> Floats:
+        """At the centre [Pa] under a force on the flats [N]."""
+        return 2.0 * self.factor * force / (math.pi * self.diameter * self.thickness)
+
+    def body(self, count: int, seed: int) -> Lattice:
+        """Its cells."""
+        flat, thick = 0.5 * self.diameter * math.cos(HALF), self.thickness
+        shape: Shape = Cylinder(radius=0.5 * self.diameter, length=thick)
+        block = Box((3.0 * thick, self.diameter, 2.0 * self.diameter))
+        for name, y in (("top", flat), ("bottom", -flat - self.diameter)):
+            shape = shape.cut(block.moved((-thick, y, -self.diameter)), name=name)
+        return connect(pack(shape, count=count, method=EVEN, seed=seed), method="laguerre")
+
+    def press(self, body: Lattice, law: CellBond, failure: Criterion, expected: float) -> BrazilianTest:
+        """Press a disc until its load has fallen to half of its peak.
+
+        Args:
+            body: of this disc.
+            law, failure: its material.
+            expected: stress at the centre at the peak [Pa], which gives the speed.
+
+        Raises:
+            UnstableRunError: the run became unstable.
+        """
+        sound = math.sqrt(law.E / _DENSITY)
+        rise = _TRAVERSES * self.diameter / sound
+        speed, begin = 0.5 * _STRAIN * expected / law.E * self.diameter / rise, 0.1 * rise
+        boundary: list[BoundaryCondition] = [
+            Drive(Face(name), vy=Ramp(0.0, sign * speed, begin)) for name, sign in (("top", -1), ("bottom", 1))
+        ]
+        model = Model(body, law, _DENSITY, failure=failure, boundary=boundary)
+        top = [0.0]
+
+        def ended(_: State, record: History) -> bool:
+            now = float(self.stress(np.abs(record["top"][-1, 1])))
+            top[0] = max(top[0], now)
+            return top[0] > 0.3 * expected and now < _ENDING * top[0]
+
+        run = solve_explicit(
+            model, duration=_LONGEST * rise, every=40, callback=ended,
+            damping=MassDamping(alpha=0.1 * math.pi * sound / self.diameter),
+            gauges={name: Gauge(Face(name), "force") for name in ("top", "bottom")},
+        )  # fmt: skip
+        if run.status is Status.UNSTABLE:
+            raise UnstableRunError(run.message)
+        time, both = run.history.time, [-run.history["top"][:, 1], run.history["bottom"][:, 1]]
+        moved = np.where(time < begin, 0.5 * time**2 / begin, time - 0.5 * begin) * 2.0 * speed
+        force = 0.5 * (both[0] + both[1])
+        peak = int(np.argmax(force))
+        return BrazilianTest(
+            peak=float(self.stress(force[peak])), curve=np.column_stack([moved / self.diameter, self.stress(force)]),
+            asymmetry=float(np.abs(both[0] - both[1])[: peak + 1].max() / force[peak]), residual=run.residual,
+            state=run.state,
+        )  # fmt: skip

@@ -1,0 +1,100 @@
+"""Lac du Bonnet granite in compression, tension and the Brazilian test, as rows of a study."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.labtests.compression import uniaxial_compression
+from bondem.labtests.loading import StrengthTest
+from bondem.labtests.tearing import direct_tension
+from bondem.model.state import State
+from bondem.packing import EVEN, pack
+from bondem.specimen.bonding import connect
+from bondem.specimen.lattice import Lattice
+from validation.cases.flattened_disc import BrazilianTest
+from validation.cases.lac_du_bonnet import CORE, DISC, Granite
+from validation.frame.files import plain, thinned
+from validation.frame.request import Request
+
+# Digits that are kept of curves.
+_DIGITS = 5
+
+
+@dataclass(frozen=True)
+class GraniteRun(Request):
+    """A test of a strength on one packing.
+
+    Attributes:
+        granite: what is tested.
+        test: "ucs", "direct_tension" or "brazilian".
+        count: of cells.
+        seed: of the packing.
+    """
+
+    granite: Granite
+    test: str
+    count: int
+    seed: int
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        return f"granite_{self.test}_{self.count}_seed{self.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return (self.count / 1000.0) ** (4.0 / 3.0)
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        return {"test": self.test, "count": self.count, "seed": self.seed, "spread": 0.0}
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """See `Request`: SI units."""
+        begun = perf_counter()
+        test = _TESTS[self.test](self.granite, self.count, self.seed)
+        return plain({
+            "peak": test.peak, "residual": test.residual, "asymmetry": test.asymmetry,
+            "E": getattr(test, "E", None), "run_seconds": round(perf_counter() - begun, 1), **_left(test.state),
+            "curve": {"strain": _rounded(test.curve[:, 0]), "stress": _rounded(test.curve[:, 1])},
+        })  # fmt: skip
+
+
+def _core(count: int, seed: int) -> Lattice:
+    return connect(pack(CORE, count=count, method=EVEN, seed=seed), method="laguerre")
+
+
+def _compressed(granite: Granite, count: int, seed: int) -> StrengthTest:
+    return uniaxial_compression(_core(count, seed), granite.law, granite.failure)
+
+
+def _pulled(granite: Granite, count: int, seed: int) -> StrengthTest:
+    return direct_tension(_core(count, seed), granite.law, granite.failure)
+
+
+def _split(granite: Granite, count: int, seed: int) -> BrazilianTest:
+    return DISC.press(DISC.body(count, seed), granite.law, granite.failure, granite.tension)
+
+
+_TESTS: dict[str, Callable[[Granite, int, int], StrengthTest | BrazilianTest]] = {
+    "ucs": _compressed, "direct_tension": _pulled, "brazilian": _split,
+}  # fmt: skip
+
+
+def _left(state: State) -> dict[str, int]:
+    """What has happened to a specimen: facets that have cracked and broken, cells that have slipped."""
+    return {
+        "cracked": int((state.bond_integrity < 1.0).sum()), "broken": int((state.bond_integrity <= 0.0).sum()),
+        "slipped": int((state.slipped > 0.0).sum()),
+    }  # fmt: skip
+
+
+def _rounded(values: Floats) -> list[float]:
+    return [float(f"{value:.{_DIGITS}g}") for value in np.asarray(thinned(values)).tolist()]
