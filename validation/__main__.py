@@ -12,7 +12,7 @@ from validation.frame.study import Study
 
 STUDIES = (
     "abacus", "assembly", "coverage", "dispersion", "fracture", "influence", "kalthoff", "protocol", "quasistatic",
-    "refinement", "ring", "section", "surface", "toughness", "vibration", "wave", "weibull",
+    "refinement", "ring", "section", "size_effect", "surface", "toughness", "vibration", "wave", "weibull",
 )  # fmt: skip
 
 

@@ -11,6 +11,7 @@ from bondem._checks import choice
 from bondem.errors import InputError
 from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 from validation.cases.toughness import PLATES
+from validation.figures.axes import plain_ticks
 from validation.frame.files import mean_and_scatter, table
 from validation.frame.study import Row, Stages, Study
 from validation.rows.toughness import ToughnessRun
@@ -92,8 +93,7 @@ class Toughness(Study):
             right.axhline(1.0, color=INK, linewidth=0.8)
             left.set(xscale="log", xlabel="W / l", ylabel="K / K_Ic at the peak", ylim=(0.8, 1.2))
             ticks = sorted({over for kind in self.plates for over in PLATES[kind][1]})
-            left.set_xticks(ticks, [f"{over:g}" for over in ticks], minor=False)
-            left.set_xticks([], minor=True)
+            plain_ticks(left.xaxis, ticks)
             right.set(xlabel="share of the events", ylabel="K of the notch / K_Ic", ylim=(0.0, 1.4), xlim=(0.0, 1.0))
             left.legend(frameon=False, fontsize=7.5, loc="lower right")
             right.legend(frameon=False, fontsize=7.5, loc="lower center", ncols=2)
