@@ -13,7 +13,7 @@ from validation.frame.files import plain
 from validation.frame.request import Request
 
 # Steps of softening, load factors that count as one, and load over its peak at which a run ends.
-_RIPPLE, _TOGETHER, _UNTIL = 0.05, 0.01, 0.8
+_RIPPLE, _TOGETHER, _UNTIL = 0.05, 0.01, 0.9
 # Events that are kept of a path, the largest of as many as come to one.
 _KEPT = 200
 
