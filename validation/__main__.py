@@ -12,7 +12,8 @@ from validation.frame.study import Study
 
 STUDIES = (
     "abacus", "assembly", "branching", "coverage", "dispersion", "fracture", "granite", "influence", "kalthoff",
-    "protocol", "quasistatic", "refinement", "ring", "section", "spall", "surface", "vibration", "wave", "weibull",
+    "protocol", "quasistatic", "refinement", "ring", "section", "size_effect", "spall", "surface", "toughness",
+    "vibration", "wave", "weibull",
 )  # fmt: skip
 
 

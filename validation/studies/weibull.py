@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
-from matplotlib.ticker import FixedLocator, FormatStrFormatter, NullLocator
 
 from bondem.errors import InputError
 from bondem.report.style import BLUE, INK, ORANGE, sheet
+from validation.figures.axes import plain_ticks
 from validation.frame.files import table
 from validation.frame.study import Row, Stages, Study
 from validation.rows.weibull import Ceramic, WeibullRun
@@ -105,9 +105,7 @@ class WeibullStudy(Study):
                                 capsize=2.0)  # fmt: skip
             ax.set(xscale="log", yscale="log", xlabel="volume [mm³]", ylabel="mean strength [MPa]")
             for axis, marks in ((ax.xaxis, (5e3, 1e4, 2e4, 5e4, 1e5)), (ax.yaxis, (150, 200, 250, 300, 350))):
-                axis.set_major_locator(FixedLocator(marks))
-                axis.set_major_formatter(FormatStrFormatter("%g"))
-                axis.set_minor_locator(NullLocator())
+                plain_ticks(axis, marks)
             ax.legend(frameon=False, fontsize=8.0)
 
     def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -25,6 +25,9 @@ _TIE = 1e-9
 _PARTED = 1e-5
 # Share of the events, the last ones, that have to be below the load at which a run ends.
 _LAST = 0.05
+# Rotations of small motions [rad]: cos is 1 to half a per cent; and the share of the elements that may have turned by
+# more. What hangs loose may turn by as much as it likes.
+_SMALL, _TURNED = 0.1, 0.1
 # How often halves may open and close until an equilibrium is found.
 _ROUNDS = 40
 
@@ -48,7 +51,8 @@ class QuasistaticResult:
         position: of the facet in the reference [m], (f, 3).
         bond_integrity: of all facets at the end, user's order, (m,).
         end: why it ended: "unloaded", "parted", "strong" where nothing fails at any load, "loose" where parts hang
-            together by so little that no equilibrium is found any more, or "events".
+            together by so little that no equilibrium is found any more, "folded" where a tenth of the elements would
+            turn by more than 0.1 rad until the next event, so that motions are not small any more, or "events".
         motion: of the elements at the last event [m], (n, 3).
         state: the last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
         iterations: of all solutions.
@@ -94,7 +98,7 @@ def solve_quasistatic(
     Between two events the body is elastic and everything is proportional to the factor. Each event is that of the
     facet that is next, at whatever factor it comes, so that snap-back is followed and nothing depends on speeds or
     damping. A facet that softens does so in steps within a band about its line, and takes its fracture energy; closed
-    cracks bear pressure, without friction. Rotations are small.
+    cracks bear pressure, without friction. Rotations are small, and the path ends where they are not.
 
     Args:
         model: cells with `bd.Rankine`, or facets that break at once by `bd.MohrCoulomb`; its drives and loads count
@@ -148,6 +152,9 @@ def solve_quasistatic(
         if not len(failing):
             end = "strong"
             break
+        if _folds(motion, factor):
+            end = "folded"
+            break
         peak = max(peak, factor * load)
         for k in failing.tolist():
             if k not in softening:
@@ -184,6 +191,12 @@ def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats) -> tup
             body.weaken(k, float(body.integrity[k]), (bool(shut[0]), bool(shut[1])))
         motion, found = rest()
     return motion, found
+
+
+def _folds(motion: Floats, factor: float) -> bool:
+    """Whether more than a few elements have turned by more than small motions at a load factor."""
+    turn = factor * np.linalg.norm(motion.reshape(-1, 6)[:, 3:], axis=1)
+    return float((turn > _SMALL).mean()) > _TURNED
 
 
 def _next(

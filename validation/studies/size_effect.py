@@ -1,0 +1,129 @@
+"""The size effect of notched beams: peaks of Grégoire's half-notched beams over their depth."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import InputError
+from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
+from validation.cases.case import CURVES
+from validation.cases.gregoire import GREGOIRE, beam, scaled
+from validation.figures.axes import plain_ticks
+from validation.frame.files import table
+from validation.frame.study import Row, Stages, Study
+from validation.measures.cohesive_crack import cohesive_crack
+from validation.measures.size_effect import SizeEffect
+from validation.rows.fracture import FractureRun
+
+# Depths of the continuum's beams [m].
+_DEPTHS = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6)
+_HEAD = ("D [mm]", "cells", "seed", "peak [kN]", "over a continuum with a cohesive crack", "over the law", "seconds")
+
+
+@dataclass(frozen=True)
+class SizeEffectStudy(Study):
+    """Peaks of Grégoire's half-notched beams of several depths, beside a continuum and Bažant's law.
+
+    Cracks soften along Petersson's two lines, in cells and in the continuum with one cohesive crack. The law is
+    fitted to the peaks of the cells.
+
+    Attributes:
+        depths: of beams [mm].
+        seeds: packings of each.
+        finer: how many times smaller cells are than the case has them, 0.046 D.
+    """
+
+    name: ClassVar[str] = "size_effect"
+    title: ClassVar[str] = "Size effect of notched beams"
+    template: ClassVar[str] = "plain.html"
+
+    depths: tuple[float, ...] = (50.0, 100.0, 200.0)
+    seeds: tuple[int, ...] = (1,)
+    finer: float = 1.0
+
+    def __post_init__(self) -> None:
+        if len(set(self.depths)) < 2 or not all(10.0 <= depth <= 2000.0 for depth in self.depths):
+            raise InputError("size_effect: give two depths or more, of 10 to 2000 mm, such as --depths 50,100,200")
+        if not self.seeds or min(self.seeds) < 0:
+            raise InputError("size_effect: give seeds from 0 up, such as --seeds 1,2,3")
+        if not 0.0 < self.finer <= 10.0:
+            raise InputError(f"size_effect: finer = {self.finer:g}; give a number above 0 up to 10")
+
+    def stages(self, out: Path) -> Stages:
+        """See `Study`."""
+        yield "break", [FractureRun(scaled(1e-3 * depth), seed, self.finer)
+                        for depth in self.depths for seed in self.seeds]  # fmt: skip
+
+    def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
+        """See `Study`: peaks, those of the continuum, and the law."""
+        good = [row for row in rows if not row["error"]]
+        depth = np.array([1e-3 * float(row["case"].rpartition("_")[2]) for row in good])
+        peak = np.array([row["peak"] for row in good])
+        continuum = {each: _continuum(each) for each in sorted({*_DEPTHS, *depth.tolist()})}
+        found = {
+            "continuum": {"depth": list(continuum), "peak": list(continuum.values())},
+            "beams": [
+                {"depth": one, "seed": row["seed"], "count": row["count"], "peak": row["peak"],
+                 "over_continuum": row["peak"] / continuum[one], "run_seconds": row["run_seconds"]}
+                for one, row in zip(depth.tolist(), good, strict=True)
+            ],
+            "law": None,
+        }  # fmt: skip
+        if len(set(depth.tolist())) > 1:
+            law = SizeEffect.fitted(depth, _nominal(depth, peak))
+            over = _nominal(depth, peak) / law.nominal(depth)
+            found["law"] = {"strength": law.strength, "transition": law.transition, "over": over.tolist()}
+        return found
+
+    def table(self, results: Mapping[str, Any]) -> str:
+        """See `Study`."""
+        over = results["law"]["over"] if results["law"] else [None] * len(results["beams"])
+        lines = [
+            [f"{1e3 * one['depth']:g}", str(one["count"]), str(one["seed"]), f"{1e-3 * one['peak']:.3f}",
+             f"{one['over_continuum']:.3f}", "–" if of_law is None else f"{of_law:.3f}", f"{one['run_seconds']:.0f}"]
+            for one, of_law in zip(results["beams"], over, strict=True)
+        ]  # fmt: skip
+        return table("Peaks", _HEAD, lines) if lines else "no run\n"
+
+    def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
+        """See `Study`: nominal strength over depth."""
+        depth, peak = (np.array(results["continuum"][key]) for key in ("depth", "peak"))
+        fine = np.geomspace(depth[0], depth[-1], 60)
+        with sheet(out / "figures" / "size_effect.png", 6.0, 4.4) as (_, ax):
+            ax.plot(1e3 * depth, 1e-6 * _nominal(depth, peak), "-", color=INK, label="continuum, cohesive crack")
+            beams = np.array([[one["depth"], one["peak"]] for one in results["beams"]]).reshape(-1, 2).T
+            ax.plot(1e3 * beams[0], 1e-6 * _nominal(*beams), "o", color=BLUE, label="cells, load factors")
+            if law := results["law"]:
+                line = SizeEffect(law["strength"], law["transition"]).nominal(fine)
+                ax.plot(1e3 * fine, 1e-6 * line, "--", color=ORANGE, label="Bažant's law, fitted to the cells")
+            known = 1e-6 * _nominal(np.full(2, 0.05), np.array([GREGOIRE.claim.low, GREGOIRE.claim.high]))
+            ax.errorbar([50.0], [known.mean()], [0.5 * np.ptp(known)], color=GREY, fmt="s", capsize=3.0,
+                        label="measured, D = 50 mm")  # fmt: skip
+            ax.set(xscale="log", yscale="log", xlabel="depth D [mm]", ylabel="nominal strength 3 P S / 2 b D² [MPa]")
+            plain_ticks(ax.xaxis, 1e3 * depth)
+            plain_ticks(ax.yaxis, (0.6, 0.8, 1.0, 1.5, 2.0))
+            ax.legend(frameon=False, fontsize=8.0)
+
+    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
+        """See `Study`."""
+        worst = max((abs(value - 1.0) for value in results["law"]["over"]), default=0.0) if results["law"] else 0.0
+        return {
+            "about": "Grégoire's half-notched beams by load factors; nothing calibrated.",
+            "verdict": f"Peaks are within {worst:.1%} of the size-effect law that fits them best.",
+            "captions": {"size_effect": "Nominal strength over depth: cells, a continuum, and Bažant's law."},
+            "note": "",
+        }
+
+
+def _continuum(depth: float) -> float:
+    """Peak of a continuum with a cohesive crack [N]."""
+    return cohesive_crack(scaled(depth), beam(depth), CURVES["bilinear"]).peak
+
+
+def _nominal(depth: Floats, peak: Floats) -> Floats:
+    """3 P S / 2 b D² [Pa], with S = 2.5 D."""
+    return 1.5 * peak * 2.5 / (0.05 * depth)

@@ -1,0 +1,122 @@
+"""Fracture toughness: plates with a crack break at K_Ic = √(E' G_f) where they are large against the process zone."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from bondem._checks import choice
+from bondem.errors import InputError
+from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
+from validation.cases.toughness import PLATES
+from validation.figures.axes import plain_ticks
+from validation.frame.files import mean_and_scatter, table
+from validation.frame.study import Row, Stages, Study
+from validation.rows.toughness import ToughnessRun
+
+#: How far K at the peak may be from K_Ic [-].
+LIMIT = 0.1
+_HEAD = ("plate", "W / l", "cells", "K / K_Ic at the peak", "crack longer by 0.419 l", "verdict", "events", "seconds")
+_COLOURS = dict(zip(PLATES, (BLUE, ORANGE), strict=True))
+
+
+@dataclass(frozen=True)
+class Toughness(Study):
+    """Centre cracks and compact specimens (ASTM E399), three widths each: K of the largest load against √(E' G_f).
+
+    Attributes:
+        plates: which kinds.
+        seeds: packings of each.
+        cells: size of cells at the tip, over l = E' G_f / f_t².
+    """
+
+    name: ClassVar[str] = "toughness"
+    title: ClassVar[str] = "Fracture toughness"
+    template: ClassVar[str] = "plain.html"
+
+    plates: tuple[str, ...] = tuple(PLATES)
+    seeds: tuple[int, ...] = (1, 2)
+    cells: float = 0.2
+
+    def __post_init__(self) -> None:
+        for kind in self.plates:
+            choice(self.name, "plates", kind, tuple(PLATES))
+        if not self.seeds or min(self.seeds) < 0:
+            raise InputError("toughness: give seeds from 0 up, such as --seeds 1,2")
+        if not 0.02 <= self.cells <= 0.4:
+            raise InputError(f"toughness: cells = {self.cells:g}; give 0.02 to 0.4, such as 0.2")
+
+    def stages(self, out: Path) -> Stages:
+        """See `Study`."""
+        yield "pull", [
+            ToughnessRun(kind, over, self.cells, seed)
+            for kind in self.plates for over in PLATES[kind][1] for seed in self.seeds
+        ]  # fmt: skip
+
+    def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
+        """See `Study`: of each plate K over K_Ic, and whether that is within 10 %."""
+        good = [row for row in rows if not row["error"]]
+        wanted = [(kind, over) for kind in self.plates for over in PLATES[kind][1]]
+        groups = [[row for row in good if (row["kind"], row["over"]) == one] for one in wanted]
+        return {"limit": LIMIT, "size": self.cells, "plates": [_judged(some) for some in groups if some]}
+
+    def table(self, results: Mapping[str, Any]) -> str:
+        """See `Study`."""
+        lines = [
+            [one["kind"], f"{one['over']:g}", ", ".join(map(str, one["count"])),
+             ", ".join(f"{value:.3f}" for value in one["values"]), f"{one['expected']:.3f}", one["verdict"],
+             ", ".join(map(str, one["events"])), ", ".join(f"{value:.0f}" for value in one["run_seconds"])]
+            for one in results["plates"]
+        ]  # fmt: skip
+        return table("Stress intensity at the peak", _HEAD, lines) if lines else "no run\n"
+
+    def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
+        """See `Study`: K over K_Ic against the width, and as plates break."""
+        with sheet(out / "figures" / "toughness.png", 10.0, 4.2, 1, 2) as (_, (left, right)):
+            left.axhspan(1.0 - LIMIT, 1.0 + LIMIT, color=GREY, alpha=0.2, linewidth=0.0, label="K_Ic ± 10 %")
+            for kind in self.plates:
+                some, colour = [one for one in results["plates"] if one["kind"] == kind], _COLOURS[kind]
+                if not some:
+                    continue
+                over = np.geomspace(some[0]["over"], some[-1]["over"], 50)
+                expected = [PLATES[kind][0](width).expected for width in over]
+                left.plot(over, expected, color=colour, linewidth=0.9, label=f"{kind}: crack longer by 0.419 l")
+                points = np.array([(one["over"], value) for one in some for value in one["values"]])
+                left.plot(*points.T, "o", color=colour, label=f"{kind}: cells")
+            for row in [row for row in rows if not row["error"] and row["seed"] == self.seeds[0]]:
+                wide = 0.5 + 0.5 * PLATES[row["kind"]][1].index(row["over"])
+                share = np.linspace(0.0, 1.0, len(row["curve"]))
+                right.plot(share, row["curve"], color=_COLOURS[row["kind"]], linewidth=wide,
+                           label=f"{row['kind']}, W = {row['over']:g} l")  # fmt: skip
+            right.axhline(1.0, color=INK, linewidth=0.8)
+            left.set(xscale="log", xlabel="W / l", ylabel="K / K_Ic at the peak", ylim=(0.8, 1.2))
+            ticks = sorted({over for kind in self.plates for over in PLATES[kind][1]})
+            plain_ticks(left.xaxis, ticks)
+            right.set(xlabel="share of the events", ylabel="K of the notch / K_Ic", ylim=(0.0, 1.4), xlim=(0.0, 1.0))
+            left.legend(frameon=False, fontsize=7.5, loc="lower right")
+            right.legend(frameon=False, fontsize=7.5, loc="lower center", ncols=2)
+
+    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
+        """See `Study`."""
+        met = sum(one["verdict"] != "missed" for one in results["plates"])
+        return {
+            "about": f"Plates of cells in plane strain, {len(self.seeds)} packings each, by bd.solve_quasistatic.",
+            "verdict": f"{met} of {len(results['plates'])} plates break within {LIMIT:.0%} of K_Ic.",
+            "captions": {"toughness": "Stress intensity at the peak against the width, and along first packings."},
+            "note": "",
+        }
+
+
+def _judged(rows: Sequence[Row]) -> dict[str, Any]:
+    values = [row["over_toughness"] for row in rows]
+    within = [abs(value - 1.0) <= LIMIT for value in values]
+    mean = mean_and_scatter(values)
+    assert mean["mean"] is not None
+    by_mean = "met by the mean" if abs(mean["mean"] - 1.0) <= LIMIT else "missed"
+    return {
+        **{key: rows[0][key] for key in ("kind", "over", "size", "expected")}, "values": values, "mean": mean,
+        **{key: [row[key] for row in rows] for key in ("seed", "count", "events", "run_seconds", "end")},
+        "verdict": "met" if all(within) else by_mean,
+    }  # fmt: skip
