@@ -23,7 +23,7 @@ import json
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -142,18 +142,18 @@ def bodies() -> dict[str, Body]:
     }  # fmt: skip
 
 
-@cache
+@lru_cache(maxsize=2)
 def mesh(name: str, fine: float = 1.0) -> Continuum:
     return bodies()[name].mesh(fine)
 
 
-@cache
+@lru_cache(maxsize=6)
 def free_modes(name: str, nu: float, fine: float = 1.0) -> Vibration:
     """For E = ρ = 1."""
     return mesh(name, fine).vibration(1.0, nu, 1.0, count=MODES)
 
 
-@cache
+@lru_cache(maxsize=6)
 def reference(name: str, nu: float, fine: float = 1.0) -> tuple[Vibration, dict[str, float]]:
     """Free modes for E = ρ = 1, and what each unit load does where it acts on the clamped body."""
     body = bodies()[name]
@@ -163,12 +163,12 @@ def reference(name: str, nu: float, fine: float = 1.0) -> tuple[Vibration, dict[
     return free_modes(name, nu, fine), moved
 
 
-@cache
+@lru_cache(maxsize=1)
 def cut(name: str, count: int, seed: int) -> bd.Lattice:
     return bd.connect(bd.pack(bodies()[name].shape, count=count, spread=0.25, seed=seed), method="laguerre")
 
 
-@cache
+@lru_cache(maxsize=1)
 def sampler(name: str, count: int, seed: int) -> Callable[[np.ndarray], np.ndarray]:
     """Modes of the continuum at the elements of a body."""
     part = cut(name, count, seed)
@@ -271,7 +271,8 @@ def main(arguments: list[str] | None = None) -> None:
             (given.out / f"meshes-{shape}.json").write_text(json.dumps(meshes(shape, 0.2)))
         return
     cases = []
-    for count, seed, shape, nu in product(given.counts, given.seeds, given.shapes, given.nu):
+    # shape by shape: meshes and factors of seven continua together do not fit into memory
+    for shape, count, seed, nu in product(given.shapes, given.counts, given.seeds, given.nu):
         file = _file(given.out, {"shape": shape, "nu": nu, "count": count, "seed": seed})
         if not file.exists():
             started = time.perf_counter()
