@@ -118,7 +118,8 @@ def _brazilian() -> Section:
         ]  # fmt: skip
     rows += [
         Row(case=f"c = 14.3 MPa, φ = 35°, 2 P / (π D t) over f_t: {told}", form=RATIO,
-            ours=_of(ones, lambda one: one["ratio"]), tolerance=Near(absolute=0.075, target=1.0))
+            ours=_of(ones, lambda one: one["ratio"]), tolerance=Near(absolute=0.075, target=1.0),
+            note="cracks spread under the strips, too: it is no clean split")
         for told, ones in _groups("cut_off")
     ]  # fmt: skip
     for kind, name in (("brazilian", ", the default"), ("narrow", ""), ("wide", "")):
