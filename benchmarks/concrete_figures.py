@@ -50,9 +50,9 @@ def _draw(
         for other, one in sorted(found, key=lambda pair: pair[1]["count"]):
             with np.load(other.with_suffix(".npz")) as beside:
                 x, y = beside["curve"].T
-            largest = one is row
-            right.plot(1e3 * x, y / 1e6, color=BLUE, alpha=1.0 if largest else 0.45,
-                       linewidth=1.4 if largest else 0.9, label=f"{one['count']} cells, seed {one['seed']}")  # fmt: skip
+            alpha, width = (1.0, 1.4) if one is row else (0.45, 0.9)
+            label = f"{one['count']} cells, seed {one['seed']}"
+            right.plot(1e3 * x, y / 1e6, color=BLUE, alpha=alpha, linewidth=width, label=label)
         if row["theory"] is not None and math.isfinite(row["theory"]):
             right.axhline(row["theory"] / 1e6, color=ORANGE, linestyle=(0, (4, 3)), label="put in")
         right.set(xlabel=f"{told.strain} [10$^{{-3}}$]", ylabel=f"{told.stress} [MPa]")

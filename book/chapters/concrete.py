@@ -1,5 +1,6 @@
 """One concrete in the laboratory's tests: what its strengths imply, and what bodies of cells bear."""
 
+import math
 from collections.abc import Callable
 
 from book.chapter import Chapter, Figure, Section
@@ -25,11 +26,11 @@ def chapter() -> Chapter:
         name="concrete",
         title="Concrete: the laboratory's tests",
         summary=(
-            "One concrete by five numbers: E = 40 GPa, ν = 0.2, f_t = 4 MPa, c = 7.4 MPa, φ = 59.8°. The last two are what a"
-            " Mohr–Coulomb continuum needs for 55 MPa in compression and 4 MPa in tension, which is what Celigueta et al."
-            " (2020) measured; their own parameters, c = 14.5 MPa and φ = 60°, are calibrated ones of bonds. They publish no"
-            " fracture energy: G_f = 100 J/m² is assumed, G_II = 10 G_f is the default. Nothing is calibrated, no seed was"
-            " left out."
+            "One concrete by five numbers: E = 40 GPa, ν = 0.2, f_t = 4 MPa, c = 7.4 MPa, φ = 59.8°. The last two"
+            " are what a Mohr–Coulomb continuum needs for 55 MPa in compression and 4 MPa in tension, which is what"
+            " Celigueta et al. (2020) measured; their own parameters, c = 14.5 MPa and φ = 60°, are calibrated ones"
+            " of bonds. They publish no fracture energy: G_f = 100 J/m² is assumed, G_II = 10 G_f is the default."
+            " Nothing is calibrated, no seed was left out."
         ),
         sections=(_compression(), _tension(), _brazilian(), _bending(), _shear()),
     )
@@ -102,9 +103,9 @@ def _energy() -> float:
 def _brazilian() -> Section:
     onset = CONCRETE.number("onset").values[0]
     reason = (
-        f"the line through 55 and 4 MPa is met in (0, −3 s, s), as at the centre of a disc, at s = c cos φ / (2 − sin φ) ="
-        f" {STRESS.text(onset)}: cells yield before the tension reaches f_t. Below it is held against that, and with"
-        " c = 14.3 MPa, φ = 35°, whose line passes above f_t, against f_t"
+        "the line through 55 and 4 MPa is met in (0, −3 s, s), as at the centre of a disc, at"
+        f" s = c cos φ / (2 − sin φ) = {STRESS.text(onset)}: cells yield before the tension reaches f_t. Below it is"
+        " held against that, and with c = 14.3 MPa, φ = 35°, whose line passes above f_t, against f_t"
     )
     rows: list[Row] = []
     for told, ones in _groups("brazilian"):
@@ -112,17 +113,20 @@ def _brazilian() -> Section:
             Row(case=f"2 P / (π D t): {told}", ours=_of(ones, lambda one: one["peak"]), form=STRESS, source="§4.2",
                 paper=4e6, printed="4 MPa", tolerance=Near(absolute=0.3e6), reason=reason),
             Row(case=f"tension at the centre at the peak over {STRESS.text(onset)}: {told}", form=RATIO,
-                ours=_of(ones, lambda one: one["tension"] / one["onset"]), tolerance=Near(absolute=LIMIT, target=1.0)),
+                ours=_of(ones, lambda one: one["tension"] / one["onset"]),
+                tolerance=Near(absolute=LIMIT, target=1.0)),
         ]  # fmt: skip
     rows += [
         Row(case=f"c = 14.3 MPa, φ = 35°, 2 P / (π D t) over f_t: {told}", form=RATIO,
-            ours=_of(ones, lambda one: one["ratio"]), tolerance=Near(absolute=0.075, target=1.0))
+            ours=_of(ones, lambda one: one["ratio"]), tolerance=Near(absolute=0.075, target=1.0),
+            note="cracks spread under the strips, too: it is no clean split")
         for told, ones in _groups("cut_off")
     ]  # fmt: skip
-    for kind, name in (("brazilian", "default"), ("narrow", "α = 5°"), ("wide", "α = 12°")):
+    for kind, name in (("brazilian", ", the default"), ("narrow", ""), ("wide", "")):
         for told, ones in _groups(kind):
             off = _of(ones, lambda one: abs(one["centre"] / one["factor"] - 1.0))
-            strips = f"strips {name}" + f", α = {PLAIN.bare(57.2958 * ones[0]['half_angle'])}°" * (kind == "brazilian")
+            degrees = f"{math.degrees(ones[0]['half_angle']):.1f}°"
+            strips = f"strips of α = {degrees}{name}"
             rows += [
                 Row(case=f"elastic stress at the centre off that under stamps, {strips}: {told}", ours=off,
                     form=PERCENT, tolerance=AtMost(ELASTIC)),
@@ -140,9 +144,9 @@ def _brazilian() -> Section:
     return Section(
         title="Brazilian test",
         before=(
-            "The same cylinder, as in the paper (9000 spheres there), pressed across a diameter. Smooth platens hold two"
-            " strips of its side along the load; strips are 5° to both sides, or three quarters of a cell where that is"
-            " more, and lower the stress at the centre by the factor of a smooth rigid stamp."
+            "The same cylinder, as in the paper (9000 spheres there), pressed across a diameter. Smooth platens"
+            " hold two strips of its side along the load; strips are 5° to both sides, or three quarters of a cell"
+            " where that is more, and lower the stress at the centre by the factor of a smooth rigid stamp."
         ),
         rows=tuple(rows),
         figures=(Figure("concrete_brazilian.png", "Brazilian test: damage of the largest specimen, curves of all"),),
@@ -165,9 +169,9 @@ def _bending() -> Section:
     return Section(
         title="Three-point bending",
         before=(
-            "Beams 400 × 100 × 100 mm over 300 mm, plain and with a notch of a third of the depth, by load factors: no speed,"
-            " no inertia. Flexural strength is above f_t by what softens in the ligament (E G_f / f_t² is 2.5 times the"
-            " depth), and has no closed form. Cells are a sixth of the depth."
+            "Beams 400 × 100 × 100 mm over 300 mm, plain and with a notch of a third of the depth, by load factors:"
+            " no speed, no inertia. Flexural strength is above f_t by what softens in the ligament (E G_f / f_t² is"
+            " 2.5 times the depth), and has no closed form. Cells are a sixth of the depth."
         ),
         rows=tuple(rows),
         figures=(
@@ -188,10 +192,11 @@ def _shear() -> Section:
     return Section(
         title="Shear test",
         before=(
-            "The paper's specimen, Ø150 × 80 mm with ring borings 10 mm deep, 4 mm wide, at Ø45 mm from both ends (161 000"
-            " spheres there): load over π · 45 mm · 60 mm. It prints no target. The core has 41 mm between its borings, and"
-            " under 55 MPa without support at its sides it would be crushed at 8.6 MPa of mean shear stress: coarse cells,"
-            " 9 mm with 2000 and 4 mm with 20 000, do not resolve its ends, and the limit load still falls with their size."
+            "The paper's specimen, Ø150 × 80 mm with ring borings 10 mm deep, 4 mm wide, at Ø45 mm from both ends"
+            " (161 000 spheres there): load over π · 45 mm · 60 mm. It prints no target. The core has 41 mm between"
+            " its borings, and under 55 MPa without support at its sides it would be crushed at 8.6 MPa of mean"
+            " shear stress: coarse cells, 9 mm with 2000 and 4 mm with 20 000, do not resolve its ends, and the"
+            " limit load still falls with their size."
         ),
         rows=tuple(rows),
         figures=(Figure("concrete_shear.png", "Shear test: damage inside of the largest specimen, curves of all"),),
