@@ -79,7 +79,10 @@ class Spall(Study):
             {key: row[key] for key in (
                 "tension", "fracture_energy", "size", "count", "seed", "highest", "pull_back", "lengths", "first",
                 "steps", "run_seconds", "residual",
-            )} | {"broken": _broken(row), "thin": bar.place(row["tension"]), "thin_pull_back": bar.pull_back(row["tension"])}
+            )} | {
+                "broken": _broken(row), "thin": bar.place(row["tension"]),
+                "thin_pull_back": bar.pull_back(row["tension"]),
+            }
             for row in rows if not row["error"]
         ]  # fmt: skip
         return {"place": PLACE, "within": WITHIN, "highest": HIGHEST, "pull_back": PULL_BACK,
