@@ -107,6 +107,7 @@ def test_the_study_of_spalling_draws_and_keeps_its_numbers(tmp_path):
                 command="by a test")  # fmt: skip
     (one,) = found["runs"]
     assert one["thin"] == pytest.approx(18.4e-3, abs=0.1e-3)
+    assert 0.0 < one["broken"][0] < one["broken"][1] < 0.14
     assert (tmp_path / "figures" / "spall.png").stat().st_size > 10_000
     assert "no verdicts" in (tmp_path / "table.md").read_text()
 

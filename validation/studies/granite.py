@@ -137,7 +137,7 @@ def _judged(test: str, rows: Sequence[Row], put_in: float, values: list[float]) 
 
 
 def first_peak(stress: Sequence[float]) -> float:
-    """Largest stress before it first falls by a fifth [Pa]: what splits a disc, whose halves may bear more after it."""
+    """Largest stress before it first falls by a fifth [Pa]: it splits a disc, whose halves may bear more later."""
     most = np.maximum.accumulate(np.array(stress))
     fallen = np.flatnonzero(np.array(stress) < (1.0 - _FALL) * most)
     return float(most[fallen[0]] if fallen.size else most[-1])

@@ -21,6 +21,8 @@ _HEAD = (
     "pieces from the free end [mm]", "thin elastic bar [mm]", "first break [µs]", "seconds",
 )  # fmt: skip
 _COLOURS = (BLUE, GREEN, PURPLE, GREY, ORANGE)
+# Share of a section that is broken where a bar counts as broken.
+_MUCH = 0.1
 
 
 @dataclass(frozen=True)
@@ -77,7 +79,10 @@ class Spall(Study):
             {key: row[key] for key in (
                 "tension", "fracture_energy", "size", "count", "seed", "highest", "pull_back", "lengths", "first",
                 "steps", "run_seconds", "residual",
-            )} | {"thin": bar.place(row["tension"]), "thin_pull_back": bar.pull_back(row["tension"])}
+            )} | {
+                "broken": _broken(row), "thin": bar.place(row["tension"]),
+                "thin_pull_back": bar.pull_back(row["tension"]),
+            }
             for row in rows if not row["error"]
         ]  # fmt: skip
         return {"place": PLACE, "within": WITHIN, "highest": HIGHEST, "pull_back": PULL_BACK,
@@ -129,3 +134,10 @@ class Spall(Study):
             "captions": {"spall": "Velocity of the free end, and where bars of both strengths break."},
             "note": "",
         }
+
+
+def _broken(row: Row) -> list[float] | None:
+    """From where to where more than a tenth of the section is broken in a bin of its profile [m]."""
+    bins = np.flatnonzero(np.array(row["profile"]) > _MUCH)
+    wide = Bar().length / len(row["profile"])
+    return [float(bins[0] * wide), float((bins[-1] + 1) * wide)] if bins.size else None
