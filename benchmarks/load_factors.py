@@ -1,12 +1,13 @@
 """Fracture by load factors beside slow explicit runs: notched bars of concrete, and what finer steps change.
 
 E = 40 GPa, ν = 0.2, f_t = 4 MPa, G_f = 20 J/m². A prism 60 × 30 × 30 mm with a notch 3 mm wide and 10 mm deep is
-pulled between smooth platens: by `bd.solve_quasistatic` with bands of several widths about the softening line, and by
-`bd.labtests.direct_tension`, damped, at its usual speed and at a quarter of it. Peak over that of the slower explicit
-run, work over the ligament and G_f, events, facets, and time.
+pulled between smooth platens: by `bd.solve_quasistatic` with bands of several widths about the softening line; by
+`bd.labtests.direct_tension`, damped, at its usual speed and at a quarter of it; and by displacements that grow by one
+and by half a per cent of that of the peak (`displacement_steps.py`), where nothing snaps back. Peaks over that of the
+slower explicit run, work over the ligament and G_f, events, facets, and time.
 
 Run: python benchmarks/load_factors.py [--counts 300 1000 3000] [--seeds 1] [--ripples 0.2 0.1 0.05]
-         [--together 0.005]
+         [--together 0.005] [--steps 0.01 0.005]
 It writes benchmarks/results/load_factors.json; cases that are there already are kept.
 """
 
@@ -17,6 +18,7 @@ from itertools import product
 from pathlib import Path
 
 import bondem as bd
+from displacement_steps import pulled_in_steps
 from kept import RESULTS, keep, origin
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
@@ -44,13 +46,28 @@ def explicit(bar: bd.Lattice, traverses: float) -> dict:
     }  # fmt: skip
 
 
-def by_factors(bar: bd.Lattice, ripple: float, together: float) -> dict:
-    ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=1e-6)]
-    model = bd.Model(bar, LAW, density=2400.0, failure=FAILURE, boundary=ends)
+def by_steps(bar: bd.Lattice, way: float, part: float) -> dict:
+    """By displacements from 0.7 of that of the peak on, `part` of it each, until a tenth of the peak is lost."""
     began = time.perf_counter()
-    path = bd.solve_quasistatic(model, bd.Face("x_max"), ripple=ripple, together=together)
+    found = pulled_in_steps(model_of(bar), bd.Face("x_max"), 0.7 * way, part * way, 0.9)
+    return {
+        "part": part, "peak": float(found.load.max()) / LIGAMENT, "steps": len(found.load),
+        "rounds": int(found.rounds.sum()), "most rounds": int(found.rounds[: found.load.argmax() + 1].max()),
+        "seconds": time.perf_counter() - began,
+    }  # fmt: skip
+
+
+def model_of(bar: bd.Lattice) -> bd.Model:
+    ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=1e-6)]
+    return bd.Model(bar, LAW, density=2400.0, failure=FAILURE, boundary=ends)
+
+
+def by_factors(bar: bd.Lattice, ripple: float, together: float) -> dict:
+    began = time.perf_counter()
+    path = bd.solve_quasistatic(model_of(bar), bd.Face("x_max"), ripple=ripple, together=together)
     return {
         "ripple": ripple, "together": together, "peak": path.peak / LIGAMENT,
+        "way": float(path.displacement[path.load.argmax()]),
         "work": path.work[-1] / LIGAMENT / FAILURE.fracture_energy, "events": len(path.load),
         "failures": len(path.bond), "facets": len(set(path.bond.tolist())),
         "closure": float(path.work[-1] - path.stored[-1] - path.energy.sum()) / path.work[-1],
@@ -64,6 +81,7 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, nargs="+", default=[1])
     parser.add_argument("--ripples", type=float, nargs="+", default=[0.2, 0.1, 0.05])
     parser.add_argument("--together", type=float, default=0.005)
+    parser.add_argument("--steps", type=float, nargs="*", default=[0.01, 0.005], help="over the way of the peak")
     parser.add_argument("--out", type=Path, default=FILE)
     options = parser.parse_args()
     begun = origin()
@@ -82,6 +100,13 @@ def main() -> None:
             known = [(one["ripple"], one["together"]) for one in case["load factors"]]
             if (ripple, options.together) not in known:
                 case["load factors"].append(by_factors(bar, ripple, options.together))
+        ways = case.setdefault("displacements", [])
+        for part in options.steps:
+            if part not in [one["part"] for one in ways]:
+                ways.append(by_steps(bar, case["load factors"][-1]["way"], part))
+        for one in ways:
+            one["over explicit"] = one["peak"] / slow
+            print(count, seed, {key: round(float(value), 4) for key, value in one.items()}, flush=True)
         for one in case["load factors"]:
             one["over explicit"] = one["peak"] / slow
             shown = ("ripple", "over explicit", "work", "events", "seconds")

@@ -272,6 +272,18 @@ def test_a_facet_that_is_bent_softens_by_the_rms_of_its_tractions(strain: float)
     assert found.energy.sum() == pytest.approx(share * ENERGY * SIZE**2, rel=1e-4)
 
 
+@pytest.mark.parametrize("count", [20, 400])
+def test_a_slender_body_in_two_parts_has_parted(count: int) -> None:
+    """A cantilever of cubes breaks at its root: what stands for none has L / 3 h times 1e-7 of its stiffness."""
+    body, tip = bar(count), bd.Index([count - 1])
+    ends = [bd.Fix(bd.Index([0])), bd.Load(tip, force=(0.0, 1e-3, 0.0))]
+    law = bd.CellBond(E=E, nu=0.0, facet_rotation="full")
+    model = bd.Model(body, law, 2500.0, failure=bd.Rankine(tension=STRENGTH), boundary=ends)
+    found = bd.solve_quasistatic(model, tip, together=0.0, until=0.0, most=5)
+    assert found.end == "parted"
+    assert found.bond.tolist() == [0]
+
+
 @pytest.mark.parametrize("turn", [0.08, 0.12])
 def test_a_path_ends_where_it_folds(turn: float) -> None:
     """Two cubes so soft that their facet begins to crack at a turn that is small, or not small any more."""

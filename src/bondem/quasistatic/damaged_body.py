@@ -124,6 +124,12 @@ class DamagedBody:
         stored += 0.5 * float(self.system.matrix.weight @ self.given**2)
         return stored - float(self.right @ motion)
 
+    def held_by_none(self, found: Loaded) -> float:
+        """Energy of the facets that have no integrity left: of that which stands for none [J]."""
+        none = found.cracked[self.integrity[found.cracked] <= _NONE]
+        force = self.area[none] * found.opening[self.integrity[found.cracked] <= _NONE]
+        return 0.5 * _NONE * float((force**2 / self.constants.k[none]).sum())
+
     def state(self, motion: Floats) -> State:
         """The body under displacements and rotations (6 n,), with its cracks."""
         model = self.model

@@ -21,8 +21,9 @@ from bondem.specimen.regions import Region
 
 # Facets whose factors differ by less than this share come in the user's order.
 _TIE = 1e-9
-# A body whose stiffness is this share of that of the whole one is in two parts.
-_PARTED = 1e-5
+# A body whose stiffness is this share of that of the whole one is in two parts; and one that holds so much of its
+# energy in facets without integrity: these are a larger share of the stiffness of what is slender.
+_PARTED, _HELD = 1e-5, 0.5
 # Share of the events, the last ones, that have to be below the load at which a run ends.
 _LAST = 0.05
 # Rotations of small motions [rad]: cos is 1 to half a per cent; and the share of the elements that may have turned by
@@ -145,7 +146,7 @@ def solve_quasistatic(
         path.settle(body.potential(motion), load, displacement)
         stiffness = load / displacement
         first = first or stiffness
-        if stiffness < _PARTED * first:
+        if stiffness < _PARTED * first or _held_by_none(body, found, motion, load * displacement):
             end = "parted"
             break
         failing, factor = _next(body, onset, softening, found, close)
@@ -191,6 +192,11 @@ def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats) -> tup
             body.weaken(k, float(body.integrity[k]), (bool(shut[0]), bool(shut[1])))
         motion, found = rest()
     return motion, found
+
+
+def _held_by_none(body: DamagedBody, found: Loaded, motion: Floats, worked: float) -> bool:
+    """Whether what stands for no integrity holds the body together; `worked` is load times displacement [J]."""
+    return body.held_by_none(found) > _HELD * 0.5 * max(abs(worked), abs(float(body.right @ motion)))
 
 
 def _folds(motion: Floats, factor: float) -> bool:
