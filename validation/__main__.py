@@ -11,8 +11,8 @@ from validation.frame.command import command_of
 from validation.frame.study import Study
 
 STUDIES = (
-    "abacus", "assembly", "coverage", "dispersion", "fracture", "influence", "kalthoff", "protocol", "quasistatic",
-    "refinement", "ring", "section", "surface", "vibration", "wave", "weibull",
+    "abacus", "assembly", "celigueta", "coverage", "dispersion", "fracture", "influence", "kalthoff", "protocol",
+    "quasistatic", "refinement", "ring", "section", "surface", "vibration", "wave", "weibull",
 )  # fmt: skip
 
 
