@@ -86,8 +86,21 @@ def own(function: object, **parameters: object) -> object:
 REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "a number": ("4000000", "a criterion such as bd.PeripheralStress", lambda: model(4e6)),
     "a class": ("PeripheralStress", "a criterion such as", lambda: model(bd.PeripheralStress)),
-    "the non-local law": (
-        "NonLocal", "use beam bonds or bd.CellBond", lambda: model(TRACTION, bd.NonLocal(E=1e9, nu=0.2), body())
+    "a beam's stress in the non-local law": (
+        "PeripheralStress is no criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
+        lambda: model(STRESS, bd.NonLocal(E=1e9, nu=0.2), body()),
+    ),
+    "a cone in the non-local law": (
+        "DruckerPrager is no criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
+        lambda: model(bd.DruckerPrager(tension=1e6, compression=1e7), bd.NonLocal(E=1e9, nu=0.2), body()),
+    ),
+    "softening in the non-local law": (
+        "Rankine: NonLocal bonds break at once", "leave fracture_energy= out",
+        lambda: model(bd.Rankine(tension=1e6, fracture_energy=10.0), bd.NonLocal(E=1e9, nu=0.2), body()),
+    ),
+    "friction of a criterion in the non-local law": (
+        "Rankine: friction= of NonLocal bonds", "contact=bd.LinearContact",
+        lambda: model(bd.Rankine(tension=1e6, friction=0.3), bd.NonLocal(E=1e9, nu=0.2), body()),
     ),
     "the incremental form": (
         "needs bonds of the total formulation", "use formulation='total'",

@@ -7,6 +7,7 @@ from book.chapters import (
     andre_tables,
     any_specimen,
     calibration,
+    celigueta,
     cells,
     chen_components,
     chen_tables,
@@ -28,7 +29,7 @@ from book.small import PACKINGS
 
 _FILES = (
     andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, concrete,
-    fracture, rapid_fracture, packings, parameters, dynamic_tests, surface, formulations, dynamics, cost,
+    celigueta, fracture, rapid_fracture, packings, parameters, dynamic_tests, surface, formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}

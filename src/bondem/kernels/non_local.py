@@ -40,6 +40,12 @@ def _column(columns, first, k):
 
 
 @device
+def _column_of(rows, k):
+    """The first three columns of a row."""
+    return rows[k, 0], rows[k, 1], rows[k, 2]
+
+
+@device
 def _back(q, a):
     """Triple a turned by the inverse of the unit quaternion q."""
     return rotate(q[0], -q[1], -q[2], -q[3], a[0], a[1], a[2])
@@ -211,6 +217,42 @@ def element_stresses(pose, bonds, table, contacts, first, last):
         space[p, 3] = 0.5 * one * (x[1] + y[0])
         space[p, 4] = 0.5 * one * (x[2] + z[0])
         space[p, 5] = 0.5 * one * (y[2] + z[1])
+
+
+@device
+def add_stress(pose, table, p, l, sign, f):
+    """Add what ± a force f at the lever l, in the element's own frame, does to the stress of element p."""
+    x, y, z = _back((pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7]), f)
+    one, stress = sign * table.inverse[p], table.stress
+    stress[p, 0] += one * l[0] * x
+    stress[p, 1] += one * l[1] * y
+    stress[p, 2] += one * l[2] * z
+    stress[p, 3] += 0.5 * one * (l[0] * y + l[1] * x)
+    stress[p, 4] += 0.5 * one * (l[0] * z + l[2] * x)
+    stress[p, 5] += 0.5 * one * (l[1] * z + l[2] * y)
+
+
+@loop(parallel=False)
+def replace_force(pose, period, table, contacts, k, i, j):
+    """Take the force of bond k out of the stresses of its ends, and put in that of the contact that follows it.
+
+    Nothing of any other element is looked at, as those may have moved on.
+    """
+    f = _column_of(table.output, k)
+    add_stress(pose, table, i, _column(table.lever_i, 0, k), -1.0, f)
+    add_stress(pose, table, j, _column(table.lever_j, 0, k), 1.0, f)
+    if contacts is not None:  # decided when compiled
+        e = contacts.of_bond[k]
+        if e >= 0:
+            if contacts.touch[e] != 0:
+                a, b = np.int64(contacts.first[e]), np.int64(contacts.second[e])
+                d, f = branch(pose, a, b, period), _column_of(contacts.output, e)
+                of_a = contacts.radius[a] / (contacts.radius[a] + contacts.radius[b])
+                for end in range(2):
+                    p, share = (a, of_a) if end == 0 else (b, of_a - 1.0)
+                    q = pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7]
+                    l = _back(q, (share * d[0], share * d[1], share * d[2]))
+                    add_stress(pose, table, p, l, -1.0 if end == 0 else 1.0, f)
 
 
 @loop(parallel=False)

@@ -1,9 +1,9 @@
 """Bonds of the non-local law that break: judged by the mean stress of their two elements, eq (5).
 
-They are judged when the stresses of the step are known and nobody has moved. σ1 of a mean is at most the mean of both
-σ1, and σ3 at least the mean of both σ3: only bonds that reach the criterion by these are looked at closely. What breaks
-holds its ends back as other bonds do (`bondem.kernels.breaking`); the stresses of these are then found anew, without
-the bond and with the contact that follows it, so that they are those of the state wherever a run pauses.
+They are judged when the stresses of the step are known and nobody has moved. σ1 of a mean is at most the mean of
+both σ1, and σ3 at least the mean of both σ3: only bonds that reach the criterion by these are looked at closely.
+What breaks holds its ends back as other bonds do (`bondem.kernels.breaking`); the stresses of these, which the next
+step takes, are then without the bond and with the contact that follows it.
 """
 
 import numpy as np
@@ -13,7 +13,7 @@ from bondem.kernels.bond_pass import branch
 from bondem.kernels.breaking import log_break, take_dashpot, take_off
 from bondem.kernels.cell_yield import principal_stresses
 from bondem.kernels.contact_pairs import begin_contact
-from bondem.kernels.non_local import FORCE, TORQUE_I, TORQUE_J, element_stresses, normal_gap, pair_mean, turn_stresses
+from bondem.kernels.non_local import FORCE, TORQUE_I, TORQUE_J, normal_gap, pair_mean, replace_force, turn_stresses
 from bondem.laws.failure.principal import principal_index
 
 
@@ -81,10 +81,11 @@ def _break_pair(elements, bonds, table, sums, added, contacts, breaks, k):
     gap, slip, place = normal_gap(pose, bonds, table, k)
     energy = 0.5 * bonds.integrity[k] * (table.kn[k] * gap * gap + table.kt[k] * slip)
     bonds.integrity[k] = 0.0
-    for c in range(9):
-        output[k, c] = 0.0
     if contacts is not None:  # decided when compiled
         energy -= begin_contact(elements, bonds, contacts, sums, first_row, k)
+    replace_force(pose, bonds.period, table, contacts, k, i, j)
+    for c in range(9):
+        output[k, c] = 0.0
     log_break(breaks, k, mode, gap, energy, place)
 
 
@@ -92,18 +93,12 @@ def _break_pair(elements, bonds, table, sums, added, contacts, breaks, k):
 def break_pairs(elements, bonds, table, sums, added, contacts, breaks):
     """Break the bonds that were found in this step, in their order; what is pressed together bears on at once.
 
-    The energy released is that of the springs, less what the contact takes over; what extra forces have taken up stays
-    in an entry of its own.
+    The energy released is that of the springs, less what the contact takes over; what extra forces have taken up
+    stays in an entry of its own.
     """
     for d in range(len(breaks.found)):
         for e in range(breaks.begin[d], breaks.begin[d] + breaks.found[d]):
             _break_pair(elements, bonds, table, sums, added, contacts, breaks, breaks.marked[e])
-    for d in range(len(breaks.found)):
-        for e in range(breaks.begin[d], breaks.begin[d] + breaks.found[d]):
-            k = breaks.marked[e]
-            for end in range(2):
-                p = np.int64(bonds.i[k] if end == 0 else bonds.j[k])
-                element_stresses(elements.pose, bonds, table, contacts, p, p + 1)
 
 
 @kernel(parallel=False)

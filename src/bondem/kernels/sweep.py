@@ -30,7 +30,8 @@ def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, a
 
     `history` is what bonds store in the incremental formulation, (6, m), or None; `cells` are facets and cells, whose
     stresses are known, or None; `non_local` is the table of the non-local law, whose forces are known, or None;
-    `breaks` says when bonds break, or is None. `part` is the blocks first … last, and whether elements open the next step.
+    `breaks` says when bonds break, or is None. `part` is the blocks first … last, and whether elements open the next
+    step.
     """
     first, last, go_on = part
     waiting = 0

@@ -176,8 +176,8 @@ def _check_non_local(failure: Criterion) -> None:
     name = type(failure).__name__
     if failure.principal is None:
         raise InputError(
-            f"{name} is no criterion on principal stresses, by which NonLocal bonds break: use bd.Rankine(tension=) or"
-            " bd.MohrCoulomb(...)"
+            f"{name} is no criterion on principal stresses, by which NonLocal bonds break: use bd.Rankine(tension=)"
+            " or bd.MohrCoulomb(...)"
         )
     softening = failure.softening
     if softening is not None and softening.fracture_energy > 0.0:

@@ -9,8 +9,8 @@ from bondem._types import Floats, Ints, PerBond
 from bondem.errors import InputError
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.facet_breaking import facet_indices
-from bondem.kernels.pair_breaking import pair_indices
 from bondem.kernels.judging import bond_indices
+from bondem.kernels.pair_breaking import pair_indices
 from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.kernels.tables import (
     BROKEN_BOND,

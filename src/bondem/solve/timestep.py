@@ -175,8 +175,8 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
     """The critical step of the non-local law [s].
 
     That of springs and contacts with the dashpots of contacts, and the largest share of that of springs and contacts
-    that lagged steps bear; dashpots of bonds take part in their trials. Dashpots of contacts are bounded by M⁻¹ C, and
-    not by the largest c / k, which would go by the smallest facet.
+    that lagged steps bear; dashpots of bonds take part in their trials. Dashpots of contacts are bounded by M⁻¹ C,
+    and not by the largest c / k, which would go by the smallest facet.
 
     Args:
         model: what will move.
@@ -246,7 +246,8 @@ def _fastest_decay(model: Model, kn: PerBond, beta: float, soft: float) -> float
     matrix = local_stiffness(replace(constants, kn=along, kt=math.sqrt(soft) * along), layout)
     root = diags_array(1.0 / np.sqrt(np.repeat(np.column_stack([mass, inertia]), 3, axis=1).ravel()))
     start = np.random.default_rng(0).standard_normal(root.shape[0])
-    found = eigsh(root @ matrix @ root, k=1, which="LA", tol=_TOLERANCE, v0=start, return_eigenvectors=False)
+    options = {"tol": _TOLERANCE, "v0": start, "return_eigenvectors": False}
+    found = np.asarray(eigsh(root @ matrix @ root, k=1, which="LA", **options))
     return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
 
 

@@ -82,7 +82,7 @@ class Criterion(ABC):
 
     @property
     def principal(self) -> tuple[float, float, float] | None:
-        """a, b, c of max(a σ1, b σ1 - c σ3) ≥ 1, by which bonds of `bd.NonLocal` break at once; None of others [1/Pa]."""
+        """a, b, c [1/Pa] of max(a σ1, b σ1 - c σ3) ≥ 1, by which bonds of `bd.NonLocal` break; None of others."""
         return None
 
     def factors(self, volume: PerBond, place: PerBond3, period: Floats | None) -> PerBond:

@@ -33,8 +33,8 @@ class MohrCoulomb(BondCriterion):
     on their mean stress; the cohesion falls (r from 1 to 0) as slip dissipates the fracture energy of shear, and
     friction stays. Facets of a cell without cohesion break.
 
-    Bonds of `bd.NonLocal` break at once where the mean stress of their two elements does, as of Celigueta et al. (2020),
-    eq (9), whatever their own direction:
+    Bonds of `bd.NonLocal` break at once where the mean stress of their two elements reaches it, whatever their own
+    direction, after Celigueta et al. (2020), eq (9):
 
         σ1 ≥ tension        (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ c cos φ
 

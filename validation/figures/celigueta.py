@@ -1,0 +1,60 @@
+"""Curves of the tests of Celigueta et al., and what is left of the specimens."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.collections import PatchCollection
+from matplotlib.patches import Circle
+
+from bondem.report.style import BLUE, GREY, ORANGE, sheet
+from validation.rows.celigueta import CeliguetaRun
+
+_COLOURS = {"weighted": ORANGE, "facet": BLUE}
+_SLICE = 1.0  # half the thickness of a slice, over the mean radius
+_MOST = 5e-5  # displacement from which on colours are those of the end [m]
+
+
+def draw_curves(path: Path, test: str, measured: float, rows: Sequence[Mapping[str, Any]]) -> None:
+    """Stress over strain, or over time in splitting; a box for each criterion."""
+    failures = list(dict.fromkeys(row["failure"] for row in rows))
+    with sheet(path, 4.6 * len(failures), 3.8, 1, len(failures), squeeze=False) as (_, boxes):
+        for ax, failure in zip(boxes[0], failures, strict=True):
+            seen: set[str] = set()
+            for row in rows:
+                if row["failure"] != failure:
+                    continue
+                along, unit = ("strain", 1e2) if test == "compression" else ("time", 1e3)
+                x, y = unit * np.array(row["curve"][along]), 1e-6 * np.array(row["curve"]["stress"])
+                label = "" if row["areas"] in seen else f"{row['areas']} areas"
+                seen.add(row["areas"])
+                ax.plot(x, y, color=_COLOURS[row["areas"]], linewidth=0.9, alpha=0.8, label=label)
+            ax.axhline(1e-6 * measured, color=GREY, linestyle="--", linewidth=1.0, label="measured")
+            name = "strain between the plates [%]" if test == "compression" else "time [ms]"
+            ax.set(title=f"{test}, {failure}", xlabel=name, ylabel="stress [MPa]", xlim=(0.0, None), ylim=(0.0, None))
+            ax.legend(frameon=False)
+
+
+def draw_broken(path: Path, runs: Sequence[tuple[CeliguetaRun, Mapping[str, Any]]]) -> None:
+    """Slices through the middle, coloured by the displacement across the load; positions magnified twenty times."""
+    columns = (len(runs) + 1) // 2
+    with sheet(path, 2.9 * columns, 6.4, 2, columns, squeeze=False) as (_, boxes):
+        for ax in boxes.flat:
+            ax.set_axis_off()
+        for ax, (run, kept) in zip(boxes.T.flat, runs, strict=False):
+            position, moved, radius = kept["position"], kept["displacement"], kept["radius"]
+            # seen along the axis in splitting, across it in compression
+            middle, across, up = (1, 2, 0) if run.test == "compression" else (0, 1, 2)
+            level = 0.5 * (position[:, middle].min() + position[:, middle].max())
+            inside = np.flatnonzero(np.abs(position[:, middle] - level) < _SLICE * radius.mean())
+            place = position[inside] + 20.0 * np.clip(moved[inside], -5e-4, 5e-4)
+            shown = zip(place[:, across], place[:, up], radius[inside], strict=True)
+            circles = [Circle((x, y), r) for x, y, r in shown]
+            found = PatchCollection(circles, cmap="coolwarm", edgecolor="black", linewidth=0.2)
+            found.set_array(np.clip(moved[inside][:, across], -_MOST, _MOST))
+            found.set_clim(-_MOST, _MOST)
+            ax.add_collection(found)
+            ax.autoscale_view()
+            ax.set_aspect("equal")
+            ax.set_title(f"{run.test},\n{run.failure}, {run.areas}", fontsize=8)

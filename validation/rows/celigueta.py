@@ -1,0 +1,213 @@
+"""Tests with plates of Celigueta et al. (2020), each run a row: stress over strain, and what broke.
+
+A cylinder between two rigid plates, one of which stands still. Stresses are those of the force on the moving plate,
+over the section, or by eq (7) over π R L; a run ends when that has fallen to `FALLEN` of its peak.
+"""
+
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.laws.contact import LinearContact
+from bondem.laws.damping import LocalDamping
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.mohr_coulomb import MohrCoulomb
+from bondem.laws.failure.rankine import Rankine
+from bondem.laws.non_local import NonLocal
+from bondem.model.gauges import Gauge, WallGauge
+from bondem.model.model import Model
+from bondem.model.schedules import Ramp
+from bondem.model.state import State
+from bondem.model.walls import Driven, PlaneWall
+from bondem.packing import pack
+from bondem.run import solve_explicit
+from bondem.solve.events import Event
+from bondem.solve.explicit import ExplicitResult
+from bondem.specimen.bonding import connect
+from bondem.specimen.geometry import Cylinder
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Index
+from validation.frame.files import plain
+from validation.frame.request import Request
+
+#: The specimen [m] and the concrete [Pa, -, kg/m³]; the paper gives no density.
+RADIUS, LENGTH = 0.05, 0.2
+E, NU, RHO = 40e9, 0.2, 2400.0
+#: Relative speed of the plates [m/s], and elements of the paper.
+SPEED = {"compression": 0.05, "splitting": 0.1}
+COUNT = {"compression": 12_000, "splitting": 9_000}
+#: A run ends at this share of its peak, or when the plates have come nearer by these lengths [m].
+FALLEN = 0.5
+_FARTHEST = {"compression": 0.8e-3, "splitting": 0.25e-3}
+#: What the paper leaves open: damping of elements, dashpots of contacts, reach of the authors' bonds.
+DAMPING, DASHPOT, REACH = 0.3, 0.1, 1.3
+# The plates get going in this time [s].
+_START = 2e-4
+# Stresses, over the peak, between which E is read.
+_ELASTIC = (0.2, 0.5)
+_DIGITS = 5
+
+
+def criterion(name: str) -> Criterion:
+    """The paper's, by name; the cone of Mohr and Coulomb with its tip and no strength in tension beside."""
+    if name == "Rankine":
+        return Rankine(tension=6e6)
+    angle = math.radians(60.0)
+    return MohrCoulomb(tension=14.5e6 / math.tan(angle), cohesion=14.5e6, friction_angle=angle)
+
+
+@dataclass(frozen=True)
+class Fallen(Event):
+    """The force on the second plate has fallen to a share of its peak.
+
+    Attributes:
+        axis: along which it presses.
+        least: forces below which nothing is a peak [N].
+        peak: largest so far [N].
+    """
+
+    axis: int
+    least: float
+    peak: list[float] = field(default_factory=lambda: [0.0])
+
+    def happened(self, state: State) -> bool:
+        force = abs(float(state.wall_force[1, self.axis]))
+        self.peak[0] = max(self.peak[0], force)
+        return self.peak[0] > self.least and force < FALLEN * self.peak[0]
+
+
+@dataclass(frozen=True)
+class CeliguetaRun(Request):
+    """A test on one packing.
+
+    Attributes:
+        test: "compression" or "splitting".
+        failure: "Rankine" or "Mohr-Coulomb".
+        areas: "weighted", the authors' construction, or "facet".
+        count: elements.
+        seed: of the packing.
+        slower: by how much plates are slower than the paper's.
+        dashpot: share of critical damping of the contacts.
+    """
+
+    test: str
+    failure: str
+    areas: str
+    count: int
+    seed: int
+    slower: float = 1.0
+    dashpot: float = DASHPOT
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        return f"{self.test}_{self.failure}_{self.areas}_{self.count}_slower{self.slower:g}_seed{self.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return self.count ** (4 / 3) * self.slower / SPEED[self.test]
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        names = ("test", "failure", "areas", "count", "seed", "slower", "dashpot")
+        return {name: getattr(self, name) for name in names} | {"spread": 0.25}
+
+    def body(self) -> Lattice:
+        """The specimen, bonded."""
+        particles = pack(Cylinder(radius=RADIUS, length=LENGTH), count=self.count, spread=0.25, seed=self.seed)
+        return connect(particles, method="laguerre") if self.areas == "facet" else connect(particles, reach=REACH)
+
+    def model(self, body: Lattice) -> Model:
+        """Between its plates; spheres are as heavy as the concrete that they stand for."""
+        speed, axis = SPEED[self.test] / self.slower, self.axis
+        low = -RADIUS if axis else 0.0
+        high = RADIUS if axis else LENGTH
+        law = NonLocal(E=E, nu=NU)
+        density = RHO
+        if self.areas == "weighted":
+            law = NonLocal(E=E, nu=NU, areas="weighted", lever="contact")
+            density = RHO * math.pi * RADIUS**2 * LENGTH / float(body.particles.volume.sum())
+        direction = np.eye(3)[axis]
+        motion = Driven(**{"v" + "xyz"[axis]: Ramp(0.0, -speed, _START)})
+        walls = [
+            PlaneWall(point=tuple(low * direction), normal=tuple(direction)),
+            PlaneWall(point=tuple(high * direction), normal=tuple(-direction), motion=motion),
+        ]
+        contact = LinearContact(E=E, friction=0.1, kappa=2.0 * (1.0 + NU), damping=self.dashpot)
+        return Model(body, law, density, failure=criterion(self.failure), contact=contact, walls=walls)
+
+    @property
+    def axis(self) -> int:
+        """Along which the plates press."""
+        return 0 if self.test == "compression" else 2
+
+    @property
+    def section(self) -> float:
+        """What a force is divided by [m²]: π R², or π R L of eq (7)."""
+        return math.pi * RADIUS * (RADIUS if self.test == "compression" else LENGTH)
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """See `Request`: SI units."""
+        body = self.body()
+        x, thick = body.centre[:, 0], body.particles.mean_radius
+        gauges: dict[str, Any] = {"still": WallGauge(0, "force"), "moving": WallGauge(1, "force"),
+                                  "way": WallGauge(1, "displacement")}  # fmt: skip
+        for name, at in (("near", 0.25 * LENGTH), ("far", 0.75 * LENGTH)):
+            gauges[name] = Gauge(Index(np.flatnonzero(np.abs(x - at) < thick)), "displacement")
+        speed = SPEED[self.test] / self.slower
+        begun = perf_counter()
+        run = solve_explicit(
+            self.model(body), duration=_FARTHEST[self.test] / speed, damping=LocalDamping(DAMPING), every=200,
+            gauges=gauges, until=Fallen(self.axis, 0.3e6 * self.section),
+        )  # fmt: skip
+        seconds = perf_counter() - begun
+        self.keep(folder, {"position": body.centre, "displacement": run.state.displacement,
+                           "broken": run.events.position, "radius": body.particles.radius})  # fmt: skip
+        return plain(self.read(body, run) | {"run_seconds": round(seconds, 1)})
+
+    def whole(self, folder: Path) -> bool:
+        """See `Request`."""
+        return self.kept_file(folder).exists()
+
+    def read(self, body: Lattice, run: ExplicitResult) -> dict[str, Any]:
+        """Peak [Pa], E of the curve and between two sections [Pa], curves, and how they ended."""
+        history, axis = run.history, self.axis
+        stress = np.abs(history["moving"][:, axis]) / self.section
+        still = np.abs(history["still"][:, axis]) / self.section
+        strain = np.abs(history["way"][:, axis]) / (LENGTH if axis == 0 else 2.0 * RADIUS)
+        inside = (history["near"][:, 0] - history["far"][:, 0]) / (0.5 * LENGTH)
+        peak = int(np.argmax(stress))
+        energy = history.energy
+        found = {
+            "bonds": len(body.pairs), "z": 2.0 * len(body.pairs) / len(body.particles), "dt": run.dt,
+            "steps": run.state.step, "status": run.status.value, "broken": len(run.events),
+            "peak": stress[peak], "peak_still": still[peak], "peak_strain": strain[peak],
+            "peak_time": history.time[peak], "broken_at_peak": int((run.events.time <= history.time[peak]).sum()),
+            "ledger": float(np.abs(energy["balance"]).max() / np.abs(energy["work"]).max()),
+            "non_local_work": float(energy["non-local work"][peak] / energy["work"][peak]),
+            "curve": {"strain": _rounded(strain), "stress": _rounded(stress), "still": _rounded(still),
+                      "inside": _rounded(inside), "time": _rounded(history.time)},
+        }  # fmt: skip
+        if axis == 0:
+            found |= {"E_plates": _slope(strain, stress, peak), "E_inside": _slope(inside, stress, peak)}
+        return found
+
+
+def _slope(strain: Floats, stress: Floats, peak: int) -> float | None:
+    """Of stress over strain on its way up [Pa]."""
+    low, high = (share * stress[peak] for share in _ELASTIC)
+    first, last = (int(np.flatnonzero(stress[: peak + 1] >= level)[0]) for level in (low, high))
+    if last - first < 3:
+        return None
+    return float(np.polyfit(strain[first : last + 1], stress[first : last + 1], 1)[0])
+
+
+def _rounded(values: Floats) -> list[float]:
+    return [float(f"{value:.{_DIGITS}g}") for value in values.tolist()]
