@@ -15,7 +15,7 @@ from bondem.packing.grading import SizeField, cells_of, sizes_by
 from bondem.packing.growth import grow
 from bondem.packing.inclusions import aggregates, around_balls
 from bondem.packing.quench import quench
-from bondem.packing.shear import shear
+from bondem.packing.shear import sheared
 from bondem.packing.sizes import SPREAD, SizeLaw, Uniform
 from bondem.packing.targets import chosen
 from bondem.specimen.aggregates import Aggregates
@@ -24,7 +24,7 @@ from bondem.specimen.particles import Particles, filled
 
 __all__ = ["EVEN", "METHOD", "METHODS", "SEED", "aggregates", "pack"]
 
-_METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": shear}
+_METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": sheared}
 # Relaxation steps after which progress stands at one half; how many are needed is not known beforehand.
 _USUAL_STEPS = 2000
 #: Names of the methods, the default one, that for cells, which takes neither sizes nor targets, and the default seed:

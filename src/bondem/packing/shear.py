@@ -72,7 +72,7 @@ class Compaction:
     steps: int
 
 
-def shear(
+def sheared(
     shape: Shape,
     relative_radius: Floats,
     target: Target,
