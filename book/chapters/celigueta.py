@@ -11,7 +11,7 @@ from book.tolerances import Near
 CELIGUETA = study(
     "celigueta",
     {"compression": "celigueta_compression", "splitting": "celigueta_splitting", "broken": "celigueta_broken"},
-    options="--seeds 1",
+    options="--seeds 1,2",
 )
 MEASUREMENTS = (CELIGUETA,)
 
