@@ -11,10 +11,11 @@ from book.tolerances import Near
 CELIGUETA = study(
     "celigueta",
     {"compression": "celigueta_compression", "splitting": "celigueta_splitting", "broken": "celigueta_broken"},
+    options="--seeds 1,2",
 )
 MEASUREMENTS = (CELIGUETA,)
 
-STRESS, MODULUS = Form("MPa", 1e-6, ".2f"), Form("GPa", 1e-9, ".2f")
+STRESS, MODULUS = Form("MPa", 1e6, ".2f"), Form("GPa", 1e9, ".2f")
 _AREAS = {"weighted": "the authors' areas", "facet": "Laguerre facets"}
 
 
@@ -38,7 +39,8 @@ def chapter() -> Chapter:
                     "Rankine with 6 MPa, Mohr and Coulomb with 14.5 MPa and 60°; friction 0.1; plates at 0.05 and 0.1"
                     " m/s. Local damping 0.3, contacts with a tenth of critical damping (the paper: restitution 0),"
                     " 2400 kg/m³ and a reach of 1.3 are not from the paper. The splitting stress is that of eq (7) at"
-                    " the largest force of the run, which may come long after the first crack."
+                    " the largest force of the run, which ends after 0.25 mm: with facets it falls at the first crack"
+                    " and rises again until then (figure)."
                 ),
                 rows=tuple(
                     Row(case=f"{one['test']}, {one['failure']}, {_AREAS[one['areas']]}: peak", source="§4",

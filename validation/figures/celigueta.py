@@ -9,7 +9,6 @@ from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle
 
 from bondem.report.style import BLUE, GREY, ORANGE, sheet
-from validation.rows.celigueta import CeliguetaRun
 
 _COLOURS = {"weighted": ORANGE, "facet": BLUE}
 _SLICE = 1.0  # half the thickness of a slice, over the mean radius
@@ -36,7 +35,7 @@ def draw_curves(path: Path, test: str, measured: float, rows: Sequence[Mapping[s
             ax.legend(frameon=False)
 
 
-def draw_broken(path: Path, runs: Sequence[tuple[CeliguetaRun, Mapping[str, Any]]]) -> None:
+def draw_broken(path: Path, runs: Sequence[tuple[Mapping[str, Any], Mapping[str, Any]]]) -> None:
     """Slices through the middle, coloured by the displacement across the load; positions magnified twenty times."""
     columns = (len(runs) + 1) // 2
     with sheet(path, 2.9 * columns, 6.4, 2, columns, squeeze=False) as (_, boxes):
@@ -45,7 +44,7 @@ def draw_broken(path: Path, runs: Sequence[tuple[CeliguetaRun, Mapping[str, Any]
         for ax, (run, kept) in zip(boxes.T.flat, runs, strict=False):
             position, moved, radius = kept["position"], kept["displacement"], kept["radius"]
             # seen along the axis in splitting, across it in compression
-            middle, across, up = (1, 2, 0) if run.test == "compression" else (0, 1, 2)
+            middle, across, up = (1, 2, 0) if run["test"] == "compression" else (0, 1, 2)
             level = 0.5 * (position[:, middle].min() + position[:, middle].max())
             inside = np.flatnonzero(np.abs(position[:, middle] - level) < _SLICE * radius.mean())
             place = position[inside] + 20.0 * np.clip(moved[inside], -5e-4, 5e-4)
@@ -57,4 +56,4 @@ def draw_broken(path: Path, runs: Sequence[tuple[CeliguetaRun, Mapping[str, Any]
             ax.add_collection(found)
             ax.autoscale_view()
             ax.set_aspect("equal")
-            ax.set_title(f"{run.test},\n{run.failure}, {run.areas}", fontsize=8)
+            ax.set_title(f"{run['test']},\n{run['failure']}, {run['areas']}", fontsize=8)

@@ -106,7 +106,7 @@ class Celigueta(Study):
             if some:
                 draw_curves(out / "figures" / f"{test}.png", test, measured, some)
         first = [one for one in self.requests() if one.seed == self.seeds[0] and one.slower == self.slower[0]]
-        there = [(one, one.kept(out)) for one in first if one.whole(out)]
+        there = [(one.asked, one.kept(out)) for one in first if one.whole(out)]
         if there:
             draw_broken(out / "figures" / "broken.png", there)
 

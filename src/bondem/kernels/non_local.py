@@ -115,7 +115,7 @@ def turn_stresses(pose, table, first, last):
 
 
 @loop(parallel=False)
-def bond_forces(pose, bonds, table, dt, first, last):
+def load_bonds(pose, bonds, table, dt, first, last):
     """Force and torques of the bonds first … last now, into `table.output`; what they store goes on by dt.
 
     Both forces act at one point, between the two faces of the bond, so that they make no moment together.
@@ -286,7 +286,7 @@ def _stage(stage, elements, bonds, table, dt, contacts, breaks, cut, d):
         turn_stresses(elements.pose, table, first, last)
     elif stage == _FORCES:
         end = min(cut.bond[cut.domain[d + 1]], bonds.m)
-        bond_forces(elements.pose, bonds, table, dt, cut.bond[cut.domain[d]], end)
+        load_bonds(elements.pose, bonds, table, dt, cut.bond[cut.domain[d]], end)
     else:
         element_stresses(elements.pose, bonds, table, contacts, first, last)
         if breaks is not None:  # decided when compiled

@@ -245,7 +245,7 @@ def _fastest_decay(model: Model, kn: PerBond, beta: float, soft: float) -> float
     along = 2.0 * beta * np.sqrt(kn * pair)
     matrix = local_stiffness(replace(constants, kn=along, kt=math.sqrt(soft) * along), layout)
     root = diags_array(1.0 / np.sqrt(np.repeat(np.column_stack([mass, inertia]), 3, axis=1).ravel()))
-    start = np.random.default_rng(0).standard_normal(root.shape[0])
+    start = np.random.default_rng(0).standard_normal(6 * len(mass))
     options = {"tol": _TOLERANCE, "v0": start, "return_eigenvectors": False}
     found = np.asarray(eigsh(root @ matrix @ root, k=1, which="LA", **options))
     return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
