@@ -29,7 +29,7 @@ def chapter() -> Chapter:
         summary=(
             "Material data as publications have them, nothing calibrated. What is not known was fixed before the"
             " runs; published numbers that could not be checked are said to be from memory, and have no verdict"
-            " unless a limit rests on them. Every packing that was tried is in the tables."
+            " unless a limit rests on them. Every packing that was tried is quoted."
         ),
         sections=(_branching(), _soda_lime(), _spall(), _granite()),
     )
@@ -173,7 +173,9 @@ def _granite() -> Section:
             "One input: E = 69 GPa, ν = 0.26, f_t = 6.9 MPa, c = 30 MPa, φ = 59° (Mohr–Coulomb: UCS"
             f" {1e-6 * GRANITE.at('mohr_coulomb'):.0f} MPa), G_f = 32.8 N/m (√(E G_f) ="
             f" {1e-6 * GRANITE.at('toughness'):.2f} MPa√m); `validation/cases/lac_du_bonnet.py` says which of it is"
-            " published, from memory, or fixed beforehand. Direct tension is 6.9 MPa within 10 %."
+            " published, from memory, or fixed beforehand. Direct tension is 6.9 MPa within 10 %. Tried before,"
+            " once, with the same input, on seed 1: 500 cells gave 207.2, 6.89 and 7.14 MPa, a beam of 249 cells 1.19"
+            " MPa√m. The load at which a disc splits was read off when the curves had been seen."
         ),
         rows=tuple(rows),
         after=(
