@@ -127,9 +127,10 @@ def _toughness() -> Section:
             "Plates in plane strain with a notch of half their width W, cracks that soften along a straight line, l ="
             " E' G_f / f_t²: K at the largest load by the formulas of Tada, Paris and Irwin (centre crack) and ASTM"
             " E399 (compact specimen), over √(E' G_f), for which 10 % is asked at three sizes. The process zone acts"
-            " as a crack longer by 0.419 l (Planas and Elices 1991); its K, beside which cells are too high by what"
-            " facets beside the crack dissipate, stands in the text of each row. `validation/cases/toughness.py` has"
-            " what was fixed, and what was changed after a first round."
+            " as a crack longer by 0.419 l (Planas and Elices 1991), whose K stands in the text of each row. Cells"
+            " bear more than that, as facets beside the crack dissipate too (decision 0023), and go beyond K_Ic as"
+            " plates get larger. `validation/cases/toughness.py` has what was fixed, and what was changed after a"
+            " first round."
         ),
         rows=tuple(
             Row(
