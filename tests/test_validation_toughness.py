@@ -108,12 +108,12 @@ def test_beams_of_other_depths_are_alike():
 
 
 def test_a_study_of_sizes_fits_the_law_and_draws(tmp_path, monkeypatch):
-    monkeypatch.setattr("validation.studies.size_effect._DEPTHS", (0.05, 0.2))
-    found = run(SizeEffectStudy(depths=(50.0, 200.0), finer=0.4), tmp_path, processes=1, command="by a test")
+    monkeypatch.setattr("validation.studies.size_effect._DEPTHS", (0.1, 0.2))
+    found = run(SizeEffectStudy(depths=(100.0, 200.0), finer=0.7), tmp_path, processes=1, command="by a test")
     small, large = (one["peak"] for one in found["beams"])
     assert 1.0 < large / small < 4.0
     assert found["law"]["over"] == pytest.approx([1.0, 1.0])
-    assert found["continuum"]["depth"] == [0.05, 0.2]
+    assert found["continuum"]["depth"] == [0.1, 0.2]
     assert (tmp_path / "figures" / "size_effect.png").stat().st_size > 10_000
 
 
