@@ -48,7 +48,7 @@ def pulled_in_steps(model: bd.Model, drive: bd.Face, first: float, step: float, 
     reading, motion = Reading(body, drive), body.motion.copy()
     lines: dict[int, SofteningLine] = {}
     rows: list[tuple[float, float, int]] = []
-    peak, way = 0.0, first
+    peak, way, load, factor = 0.0, first, 0.0, 0.0
     while True:
         rounds, settled = 0, False
         while not settled and rounds < _ROUNDS:

@@ -22,7 +22,8 @@ from displacement_steps import pulled_in_steps
 from kept import RESULTS, keep, origin
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
-FAILURE = bd.Rankine(tension=4e6, fracture_energy=20.0)
+ENERGY = 20.0
+FAILURE = bd.Rankine(tension=4e6, fracture_energy=ENERGY)
 SIZE, NOTCH = (60e-3, 30e-3, 30e-3), (3e-3, 10e-3)
 LIGAMENT = SIZE[2] * (SIZE[1] - NOTCH[1])
 #: Traverses of sound until the expected peak of the explicit runs.
@@ -41,7 +42,7 @@ def explicit(bar: bd.Lattice, traverses: float) -> dict:
     began = time.perf_counter()
     test = bd.labtests.direct_tension(bar, LAW, FAILURE, traverses=traverses)
     return {
-        "traverses": traverses, "peak": test.peak, "work": test.work / FAILURE.fracture_energy,
+        "traverses": traverses, "peak": test.peak, "work": test.work / ENERGY,
         "steps": test.run.state.step, "seconds": time.perf_counter() - began,
     }  # fmt: skip
 
@@ -68,7 +69,7 @@ def by_factors(bar: bd.Lattice, ripple: float, together: float) -> dict:
     return {
         "ripple": ripple, "together": together, "peak": path.peak / LIGAMENT,
         "way": float(path.displacement[path.load.argmax()]),
-        "work": path.work[-1] / LIGAMENT / FAILURE.fracture_energy, "events": len(path.load),
+        "work": path.work[-1] / LIGAMENT / ENERGY, "events": len(path.load),
         "failures": len(path.bond), "facets": len(set(path.bond.tolist())),
         "closure": float(path.work[-1] - path.stored[-1] - path.energy.sum()) / path.work[-1],
         "iterations": path.iterations, "end": path.end, "seconds": time.perf_counter() - began,

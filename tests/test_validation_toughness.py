@@ -45,8 +45,7 @@ def test_plates_have_their_notch_and_fine_cells_ahead_of_it(plate):
     assert not (crossing & across & (np.abs(body.facets.centroid[:, 1]) < 1e-3)).any()
 
 
-def test_loads_are_in_balance_and_pull_at_the_notch(plate):
-    """The compliance of plates with longer notches gives K by energy, 2 G = P² dC/da / B, G = K² / E'."""
+def test_loads_are_in_balance(plate):
     model, _ = plate.model(plate.body(1))
     force = sum(np.asarray(load.nodal(model.lattice)[1])[:, :3].sum(axis=0) for load in model.boundary
                 if not isinstance(load, bd.Fix))  # fmt: skip
@@ -103,18 +102,18 @@ def test_the_size_effect_law_is_found_again():
 def test_beams_of_other_depths_are_alike():
     case, one = scaled(0.2), beam(0.2)
     np.testing.assert_allclose(case.shape.bounds[1], [0.7, 0.2, 0.05])
-    assert (one.supports, one.loaded, one.notch) == ((0.1, 0.6), 0.35, (0.35, 0.1, 2e-3))
+    np.testing.assert_allclose([*one.supports, one.loaded, *one.notch], [0.1, 0.6, 0.35, 0.35, 0.1, 2e-3])
     assert case.fine == pytest.approx(0.046 * 0.2)
     assert case.shape.contains([[0.35, 0.099, 0.025], [0.35, 0.101, 0.025]]).tolist() == [False, True]
 
 
 def test_a_study_of_sizes_fits_the_law_and_draws(tmp_path, monkeypatch):
-    monkeypatch.setattr("validation.studies.size_effect._DEPTHS", (0.05, 0.2))
-    found = run(SizeEffectStudy(depths=(50.0, 200.0), finer=0.4), tmp_path, processes=1, command="by a test")
+    monkeypatch.setattr("validation.studies.size_effect._DEPTHS", (0.1, 0.2))
+    found = run(SizeEffectStudy(depths=(100.0, 200.0), finer=0.7), tmp_path, processes=1, command="by a test")
     small, large = (one["peak"] for one in found["beams"])
     assert 1.0 < large / small < 4.0
     assert found["law"]["over"] == pytest.approx([1.0, 1.0])
-    assert found["continuum"]["depth"] == [0.05, 0.2]
+    assert found["continuum"]["depth"] == [0.1, 0.2]
     assert (tmp_path / "figures" / "size_effect.png").stat().st_size > 10_000
 
 

@@ -1,7 +1,6 @@
 """Fracture by load factors: closed forms of two cells and of a bar that snaps back, energy, cracks that close."""
 
 import functools
-import warnings
 
 import numpy as np
 import pytest
@@ -270,33 +269,6 @@ def test_a_facet_that_is_bent_softens_by_the_rms_of_its_tractions(strain: float)
     t, bent = E * strain, E * 1e-4 / np.sqrt(12.0)
     share = np.hypot(t, bent) / (t + bent)
     assert found.energy.sum() == pytest.approx(share * ENERGY * SIZE**2, rel=1e-4)
-
-
-@pytest.mark.parametrize("count", [20, 400])
-def test_a_slender_body_in_two_parts_has_parted(count: int) -> None:
-    """A cantilever of cubes breaks at its root: what stands for none has L / 3 h times 1e-7 of its stiffness."""
-    body, tip = bar(count), bd.Index([count - 1])
-    ends = [bd.Fix(bd.Index([0])), bd.Load(tip, force=(0.0, 1e-3, 0.0))]
-    law = bd.CellBond(E=E, nu=0.0, facet_rotation="full")
-    model = bd.Model(body, law, 2500.0, failure=bd.Rankine(tension=STRENGTH), boundary=ends)
-    found = bd.solve_quasistatic(model, tip, together=0.0, until=0.0, most=5)
-    assert found.end == "parted"
-    assert found.bond.tolist() == [0]
-
-
-@pytest.mark.parametrize("turn", [0.08, 0.12])
-def test_a_path_ends_where_it_folds(turn: float) -> None:
-    """Two cubes so soft that their facet begins to crack at a turn that is small, or not small any more."""
-    law, last = bd.CellBond(E=np.sqrt(12.0) * STRENGTH / turn, nu=0.0, facet_rotation="full"), bd.Index([1])
-    failure = bd.Rankine(tension=STRENGTH, fracture_energy=1e9 * ENERGY)
-    drive = bd.Drive(last, x=0.0, y=0.5e-4 * SIZE, z=0.0, rx=0.0, ry=0.0, rz=1e-4)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # a fracture energy without bounds
-        model = bd.Model(bar(2), law, 2500.0, failure=failure, boundary=[bd.Fix(bd.Index([0])), drive])
-    found = bd.solve_quasistatic(model, last, together=0.0, until=0.0, most=20)
-    assert found.end == "folded"
-    assert (1e-4 * found.factor <= 0.1).all()
-    assert len(found.factor) == 0 if turn > 0.1 else found.factor[0] == pytest.approx(1e4 * turn, rel=1e-6)
 
 
 def test_whole_facets_have_the_matrix_of_the_body() -> None:

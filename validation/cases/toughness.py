@@ -70,7 +70,7 @@ class Cracked(ABC):
 
     @property
     @abstractmethod
-    def plate(self) -> Box:
+    def plate(self) -> Shape:
         """The plate without its notch, at its place."""
 
     @abstractmethod
@@ -147,7 +147,7 @@ class CentreCrack(Cracked):
         return "centre crack"
 
     @property
-    def plate(self) -> Box:
+    def plate(self) -> Shape:
         """See `Cracked`; x = 0 is the plane of symmetry."""
         return Box((self.width, 4.0 * self.width, self.thickness)).moved((0.0, -2.0 * self.width, 0.0))
 
@@ -180,7 +180,7 @@ class CompactTension(Cracked):
         return "compact tension"
 
     @property
-    def plate(self) -> Box:
+    def plate(self) -> Shape:
         """See `Cracked`."""
         size = Box((1.25 * self.width, 1.2 * self.width, self.thickness))
         return size.moved((-0.25 * self.width, -0.6 * self.width, 0.0))

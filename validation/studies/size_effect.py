@@ -104,7 +104,7 @@ class SizeEffectStudy(Study):
             ax.errorbar([50.0], [known.mean()], [0.5 * np.ptp(known)], color=GREY, fmt="s", capsize=3.0,
                         label="measured, D = 50 mm")  # fmt: skip
             ax.set(xscale="log", yscale="log", xlabel="depth D [mm]", ylabel="nominal strength 3 P S / 2 b D² [MPa]")
-            plain_ticks(ax.xaxis, 1e3 * depth)
+            plain_ticks(ax.xaxis, (1e3 * depth).tolist())
             plain_ticks(ax.yaxis, (0.6, 0.8, 1.0, 1.5, 2.0))
             ax.legend(frameon=False, fontsize=8.0)
 
