@@ -8,7 +8,7 @@ bodies are held and loaded on their faces, as the continuum is; what a load does
 
 Run: python benchmarks/cell_bodies.py [--counts 10000] [--seeds 1 2 3 4 5] [--shapes …] [--nu …] [--out DIR]
      python benchmarks/cell_bodies.py --counts 2500 40000 --seeds 1 2 --nu 0.2 0.4
-     python benchmarks/cell_bodies.py --meshes
+     python benchmarks/cell_bodies.py --meshes --nu 0.2 0.4
      python benchmarks/cell_bodies.py --kept [--shapes …]
      python benchmarks/cell_bodies.py --summary
 Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped; the last command sums
@@ -262,13 +262,19 @@ def main(arguments: list[str] | None = None) -> None:
         return
     given.out.mkdir(parents=True, exist_ok=True)
     if given.kept:
-        for one in json.loads((RESULTS / "cell_bodies.json").read_text(encoding="utf-8"))["cases"]:
+        kept = json.loads((RESULTS / "cell_bodies.json").read_text(encoding="utf-8"))
+        for one in kept["cases"]:
             if one["shape"] in given.shapes:
                 _file(given.out, one).write_text(json.dumps(one))
+        for one in kept["meshes"]:
+            if one["shape"] in given.shapes:
+                _mesh_file(given.out, one["shape"], one["nu"]).write_text(json.dumps(one))
         return
     if given.meshes:
-        for shape in given.shapes:
-            (given.out / f"meshes-{shape}.json").write_text(json.dumps(meshes(shape, 0.2)))
+        for shape, nu in product(given.shapes, given.nu):
+            file = _mesh_file(given.out, shape, nu)
+            if not file.exists():
+                file.write_text(json.dumps({"shape": shape, "nu": nu, "errors": meshes(shape, nu)}))
         return
     cases = []
     # shape by shape: meshes and factors of seven continua together do not fit into memory
@@ -287,6 +293,11 @@ def _file(out: Path, one: dict[str, Any]) -> Path:
     return out / f"{one['shape']}-nu{one['nu']:g}-{one['count']}-seed{one['seed']}.json"
 
 
+def _mesh_file(out: Path, shape: str, nu: float) -> Path:
+    """Where it is kept how far a mesh is from a finer one."""
+    return out / f"meshes-{shape}-{nu:g}.json"
+
+
 def sum_up(out: Path) -> None:
     """All cases in a folder as one table, judged."""
     begun = origin()
@@ -295,8 +306,8 @@ def sum_up(out: Path) -> None:
     cases.sort(key=lambda one: (one["count"], order.index(one["shape"]), one["nu"], one["seed"]))
     judged = [one for one in cases if one["limit"] is not None]
     held = sum(max(map(abs, one["errors"].values())) <= one["limit"] for one in judged)
-    known = {name: out / f"meshes-{name}.json" for name in order}
-    own = {name: json.loads(file.read_text()) for name, file in known.items() if file.exists()}
+    own = [json.loads(file.read_text()) for file in out.glob("meshes-*.json")]
+    own.sort(key=lambda one: (order.index(one["shape"]), one["nu"]))
     text = f"{table(cases)}\n\n{held} of {len(judged)} within their limit\n"
     (RESULTS / "cell_bodies.md").write_text(text, encoding="utf-8")
     keep(RESULTS / "cell_bodies.json", begun | {"within": held, "judged": len(judged), "meshes": own, "cases": cases})

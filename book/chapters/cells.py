@@ -128,9 +128,9 @@ def _bodies() -> tuple[Section, ...]:
                                 form=SIGNED, ours=BODIES.of(*errors)))  # fmt: skip
     if not rows:
         return ()
-    for shape, own in BODIES.at("meshes").items():
-        rows.append(Row(case=f"{shape.replace('_', ' ')}: errors of the finite elements against a finer mesh",
-                        form=SIGNED, ours=BODIES.of(*own.values())))  # fmt: skip
+    for one in BODIES.at("meshes"):
+        rows.append(Row(case=f"{one['shape'].replace('_', ' ')}, ν = {one['nu']:g}: errors of the finite elements"
+                        " against a finer mesh", form=SIGNED, ours=BODIES.of(*one["errors"].values())))  # fmt: skip
     return (
         Section(
             title="Seven shapes beside finite elements",
