@@ -69,6 +69,7 @@ EVENTS = bd.BrokenBonds(
 # The usual arguments of each public function; one of them at a time is replaced.
 USUAL: dict[str, dict[str, Any]] = {
     "Absorbing": {"region": FACE, "density": 1e3, "E": 1e9, "nu": 0.2, "c": 10.0},
+    "Aggregates": {"position": [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0)], "radius": [0.5, 0.6]},
     "AtRest": {"speed": 1.0, "after": 0.0},
     "Ball": {"radius": 1.0},
     "BodyForce": {"acceleration": (0.0, 0.0, -9.81), "region": EVERYTHING, "schedule": bd.Constant(1.0)},
@@ -155,6 +156,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "failure_index": {"model": BREAKING, "state": BREAKING.state()},
     "fragments": {"lattice": LATTICE, "state": BREAKING.state()},
     "Graded": {"fine": 1e-3, "coarse": 1e-2, "about": BALL, "growth": 0.3},
+    "aggregates": {"shape": BOX, "sieve": bd.Sieve((0.2, 0.3), (0.0, 1.0)), "fraction": 0.1, "gap": 0.05, "seed": 1},
     "pack": {"shape": BOX, "count": 40, "size": None, "spread": 0.2, "sizes": None, "method": "quench", "seed": 1,
              "coordination_number": None, "volume_fraction": 0.5, "jamming": False},
     "radial_distribution": {"particles": Later(lambda: BAR.made().particles), "reach": 2.0, "bins": 10},
