@@ -33,8 +33,8 @@ class GraniteStudy(Study):
 
     What is put in, what is published and what was fixed beforehand stands in `validation/cases/lac_du_bonnet.py`. The
     rows were tried once, with that input, on seed 1 and coarse cells: 500 gave 207.2, 6.89 and 7.14 MPa, a beam of
-    249 cells 1.19 MPa√m. Nothing was changed after it. The load at which a disc splits was added when the curves of the
-    four discs had been seen, as their halves bear more after it; it has no verdict.
+    249 cells 1.19 MPa√m. Nothing was changed after it. The load at which a disc splits was added when the curves of
+    the four discs had been seen, as their halves bear more after it; it has no verdict.
 
     Attributes:
         tests: of ucs, direct_tension, brazilian and toughness.
