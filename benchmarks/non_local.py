@@ -134,8 +134,8 @@ def main() -> None:
     parser.add_argument("--packings", type=int, default=2)
     parser.add_argument("--out", type=Path, default=RESULTS / "non_local.json")
     options = parser.parse_args()
-    report: dict = {"origin": origin(), "count": options.count, "E": E / 1e9, "reach": REACH,
-                    "elastic": [], "reaches": [], "steps": [], "explicit": []}  # fmt: skip
+    report = origin() | {"count": options.count, "E": E / 1e9, "reach": REACH,
+                         "elastic": [], "reaches": [], "steps": [], "explicit": []}  # fmt: skip
     warnings.simplefilter("ignore")
     for seed in range(1, options.packings + 1):
         particles = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=options.count, spread=0.25, seed=seed)

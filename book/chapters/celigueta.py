@@ -97,7 +97,7 @@ def _elastic() -> Section:
             f"{ELASTIC.at('count')} elements, seeds {seeds}, from the least to the largest; at rest, so that no lag"
             " counts. The paper prints 38 of 40 GPa for its construction; here its spheres are bonded up to a reach"
             f" of {ELASTIC.at('reach'):g}. When explicit runs are stable, by ν and damping, is in"
-            " [the page of the law](../non_local.md)."
+            " [the page of the law](non_local.md)."
         ),
         rows=tuple(rows),
     )
