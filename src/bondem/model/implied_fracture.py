@@ -58,6 +58,7 @@ class ImpliedFracture:
         return self.E * self.fracture_energy / (self.strength * self.strength)
 
 
+@np.errstate(all="ignore")
 def implied_fracture(
     lattice: Lattice,
     parts: tuple[FailurePart, ...],
@@ -78,18 +79,6 @@ def implied_fracture(
     """
     if not len(lattice.pairs):
         return None
-    with np.errstate(all="ignore"):
-        return _implied(lattice, parts, stiffness, cells, non_local, mass)
-
-
-def _implied(
-    lattice: Lattice,
-    parts: tuple[FailurePart, ...],
-    stiffness: BondStiffness,
-    cells: CellConstants | None,
-    non_local: NonLocalConstants | None,
-    mass: PerElement,
-) -> ImpliedFracture:
     volume = lattice.particles.envelope.volume
     lower, upper = lattice.particles.envelope.bounds
     if cells is not None and lattice.facets is not None:
