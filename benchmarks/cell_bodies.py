@@ -45,8 +45,9 @@ from matching import matched
 MATERIALS = {one: bd.materials.get(one).nu for one in NAMES}
 #: Allowed error [-] where the thinnest part is at least so many elements thick, by number of elements.
 LIMITS = {10_000: ((8.0, 0.01), (4.0, 0.02)), 40_000: ((0.0, 0.005),)}
-#: Meshes that those of the continuum are compared with are so much finer.
-FINE = 1.5
+#: Meshes that those of the continuum are compared with are so much finer, each by the same factor; where the finest
+#: does not fit into memory, one that is coarser takes its place.
+FINE, COARSER = (1.5, 2.25), 0.667
 BAR = {"tension": FORCE_X, "bending": FORCE_Y, "torsion": MOMENT_X}
 FOOT = {"tension": FORCE_X, "bending": FORCE_Z, "torsion": FORCE_Y}
 
@@ -224,25 +225,56 @@ def _frequencies(part: bd.Lattice, law: bd.CellBond, theory: Vibration, expected
     return [one.measured / one.reference - 1.0 for one in pairs for _ in one.modes][:6]
 
 
-def meshes(name: str, nu: float) -> dict[str, float]:
-    """What the continuum's mesh gives over what a finer one gives, less one."""
-    (own, moved), (fine, finer) = reference(name, nu), reference(name, nu, FINE)
-    rows = {f"f{k}": float(own.frequency[k - 1] / fine.frequency[k - 1]) - 1.0 for k in range(1, 7)}
+def meshes(name: str, nu: float, fine: float) -> dict[str, float]:
+    """What the continuum's mesh gives over what one gives that is `fine` times finer, less one."""
+    (own, moved), (other, finer) = reference(name, nu), reference(name, nu, fine)
+    rows = {f"f{k}": float(own.frequency[k - 1] / other.frequency[k - 1]) - 1.0 for k in range(1, 7)}
     return rows | {load: moved[load] / finer[load] - 1.0 for load in moved}
 
 
+def limit_of_meshes(own: list[dict[str, Any]], name: str, nu: float) -> dict[str, float]:
+    """What the continuum's mesh gives over the limit of ever finer ones, less one, where three of them show it.
+
+    Differences of meshes that are finer by one factor fall by one ratio: the limit is that of a geometric series.
+    """
+    found = {one["fine"]: one["errors"] for one in own if (one["shape"], one["nu"]) == (name, nu)}
+    near, far = FINE
+    if near not in found or not {far, COARSER} & set(found):
+        return {}
+    limits = {}
+    for key, value in found[near].items():
+        step = np.log1p(value)
+        ratio = (np.log1p(found[far][key]) - step) / step if far in found else -step / np.log1p(found[COARSER][key])
+        known = np.isfinite(ratio) and 0.0 < ratio < 0.9
+        limits[key] = float(np.expm1(step / (1.0 - ratio))) if known else found.get(far, found[near])[key]
+    return limits
+
+
+def held_against_limit(one: dict[str, Any], own: list[dict[str, Any]]) -> dict[str, float]:
+    """Errors of a body against the limit of the meshes; empty where that is not known."""
+    limits = limit_of_meshes(own, one["shape"], one["nu"])
+    if not limits:
+        return {}
+    return {
+        key: (1.0 + error) * (1.0 + limits[key]) - 1.0 if key in limits else error
+        for key, error in one["errors"].items()
+    }  # fmt: skip
+
+
 def table(cases: list[dict[str, Any]]) -> str:
-    """Errors in percent; of ν the difference itself, times a hundred."""
+    """Errors in percent; of ν the difference itself, times a hundred; the worst against the limit of the meshes too."""
     names = ["E", "nu", *(f"f{k}" for k in range(1, 7)), "tension", "bending", "torsion"]
-    lines = ["| shape | ν | elements | seed | thick | limit | worst | " + " | ".join(names) + " |"]
-    lines.append("|---" * (7 + len(names)) + "|")
+    lines = ["| shape | ν | elements | seed | thick | limit | worst | against limit | " + " | ".join(names) + " |"]
+    lines.append("|---" * (8 + len(names)) + "|")
     for one in cases:
         errors = one["errors"]
         worst = max(abs(value) for value in errors.values())
         allowed = "–" if one["limit"] is None else f"{100 * one['limit']:g}"
         cells = [f"{100 * errors[key]:+.2f}" if key in errors else "–" for key in names]
         who = f"| {one['shape']} | {one['nu']:g} | {one['count']} | {one['seed']} | {one['thickness']:.1f} |"
-        lines.append(f"{who} {allowed} | {100 * worst:.2f} | " + " | ".join(cells) + " |")
+        beyond = [abs(value) for value in one.get("against_limit", {}).values()]
+        far = f"{100 * max(beyond):.2f}" if beyond else "–"
+        lines.append(f"{who} {allowed} | {100 * worst:.2f} | {far} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
 
@@ -254,6 +286,7 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--nu", type=float, nargs="+", default=sorted(set(MATERIALS.values())))
     parser.add_argument("--out", type=Path, default=Path("out/cell_bodies"))
     parser.add_argument("--meshes", action="store_true", help="hold the meshes of the continuum against finer ones")
+    parser.add_argument("--fine", type=float, nargs="+", default=list(FINE), help="how much finer these are")
     parser.add_argument("--kept", action="store_true", help="put the kept cases of --shapes in --out")
     parser.add_argument("--summary", action="store_true", help="sum up what is in --out")
     given = parser.parse_args(arguments)
@@ -268,13 +301,14 @@ def main(arguments: list[str] | None = None) -> None:
                 _file(given.out, one).write_text(json.dumps(one))
         for one in kept["meshes"]:
             if one["shape"] in given.shapes:
-                _mesh_file(given.out, one["shape"], one["nu"]).write_text(json.dumps(one))
+                _mesh_file(given.out, one).write_text(json.dumps(one))
         return
     if given.meshes:
-        for shape, nu in product(given.shapes, given.nu):
-            file = _mesh_file(given.out, shape, nu)
+        for shape, nu, fine in product(given.shapes, given.nu, given.fine):
+            one: dict[str, Any] = {"shape": shape, "nu": nu, "fine": fine}
+            file = _mesh_file(given.out, one)
             if not file.exists():
-                file.write_text(json.dumps({"shape": shape, "nu": nu, "errors": meshes(shape, nu)}))
+                file.write_text(json.dumps(one | {"errors": meshes(shape, nu, fine)}))
         return
     cases = []
     # shape by shape: meshes and factors of seven continua together do not fit into memory
@@ -293,9 +327,9 @@ def _file(out: Path, one: dict[str, Any]) -> Path:
     return out / f"{one['shape']}-nu{one['nu']:g}-{one['count']}-seed{one['seed']}.json"
 
 
-def _mesh_file(out: Path, shape: str, nu: float) -> Path:
+def _mesh_file(out: Path, one: dict[str, Any]) -> Path:
     """Where it is kept how far a mesh is from a finer one."""
-    return out / f"meshes-{shape}-{nu:g}.json"
+    return out / f"meshes-{one['shape']}-{one['nu']:g}-{one['fine']:g}.json"
 
 
 def sum_up(out: Path) -> None:
@@ -307,7 +341,9 @@ def sum_up(out: Path) -> None:
     judged = [one for one in cases if one["limit"] is not None]
     held = sum(max(map(abs, one["errors"].values())) <= one["limit"] for one in judged)
     own = [json.loads(file.read_text()) for file in out.glob("meshes-*.json")]
-    own.sort(key=lambda one: (order.index(one["shape"]), one["nu"]))
+    own.sort(key=lambda one: (order.index(one["shape"]), one["nu"], one["fine"]))
+    for one in cases:
+        one["against_limit"] = held_against_limit(one, own)
     text = f"{table(cases)}\n\n{held} of {len(judged)} within their limit\n"
     (RESULTS / "cell_bodies.md").write_text(text, encoding="utf-8")
     keep(RESULTS / "cell_bodies.json", begun | {"within": held, "judged": len(judged), "meshes": own, "cases": cases})

@@ -121,6 +121,11 @@ def _bodies() -> tuple[Section, ...]:
                 f" error of {len(mine)} bodies", form=PERCENT, tolerance=_if(limit is not None, limit or 0.0),
                 ours=BODIES.of(max(abs(error) for one in mine for error in one["errors"].values())))
         )  # fmt: skip
+        beyond = [max(map(abs, one["against_limit"].values())) for one in mine if one["against_limit"]]
+        if count >= FINE and beyond:
+            rows.append(Row(case=f"{shape.replace('_', ' ')}, {_spaced(count)} elements: worst error of {len(beyond)}"
+                            " bodies against the limit of ever finer finite elements", form=PERCENT,
+                            tolerance=FINE_LIMIT, ours=BODIES.of(max(beyond))))  # fmt: skip
         for words, keys in _QUANTITIES.items():
             errors = [one["errors"][key] for one in mine for key in keys if key in one["errors"]]
             if errors:
@@ -130,7 +135,8 @@ def _bodies() -> tuple[Section, ...]:
         return ()
     for one in BODIES.at("meshes"):
         rows.append(Row(case=f"{one['shape'].replace('_', ' ')}, ν = {one['nu']:g}: errors of the finite elements"
-                        " against a finer mesh", form=SIGNED, ours=BODIES.of(*one["errors"].values())))  # fmt: skip
+                        f" against a mesh {one['fine']:g} times finer", form=SIGNED,
+                        ours=BODIES.of(*one["errors"].values())))  # fmt: skip
     return (
         Section(
             title="Seven shapes beside finite elements",

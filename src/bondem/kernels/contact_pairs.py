@@ -1,6 +1,7 @@
 """Pairs of elements in contact: each that touches writes its force and goes on with its memory.
 
-Most pairs of a list are further apart than elements have moved since that was measured, and are passed over.
+Most pairs of a list are bonded, or further apart than elements move before distances are measured anew: only the
+others are looked at, in the order of the list.
 """
 
 import math
@@ -18,13 +19,22 @@ _PORTION = 2000
 
 
 @loop(parallel=False)
-def measure_pairs(pose, period, c):
-    """How far both elements of each pair may move from here before they touch, by more than rounding."""
-    slack, radius = c.slack, c.radius
+def measure_pairs(pose, period, c, most):
+    """How far both elements of each pair may move from here before they touch, by more than rounding.
+
+    Those that may touch before an element has moved by `most` [m] are listed, and those that do.
+    """
+    slack, radius, first, second, gap, touch = c.slack, c.radius, c.first, c.second, c.gap, c.touch
+    bond, joined, near, count = c.bond, c.joined, c.near, 0
     for k in range(len(slack)):
-        a, b = c.first[k], c.second[k]
+        if bond[k] >= 0 and joined[max(bond[k], 0)] > 0.0:
+            continue
+        a, b = first[k], second[k]
         x, y, z = branch(pose, a, b, period)
-        slack[k] = 0.5 * (math.sqrt(x * x + y * y + z * z) - (1.0 + 1e-9) * (radius[a] + radius[b] + c.gap[k]))
+        slack[k] = 0.5 * (math.sqrt(x * x + y * y + z * z) - (1.0 + 1e-9) * (radius[a] + radius[b] + gap[k]))
+        near[count] = k
+        count += 1 if (slack[k] <= most) | (touch[k] != 0) else 0
+    c.nears[0] = count
     for p in range(len(pose)):
         for d in range(3):
             c.measured[p, d] = pose[p, d]
@@ -98,15 +108,16 @@ def _pair_force(law, own, ra, rb, reach, d, meeting, s, p, dt):
 
 
 @loop(parallel=False)
-def some_pairs(elements, period, c, moved, dt, begin, end):
-    """Forces and memory of the pairs begin … end that touch or have just parted."""
+def some_pairs(elements, period, c, listed, moved, dt, begin, end):
+    """Forces and memory of the pairs begin … end of a list that touch or have just parted."""
     pose, motion, joined, bond = elements.pose, elements.motion, c.joined, c.bond
     slack, touch, first, second, gap, own = c.slack, c.touch, c.first, c.second, c.gap, c.own
     radius, stretch, output = c.radius, c.stretch, c.output
     law = c.law[0], c.law[1], c.law[2], c.law[3], c.law[4]
     close, count = c.close, begin
-    for k in range(begin, end):
+    for e in range(begin, end):
         # without branches, as these would be guessed wrong every other time
+        k = listed[e]
         bonded = (bond[k] >= 0) & (joined[max(bond[k], 0)] > 0.0)
         apart = (slack[k] > moved) & (touch[k] == 0)
         close[count] = k
@@ -131,10 +142,11 @@ def some_pairs(elements, period, c, moved, dt, begin, end):
 
 @loop(parallel=True)
 def pair_forces(elements, period, c, moved, dt):
-    """Forces and memory of all pairs, in portions."""
-    count = (len(c.slack) + _PORTION - 1) // _PORTION
+    """Forces and memory of all pairs that may touch, in portions."""
+    near = c.nears[0]
+    count = (near + _PORTION - 1) // _PORTION
     for q in prange(count):
-        some_pairs(elements, period, c, moved, dt, q * _PORTION, min((q + 1) * _PORTION, len(c.slack)))
+        some_pairs(elements, period, c, c.near, moved, dt, q * _PORTION, min((q + 1) * _PORTION, near))
 
 
 @device
@@ -149,12 +161,30 @@ def pair_energy(pose, period, c, k):
 
 
 @loop(parallel=False)
+def look_at(c, k):
+    """Look at pair k in each step from now on, which was bonded; it keeps its place in the order of pairs."""
+    near, e = c.near, c.nears[0]
+    c.slack[k] = -np.inf
+    while e > 0 and near[e - 1] > k:
+        e -= 1
+    if e > 0 and near[e - 1] == k:
+        return
+    for q in range(c.nears[0], e, -1):
+        near[q] = near[q - 1]
+    near[e] = k
+    c.nears[0] += 1
+
+
+@loop(parallel=False)
 def _begin_pair(elements, period, contacts, k):
     """Let a pair that was passed over so far touch as it is, its tangential spring at rest; whether it touches."""
+    look_at(contacts, k)
     contacts.touch[k] = 0
     for d in range(6):
         contacts.stretch[k, d] = 0.0
-    some_pairs(elements, period, contacts, np.inf, 0.0, k, k + 1)
+    listed = np.empty(1, np.int64)
+    listed[0] = k
+    some_pairs(elements, period, contacts, listed, np.inf, 0.0, 0, 1)
     return contacts.touch[k] == TOUCHING
 
 
@@ -205,4 +235,5 @@ def let_touch(pose, period, contacts, e):
     reach = min(c.apart[e], math.sqrt(x * x + y * y + z * z))
     c.joined[e], c.apart[e] = 0.0, reach
     c.gap[k] = reach - (c.radius[a] + c.radius[b])  # to the bit as a new list has it
+    look_at(c, k)
     return reach

@@ -30,8 +30,16 @@ _FRESH = 0.1
 
 @device
 def outdated(pose, c):
-    """Whether the list may miss a contact by now; also where a centre is not a number."""
-    return not (farthest(pose, c.listed) < c.reach and wall_travel(c.walls, c.wall_listed) < c.reach)
+    """Whether the list may miss a contact by now; also where a centre is not a number.
+
+    How far elements are from where they were measured is kept for `contact_loads`, and bounds how far they are from
+    where they were listed.
+    """
+    far = c.far
+    far[0] = farthest(pose, c.measured)
+    if not far[0] + far[1] < c.reach and not farthest(pose, c.listed) < c.reach:
+        return True
+    return not wall_travel(c.walls, c.wall_listed) < c.reach
 
 
 @kernel(parallel=False)
@@ -40,14 +48,15 @@ def contact_loads(elements, period, dt, contacts, threaded):
 
     A run is `threaded` from beginning to end, or never.
     """
-    moved = farthest(elements.pose, contacts.measured)
-    if moved > _FRESH * contacts.reach:
-        measure_pairs(elements.pose, period, contacts)
+    moved = contacts.far[0]
+    if not moved <= _FRESH * contacts.reach:
+        measure_pairs(elements.pose, period, contacts, _FRESH * contacts.reach)
+        contacts.far[0], contacts.far[1] = 0.0, farthest(elements.pose, contacts.listed)
         moved = 0.0
-    if threaded and len(contacts.first) >= SERIAL_PAIRS:
+    if threaded and contacts.nears[0] >= SERIAL_PAIRS:
         pair_forces(elements, period, contacts, moved, dt)
     else:
-        some_pairs(elements, period, contacts, moved, dt, 0, len(contacts.slack))
+        some_pairs(elements, period, contacts, contacts.near, moved, dt, 0, contacts.nears[0])
     if threaded:
         gather(elements, contacts, dt)
     else:
@@ -171,31 +180,26 @@ def gather(elements, contacts, dt):
         _gather(elements, contacts, dt, q * _PORTION, min((q + 1) * _PORTION, n))
 
 
-@device
-def _met(hit, met, sums, count, p):
-    """Note that something touches an element, once; how many there are."""
-    if met[p] != 0:
-        return count
-    met[p], hit[count] = 1, p
-    for d in range(8):
-        sums[p, d] = 0.0
-    return count + 1
-
-
 @loop(parallel=False)
 def hand_out(elements, contacts, dt):
     """The same from the pairs that touch, to the same bits; elements that nothing touches are left alone."""
     c, sums, hit, met = contacts, contacts.sums, contacts.hit, contacts.met
-    first, second, touch, output, load = c.first, c.second, c.touch, c.output, c.load
+    first, second, touch, output, load, near = c.first, c.second, c.touch, c.output, c.load, c.near
     for e in range(c.hits[0]):
         for d in range(6):
             load[hit[e], d] = 0.0
     count = 0
-    for k in range(len(touch)):
+    for e in range(c.nears[0]):
+        k = near[e]
         if touch[k] != 0:
             a, b = first[k], second[k]
-            count = _met(hit, met, sums, count, a)
-            count = _met(hit, met, sums, count, b)
+            for end in range(2):  # no function: tables that are handed to what branches have their references counted
+                p = a if end == 0 else b
+                if met[p] == 0:
+                    met[p], hit[count] = 1, p
+                    count += 1
+                    for d in range(8):
+                        sums[p, d] = 0.0
             for d in range(3):
                 sums[a, d] -= output[k, d]
                 sums[a, 3 + d] += output[k, 3 + d]
@@ -203,8 +207,11 @@ def hand_out(elements, contacts, dt):
                 sums[b, d] += output[k, d]
     wall_start, radius, loss = c.wall_start, c.radius, elements.loss
     for p in range(len(load)):
-        if wall_start[p + 1] > wall_start[p]:
-            count = _met(hit, met, sums, count, p)
+        if wall_start[p + 1] > wall_start[p] and met[p] == 0:
+            met[p], hit[count] = 1, p
+            count += 1
+            for d in range(8):
+                sums[p, d] = 0.0
     for e in range(count):
         p = hit[e]
         met[p] = 0

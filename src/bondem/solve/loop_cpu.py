@@ -179,6 +179,7 @@ class CpuLoop:
         still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
         clear_loads(run.bonds, self._body, self._soft)
         if self._touching is not None:
+            self._touching.far[0] = np.inf  # elements may be anywhere by now
             contact_loads(run.elements, run.bonds.period, 0.0, self._touching, len(run.cut.domain) > 2)
         all_forces(
             run, self._same, self._history, self._body, self._non_local, still, self._added, self._touching,
