@@ -132,11 +132,12 @@ def solve_quasistatic(
     reading, gauge = Reading(body, drive), RegionGauges(model, gauges or {})
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
+    following = np.full(len(body.integrity), np.inf)
     motion = body.motion.copy()
-    first, peak, below, end = 0.0, 0.0, 0, "events"
+    first, peak, below, size, end = 0.0, 0.0, 0, 0.0, "events"
     for event in range(limit):
         try:
-            motion, found = _balance(body, equilibrium, motion)
+            motion, found = _balance(body, equilibrium, motion, size)
         except ConvergenceError:
             if not event:
                 raise
@@ -144,12 +145,12 @@ def solve_quasistatic(
             break
         load, displacement = reading.read(found, motion)
         path.settle(body.potential(motion), load, displacement)
-        stiffness = load / displacement
+        stiffness, size = load / displacement, body.size(found)
         first = first or stiffness
         if stiffness < _PARTED * first or _held_by_none(body, found, motion, load * displacement):
             end = "parted"
             break
-        failing, factor = _next(body, onset, softening, found, close)
+        failing, factor = _next(body, onset, following, found, close)
         if not len(failing):
             end = "strong"
             break
@@ -162,6 +163,7 @@ def solve_quasistatic(
                 softening[k] = onset.teeth(found, k, factor, band), 0
             line, done = softening[k]
             softening[k] = line, done + 1
+            following[k] = line.limit[done] if done < len(line.limit) else np.inf
             left = float(line.integrity[done])
             path.add(k, left)
             body.weaken(k, left, (bool(body.closed[k, 0]), bool(body.closed[k, 1])))
@@ -175,10 +177,10 @@ def solve_quasistatic(
     return path.result(body, end, equilibrium.rounds)
 
 
-def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats) -> tuple[Floats, Loaded]:
-    """The equilibrium with the halves that press closed, and what it bears."""
+def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
+    """The equilibrium with the halves that press closed, and what it bears; `size` of the body before, 0 at first."""
     def rest() -> tuple[Floats, Loaded]:
-        found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion)
+        found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)
 
     motion, found = rest()
@@ -206,14 +208,14 @@ def _folds(motion: Floats, factor: float) -> bool:
 
 
 def _next(
-    body: DamagedBody, onset: FacetOnset, softening: dict[int, tuple[Teeth, int]], found: Loaded, close: float
+    body: DamagedBody, onset: FacetOnset, following: Floats, found: Loaded, close: float
 ) -> tuple[Ints, float]:
-    """The facets that fail next, in the user's order, and the factor of the load; none where nothing fails."""
-    limit = np.full(len(found.cracked), np.inf)
-    for e, k in enumerate(found.cracked.tolist()):
-        line, done = softening[k]
-        if done <= len(line.limit) and found.opening[e] > 0.0:
-            limit[e] = line.limit[done - 1] / found.opening[e]
+    """The facets that fail next, in the user's order, and the factor of the load; none where nothing fails.
+
+    `following` is T of the next event of each facet that softens [Pa], inf for none.
+    """
+    limit, opens = following[found.cracked], found.opening > 0.0
+    limit = np.divide(limit, found.opening, out=np.full(len(limit), np.inf), where=opens)
     alike = max(close, _TIE)
     least = float(limit.min(initial=np.inf)) * (1.0 + alike)
     whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, alike)
