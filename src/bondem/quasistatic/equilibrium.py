@@ -26,9 +26,11 @@ class Equilibrium(Protocol):
 
     Attributes:
         rounds: iterations so far.
+        solutions: equilibria found so far.
     """
 
     rounds: int
+    solutions: int
 
     def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
         """u (6 n,) with K u = `right` where elements are free; it begins at a guess.
@@ -45,10 +47,11 @@ class Eliminated:
     """By elimination, each time from the beginning: small bodies."""
 
     def __init__(self, system: System) -> None:
-        self._system, self.rounds = system, 0
+        self._system, self.rounds, self.solutions = system, 0, 0
 
     def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
         """See `Equilibrium`."""
+        self.solutions += 1
         return Elimination(self._system).solve(right, guess=guess)[0]
 
 
@@ -56,7 +59,7 @@ class Iterated:
     """By conjugate gradients from the last solution, with a preconditioner that is kept while it serves.
 
     Attributes:
-        rounds: iterations so far.
+        rounds, solutions: iterations and equilibria so far.
     """
 
     def __init__(self, system: System, matrix: FacetMatrix, begun: Iteration) -> None:
@@ -68,7 +71,7 @@ class Iterated:
             begun: of the matrix as it is now.
         """
         self._system, self._matrix, self._begun = system, matrix, begun
-        self.rounds = 0
+        self.rounds = self.solutions = 0
         self._begin()
 
     def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
@@ -86,7 +89,7 @@ class Iterated:
                 raise
             self._renew()
             return self.solve(right, guess, energy)
-        self.rounds += rounds
+        self.rounds, self.solutions = self.rounds + rounds, self.solutions + 1
         found = self._system.without_rigid_motion(S.displacement(x + step))
         if energy > 0.0:
             self._judge(rounds, math.log10(max(float(residual @ S.approximate(residual)) / enough, 10.0)))

@@ -56,6 +56,7 @@ class QuasistaticResult:
             turn by more than 0.1 rad until the next event, so that motions are not small any more, or "events".
         motion: of the elements at the last event [m], (n, 3).
         state: the last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
+        solutions: how often an equilibrium was sought: once an event, and again where cracks close or open.
         iterations: of all solutions.
     """
 
@@ -74,6 +75,7 @@ class QuasistaticResult:
     end: str
     motion: PerElement3
     state: State
+    solutions: int
     iterations: int
 
     @property
@@ -87,7 +89,7 @@ def solve_quasistatic(
     model: Model,
     drive: Region,
     *,
-    ripple: float = 0.1,
+    ripple: float = 0.02,
     together: float = 0.005,
     until: float = 0.02,
     most: int = 100_000,
@@ -174,7 +176,7 @@ def solve_quasistatic(
         if below and below >= _LAST * (event + 1):
             end = "unloaded"
             break
-    return path.result(body, end, equilibrium.rounds)
+    return path.result(body, end, equilibrium)
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
@@ -264,7 +266,7 @@ class _Path:
         self._gauge.append({name: factor * moved for name, moved in gauge.items()})
         self._motion = factor * motion
 
-    def result(self, body: DamagedBody, end: str, iterations: int) -> QuasistaticResult:
+    def result(self, body: DamagedBody, end: str, equilibrium: Equilibrium) -> QuasistaticResult:
         """All of it."""
         model, layout = self._model, self._model.layout
         rows = np.array(self._rows).reshape(-1, 5)
@@ -282,7 +284,7 @@ class _Path:
             event=np.array([number for *_, number in self._facets], dtype=np.int64),
             position=model.lattice.facets.centroid[bond], bond_integrity=own, end=end,
             motion=self._motion.reshape(-1, 6)[layout.rank, :3], state=body.state(self._motion),
-            iterations=iterations,
+            solutions=equilibrium.solutions, iterations=equilibrium.rounds,
         )  # fmt: skip
 
 

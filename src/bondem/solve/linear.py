@@ -300,7 +300,7 @@ def conjugate_gradients(
             return x, k
         z = precondition(r)
         rho, old = r @ z, rho
-        if rho <= energy:
+        if 0.0 < rho <= energy:
             return x, k
         p *= rho / old
         p += z
