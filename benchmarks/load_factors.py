@@ -115,7 +115,7 @@ def main() -> None:
                 ways.append(by_steps(bar, case["load factors"][-1]["way"], part))
         for one in ways:
             one["over explicit"] = one["peak"] / slow if slow else None
-            print(count, seed, {key: value for key, value in one.items()}, flush=True)
+            print(count, seed, one, flush=True)
         for one in case["load factors"]:
             one["over explicit"] = one["peak"] / slow if slow else None
             shown = ("ripple", "over explicit", "work", "events", "solutions", "iterations", "seconds")
