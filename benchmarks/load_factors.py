@@ -74,7 +74,7 @@ def by_factors(bar: bd.Lattice, ripple: float, together: float) -> dict:
     return {
         "ripple": ripple, "together": together, "peak": path.peak / LIGAMENT,
         "way": float(path.displacement[path.load.argmax()]),
-        "work": path.work[-1] / LIGAMENT / ENERGY, "events": len(path.load), "solutions": path.solutions,
+        "work": float(path.work[-1]) / LIGAMENT / ENERGY, "events": len(path.load), "solutions": path.solutions,
         "failures": len(path.bond), "facets": len(set(path.bond.tolist())),
         "events of a facet": float(np.median(np.unique(path.bond, return_counts=True)[1])),
         "closure": float(path.work[-1] - path.stored[-1] - path.energy.sum()) / path.work[-1],
