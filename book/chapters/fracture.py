@@ -29,8 +29,8 @@ RING = study("ring", {"ring": "fracture_ring"})
 RING_FINE = study("ring", {}, options="--size 0.08e-3 --seeds 1", kept="ring_fine")
 RING_THIN = study("ring", {}, options="--side 0.15e-3 --size 0.06e-3 --seeds 1", kept="ring_thin")
 MEASUREMENTS = (
-    FRACTURE, COARSE, FINE, PETERSSON, FACTORS, TOUGHNESS, SIZES, KALTHOFF, KALTHOFF_SECONDS, WEIBULL, RING, RING_FINE,
-    RING_THIN,
+    FRACTURE, COARSE, FINE, PETERSSON, FACTORS, TOUGHNESS, SIZES, KALTHOFF, KALTHOFF_SECONDS, WEIBULL, RING,
+    RING_FINE, RING_THIN,
 )  # fmt: skip
 
 _FORMS = {"peak": Form("kN", 1e3, ".3f"), "work": Form("J", style=".3f")}

@@ -11,7 +11,9 @@ from book.tolerances import AtLeast, AtMost, Near, So
 
 STRENGTH = Measurement("strength", "python benchmarks/strength.py", "2 h")
 BRAZILIAN = Measurement("brazilian", "python benchmarks/brazilian.py --seeds 1 2 3 4 5", "30 min")
-FACTORS = Measurement("load_factors", "python benchmarks/load_factors.py --counts 300 1000 --seeds 1 2 3 --steps 0.01", "15 min")
+FACTORS = Measurement(
+    "load_factors", "python benchmarks/load_factors.py --counts 300 1000 --seeds 1 2 3 --steps 0.01", "15 min"
+)
 MEASUREMENTS = (STRENGTH, BRAZILIAN, FACTORS, TESTS)
 
 #: What is asked for: of strengths, of the mean of the fracture energies, of each of them, and of the ledger [-].
@@ -167,7 +169,8 @@ def _still() -> Section:
         before=(
             "`bd.solve_quasistatic`, one event of failing facets after the other, beside `bd.labtests.direct_tension`"
             " at a quarter of its usual speed. A peak is the largest load of all events; single events scatter by"
-            " half a per cent about the path. Events a facet are those of its softening; the default is a band of 2 %. Closed forms of two cells and of a bar that snaps back hold to 1e-9"
+            " half a per cent about the path. Events a facet are those of its softening; the default is a band of 2 %."
+            " Closed forms of two cells and of a bar that snaps back hold to 1e-9"
             " (`tests/verification/test_quasistatic.py`)."
         ),
         rows=tuple(rows),
