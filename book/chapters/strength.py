@@ -169,8 +169,8 @@ def _still() -> Section:
         before=(
             "`bd.solve_quasistatic`, one event of failing facets after the other, beside `bd.labtests.direct_tension`"
             " at a quarter of its usual speed. A peak is the largest load of all events; single events scatter by"
-            " half a per cent about the path. Events a facet are those of its softening; the default is a band of 2 %."
-            " Closed forms of two cells and of a bar that snaps back hold to 1e-9"
+            " half a per cent about the path. Events a facet are those of its softening; the default is a band of 2"
+            " %. Closed forms of two cells and of a bar that snaps back hold to 1e-9"
             " (`tests/verification/test_quasistatic.py`)."
         ),
         rows=tuple(rows),
