@@ -48,12 +48,13 @@ def pulled_in_steps(model: bd.Model, drive: bd.Face, first: float, step: float, 
     reading, motion = Reading(body, drive), body.motion.copy()
     lines: dict[int, SofteningLine] = {}
     rows: list[tuple[float, float, int]] = []
-    peak, way, load, factor = 0.0, first, 0.0, 0.0
+    peak, way, load, factor, stored = 0.0, first, 0.0, 0.0, 0.0
     while True:
         rounds, settled = 0, False
         while not settled and rounds < _ROUNDS:
             rounds += 1
-            motion, found = solve._balance(body, equilibrium, motion)
+            motion, found = solve._balance(body, equilibrium, motion, stored)
+            stored = body.size(found)
             load, size = reading.read(found, motion)
             factor = way / size
             facets, at = onset.factors(found, np.flatnonzero(body.integrity == 1.0), factor, 0.0)

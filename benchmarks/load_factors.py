@@ -6,9 +6,12 @@ pulled between smooth platens: by `bd.solve_quasistatic` with bands of several w
 and by half a per cent of that of the peak (`displacement_steps.py`), where nothing snaps back. Peaks over that of the
 slower explicit run, work over the ligament and G_f, events, facets, and time.
 
-Run: python benchmarks/load_factors.py [--counts 300 1000 3000] [--seeds 1] [--ripples 0.2 0.1 0.05]
+Run: python benchmarks/load_factors.py [--counts 300 1000 3000] [--seeds 1] [--ripples 0.2 0.1 0.05 0.02]
          [--together 0.005] [--steps 0.01 0.005]
-It writes benchmarks/results/load_factors.json; cases that are there already are kept.
+It writes benchmarks/results/load_factors.json; cases that are there already are kept. 10 000 cells, whose explicit
+runs take hours:
+     python benchmarks/load_factors.py --counts 10000 --ripples 0.02 --traverses --steps
+         --out benchmarks/results/load_factors_large.json
 """
 
 import argparse
@@ -16,6 +19,8 @@ import json
 import time
 from itertools import product
 from pathlib import Path
+
+import numpy as np
 
 import bondem as bd
 from displacement_steps import pulled_in_steps
@@ -64,15 +69,17 @@ def model_of(bar: bd.Lattice) -> bd.Model:
 
 
 def by_factors(bar: bd.Lattice, ripple: float, together: float) -> dict:
-    began = time.perf_counter()
+    began, busy = time.perf_counter(), time.process_time()
     path = bd.solve_quasistatic(model_of(bar), bd.Face("x_max"), ripple=ripple, together=together)
     return {
         "ripple": ripple, "together": together, "peak": path.peak / LIGAMENT,
         "way": float(path.displacement[path.load.argmax()]),
-        "work": path.work[-1] / LIGAMENT / ENERGY, "events": len(path.load),
+        "work": float(path.work[-1]) / LIGAMENT / ENERGY, "events": len(path.load), "solutions": path.solutions,
         "failures": len(path.bond), "facets": len(set(path.bond.tolist())),
+        "events of a facet": float(np.median(np.unique(path.bond, return_counts=True)[1])),
         "closure": float(path.work[-1] - path.stored[-1] - path.energy.sum()) / path.work[-1],
         "iterations": path.iterations, "end": path.end, "seconds": time.perf_counter() - began,
+        "processor seconds": time.process_time() - busy,
     }  # fmt: skip
 
 
@@ -80,9 +87,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--counts", type=int, nargs="+", default=[300, 1000, 3000])
     parser.add_argument("--seeds", type=int, nargs="+", default=[1])
-    parser.add_argument("--ripples", type=float, nargs="+", default=[0.2, 0.1, 0.05])
+    parser.add_argument("--ripples", type=float, nargs="+", default=[0.2, 0.1, 0.05, 0.02])
     parser.add_argument("--together", type=float, default=0.005)
     parser.add_argument("--steps", type=float, nargs="*", default=[0.01, 0.005], help="over the way of the peak")
+    parser.add_argument("--traverses", type=float, nargs="*", default=TRAVERSES, help="of explicit runs")
     parser.add_argument("--out", type=Path, default=FILE)
     options = parser.parse_args()
     begun = origin()
@@ -93,10 +101,10 @@ def main() -> None:
         if case is None:
             case = {"count": count, "seed": seed, "facets": len(bar.pairs), "explicit": [], "load factors": []}
             cases.append(case)
-        for traverses in TRAVERSES:
+        for traverses in options.traverses:
             if traverses not in [one["traverses"] for one in case["explicit"]]:
                 case["explicit"].append(explicit(bar, traverses))
-        slow = case["explicit"][-1]["peak"]
+        slow = case["explicit"][-1]["peak"] if case["explicit"] else None
         for ripple in options.ripples:
             known = [(one["ripple"], one["together"]) for one in case["load factors"]]
             if (ripple, options.together) not in known:
@@ -106,12 +114,12 @@ def main() -> None:
             if part not in [one["part"] for one in ways]:
                 ways.append(by_steps(bar, case["load factors"][-1]["way"], part))
         for one in ways:
-            one["over explicit"] = one["peak"] / slow
-            print(count, seed, {key: round(float(value), 4) for key, value in one.items()}, flush=True)
+            one["over explicit"] = one["peak"] / slow if slow else None
+            print(count, seed, one, flush=True)
         for one in case["load factors"]:
-            one["over explicit"] = one["peak"] / slow
-            shown = ("ripple", "over explicit", "work", "events", "seconds")
-            print(count, seed, {key: round(float(one[key]), 4) for key in shown}, flush=True)
+            one["over explicit"] = one["peak"] / slow if slow else None
+            shown = ("ripple", "over explicit", "work", "events", "solutions", "iterations", "seconds")
+            print(count, seed, {key: one[key] for key in shown}, flush=True)
         keep(options.out, begun | {"cases": cases})
 
 

@@ -11,6 +11,8 @@ import numpy as np
 
 from bondem._types import Floats, Ints, Mask
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET
+from bondem.kernels.damaged_facets import Borne, DamagedFacets, load_facets, part_facets
+from bondem.kernels.stressed_facets import StressedFacets, add_bending
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -22,8 +24,6 @@ from bondem.solve.linear import System
 
 # Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
 _NONE = 1e-7
-# A half facet is closed or opens where its force along the normal is beyond this share of its size.
-_TURNS = 1e-9
 _XX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
@@ -84,9 +84,15 @@ class DamagedBody:
         self._part = soft_i / (soft_i + soft_j)
         self.integrity = np.ones(len(self.i))
         self.closed = np.zeros((len(self.i), 2), dtype=bool)
+        c = self.constants
+        self._facets = DamagedFacets(
+            self.i, self.j, c.k, self.area, self._part, c.lever_i, c.lever_j, c.share_i, c.share_j, c.normal, c.H,
+            self.integrity, self.closed,
+        )  # fmt: skip
         self.matrix = FacetMatrix(system.matrix, layout, root)
         self.system = replace(system, matrix=self.matrix.plain)
         self._slack = np.zeros(len(order))
+        self._soft = c.volume / c.G
 
         users, still = model.cell_constants, np.zeros((len(order), 3))
         grips = users.grips
@@ -123,6 +129,11 @@ class DamagedBody:
         stored = 0.5 * float(motion @ self.matrix.force(motion))
         stored += 0.5 * float(self.system.matrix.weight @ self.given**2)
         return stored - float(self.right @ motion)
+
+    def size(self, found: Loaded) -> float:
+        """Σ V σ:σ / 2 G of the cells, which is 1 + ν times twice their energy in tension [J]."""
+        square = (found.tensor[:, :3] ** 2).sum(axis=1) + 2.0 * (found.tensor[:, 3:] ** 2).sum(axis=1)
+        return 0.5 * float(self._soft @ square)
 
     def held_by_none(self, found: Loaded) -> float:
         """Energy of the facets that have no integrity left: of that which stands for none [J]."""
@@ -178,37 +189,26 @@ class DamagedBody:
 
     def loaded(self, motion: Floats) -> Loaded:
         """What facets and cells bear under displacements and rotations (6 n,)."""
-        c, i, j, grips = self.constants, self.i, self.j, self.model.cell_constants.grips
-        u, phi = np.hsplit(motion.reshape(-1, 6), 2)
-        gap = u[j] + np.cross(phi[j], c.lever_j) - u[i] - np.cross(phi[i], c.lever_i)
-        rank, n = self.model.layout.rank, len(u)
-        held = grips.gap(u[rank], phi[rank], grips.motion)
-        cracked = np.flatnonzero(self.integrity < 1.0)
-        s, normal = self.integrity[cracked, None], c.normal[cracked]
-        across = (gap[cracked] * normal).sum(axis=1)[:, None] * normal
-        grown = []
-        for side, share in enumerate((c.share_i, c.share_j)):
-            shut = self.closed[cracked, side, None]
-            swollen = (share * gap).sum(axis=1)
-            swollen[cracked] = (share[cracked] * (s * gap[cracked] + (1.0 - s) * shut * across)).sum(axis=1)
-            grown.append(swollen)
-        swelling = self.given + np.bincount(i, grown[0], n) + np.bincount(j, grown[1], n)
+        c, grips = self.constants, self.model.cell_constants.grips
+        u, phi = (np.ascontiguousarray(part) for part in np.hsplit(motion.reshape(-1, 6), 2))
+        m, n, rank = len(self.i), len(u), self.model.layout.rank
+        gap, swelling = np.empty((m, 3)), self.given.copy()
+        part_facets(self._facets, u, phi, gap, swelling)
         moved = grips.gap(u[rank], phi[rank])  # what walls do is in `given`
         swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
         stress = self.system.matrix.weight * swelling
-        force = c.k[:, None] * gap + stress[i, None] * c.share_i + stress[j, None] * c.share_j
-        opening, turned = self._crack(cracked, gap, stress, force)
+        borne = Borne(np.empty((m, 3)), np.empty(m), np.empty(m), np.empty((m, 2), dtype=bool), self._pressed.copy())
+        load_facets(self._facets, phi, gap, stress, borne)
+        held = grips.gap(u[rank], phi[rank], grips.motion)
         wall = grips.k[:, None] * held + stress[self._held, None] * grips.share
-        tensor = self._pressed.copy()
-        _add_moments(tensor, i, c.lever_i, force)
-        _add_moments(tensor, j, c.lever_j, -force)
+        tensor = borne.moment
         _add_moments(tensor, self._held, grips.lever, wall)
         tensor /= c.volume[:, None]
-        turn = phi[j] - phi[i]
-        square = np.einsum("ma,mab,mb->m", turn, c.H, turn)  # of slivers below 0 by rounding
-        bending = np.sqrt(c.k * np.maximum(square, 0.0)) / self.area
-        opening = np.hypot(opening, self.bent(tensor, bending, cracked))
-        return Loaded(force / self.area[:, None], bending, tensor, cracked, opening, turned, wall)
+        cracked = np.flatnonzero(self.integrity < 1.0)
+        opening = borne.opening[cracked]
+        judged = StressedFacets(self.i, self.j, c.normal, borne.traction, borne.bending, tensor)
+        add_bending(judged, cracked, opening)
+        return Loaded(borne.traction, borne.bending, tensor, cracked, opening, borne.turned[cracked], wall)
 
     def mean(self, tensor: Floats, facets: Ints) -> Floats:
         """Mean of the stresses (n, 6) of the two cells of some facets [Pa], (c, 6)."""
@@ -218,22 +218,6 @@ class DamagedBody:
         """T_b (m,) of some facets less the largest pressure of the mean stress of their cells, at least 0, (c,)."""
         pressure = -np.linalg.eigvalsh(full_tensor(self.mean(tensor, facets)))[:, 0]
         return np.maximum(bending[facets] - np.maximum(pressure, 0.0), 0.0)
-
-    def _crack(self, cracked: Ints, gap: Floats, stress: Floats, force: Floats) -> tuple[Floats, Mask]:
-        """Write forces of cracked facets; |F⁺| / A of these, and which halves turn."""
-        c, s, n = self.constants, self.integrity[cracked, None], self.constants.normal[cracked]
-        opening, turned = np.zeros((len(cracked), 3)), np.zeros((len(cracked), 2), dtype=bool)
-        force[cracked] = 0.0
-        for side, (end, share) in enumerate(((self.i, c.share_i), (self.j, c.share_j))):
-            w = self._part[cracked, None] if side == 0 else 1.0 - self._part[cracked, None]
-            F = c.k[cracked, None] * gap[cracked] + stress[end[cracked], None] / w * share[cracked]
-            along = (F * n).sum(axis=1)[:, None]
-            shut = self.closed[cracked, side, None]
-            force[cracked] += w * (s * F + (1.0 - s) * shut * along * n)
-            opening += w * (F - shut * along * n)
-            size = _TURNS * np.linalg.norm(F, axis=1)
-            turned[:, side] = np.where(shut[:, 0], along[:, 0] > size, along[:, 0] < -size)
-        return np.linalg.norm(opening, axis=1) / self.area[cracked], turned
 
 
 def _add_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats) -> None:

@@ -1,5 +1,6 @@
 """Equilibria of one body after another, each a little weaker than the one before."""
 
+import math
 from typing import Protocol
 
 import numpy as np
@@ -9,10 +10,15 @@ from bondem.errors import ConvergenceError
 from bondem.quasistatic.facet_matrix import FacetMatrix
 from bondem.solve.linear import Elimination, Iteration, System, conjugate_gradients
 
-# Residual over load at which an iteration ends.
-RTOL = 1e-6
-# The preconditioner is made anew where iterations take so many times as many as with a new one, and at least so many.
-_SLOWER, _FEW = 1.6, 25
+# An iteration ends where the energy of its error is this share, squared, of that of the body: tractions are off by
+# 1e-4 of the largest then, a fiftieth of what facets that fail together may differ by. Residual over load would not
+# do: the load of a wall that moves stays as it is while what the body bears vanishes.
+_ERROR = 5e-5
+# The same where no energy is known: residual over load.
+_RTOL = 1e-6
+# The preconditioner is made anew where all iterations since then took so many more than they would have with a new
+# one: about what it costs to make. How fast a new one is the first few solutions tell.
+_LOST, _NEW = 150.0, 5
 
 
 class Equilibrium(Protocol):
@@ -20,12 +26,20 @@ class Equilibrium(Protocol):
 
     Attributes:
         rounds: iterations so far.
+        solutions: equilibria found so far.
     """
 
     rounds: int
+    solutions: int
 
-    def solve(self, right: Floats, guess: Floats) -> Floats:
-        """u (6 n,) with K u = `right` where elements are free; it begins at a guess."""
+    def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
+        """u (6 n,) with K u = `right` where elements are free; it begins at a guess.
+
+        Args:
+            right: forces and torques [N, N·m], (6 n,).
+            guess: where an iteration begins, (6 n,).
+            energy: about twice that of the body [J], 0 where it is not known.
+        """
         ...
 
 
@@ -33,10 +47,11 @@ class Eliminated:
     """By elimination, each time from the beginning: small bodies."""
 
     def __init__(self, system: System) -> None:
-        self._system, self.rounds = system, 0
+        self._system, self.rounds, self.solutions = system, 0, 0
 
-    def solve(self, right: Floats, guess: Floats) -> Floats:
+    def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
         """See `Equilibrium`."""
+        self.solutions += 1
         return Elimination(self._system).solve(right, guess=guess)[0]
 
 
@@ -44,7 +59,7 @@ class Iterated:
     """By conjugate gradients from the last solution, with a preconditioner that is kept while it serves.
 
     Attributes:
-        rounds: iterations so far.
+        rounds, solutions: iterations and equilibria so far.
     """
 
     def __init__(self, system: System, matrix: FacetMatrix, begun: Iteration) -> None:
@@ -56,32 +71,47 @@ class Iterated:
             begun: of the matrix as it is now.
         """
         self._system, self._matrix, self._begun = system, matrix, begun
-        self._fresh, self._usual, self.rounds = True, 0, 0
+        self.rounds = self.solutions = 0
+        self._begin()
 
-    def solve(self, right: Floats, guess: Floats) -> Floats:
+    def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
         """See `Equilibrium`."""
         S, matrix = self._begun, self._matrix
         x = S.unscaled(guess)
         scaled = S.turned(self._system.balanced(right))
+        residual = scaled - matrix @ x
+        stop = _RTOL * float(np.linalg.norm(scaled)) if energy == 0.0 else 0.0
+        enough = _ERROR**2 * energy
         try:
-            step, rounds = conjugate_gradients(
-                matrix, S.approximate, scaled - matrix @ x, RTOL * float(np.linalg.norm(scaled))
-            )
+            step, rounds = conjugate_gradients(matrix, S.approximate, residual, stop, energy=enough)
         except ConvergenceError:
             if self._fresh:
                 raise
             self._renew()
-            return self.solve(right, guess)
-        self.rounds += rounds
+            return self.solve(right, guess, energy)
+        self.rounds, self.solutions = self.rounds + rounds, self.solutions + 1
         found = self._system.without_rigid_motion(S.displacement(x + step))
-        if self._fresh:
-            self._usual, self._fresh = rounds, False
-        elif rounds > max(_FEW, _SLOWER * self._usual):
-            self._renew()
+        if energy > 0.0:
+            self._judge(rounds, math.log10(max(float(residual @ S.approximate(residual)) / enough, 10.0)))
         return found
+
+    def _judge(self, rounds: int, digits: float) -> None:
+        """Whether the preconditioner still serves, by how many iterations a digit of the energy took."""
+        self._fresh = False
+        self._solved += 1
+        if self._solved <= _NEW:
+            self._rate += rounds / digits / _NEW
+            return
+        self._lost += rounds - self._rate * digits
+        if self._lost > _LOST:
+            self._renew()
 
     def _renew(self) -> None:
         """Make the preconditioner of the matrix as it is now."""
         self._begun = Iteration(self._system)
         self._matrix.rescale(self._begun.root)
-        self._fresh = True
+        self._begin()
+
+    def _begin(self) -> None:
+        """Nothing is known of the preconditioner."""
+        self._fresh, self._solved, self._rate, self._lost = True, 0, 0.0, 0.0

@@ -1,17 +1,17 @@
 """At which load factor a facet begins to crack or goes on, where everything is proportional to it."""
 
 import math
-from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
 
 from bondem._types import Floats, Ints, PerBond
+from bondem.kernels.stressed_facets import StressedFacets, stress_factors
 from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.quasistatic.teeth import SofteningLine, Teeth
-from bondem.quasistatic.tensors import agreed, full_tensor, largest, principal_range
+from bondem.quasistatic.tensors import agreed, full_tensor, largest
 
 # By what share factors of the closed form may be off.
 _NEAR = 1e-5
@@ -69,33 +69,24 @@ class StressOnset:
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
         """See `FacetOnset`."""
-        body = self._body
-        mean = np.ascontiguousarray(body.mean(found.tensor, whole).T)
-        bent = np.maximum(found.bending[whole] - np.maximum(-principal_range(mean)[0], 0.0), 0.0)
-        about = self._reached(found, whole, mean, bent, lambda star: principal_range(star)[1])
+        body, about = self._body, np.empty(len(whole))
+        judged = StressedFacets(
+            body.i, body.j, body.constants.normal, found.traction, found.bending, found.tensor
+        )
+        stress_factors(judged, self._strength, whole, below, (1.0 + close) * (1.0 + _NEAR), about)
         least = min(below, float(about.min(initial=np.inf)) * (1.0 + close))
-        near = about <= least * (1.0 + _NEAR)
-        some, mean = whole[near], mean[:, near]
-        bent = body.bent(found.tensor, found.bending, some)
-        return some, self._reached(found, some, mean, bent, largest)
+        some = whole[about <= least * (1.0 + _NEAR)]
+        return some, self._reached(found, some)
 
-    def _reached(
-        self, found: Loaded, facets: Ints, mean: Floats, bent: Floats, strongest: Callable[[Floats], Floats]
-    ) -> Floats:
-        """Load factors at which some facets begin, inf for never, (c,).
-
-        Args:
-            found: what all bear.
-            facets: which.
-            mean: stress of their cells [Pa], (6, c).
-            bent: what of their bending opens them [Pa], (c,).
-            strongest: finds the largest principal stress [Pa], (c,), of (6, c).
-        """
-        n, t = self._body.constants.normal[facets].T, found.traction[facets].T
+    def _reached(self, found: Loaded, facets: Ints) -> Floats:
+        """Load factors at which some facets begin, inf for never, (c,)."""
+        body = self._body
+        mean, bent = body.mean(found.tensor, facets).T, body.bent(found.tensor, found.bending, facets)
+        n, t = body.constants.normal[facets].T, found.traction[facets].T
         across, f = (t * n).sum(axis=0), self._strength[facets]
         shear = (t * t).sum(axis=0) - across**2
         pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
-        high = strongest(agreed(mean, n, t + (pulled - across) * n))
+        high = largest(agreed(mean, n, t + (pulled - across) * n))
         reached = np.divide(f, high, out=np.full(len(f), np.inf), where=high > 0.0)
         return np.where(pulled > 0.0, reached, np.maximum(reached, _sheared_at(pulled, shear, f)))
 

@@ -56,6 +56,7 @@ class QuasistaticResult:
             turn by more than 0.1 rad until the next event, so that motions are not small any more, or "events".
         motion: of the elements at the last event [m], (n, 3).
         state: the last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
+        solutions: how often an equilibrium was sought: once an event, and again where cracks close or open.
         iterations: of all solutions.
     """
 
@@ -74,6 +75,7 @@ class QuasistaticResult:
     end: str
     motion: PerElement3
     state: State
+    solutions: int
     iterations: int
 
     @property
@@ -87,7 +89,7 @@ def solve_quasistatic(
     model: Model,
     drive: Region,
     *,
-    ripple: float = 0.1,
+    ripple: float = 0.02,
     together: float = 0.005,
     until: float = 0.02,
     most: int = 100_000,
@@ -132,11 +134,12 @@ def solve_quasistatic(
     reading, gauge = Reading(body, drive), RegionGauges(model, gauges or {})
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
+    following = np.full(len(body.integrity), np.inf)
     motion = body.motion.copy()
-    first, peak, below, end = 0.0, 0.0, 0, "events"
+    first, peak, below, size, end = 0.0, 0.0, 0, 0.0, "events"
     for event in range(limit):
         try:
-            motion, found = _balance(body, equilibrium, motion)
+            motion, found = _balance(body, equilibrium, motion, size)
         except ConvergenceError:
             if not event:
                 raise
@@ -144,12 +147,12 @@ def solve_quasistatic(
             break
         load, displacement = reading.read(found, motion)
         path.settle(body.potential(motion), load, displacement)
-        stiffness = load / displacement
+        stiffness, size = load / displacement, body.size(found)
         first = first or stiffness
         if stiffness < _PARTED * first or _held_by_none(body, found, motion, load * displacement):
             end = "parted"
             break
-        failing, factor = _next(body, onset, softening, found, close)
+        failing, factor = _next(body, onset, following, found, close)
         if not len(failing):
             end = "strong"
             break
@@ -162,6 +165,7 @@ def solve_quasistatic(
                 softening[k] = onset.teeth(found, k, factor, band), 0
             line, done = softening[k]
             softening[k] = line, done + 1
+            following[k] = line.limit[done] if done < len(line.limit) else np.inf
             left = float(line.integrity[done])
             path.add(k, left)
             body.weaken(k, left, (bool(body.closed[k, 0]), bool(body.closed[k, 1])))
@@ -172,13 +176,13 @@ def solve_quasistatic(
         if below and below >= _LAST * (event + 1):
             end = "unloaded"
             break
-    return path.result(body, end, equilibrium.rounds)
+    return path.result(body, end, equilibrium)
 
 
-def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats) -> tuple[Floats, Loaded]:
-    """The equilibrium with the halves that press closed, and what it bears."""
+def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
+    """The equilibrium with the halves that press closed, and what it bears; `size` of the body before, 0 at first."""
     def rest() -> tuple[Floats, Loaded]:
-        found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion)
+        found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)
 
     motion, found = rest()
@@ -206,14 +210,14 @@ def _folds(motion: Floats, factor: float) -> bool:
 
 
 def _next(
-    body: DamagedBody, onset: FacetOnset, softening: dict[int, tuple[Teeth, int]], found: Loaded, close: float
+    body: DamagedBody, onset: FacetOnset, following: Floats, found: Loaded, close: float
 ) -> tuple[Ints, float]:
-    """The facets that fail next, in the user's order, and the factor of the load; none where nothing fails."""
-    limit = np.full(len(found.cracked), np.inf)
-    for e, k in enumerate(found.cracked.tolist()):
-        line, done = softening[k]
-        if done <= len(line.limit) and found.opening[e] > 0.0:
-            limit[e] = line.limit[done - 1] / found.opening[e]
+    """The facets that fail next, in the user's order, and the factor of the load; none where nothing fails.
+
+    `following` is T of the next event of each facet that softens [Pa], inf for none.
+    """
+    limit, opens = following[found.cracked], found.opening > 0.0
+    limit = np.divide(limit, found.opening, out=np.full(len(limit), np.inf), where=opens)
     alike = max(close, _TIE)
     least = float(limit.min(initial=np.inf)) * (1.0 + alike)
     whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, alike)
@@ -262,7 +266,7 @@ class _Path:
         self._gauge.append({name: factor * moved for name, moved in gauge.items()})
         self._motion = factor * motion
 
-    def result(self, body: DamagedBody, end: str, iterations: int) -> QuasistaticResult:
+    def result(self, body: DamagedBody, end: str, equilibrium: Equilibrium) -> QuasistaticResult:
         """All of it."""
         model, layout = self._model, self._model.layout
         rows = np.array(self._rows).reshape(-1, 5)
@@ -280,7 +284,7 @@ class _Path:
             event=np.array([number for *_, number in self._facets], dtype=np.int64),
             position=model.lattice.facets.centroid[bond], bond_integrity=own, end=end,
             motion=self._motion.reshape(-1, 6)[layout.rank, :3], state=body.state(self._motion),
-            iterations=iterations,
+            solutions=equilibrium.solutions, iterations=equilibrium.rounds,
         )  # fmt: skip
 
 

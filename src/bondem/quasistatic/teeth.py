@@ -1,6 +1,7 @@
 """Softening in steps: a curve from the strength to an opening, followed by teeth within a band about it."""
 
-from dataclasses import dataclass, replace
+import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -10,8 +11,6 @@ from bondem._types import Floats
 _REST = 0.12
 # One that softens is weaker than one that has not begun by as little: it goes on, and others do not begin.
 _BELOW = 0.999
-# Until the energy is right: the number of teeth may change with the line, and the energy jumps then.
-_ROUNDS = 8
 
 
 @dataclass(frozen=True)
@@ -85,9 +84,10 @@ class Teeth:
         """Teeth of a curve; a facet that breaks at once has one.
 
         The first event comes at the onset, the others where the traction is `ripple` above the curve, as a share of
-        it, but a little below that at the onset at most, and each leaves it as much below the curve. The curve is
-        drawn out for all of them together to take the energy under that of the material. Where T is beyond the onset
-        when a facet begins, it falls to the curve there.
+        it, but a little below that at the onset at most, and each leaves it as much below the curve. Where T is
+        beyond the onset when a facet begins, it falls to the curve there. The last event comes when all of them
+        together have taken the energy under the curve: what a band that is cut at the onset has too little is made up
+        where a facet bears least. Peaks depend on how a curve begins, and its beginning stays as it is.
 
         Args:
             line: the curve of the material.
@@ -97,13 +97,12 @@ class Teeth:
         now = max(now, line.onset)
         if line.last <= now:
             return cls(np.zeros(1), np.zeros(0))
-        wanted, longer = line.energy(now), line
-        integrity, limit = _steps(longer, ripple, now)
-        for _ in range(_ROUNDS):
+        integrity, limit = _steps(line, ripple, now)
+        if len(limit):
             lost = integrity[:-1] - integrity[1:]
-            taken = ripple / (1.0 - ripple) * integrity[0] * now**2 + float(lost @ limit**2)
-            longer = replace(longer, last=now + (longer.last - now) * wanted / taken)
-            integrity, limit = _steps(longer, ripple, now)
+            taken = ripple / (1.0 - ripple) * float(integrity[0]) * now**2 + float(lost[:-1] @ limit[:-1] ** 2)
+            before = float(limit[-2]) if len(limit) > 1 else now
+            limit[-1] = max(before, math.sqrt(max(line.energy(now) - taken, 0.0) / float(lost[-1])))
         return cls(integrity, limit)
 
 

@@ -37,16 +37,3 @@ def agreed(mean: Floats, n: Floats, t: Floats) -> Floats:
 def largest(s: Floats) -> Floats:
     """Largest principal stress of (6, c), (c,)."""
     return np.asarray(np.linalg.eigvalsh(full_tensor(s.T))[:, 2], dtype=float)
-
-
-def principal_range(s: Floats) -> tuple[Floats, Floats]:
-    """Least and largest principal stress of (6, c), each (c,), to some 1e-8 of their size."""
-    p = (s[0] + s[1] + s[2]) / 3.0
-    a, b, c = s[0] - p, s[1] - p, s[2] - p
-    square = 0.5 * (a * a + b * b + c * c) + s[3] ** 2 + s[4] ** 2 + s[5] ** 2
-    third = a * (b * c - s[5] ** 2) - s[3] * (s[3] * c - s[5] * s[4]) + s[4] * (s[3] * s[5] - b * s[4])
-    size = np.sqrt(square)
-    cosine = np.divide(1.5 * _ROOT * third, size * square, out=np.ones_like(p), where=size * square > 0.0)
-    angle = np.arccos(np.clip(cosine, -1.0, 1.0)) / 3.0
-    size *= 2.0 / _ROOT
-    return p + size * np.cos(angle + 2.0 * np.pi / 3.0), p + size * np.cos(angle)

@@ -284,9 +284,13 @@ class Matrix(Protocol):
 
 
 def conjugate_gradients(
-    matrix: Matrix, precondition: Callable[[Floats], Floats], residual: Floats, stop: float
+    matrix: Matrix, precondition: Callable[[Floats], Floats], residual: Floats, stop: float, *, energy: float = 0.0
 ) -> tuple[Floats, int]:
-    """x with |residual - K x| <= stop, and the iterations it took."""
+    """x with |residual - K x| <= stop, and the iterations it took.
+
+    Or with r·z <= `energy` of what is left of the residual r, z what the preconditioner makes of it: about twice the
+    energy of the error.
+    """
     x = np.zeros_like(residual)
     r = residual.copy()
     p = np.zeros_like(r)
@@ -296,6 +300,8 @@ def conjugate_gradients(
             return x, k
         z = precondition(r)
         rho, old = r @ z, rho
+        if 0.0 < rho <= energy:
+            return x, k
         p *= rho / old
         p += z
         Kp = matrix @ p
