@@ -2,11 +2,11 @@
 
 The concrete of E = 40 GPa, ν = 0.2, f_t = 4 MPa, c = 14.3 MPa, φ = 35° (54.9 MPa in compression as a continuum), as
 a cylinder Ø100 × 200 mm, compressed, pulled and split between the platens of platens.py. Beams have E and ν
-calibrated on packing 1. Strengths of laws that break at once are multiplied by one factor so that packing 1 bears 4 MPa in direct tension; shear or
-cohesion over tension stays 3.575. What a law has then in compression and in splitting is its own. Friction of what is
-broken is 0.1; there is none at the platens. K_Ic is what `bd.explain` says that strength, stiffness and size of
-elements mean together, not a test. The cost is that of 2000 elastic steps with criterion and contacts, of the second
-of two such runs; only ratios of one run of this command mean something.
+calibrated on packing 1. Strengths of laws that break at once are multiplied by one factor so that packing 1 bears
+4 MPa in direct tension; shear or cohesion over tension stays 3.575. What a law has then in compression and in
+splitting is its own. Friction of what is broken is 0.1; there is none at the platens. K_Ic is what `bd.explain` says
+that strength, stiffness and size of elements mean together, not a test. The cost is that of 2000 elastic steps with
+criterion and contacts, of the second of two such runs; only ratios of one run of this command mean something.
 
 Run: python benchmarks/laws_side_by_side.py [--laws …] [--count 1500] [--seeds 1 2] [--out DIR]
      python benchmarks/laws_side_by_side.py --summary

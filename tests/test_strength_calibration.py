@@ -6,6 +6,7 @@ import math
 import pytest
 
 import bondem as bd
+from bondem.cli import bondem as group
 from bondem.errors import ConvergenceError, InputError, UnstableRunError
 
 TARGETS = {"ucs": (55e6, 0.2e6), "brazilian": (4e6, 0.03e6)}
@@ -223,3 +224,21 @@ def test_the_tensile_strength_of_a_prism_of_cells_is_found(tmp_path):
     assert fit.reached
     assert len(fit.runs) <= 3
     assert fit.parameters["tension"] == pytest.approx(4e6, rel=0.03)
+
+
+def test_the_command_calibrates_cells_and_goes_on_where_it_was(tmp_path, capsys):
+    words = ["strength", "--E", "40 GPa", "--nu", "0.2", "--ucs", "55 MPa", "--brazilian", "4 MPa", "--count", "200",
+             "--friction-angle", "35 deg", "--fracture-energy", "20", "--diameter", "0.05", "--length", "0.05",
+             "--brazilian-within", "0.6 MPa", "--out", str(tmp_path)]  # fmt: skip
+    group.main(words, standalone_mode=False)
+    told = capsys.readouterr().out
+    assert "reached after" in told
+    assert "bd.MohrCoulomb(tension=" in told
+    kept = json.loads((tmp_path / "strength_calibration.json").read_text())["tests"]
+    assert {row["test"] for row in kept} == {"ucs", "brazilian"}
+    group.main(words, standalone_mode=False)
+    assert "run 1, ucs" not in capsys.readouterr().out
+    with pytest.raises(InputError, match="choose another folder"):
+        group.main([*words, "--seed", "2"], standalone_mode=False)
+    with pytest.raises(ConvergenceError, match="not reached after 1 run"):
+        group.main([*words[:-4], "--brazilian-within", "1 Pa", "--most", "1", *words[-2:]], standalone_mode=False)
