@@ -7,7 +7,7 @@ then the same parameters on packings 2 to 5, which the calibration has not seen.
   cells_steep  f_t and c at φ = 59.8°, from f_t = 4 MPa and c = 7.4 MPa: the line through 55 and 4 MPa
   cells_angle  c and φ at f_t = 4 MPa, from the same
   beams        Euler–Bernoulli beams, peripheral stress: tension and β; shear is ten times tension, friction 0.1
-  beams_shear  the same with tension and shear free, β = 1
+  beams_mohr   parallel bonds, Mohr and Coulomb without moments: tension and cohesion at φ = 35°, friction 0.1
   rankine      the non-local law as the paper has it, weighted areas: σ_R and μ, of elements and of plates
   mohr         the same with Mohr and Coulomb: c and μ at φ = 60°, tension at the tip of the cone
 
@@ -53,12 +53,10 @@ def body_of(kind: str, count: int, seed: int) -> bd.Lattice:
 
 
 @functools.cache
-def beams(count: int) -> bd.EulerBernoulli:
+def beams(family: type[bd.BondLaw], count: int) -> bd.BondLaw:
     """The law with which packing 1 has E and ν."""
     material = bd.Material("concrete", E=E, nu=NU, rho=RHO)
-    law = bd.calibrate(body_of("spheres", count, 1), material, law=bd.EulerBernoulli).law
-    assert isinstance(law, bd.EulerBernoulli)
-    return law
+    return bd.calibrate(body_of("spheres", count, 1), material, law=family).law
 
 
 def of_cells(test: str, count: int, seed: int, tension: float, cohesion: float, angle: float) -> float:
@@ -68,10 +66,9 @@ def of_cells(test: str, count: int, seed: int, tension: float, cohesion: float, 
     return lab(body_of("cells", count, seed), LAW, failure).peak
 
 
-def of_beams(test: str, count: int, seed: int, tension: float, shear: float, beta: float) -> float:
+def of_beams(test: str, count: int, seed: int, family: type[bd.BondLaw], failure: bd.Criterion) -> float:
     """Strength of a lattice of beams [Pa]."""
-    failure = bd.PeripheralStress(tension=tension, shear=shear, beta=beta)
-    return broken_by(test, body_of("spheres", count, seed), beams(count), failure, friction=0.1).peak
+    return broken_by(test, body_of("spheres", count, seed), beams(family, count), failure, friction=0.1).peak
 
 
 def of_non_local(test: str, count: int, seed: int, failure: bd.Criterion, friction: float) -> float:
@@ -134,11 +131,13 @@ def _angle(test: str, count: int, seed: int, *, cohesion: float, angle: float) -
 
 
 def _moments(test: str, count: int, seed: int, *, tension: float, beta: float) -> float:
-    return of_beams(test, count, seed, tension, SHEAR * tension, beta)
+    failure = bd.PeripheralStress(tension=tension, shear=SHEAR * tension, beta=beta)
+    return of_beams(test, count, seed, bd.EulerBernoulli, failure)
 
 
-def _shear(test: str, count: int, seed: int, *, tension: float, shear: float) -> float:
-    return of_beams(test, count, seed, tension, shear, 1.0)
+def _parallel(test: str, count: int, seed: int, *, tension: float, cohesion: float) -> float:
+    failure = bd.MohrCoulomb(tension=tension, cohesion=cohesion, friction_angle=math.radians(35.0))
+    return of_beams(test, count, seed, bd.ParallelBond, failure)
 
 
 def _rankine(test: str, count: int, seed: int, *, tension: float, friction: float) -> float:
@@ -159,8 +158,8 @@ CASES = {
                         _angle),
     "beams": Case("beams, peripheral stress: tension, β", {"tension": 60e6, "beta": 0.2}, ("tension",),
                   {"beta": (0.001, 1.0)}, _moments),
-    "beams_shear": Case("beams, peripheral stress, β = 1: tension, shear", {"tension": 250e6, "shear": 250e6},
-                        ("tension", "shear"), {}, _shear),
+    "beams_mohr": Case("parallel bonds, Mohr and Coulomb, φ = 35°: tension, cohesion",
+                       {"tension": 12e6, "cohesion": 36e6}, ("tension", "cohesion"), {}, _parallel),
     "rankine": Case("non-local law, Rankine: σ_R, μ", {"tension": 6e6, "friction": 0.1}, ("tension",), ROUGH,
                     _rankine),
     "mohr": Case("non-local law, Mohr and Coulomb, φ = 60°: c, μ", {"cohesion": 14.5e6, "friction": 0.1},

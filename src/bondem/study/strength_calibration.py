@@ -103,7 +103,8 @@ def run_strength(
     within = plan.ucs_within or 0.04 * plan.ucs, plan.brazilian_within or 0.075 * plan.brazilian
     targets = {"ucs": (plan.ucs, within[0]), "brazilian": (plan.brazilian, within[1])}
     return calibrate_strength(
-        {"ucs": pressed, "brazilian": split}, targets, plan.start, strengths=("tension", "cohesion"), most=plan.most, out=out, progress=progress,
+        {"ucs": pressed, "brazilian": split}, targets, plan.start, strengths=("tension", "cohesion"), most=plan.most,
+        out=out, progress=progress,
         about=(
             f"cells, E = {plan.E:g}, nu = {plan.nu:g}, friction_angle = {plan.friction_angle:g},"
             f" fracture_energy = {plan.fracture_energy:g}, {plan.diameter:g} x {plan.length:g} m,"
