@@ -3,6 +3,7 @@
 import json
 import math
 
+import numpy as np
 import pytest
 
 import bondem as bd
@@ -125,7 +126,7 @@ def test_intervals_come_from_the_scatter_of_packings():
     assert fit.sample("tension").std / fit.sample("tension").mean < 5e-3
     low, high = fit.interval("cohesion")
     assert low < fit.parameters["cohesion"] < high
-    assert math.isclose(high - low, 2 * 2.484 * sample.std, rel_tol=1e-3)  # t of 2 freedoms over √3
+    assert math.isclose(math.log(high / low), 2 * 2.484 * np.log(sample.values).std(ddof=1), rel_tol=1e-3)  # t_2 / √3
     least, largest = fit.tolerated("cohesion")
     assert least < fit.parameters["cohesion"] < largest
     assert "by the scatter of packings" in str(fit)

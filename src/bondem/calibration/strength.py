@@ -90,12 +90,14 @@ class StrengthCalibration:
         kind: str = "confidence",
         level: float = 0.95,
     ) -> tuple[float, float]:
-        """Interval of a parameter from the scatter of packings; see `sample` and `Sample.interval`.
+        """Interval of a parameter from the scatter of packings, of its logarithm; see `sample`, `Sample.interval`.
 
         Raises:
             InputError: fewer than two packings, or an unknown parameter or kind.
         """
-        return self.sample(parameter, measured).interval(kind=kind, level=level)
+        logs = Sample(np.log(self.sample(parameter, measured).values))
+        low, high = logs.interval(kind=kind, level=level)
+        return math.exp(low), math.exp(high)
 
     def tolerated(self, parameter: str) -> tuple[float, float]:
         """Values of a parameter that strengths anywhere within the tolerances of the targets would have led to."""
