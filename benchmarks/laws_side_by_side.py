@@ -104,7 +104,8 @@ def law_of(name: str, count: int) -> Any:
     kind = KINDS[name]
     if kind.family is not None:
         material = bd.Material("concrete", E=E, nu=NU, rho=RHO)
-        return bd.calibrate(body_of("spheres", count, 1), material, law=kind.family).law
+        wider = (0.1, 2.0) if kind.family is bd.Timoshenko else None
+        return bd.calibrate(body_of("spheres", count, 1), material, law=kind.family, search=wider).law
     if kind.specimen == "gaps":
         return bd.NonLocal(E=E, nu=NU, areas="weighted", lever="contact")
     return bd.CellBond(E=E, nu=NU)

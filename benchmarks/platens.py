@@ -22,6 +22,8 @@ SOUND = math.sqrt(E / RHO)
 TRAVERSES = 60.0
 #: Stress that sets the speed [Pa]: 2 P / (π D t) of the Brazilian test.
 EXPECTED = {"ucs": 55e6, "tension": 4e6, "brazilian": 4e6}
+#: A test that bears less than this share of it is done again.
+SOON = 0.5
 #: Motion at the expected stress over that stress and D / E, of the Brazilian test: between strips, as of cells.
 CLOSING = 4.0
 #: A test ends at this share of its peak, or at so many times the expected motion. A cylinder that has split bears on
@@ -99,11 +101,20 @@ def model_of(
 
 
 def broken_by(kind: str, lattice: bd.Lattice, law: Any, failure: bd.Criterion, *, friction: float) -> Tested:
-    """One test to failure."""
+    """One test to failure; again, and slower by as much, where less than half of the expected stress is borne."""
+    found = _loaded(kind, lattice, law, failure, friction, EXPECTED[kind])
+    if found.peak < SOON * EXPECTED[kind]:
+        found = _loaded(kind, lattice, law, failure, friction, found.peak)
+    return found
+
+
+def _loaded(
+    kind: str, lattice: bd.Lattice, law: Any, failure: bd.Criterion, friction: float, expected: float
+) -> Tested:
     axis, size = (1, 2.0 * RADIUS) if kind == "brazilian" else (0, LENGTH)
     section = math.pi * RADIUS * (LENGTH if kind == "brazilian" else RADIUS)
     sign = 1.0 if kind == "tension" else -1.0
-    way = EXPECTED[kind] / E * size * (CLOSING if kind == "brazilian" else 1.0)
+    way = expected / E * size * (CLOSING if kind == "brazilian" else 1.0)
     rise = TRAVERSES * size / SOUND
     speed, begin = sign * way / rise, 0.2 * rise
     model, gauges = model_of(kind, lattice, law, failure, friction, speed, begin)
@@ -115,7 +126,7 @@ def broken_by(kind: str, lattice: bd.Lattice, law: Any, failure: bd.Criterion, *
     def ended(_: bd.State, record: bd.History) -> bool:
         now = float(stress(record)[-1])
         top[0] = max(top[0], now)
-        return top[0] > 0.02 * EXPECTED[kind] and now < FALLEN[kind] * top[0]
+        return top[0] > 0.02 * expected and now < FALLEN[kind] * top[0]
 
     clock = time.perf_counter()
     run = bd.solve_explicit(

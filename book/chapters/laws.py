@@ -68,7 +68,7 @@ def _calibrated() -> Section:
         before=(
             "`bd.calibrate_strength` on packing 1 of Ø100 × 200 mm, then the same parameters on packings that it has"
             " not seen. A run is both tests at one set of parameters. Cells have G_f = 100 J/m², the paper's law its"
-            " construction, plates and friction (of elements and plates alike), beams E and ν calibrated on packing 1."
+            " construction, plates and friction (of elements and plates alike), beams E and ν of packing 1."
             " The strips of the Brazilian test of cells are three quarters of a cell wide to each side, so that f_t"
             " depends on the size of the cells; a case that was not reached has no unseen packings."
         ),
@@ -78,8 +78,9 @@ def _calibrated() -> Section:
 
 def _slopes() -> Section:
     """What was found, and how the strengths depend on it."""
-    lines = ["| case | parameter | start | found | 95 % of packings | within tolerances | d ln UCS | d ln Brazilian |",
-             "|---|---|---|---|---|---|---|---|"]  # fmt: skip
+    head = ("case", "parameter", "start", "found", "95 % of packings", "within tolerances", "d ln UCS",
+            "d ln Brazilian")  # fmt: skip
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for one in CALIBRATED.at("cases"):
         for name, value in one["parameters"].items():
             slopes = [
@@ -130,7 +131,7 @@ def _beside() -> Section:
     return Section(
         title="Laws side by side",
         before=(
-            "One cylinder, Ø100 × 200 mm, smooth platens that hold the elements at its ends or two strips of its side;"
+            "One cylinder, Ø100 × 200 mm, smooth platens that hold its ends or two strips of its side;"
             " friction 0.1 between what is broken. Concrete of E = 40 GPa, ν = 0.2 (beams: calibrated on packing 1),"
             " f_t = 4 MPa, c = 14.3 MPa, φ = 35°: 54.9 MPa in compression as a continuum, 13.7 times f_t. Strengths"
             " of laws that break at once are multiplied by one factor so that packing 1 bears 4 MPa in direct"
@@ -140,8 +141,8 @@ def _beside() -> Section:
         ),
         rows=tuple(rows),
         figures=(
-            Figure("laws_side_by_side.png", "Packing 1 of each law at the end of each test: slices through the middle,"
-                   " motion drawn twenty times"),
+            Figure("laws_side_by_side.png", "Packing 1 of each law at the end of each test: slices through the"
+                   " middle, motion drawn twenty times"),
         ),
     )  # fmt: skip
 
