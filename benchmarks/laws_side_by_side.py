@@ -80,8 +80,8 @@ class Kind:
 
 KINDS = {
     "euler": Kind("Euler–Bernoulli, peripheral stress", "spheres", bd.EulerBernoulli, peripheral, 70e6),
-    "timoshenko": Kind("Timoshenko, Mohr–Coulomb", "spheres", bd.Timoshenko, coulomb, 25e6),
-    "parallel": Kind("parallel bond, its strength", "spheres", bd.ParallelBond, peripheral, 30e6),
+    "timoshenko": Kind("Timoshenko, Mohr–Coulomb", "spheres", bd.Timoshenko, coulomb, 7e6),
+    "parallel": Kind("parallel bond, its strength", "spheres", bd.ParallelBond, peripheral, 25e6),
     "rankine": Kind("non-local, Rankine", "gaps", None, rankine, 6e6),
     "mohr": Kind("non-local, Mohr–Coulomb", "gaps", None, coulomb, 6e6),
     "cells": Kind("cells, Mohr–Coulomb, brittle", "cells", None, coulomb, 4e6),

@@ -16,7 +16,7 @@ from bondem._checks import count, number, place, shown
 from bondem._types import Floats
 from bondem.calibration.secant import Secant
 from bondem.calibration.strength_runs import Runs, StrengthRun, Test
-from bondem.calibration.strength_search import Search
+from bondem.calibration.strength_search import StrengthSearch
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import ConvergenceError, InputError
 
@@ -34,7 +34,8 @@ class StrengthCalibration:
         best: number of the best run, counted from 1.
         names: of the parameters.
         targets: of each test target and tolerance [Pa].
-        sensitivities: d ln strength / d ln parameter, by test and parameter [-]; None after a single run.
+        sensitivities: d ln strength / d ln parameter, by test and parameter [-]; None after a single run,
+            as where the start meets all targets.
     """
 
     reached: bool
@@ -110,7 +111,7 @@ class StrengthCalibration:
 
     def _inverse(self) -> Floats:
         if self.sensitivities is None:
-            raise InputError("one run tells no slopes; calibrate with most= above 1")
+            raise InputError("one run tells no slopes; begin farther from the targets, or allow more runs")
         slopes = np.array([list(row.values()) for row in self.sensitivities.values()])
         size = np.array([target / tolerance for target, tolerance in self.targets.values()])
         zero = np.zeros(len(size))
@@ -185,7 +186,7 @@ def calibrate_strength(
     if progress is not None and not callable(progress):
         raise InputError(f"{_WHO}: progress = {shown(progress)}; give a function, or None")
     made = Runs(tests, about, None if out is None else place(f"{_WHO}: out", out), progress)
-    found = Search(made, names, goals, together, low, high, most).from_start(np.array(list(start.values())))
+    found = StrengthSearch(made, names, goals, together, low, high, most).from_start(np.array(list(start.values())))
     sensitivities = None
     if found.secant is not None:
         rows = zip(goals, found.secant.slopes.tolist(), strict=True)

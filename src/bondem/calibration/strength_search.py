@@ -20,7 +20,7 @@ _HALVINGS = 4
 
 
 @dataclass
-class Search:
+class StrengthSearch:
     """The loop, and what it has seen.
 
     Attributes:
@@ -48,7 +48,7 @@ class Search:
     secant: Secant | None = None
     reason: str = ""
 
-    def from_start(self, values: Floats) -> "Search":
+    def from_start(self, values: Floats) -> "StrengthSearch":
         """Go on until all targets are met, all runs are used up, or no step leads on.
 
         Raises:
