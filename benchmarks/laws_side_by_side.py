@@ -117,10 +117,15 @@ def strength_of(name: str, count: int, out: Path) -> float:
     if kind.first is None:
         return TENSION
     if not file.exists():
-        test = broken_by("tension", body_of(kind.specimen, count, 1), law_of(name, count), kind.failure(kind.first),
-                         friction=FRICTION)  # fmt: skip
-        file.write_text(json.dumps({"first": kind.first, "peak": test.peak}))
-        print(f"{name}: {test.peak / 1e6:.3f} MPa in tension with {kind.first / 1e6:g} MPa", flush=True)
+        strength, peak = kind.first, 0.0
+        for _ in range(3):  # once does where the first test breaks
+            body, law = body_of(kind.specimen, count, 1), law_of(name, count)
+            peak = broken_by("tension", body, law, kind.failure(strength), friction=FRICTION).peak
+            print(f"{name}: {peak / 1e6:.3f} MPa in tension with {strength / 1e6:.4g} MPa", flush=True)
+            if abs(peak / TENSION - 1.0) < 0.05:
+                break
+            strength *= TENSION / peak
+        file.write_text(json.dumps({"first": strength, "peak": peak}))
     known = json.loads(file.read_text())
     return float(known["first"] * TENSION / known["peak"])
 
