@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.collections import PatchCollection
@@ -27,14 +28,15 @@ def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count:
     """
     there = [one for one in names if (kept / f"{one[0]}-{count}-seed1-brazilian.npz").exists()]
     path.parent.mkdir(parents=True, exist_ok=True)
-    ratios = [2.0, 2.0, 1.0]
-    with sheet(path, 1.75 * len(there), 9.0, 3, len(there), squeeze=False, height_ratios=ratios) as (figure, boxes):
+    ratios = [4.4, 4.4, 2.4]
+    with sheet(path, 1.75 * len(there), 8.2, 3, len(there), squeeze=False, height_ratios=ratios) as (figure, boxes):
         found = None
         for (test, title), line in zip(ROWS, boxes, strict=True):
             for ax, (name, words) in zip(line, there, strict=True):
                 with np.load(kept / f"{name}-{count}-seed1-{test}.npz") as one:
                     found = _slice(ax, {key: one[key] for key in one.files}, test)
-                ax.set(xlim=(-1.35 * radius, 1.35 * radius), aspect="equal")
+                height = (-1.2 * radius, 1.2 * radius) if test == "brazilian" else (-0.2 * radius, 4.2 * radius)
+                ax.set(xlim=(-1.3 * radius, 1.3 * radius), ylim=height, aspect="equal")
                 ax.set_axis_off()
                 if test == "ucs":
                     ax.set_title(words.replace(", ", ",\n"), fontsize=7.5, loc="center", color=INK)
@@ -44,7 +46,7 @@ def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count:
         bar.set_label("share of the bonds or facets of an element that is broken [-]")
 
 
-def _slice(ax: object, one: dict[str, np.ndarray], test: str) -> PatchCollection:
+def _slice(ax: Any, one: dict[str, np.ndarray], test: str) -> PatchCollection:
     middle, across, up = (0, 2, 1) if test == "brazilian" else (2, 1, 0)
     position, radius = one["position"], one["radius"]
     level = 0.5 * (position[:, middle].min() + position[:, middle].max())
@@ -53,9 +55,8 @@ def _slice(ax: object, one: dict[str, np.ndarray], test: str) -> PatchCollection
     # what breaks off flies away: all motions beyond half a millimetre are drawn alike
     place = position[inside] + _MAGNIFIED * (moved[inside] - np.median(moved, axis=0))
     circles = [Circle((x, y), r) for x, y, r in zip(place[:, across], place[:, up], radius[inside], strict=True)]
-    found = PatchCollection(circles, cmap="cividis_r", edgecolor="black", linewidth=0.2)
+    found = PatchCollection(circles, cmap="YlOrRd", edgecolor="black", linewidth=0.2)
     found.set_array(one["damage"][inside])
     found.set_clim(0.0, 1.0)
-    ax.add_collection(found)  # type: ignore[attr-defined]
-    ax.autoscale_view()  # type: ignore[attr-defined]
+    ax.add_collection(found)
     return found
