@@ -6,9 +6,10 @@ calibrated on packing 1. Strengths of laws that break at once are multiplied by 
 4 MPa in direct tension; shear or cohesion over tension stays 3.575. What a law has then in compression and in
 splitting is its own. Friction of what is broken is 0.1; there is none at the platens. K_Ic is what `bd.explain` says
 that strength, stiffness and size of elements mean together, not a test. The cost is that of 2000 elastic steps with
-criterion and contacts, of the second of two such runs; only ratios of one run of this command mean something.
+criterion and contacts, of the second of two such runs, in time of the processor; --costs measures it of all laws in one go.
 
 Run: python benchmarks/laws_side_by_side.py [--laws …] [--count 1500] [--seeds 1 2] [--out DIR]
+     python benchmarks/laws_side_by_side.py --costs
      python benchmarks/laws_side_by_side.py --summary
      python benchmarks/laws_side_by_side.py --figures DIR
 Every law and packing is kept in --out as soon as it is done.
@@ -131,12 +132,12 @@ def strength_of(name: str, count: int, out: Path) -> float:
 
 
 def cost(model: bd.Model, dt: float) -> float:
-    """Element-steps a second, of the second of two runs."""
+    """Element-steps a second of the processor, of the second of two runs."""
     seconds = math.inf
     for _ in range(2):
-        begun = time.perf_counter()
+        begun = time.process_time()
         bd.solve_explicit(model, duration=STEPS * dt, dt=dt, every=0)
-        seconds = time.perf_counter() - begun
+        seconds = time.process_time() - begun
     return len(model.lattice.particles) * STEPS / seconds
 
 
@@ -160,8 +161,19 @@ def measured(name: str, count: int, seed: int, out: Path) -> dict[str, Any]:
         print(f"{name}, packing {seed}, {test}: {one.peak / 1e6:.3f} MPa, {one.seconds:.0f} s", flush=True)
     model, _ = model_of("ucs", body, law, failure, FRICTION, -1e-6, 1.0)
     implied = model.implied_fracture
-    found["toughness"] = None if implied is None else implied.toughness
-    found["speed"] = cost(model, found["ucs"]["dt"])
+    return found | {"toughness": None if implied is None else implied.toughness}
+
+
+def costs(rows: list[dict[str, Any]], count: int, out: Path) -> dict[str, float]:
+    """Element-steps a second of each law on packing 1, one after the other."""
+    found = {}
+    for row in rows:
+        name = row["law"]
+        if row["seed"] == 1 and row["count"] == count:
+            kind = KINDS[name]
+            body, failure = body_of(kind.specimen, count, 1), kind.failure(strength_of(name, count, out))
+            model, _ = model_of("ucs", body, law_of(name, count), failure, FRICTION, -1e-6, 1.0)
+            found[name] = cost(model, row["ucs"]["dt"])
     return found
 
 
@@ -183,6 +195,7 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--out", type=Path, default=Path("out/laws_side_by_side"))
     parser.add_argument("--summary", action="store_true", help="bring what is in --out into the results")
+    parser.add_argument("--costs", action="store_true", help="measure the cost of all laws that are in --out")
     parser.add_argument("--figures", type=Path, help="draw packing 1 of all laws that are in --out")
     given = parser.parse_args(arguments)
     given.out.mkdir(parents=True, exist_ok=True)
@@ -190,11 +203,15 @@ def main(arguments: list[str] | None = None) -> None:
         names = [(name, kind.words) for name, kind in KINDS.items()]
         draw_broken(given.figures / "laws_side_by_side.png", given.out, names, given.count, RADIUS)
         return
-    if given.summary:
+    if given.summary or given.costs:
         rows = [json.loads(file.read_text()) for file in given.out.glob("*-seed?.json")]
         rows.sort(key=lambda one: (list(KINDS).index(one["law"]), one["count"], one["seed"]))
+        if given.costs:
+            (given.out / "costs.json").write_text(json.dumps(costs(rows, given.count, given.out)))
+            return
         begun = origin() | {"command": "python benchmarks/laws_side_by_side.py"}
-        keep(RESULTS / "laws_side_by_side.json", begun | {"cases": rows})
+        speeds = json.loads((given.out / "costs.json").read_text())
+        keep(RESULTS / "laws_side_by_side.json", begun | {"cases": rows, "speeds": speeds})
         return
     for seed in given.seeds:
         for name in given.laws:

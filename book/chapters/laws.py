@@ -14,7 +14,8 @@ CALIBRATED = Measurement(
 )  # fmt: skip
 BESIDE = Measurement(
     "laws_side_by_side",
-    "python benchmarks/laws_side_by_side.py && python benchmarks/laws_side_by_side.py --summary", "20 min",
+    "python benchmarks/laws_side_by_side.py && python benchmarks/laws_side_by_side.py --costs"
+    " && python benchmarks/laws_side_by_side.py --summary", "20 min",
 )  # fmt: skip
 MEASUREMENTS = (CALIBRATED, BESIDE)
 
@@ -49,17 +50,22 @@ def _calibrated() -> Section:
     for one in CALIBRATED.at("cases"):
         words = f"{one['words']}, {one['count']} elements"
         rows.append(Row(case=f"{words}: runs of two tests each", ours=CALIBRATED.of(len(one["runs"])), form=COUNT,
-                        tolerance=AtMost(RUNS)))  # fmt: skip
+                        tolerance=AtMost(RUNS) if one["reached"] else None))  # fmt: skip
         best, first = one["runs"][one["best"] - 1]["measured"], one["runs"][0]["measured"]
         rows += [
             Row(case=f"{words}: {name} of packing 1 at the start", ours=CALIBRATED.of(first[test]), form=STRESS)
             for test, name in _NAMES.items()
         ]
+        ratios = [run["measured"]["ucs"] / run["measured"]["brazilian"] for run in one["runs"] if not run["failed"]]
+        reason = "" if one["reached"] else (
+            f"of {len(ratios)} runs UCS is {RATIO.bare(min(ratios))} to {RATIO.bare(max(ratios))} times the Brazilian"
+            " strength, where 13.75 times is asked for"
+        )  # fmt: skip
         for test, name in _NAMES.items():
             target, tolerance = targets[test]
             source, printed = _SOURCE[test]
             rows.append(Row(case=f"{words}: {name} of packing 1", ours=CALIBRATED.of(best[test]), form=STRESS,
-                            source=source, paper=target, printed=printed,
+                            source=source, paper=target, printed=printed, reason=reason,
                             tolerance=Near(absolute=tolerance)))  # fmt: skip
             unseen = one["unseen"]
             if unseen:
@@ -111,7 +117,7 @@ def _beside() -> Section:
     groups: dict[str, list[dict[str, Any]]] = {}
     for one in cases:
         groups.setdefault(one["words"], []).append(one)
-    first = {one["seed"]: one["speed"] for one in cases if one["law"] == cases[0]["law"]}
+    speeds: dict[str, float] = BESIDE.at("speeds")
     lines = ["| " + " | ".join(_HEAD) + " |", "|" + "---|" * len(_HEAD)]
     rows: list[Row] = []
     for words, ones in groups.items():
@@ -125,7 +131,7 @@ def _beside() -> Section:
             _span([one["brazilian"]["peak"] / 1e6 for one in ones], ".2f"),
             _span([one["toughness"] / 1e6 for one in ones], ".2f", "MPa√m"),
             _span([100.0 * value for value in broken], ".1f", "%"),
-            _span([first[one["seed"]] / one["speed"] for one in ones], ".1f"),
+            _span([speeds["euler"] / speeds[ones[0]["law"]]], ".1f"),
         )  # fmt: skip
         lines.append("| " + " | ".join(cells) + " |")
         soft = ones[0]["law"] == "cells_soft"
@@ -140,7 +146,8 @@ def _beside() -> Section:
             " f_t = 4 MPa, c = 14.3 MPa, φ = 35°: 54.9 MPa in compression as a continuum, 13.7 times f_t. Strengths"
             " of laws that break at once are multiplied by one factor so that packing 1 bears 4 MPa in direct"
             " tension; what they then bear otherwise is their own. Stresses in MPa; two numbers are two packings. The"
-            " cost is that of elastic steps with criterion and contacts over that of the first law, in one run.\n\n"
+            " cost is that of elastic steps with criterion and contacts, time of the processor, over that of the first law."
+            " Damage by yielding of cells is not drawn.\n\n"
             + "\n".join(lines)
         ),
         rows=tuple(rows),
