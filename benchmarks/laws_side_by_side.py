@@ -6,7 +6,8 @@ calibrated on packing 1. Strengths of laws that break at once are multiplied by 
 4 MPa in direct tension; shear or cohesion over tension stays 3.575. What a law has then in compression and in
 splitting is its own. Friction of what is broken is 0.1; there is none at the platens. K_Ic is what `bd.explain` says
 that strength, stiffness and size of elements mean together, not a test. The cost is that of 2000 elastic steps with
-criterion and contacts, of the second of two such runs, in time of the processor; --costs measures it of all laws in one go.
+criterion and contacts, of the second of two such runs, in time of the processor; --costs measures it of all laws in
+one go.
 
 Run: python benchmarks/laws_side_by_side.py [--laws …] [--count 1500] [--seeds 1 2] [--out DIR]
      python benchmarks/laws_side_by_side.py --costs
