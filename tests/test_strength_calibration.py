@@ -195,7 +195,7 @@ def test_one_run_says_what_is_found_with_nothing_calibrated():
     ({"start": {"tension": 4e6, "cohesion": 0.0}}, r"start\['cohesion'\]"),
     ({"start": {"tension": 4e6, "friction": 0.1}}, "does not take tension, friction as keywords"),
     ({"start": {"a": 1.0, "b": 1.0, "c": 1.0}}, "3 parameters for 2 tests"),
-    ({"strengths": ("sigma",)}, "choose from tension, cohesion"),
+    ({"strengths": ("sigma",)}, "give names out of tension, cohesion"),
     ({"bounds": {"tension": (5e6, 9e6)}}, "start between its bounds"),
     ({"bounds": {"sigma": (5e6, 9e6)}}, "give two values for some of tension, cohesion"),
     ({"most": 0}, "most = 0"),

@@ -243,10 +243,10 @@ def _takes(name: str, test: object, start: Mapping[str, float]) -> None:
 
 def _scaled(names: tuple[str, ...], strengths: object) -> Floats:
     """1 for parameters that scale all strengths together, 0 for others, (k,)."""
-    fits = isinstance(strengths, Sequence) and not isinstance(strengths, str)
-    if not fits or not all(isinstance(name, str) and name in names for name in strengths):
-        raise InputError(f"{_WHO}: strengths = {shown(strengths)}; choose from {', '.join(names)}")
-    return np.array([float(name in strengths) for name in names])
+    given = list(strengths) if isinstance(strengths, Sequence) and not isinstance(strengths, str) else [strengths]
+    if not all(isinstance(name, str) and name in names for name in given):
+        raise InputError(f"{_WHO}: strengths = {shown(strengths)}; give names out of {', '.join(names)}, as a tuple")
+    return np.array([float(name in given) for name in names])
 
 
 def _bounds(start: Mapping[str, float], bounds: object) -> tuple[Floats, Floats]:
