@@ -29,7 +29,7 @@ def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count:
     there = [one for one in names if (kept / f"{one[0]}-{count}-seed1-brazilian.npz").exists()]
     path.parent.mkdir(parents=True, exist_ok=True)
     ratios = [4.4, 4.4, 2.4]
-    with sheet(path, 1.75 * len(there), 8.2, 3, len(there), squeeze=False, height_ratios=ratios) as (figure, boxes):
+    with sheet(path, 1.3 * len(there), 6.3, 3, len(there), squeeze=False, height_ratios=ratios) as (figure, boxes):
         found = None
         for (test, title), line in zip(ROWS, boxes, strict=True):
             for ax, (name, words) in zip(line, there, strict=True):
@@ -39,7 +39,7 @@ def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count:
                 ax.set(xlim=(-1.3 * radius, 1.3 * radius), ylim=height, aspect="equal")
                 ax.set_axis_off()
                 if test == "ucs":
-                    ax.set_title(words.replace(", ", ",\n"), fontsize=7.5, loc="center", color=INK)
+                    ax.set_title(words.replace(", ", ",\n"), fontsize=6.5, loc="center", color=INK)
             line[0].text(-0.12, 0.5, title, transform=line[0].transAxes, rotation=90, va="center", ha="center",
                          color=INK)  # fmt: skip
         bar = figure.colorbar(found, ax=boxes, orientation="horizontal", shrink=0.4, aspect=40, pad=0.01)
