@@ -29,7 +29,7 @@ def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count:
     there = [one for one in names if (kept / f"{one[0]}-{count}-seed1-brazilian.npz").exists()]
     path.parent.mkdir(parents=True, exist_ok=True)
     ratios = [4.4, 4.4, 2.4]
-    with sheet(path, 1.3 * len(there), 6.3, 3, len(there), squeeze=False, height_ratios=ratios) as (figure, boxes):
+    with sheet(path, 1.2 * len(there), 5.8, 3, len(there), squeeze=False, height_ratios=ratios) as (figure, boxes):
         found = None
         for (test, title), line in zip(ROWS, boxes, strict=True):
             for ax, (name, words) in zip(line, there, strict=True):
