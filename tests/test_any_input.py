@@ -35,6 +35,16 @@ class Later:
         self.made = functools.cache(make)
 
 
+def pressed(tension, cohesion):
+    """A compressive strength in closed form."""
+    return 2.0 * cohesion**0.9 * tension**0.1
+
+
+def split(tension, cohesion):
+    """A splitting strength in closed form."""
+    return 1.0 / (1.0 / tension + 1.0 / cohesion)
+
+
 def along(stress, tension):
     """Index of a criterion."""
     return stress[0, 0] / tension
@@ -146,6 +156,11 @@ USUAL: dict[str, dict[str, Any]] = {
     "bulk_moduli": {"lattice": CELL, "law": LAW, "guess": None},
     "calibrate": {"lattice": BAR, "material": GLASS, "law": bd.EulerBernoulli, "nu_mu": 0.3, "search": (0.3, 0.9),
                   "tolerance": 1e-3},
+    "calibrate_strength": {
+        "tests": {"ucs": pressed, "brazilian": split}, "targets": {"ucs": (5e7, 2e6), "brazilian": (4e6, 3e5)},
+        "start": {"tension": 4e6, "cohesion": 1e7}, "strengths": ("tension", "cohesion"),
+        "bounds": {"tension": (1e6, 1e8)}, "most": 15, "about": "closed forms", "progress": None,
+    },
     "carve": {"lattice": LATTICE, "shape": BALL},
     "connect": {"particles": SPHERES, "tolerance": None, "reach": 1.1},
     "fabric": {"lattice": LATTICE},
@@ -188,7 +203,7 @@ ELSEWHERE = {
     "SizeLaw", "BondGeometry", "BondStiffness", "BondStrain", "BulkModuli", "Calibration", "Callback", "Checkpoint",
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
     "QuasistaticResult", "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata",
-    "Trial", "Cells",
+    "Trial", "StrengthCalibration", "StrengthRun", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
     "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
     "CrackPolygons", "CrackSurfaces", "Cracks", "Explanation", "ImpliedFracture",

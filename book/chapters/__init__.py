@@ -17,6 +17,7 @@ from book.chapters import (
     dynamics,
     formulations,
     fracture,
+    laws,
     packings,
     parameters,
     protocol,
@@ -29,7 +30,8 @@ from book.small import PACKINGS
 
 _FILES = (
     andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, concrete,
-    celigueta, fracture, rapid_fracture, packings, parameters, dynamic_tests, surface, formulations, dynamics, cost,
+    celigueta, laws, fracture, rapid_fracture, packings, parameters, dynamic_tests, surface, formulations, dynamics,
+    cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}

@@ -90,6 +90,8 @@ _PUBLIC = {
     "bondem.labtests.bulk": ("BulkModuli", "bulk_moduli"),
     "bondem.calibration.elastic": ("Calibration", "Trial", "calibrate"),
     "bondem.calibration.response": ("Response", "Slope"),
+    "bondem.calibration.strength": ("StrengthCalibration", "calibrate_strength"),
+    "bondem.calibration.strength_runs": ("StrengthRun",),
     "bondem.calibration.uncertainty": ("Sample",),
 }
 _MODULES = {"errors": "bondem.errors", "labtests": "bondem.labtests", "materials": "bondem.specimen.materials"}

@@ -5,6 +5,9 @@ from bondem.calibration.elastic import Trial as Trial
 from bondem.calibration.elastic import calibrate as calibrate
 from bondem.calibration.response import Response as Response
 from bondem.calibration.response import Slope as Slope
+from bondem.calibration.strength import StrengthCalibration as StrengthCalibration
+from bondem.calibration.strength import calibrate_strength as calibrate_strength
+from bondem.calibration.strength_runs import StrengthRun as StrengthRun
 from bondem.calibration.uncertainty import Sample as Sample
 from bondem.fracture.crack_growth import CrackGrowth as CrackGrowth
 from bondem.fracture.crack_growth import crack_speed as crack_speed

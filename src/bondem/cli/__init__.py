@@ -14,7 +14,7 @@ import click
 from bondem import __version__
 from bondem.errors import BondemError, UnstableRunError
 
-_COMMANDS = ("calibrate", "new", "resume", "run")
+_COMMANDS = ("calibrate", "new", "resume", "run", "strength")
 
 OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130
 

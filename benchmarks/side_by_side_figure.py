@@ -1,0 +1,62 @@
+"""Broken cylinders of all laws, side by side: slices through the middle, coloured by damage."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.collections import PatchCollection
+from matplotlib.patches import Circle
+
+from bondem.report.style import INK, sheet
+
+#: Tests in rows: seen across the load, or along the axis in splitting; and by how much motion is magnified.
+ROWS = (("ucs", "compression"), ("tension", "direct tension"), ("brazilian", "splitting"))
+_MAGNIFIED, _FARTHEST = 20.0, 5e-4
+_SLICE = 1.0  # half the thickness of a slice, over the mean radius
+
+
+def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count: int, radius: float) -> None:
+    """Draw packing 1 at the end of each test.
+
+    Args:
+        path: PNG to write.
+        kept: folder of what the tests left.
+        names: of the laws, and their words.
+        count: elements.
+        radius: of the cylinder [m].
+    """
+    there = [one for one in names if (kept / f"{one[0]}-{count}-seed1-brazilian.npz").exists()]
+    path.parent.mkdir(parents=True, exist_ok=True)
+    ratios = [4.4, 4.4, 2.4]
+    with sheet(path, 1.2 * len(there), 5.8, 3, len(there), squeeze=False, height_ratios=ratios) as (figure, boxes):
+        found = None
+        for (test, title), line in zip(ROWS, boxes, strict=True):
+            for ax, (name, words) in zip(line, there, strict=True):
+                with np.load(kept / f"{name}-{count}-seed1-{test}.npz") as one:
+                    found = _slice(ax, {key: one[key] for key in one.files}, test)
+                height = (-1.2 * radius, 1.2 * radius) if test == "brazilian" else (-0.2 * radius, 4.2 * radius)
+                ax.set(xlim=(-1.3 * radius, 1.3 * radius), ylim=height, aspect="equal")
+                ax.set_axis_off()
+                if test == "ucs":
+                    ax.set_title(words.replace(", ", ",\n"), fontsize=6.5, loc="center", color=INK)
+            line[0].text(-0.12, 0.5, title, transform=line[0].transAxes, rotation=90, va="center", ha="center",
+                         color=INK)  # fmt: skip
+        bar = figure.colorbar(found, ax=boxes, orientation="horizontal", shrink=0.4, aspect=40, pad=0.01)
+        bar.set_label("share of the bonds or facets of an element that is broken [-]")
+
+
+def _slice(ax: Any, one: dict[str, np.ndarray], test: str) -> PatchCollection:
+    middle, across, up = (0, 2, 1) if test == "brazilian" else (2, 1, 0)
+    position, radius = one["position"], one["radius"]
+    level = 0.5 * (position[:, middle].min() + position[:, middle].max())
+    inside = np.flatnonzero(np.abs(position[:, middle] - level) < _SLICE * radius.mean())
+    moved = np.clip(one["displacement"], -_FARTHEST, _FARTHEST)
+    # what breaks off flies away: all motions beyond half a millimetre are drawn alike
+    place = position[inside] + _MAGNIFIED * (moved[inside] - np.median(moved, axis=0))
+    circles = [Circle((x, y), r) for x, y, r in zip(place[:, across], place[:, up], radius[inside], strict=True)]
+    found = PatchCollection(circles, cmap="YlOrRd", edgecolor="black", linewidth=0.2)
+    found.set_array(one["damage"][inside])
+    found.set_clim(0.0, 1.0)
+    ax.add_collection(found)
+    return found

@@ -1,0 +1,184 @@
+"""The loop of a strength calibration: a run at the start, runs for slopes, and runs along secants."""
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.calibration.secant import Secant
+from bondem.calibration.strength_runs import Runs, StrengthRun
+from bondem.errors import UnstableRunError
+
+# Parameters change by this factor for the first slopes, and by no more than the second one in a step.
+_PROBE, _FARTHEST = math.log(1.25), math.log(2.0)
+# Steps shorter than this, in logarithms, change nothing; and those that are foreseen to leave more than this share
+# of the largest miss are not worth a run.
+_SHORT, _HOPE = 1e-4, 0.95
+# After so many halvings of a step that made things worse, or failed, there is no way.
+_HALVINGS = 4
+
+
+@dataclass
+class StrengthSearch:
+    """The loop, and what it has seen.
+
+    Attributes:
+        made: makes runs.
+        names: of the parameters.
+        goals: target and tolerance by test [Pa].
+        together: 1 for parameters that scale all strengths together, (k,).
+        low, high: logarithms of the bounds, (k,).
+        most: runs.
+        runs: in order.
+        points: logarithms of parameters and of strengths of each run that gave some.
+        secant: slopes, once they are known.
+        reason: why it ended where it did.
+    """
+
+    made: Runs
+    names: tuple[str, ...]
+    goals: dict[str, tuple[float, float]]
+    together: Floats
+    low: Floats
+    high: Floats
+    most: int
+    runs: list[StrengthRun] = field(default_factory=list)
+    points: dict[int, tuple[Floats, Floats]] = field(default_factory=dict)
+    secant: Secant | None = None
+    reason: str = ""
+
+    def from_start(self, values: Floats) -> "StrengthSearch":
+        """Go on until all targets are met, all runs are used up, or no step leads on.
+
+        Raises:
+            UnstableRunError: a test failed at the start.
+        """
+        x = np.log(values)
+        y = self._visit(x, values)
+        if y is None:
+            raise UnstableRunError(f"calibrate_strength: at the start, {self.runs[0].failed}")
+        if not self.reached:
+            self._probe(x, y)
+        shorter = 0
+        while self.secant is not None and not self.reached and not self.reason:
+            shorter = self._step(self.secant, shorter)
+        return self
+
+    @property
+    def best(self) -> int:
+        """Number of the run that is nearest to the targets, from 1."""
+        return 1 + min(self.points, key=lambda k: self._miss(self.points[k][1]))
+
+    @property
+    def reached(self) -> bool:
+        """Whether it meets all of them."""
+        return self._miss(self.points[self.best - 1][1]) <= 1.0
+
+    @property
+    def message(self) -> str:
+        """How it ended, in one line."""
+        best = self.runs[self.best - 1]
+        found = ", ".join(
+            f"{test} {best.mean(test) / 1e6:.4g} MPa for {target / 1e6:.4g} ± {tolerance / 1e6:.4g}"
+            for test, (target, tolerance) in self.goals.items()
+        )
+        runs = f"{len(self.runs)} run{'s' if len(self.runs) > 1 else ''}"
+        if self.reached:
+            return f"reached after {runs}: {found}"
+        reason = self.reason or "all runs are used up"
+        return f"not reached after {runs}: {found} in the best, run {self.best}; {reason}"
+
+    @property
+    def _target(self) -> Floats:
+        return np.log([target for target, _ in self.goals.values()])
+
+    @property
+    def _weight(self) -> Floats:
+        return np.array([target / tolerance for target, tolerance in self.goals.values()])
+
+    def _miss(self, y: Floats) -> float:
+        """Largest distance from a target over its tolerance: of strengths, not of their logarithms."""
+        return float(np.max([
+            abs(math.exp(value) - target) / tolerance
+            for value, (target, tolerance) in zip(y, self.goals.values(), strict=True)
+        ]))  # fmt: skip
+
+    def _visit(self, x: Floats, values: Floats | None = None) -> Floats | None:
+        """Logarithms of the mean strengths at a point; None where a test failed."""
+        given = np.exp(x) if values is None else values
+        parameters = dict(zip(self.names, map(float, given), strict=True))
+        done = self.made.run(len(self.runs) + 1, parameters)
+        self.runs.append(done)
+        if done.failed:
+            return None
+        y = np.log([done.mean(test) for test in self.goals])
+        self.points[len(self.runs) - 1] = x, y
+        return y
+
+    def _probe(self, x: Floats, y: Floats) -> None:
+        """First slopes: of each parameter, but for one of those that scale together, from a run with it changed.
+
+        Runs are made where the scale, which is known, brings the strengths as near to their targets as it can.
+        """
+        slopes = np.zeros((len(y), len(x)))
+        scaled = np.flatnonzero(self.together)
+        shift = 0.0
+        if len(scaled):
+            weight = self._weight**2
+            shift = float(np.clip(weight @ (self._target - y) / weight.sum(), -_FARTHEST, _FARTHEST))
+        for k in range(len(x)):
+            if len(scaled) and k == scaled[-1]:
+                continue
+            for change in (_PROBE, -_PROBE):
+                if len(self.runs) >= self.most:
+                    return
+                moved = np.clip(x + shift * self.together, self.low, self.high)
+                moved[k] = np.clip(moved[k] + change, self.low[k], self.high[k])
+                alone = moved[k] - x[k] - shift * self.together[k]
+                found = self._visit(moved) if abs(alone) > 0.5 * _PROBE else None
+                if found is not None:
+                    slopes[:, k] = (found - y - shift * bool(len(scaled))) / alone
+                    break
+            else:
+                self.reason = f"its slope could not be told, as tests failed with another {self.names[k]}"
+                return
+            if self.reached:
+                break
+        if len(scaled):
+            slopes[:, scaled[-1]] = 1.0 - slopes[:, scaled[:-1]].sum(axis=1)
+        near = self.points[self.best - 1]
+        self.secant = Secant(*near, slopes, self._target, self._weight)
+
+    def _step(self, secant: Secant, shorter: int) -> int:
+        """One run along the secants; returns how often the next step is to be halved."""
+        if len(self.runs) >= self.most:
+            self.reason = "all runs are used up"
+            return shorter
+        step = secant.step(_FARTHEST, self.low, self.high)
+        hopeless = secant.foreseen(step) > _HOPE * secant.miss
+        step = step * 0.5**shorter
+        if hopeless or float(np.abs(step).max()) < _SHORT or shorter > _HALVINGS:
+            self.reason = self._obstacle(secant, shorter)
+            return shorter
+        x = secant.x + step
+        y = self._visit(x)
+        if y is None:
+            return shorter + 1
+        better = secant.miss_of(y) < secant.miss
+        self.secant = secant.learned(x, y)
+        return 0 if better else shorter + 1
+
+    def _obstacle(self, secant: Secant, shorter: int) -> str:
+        """Why no step leads on."""
+        if shorter > _HALVINGS:
+            return "strengths scatter more than their tolerances, or tests fail nearby"
+        at = [
+            name for name, value, low, high in zip(self.names, secant.x, self.low, self.high, strict=True)
+            if min(abs(value - low), abs(value - high)) < _SHORT
+        ]  # fmt: skip
+        if at:
+            return f"{', '.join(at)} at a bound"
+        if not secant.separates:
+            return "the tests do not tell the parameters apart"
+        return "no change of the parameters leads nearer to all targets"

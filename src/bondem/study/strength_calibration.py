@@ -1,0 +1,113 @@
+"""What `bondem strength` does: cells whose f_t and c give a cylinder its UCS and its Brazilian strength."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from bondem._checks import count as whole
+from bondem._checks import number
+from bondem.calibration.strength import StrengthCalibration, calibrate_strength
+from bondem.labtests.compression import uniaxial_compression
+from bondem.labtests.splitting import brazilian
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.mohr_coulomb import MohrCoulomb
+from bondem.packing import SEED, pack
+from bondem.specimen.bonding import connect
+from bondem.specimen.geometry import Cylinder
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True, kw_only=True)
+class StrengthPlan:
+    """A calibration of the strengths of cells on cylinders of the laboratory.
+
+    Attributes:
+        E: Young's modulus [Pa].
+        nu: Poisson's ratio [-].
+        ucs: uniaxial compressive strength that is asked for [Pa].
+        brazilian: 2 P / (π D t) that is asked for [Pa].
+        ucs_within, brazilian_within: tolerances [Pa]; 4 and 7.5 % unless given.
+        friction_angle: φ [rad].
+        fracture_energy: G_f [J/m²].
+        diameter, length: of the cylinders [m].
+        count: cells of a packing.
+        packings: how many, with seeds seed, seed + 1, …; their mean is calibrated.
+        seed: of the first packing.
+        most: runs.
+    """
+
+    E: float
+    nu: float
+    ucs: float
+    brazilian: float
+    ucs_within: float | None = None
+    brazilian_within: float | None = None
+    friction_angle: float = math.radians(35.0)
+    fracture_energy: float = 100.0
+    diameter: float = 100e-3
+    length: float = 200e-3
+    count: int = 2000
+    packings: int = 1
+    seed: int = SEED
+    most: int = 15
+
+    def __post_init__(self) -> None:
+        for name in ("ucs", "brazilian"):
+            number("", name, getattr(self, name), above=0.0, unit="Pa")
+        for name, least in (("count", 1), ("packings", 1), ("seed", 0), ("most", 1)):
+            whole("", name, getattr(self, name), least=least)
+        number("", "friction_angle", self.friction_angle, least=0.0, below=0.5 * math.pi, unit="rad")
+        self.failure(1e6, 1e6)  # refuses a bad energy
+        CellBond(E=self.E, nu=self.nu)
+
+    def failure(self, tension: float, cohesion: float) -> MohrCoulomb:
+        """The criterion with these strengths [Pa]."""
+        return MohrCoulomb(
+            tension=tension, cohesion=cohesion, friction_angle=self.friction_angle,
+            fracture_energy=self.fracture_energy,
+        )  # fmt: skip
+
+    @property
+    def start(self) -> dict[str, float]:
+        """f_t and c with which a continuum would have both strengths [Pa]."""
+        sine, cosine = math.sin(self.friction_angle), math.cos(self.friction_angle)
+        return {"tension": self.brazilian, "cohesion": 0.5 * self.ucs * (1.0 - sine) / cosine}
+
+
+def run_strength(
+    plan: StrengthPlan, out: str | Path | None = None, *, progress: Callable[[str], None] | None = None
+) -> StrengthCalibration:
+    """Pack, test and calibrate; with a folder, keep every test there and go on from those that are kept.
+
+    Raises:
+        InputError: the folder cannot be written to, or holds runs of another plan.
+        UnstableRunError: a test failed at the start.
+    """
+    bodies: list[Lattice] = []
+    law = CellBond(E=plan.E, nu=plan.nu)
+
+    def specimens() -> list[Lattice]:
+        shape = Cylinder(radius=0.5 * plan.diameter, length=plan.length)
+        for k in range(len(bodies), plan.packings):
+            particles = pack(shape, count=plan.count, method="even", seed=plan.seed + k)
+            bodies.append(connect(particles, method="laguerre"))
+        return bodies
+
+    def pressed(tension: float, cohesion: float) -> list[float]:
+        return [uniaxial_compression(one, law, plan.failure(tension, cohesion)).peak for one in specimens()]
+
+    def split(tension: float, cohesion: float) -> list[float]:
+        return [brazilian(one, law, plan.failure(tension, cohesion)).peak for one in specimens()]
+
+    within = plan.ucs_within or 0.04 * plan.ucs, plan.brazilian_within or 0.075 * plan.brazilian
+    targets = {"ucs": (plan.ucs, within[0]), "brazilian": (plan.brazilian, within[1])}
+    return calibrate_strength(
+        {"ucs": pressed, "brazilian": split}, targets, plan.start, strengths=("tension", "cohesion"), most=plan.most,
+        out=out, progress=progress,
+        about=(
+            f"cells, E = {plan.E:g}, nu = {plan.nu:g}, friction_angle = {plan.friction_angle:g},"
+            f" fracture_energy = {plan.fracture_energy:g}, {plan.diameter:g} x {plan.length:g} m,"
+            f" {plan.packings} x {plan.count}, seed {plan.seed}"
+        ),
+    )  # fmt: skip
