@@ -121,7 +121,7 @@ def _bodies() -> tuple[Section, ...]:
                 f" error of {len(mine)} bodies", form=PERCENT, tolerance=_if(limit is not None, limit or 0.0),
                 ours=BODIES.of(max(abs(error) for one in mine for error in one["errors"].values())))
         )  # fmt: skip
-        beyond = [max(map(abs, one["against_limit"].values())) for one in mine if one["against_limit"]]
+        beyond = [max(map(abs, one["against_limit"].values())) for one in mine if one.get("against_limit")]
         if count >= FINE and beyond:
             rows.append(Row(case=f"{shape.replace('_', ' ')}, {_spaced(count)} elements: worst error of {len(beyond)}"
                             " bodies against the limit of ever finer finite elements", form=PERCENT,
