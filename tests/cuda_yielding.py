@@ -1,0 +1,73 @@
+"""Small runs in which cells yield and criteria of the stress crack facets: python tests/cuda_yielding.py gpu|cpu …
+
+As `cuda_cracks.py`, from whose bodies and arguments they are made.
+"""
+
+import importlib
+from collections.abc import Iterator
+from typing import Any
+
+import bondem as bd
+import cuda_cases
+from bondem.solve.explicit import integrate
+from bondem.solve.plan import ExplicitResult, Plan
+from cuda_cracks import FIELDS, SOFT
+from cuda_halves import kept, leave_cells, start
+
+DT, STEPS, HALF = 1.6e-3, 26, 14
+COULOMB = bd.MohrCoulomb(
+    tension=2.5e5, cohesion=3e5, friction_angle=0.4, fracture_energy=8e3, fracture_energy_shear=2e4, dilatancy=0.2
+)
+CONE = bd.DruckerPrager(
+    tension=2.5e5, compression=8e5, fracture_energy=8e3, fracture_energy_shear=2e4, dilatancy=0.1, friction=0.3
+)
+
+
+def squeezed(failure: Any) -> bd.Model:
+    """A bar that is pressed, sheared and pulled again between two walls, with loads that change on two faces."""
+    boundary = [
+        bd.Fix(bd.Face("x_min")),
+        bd.Drive(
+            bd.Face("x_max"), x=bd.Table([0.0, 0.022, 0.05], [0.0, -0.25, 0.2]), y=bd.Ramp(0.0, 0.15, 0.03),
+        ),
+        bd.Load(bd.Face("y_max"), force=(0.0, 6e4, 2e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
+        bd.Pressure(bd.Face("z_max"), 4e4, schedule=bd.Ramp(1.0, 0.0, 0.03)),
+    ]  # fmt: skip
+    return bd.Model(cuda_cases.body(3, 2, 2), bd.CellBond(E=1e7, nu=0.3), 1000.0, boundary=boundary, failure=failure)
+
+
+def largest_sum(stress: Any, tension: float, share: float) -> float:
+    """A criterion of one's own: the mean stress and the shear of the x and y axes, over a strength."""
+    return (stress[0, 0] + stress[1, 1] + stress[2, 2] + share * abs(stress[0, 1])) / tension
+
+
+def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Iterator[tuple[str, ExplicitResult]]:
+    """The cases, carried out."""
+    loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop if device == "gpu" else None
+
+    def go(model: bd.Model, state: bd.State, steps: int = STEPS, **options: Any) -> ExplicitResult:
+        return integrate(model, Plan(duration=steps * DT, dt=DT, **options), state=state, loop_of=loop_of)
+
+    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.CELL_GAUGES}
+    fields = (*FIELDS, "plastic")
+    for name, failure in (("coulomb", COULOMB), ("cone", CONE)):
+        model = squeezed(failure)
+        yield name, go(model, cuda_cases.moving(model), every=HALF, **common)
+        half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
+        handed[name] = kept(half.copy(), fields)
+        yield f"resumed {name}", go(model, half, every=HALF, **common)
+        if given:
+            yield f"handed {name}", go(model, start(model, given[name]), every=HALF, **common)
+    model = squeezed(COULOMB)
+    yield "paused", go(model, cuda_cases.moving(model), every=0, save_every=9, **common)
+    for name, failure in (
+        ("brittle cone", bd.DruckerPrager(tension=2.5e5, compression=8e5)),
+        ("hydrostatic", bd.Hydrostatic(tension=1e5, fracture_energy=SOFT["fracture_energy"])),
+        ("own", bd.StressCriterion(largest_sum, tension=3e5, share=0.7)),
+    ):
+        model = squeezed(failure)
+        yield name, go(model, cuda_cases.moving(model), steps=32, every=8)
+
+
+if __name__ == "__main__":
+    leave_cells(results, (*FIELDS, "plastic"))
