@@ -1,4 +1,7 @@
-"""Small runs in which beams soften: python tests/cuda_soft_beams.py gpu|cpu OUT.npz IN HANDED, as `cuda_breaking.py`."""
+"""Small runs in which beams soften: python tests/cuda_soft_beams.py gpu|cpu OUT.npz IN HANDED.
+
+As `cuda_breaking.py`.
+"""
 
 import importlib
 from collections.abc import Iterator
@@ -11,7 +14,7 @@ from bondem.solve.plan import ExplicitResult, Plan
 from cuda_breaking import FIELDS as BROKEN_FIELDS
 from cuda_halves import kept, leave, start
 
-DT, STEPS, HALF = 2e-3, 36, 19
+DT, STEPS, HALF = 2.5e-3, 36, 19
 FIELDS = (*BROKEN_FIELDS, "softened")
 SOFT = {"fracture_energy": 1.5e3, "fracture_energy_shear": 3e3}
 CRITERIA: dict[str, Any] = {
@@ -30,7 +33,7 @@ def softening_bar(criterion: Any) -> bd.Model:
 
 def softening_cell() -> bd.Model:
     """The periodic cell, whose bonds are alike but for their length."""
-    model, failure = cuda_cases.cell(), bd.PeripheralStress(tension=3e5, shear=2e5, fracture_energy=4e3)
+    model, failure = cuda_cases.cell(), bd.PeripheralStress(tension=3e5, shear=2e5, fracture_energy=8e3)
     return bd.Model(model.lattice, model.bond, model.density, failure=failure)
 
 
@@ -44,10 +47,10 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.GAUGES}
     for name, criterion in CRITERIA.items():
         model = softening_bar(criterion)
-        yield name, go(model, cuda_cases.moving(model, speed=2.0), every=HALF, **common)
+        yield name, go(model, cuda_cases.moving(model, speed=3.0), every=HALF, **common)
     model = softening_bar(CRITERIA["peripheral"])
-    yield "paused", go(model, cuda_cases.moving(model, speed=2.0), every=0, save_every=7, **common)
-    half = go(model, cuda_cases.moving(model, speed=2.0), HALF, every=0, **common).state
+    yield "paused", go(model, cuda_cases.moving(model, speed=3.0), every=0, save_every=7, **common)
+    half = go(model, cuda_cases.moving(model, speed=3.0), HALF, every=0, **common).state
     handed["soft"] = kept(half.copy(), FIELDS)
     yield "resumed", go(model, half.copy(), every=HALF, **common)
     if given:
@@ -55,7 +58,7 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     half.set_motion(velocity=half.velocity[::-1].copy())
     yield "stale", go(model, half, HALF + 5, every=1, **common)
     model = softening_cell()
-    yield "alike", go(model, cuda_cases.moving(model, speed=2.5), every=6)
+    yield "alike", go(model, cuda_cases.moving(model, speed=5.0), every=6)
 
 
 if __name__ == "__main__":

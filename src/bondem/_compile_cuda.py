@@ -53,8 +53,9 @@ def refused(function: Callable[..., Any], count: int) -> str | None:
     if SIMULATED:
         return None
     number: Any = numba.core.types.float64
-    try:
-        cuda.compile_ptx(getattr(function, "py_func", function), number(number[:, ::1], *[number] * count), device=True)
+    signature = number(number[:, ::1], *[number] * count)
+    try:  # for the oldest devices that CUDA 12 and 13 know: one need not be there
+        cuda.compile_ptx(getattr(function, "py_func", function), signature, device=True, cc=(7, 5))
     except Exception as error:
         return (str(error) or type(error).__name__).splitlines()[0]
     return None

@@ -38,7 +38,7 @@ class SoftBeamForces:
         """Integrities first, then forces; then beams begin to soften."""
         run, bonds, breaks, table, lost = self._run, self._beams.bonds, self._breaks, self._soft, self._lost
         pose = run.elements.pose
-        launch(soft.soften_some, self.m, pose, bonds, breaks, table, ahead > 0, stream=stream)
+        launch(soft.soften_beams, self.m, pose, bonds, breaks, table, ahead > 0, stream=stream)
         if ahead > 0:
             launch(soft.add_soft_losses, _PARTS, table, lost, stream=stream)
             launch(soft.log_soft, 1, run.clock, run.scheme, pose, bonds, breaks, table, lost, stream=stream)

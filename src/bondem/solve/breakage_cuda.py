@@ -47,9 +47,9 @@ def device_breaks(
         bonds = model.bonds.stretched(state.eigenstrain)
         station, share = table.station, bonds.lever / bonds.length
     arrays = share, np.zeros(n, dtype=np.uint8), np.zeros(m, dtype=np.int32), np.zeros(3, dtype=np.int32)
+    bound = (table.limit if limit is None else limit).astype(np.float32)
     judging = (
-        table.kind, upload(table.coefficient), upload(station), upload((table.limit if limit is None else limit).astype(np.float32)),
-        table.of_force, table.of_moment,
+        table.kind, upload(table.coefficient), upload(station), upload(bound), table.of_force, table.of_moment,
     )  # fmt: skip
     return DeviceBreaks._make(
         [*judging, *map(upload, arrays), zeros(m, BROKEN_COLUMNS), upload(state.released)]

@@ -70,7 +70,7 @@ class CrackForces:
             *facets, *run.adjacency, bends=upload(cells.bends[: self.m]), moment=zeros(n, 7)
         )  # fmt: skip
         self._onset, self._lists = _onset(model, table), _lists(table)
-        self._cracks, self._judging = _cracks(table.facets), _judging(model)
+        self._cracks, self._judging = _cracks(table.facets), judging_of(model)
         self._flow = _flow(table, grips) if table.flow.yielding else None
         if self._flow is not None:
             launch(stretch_all, n, self._body, self._flow)
@@ -230,7 +230,8 @@ def _onset(model: Model, table: CrackTable) -> DeviceOnset:
     row, load = np.nonzero(pressed.any(axis=2))
     arrays = starts(row, len(held.element)), held.press_schedule[load], pressed[row, load]
     return DeviceOnset(
-        upload(onset.strength), onset.hot, onset.least, onset.tension, upload(table.stress.volume), *map(upload, arrays),
+        upload(onset.strength), onset.hot, onset.least, onset.tension, upload(table.stress.volume),
+        *map(upload, arrays),
         cracked=upload(onset.cracked), hotter=upload(np.zeros(n, dtype=np.uint8)),
     )  # fmt: skip
 
@@ -249,7 +250,7 @@ def _flow(table: CrackTable, grips: GripTable) -> CellYield:
     )  # fmt: skip
 
 
-def _judging(model: Model) -> Judging | None:
+def judging_of(model: Model) -> Judging | None:
     """The kernels of a criterion that is a function of the stress.
 
     Raises:

@@ -1,9 +1,9 @@
 """Beams that soften on a device, as `bondem.kernels.beam_softening` has it, by the same functions of one beam.
 
-A thread a beam that has begun changes its integrity before the forces of a step; what presses on it is added to the
-force of its bond, whose bound is infinite by then, so that no judge sees it. One thread sorts what has parted, adds up
-what was dissipated and writes the log. Beams that reach their strength are gathered by an atomic counter amid the
-forces, before any end moves, and put into the list in the order of the bonds.
+A thread a beam that has begun changes its integrity before the forces of a step; what presses on it is added to
+the force of its bond, whose bound is infinite by then, so that no judge sees it. One thread sorts what has parted,
+adds up what was dissipated and writes the log. Beams that reach their strength are gathered by an atomic counter amid
+the forces, before any end moves, and put into the list in the order of the bonds.
 """
 
 import math
@@ -45,7 +45,7 @@ def _whole(pose, bonds, share, k):
 
 
 @cuda_kernel
-def soften_some(pose, bonds, breaks, soft, change):
+def soften_beams(pose, bonds, breaks, soft, change):
     """Integrities of the beams that have begun, and what presses on each; those that part are gathered."""
     c = cuda.grid(1)
     if c >= soft.sizes[BEGUN]:

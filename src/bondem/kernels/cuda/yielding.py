@@ -43,7 +43,7 @@ def yield_some(pose, body, tensor, onset, flow):
 
 @cuda_kernel
 def follow_cells(clock, scheme, row_of, work, schedules, grips, grip_start, onset, flow):
-    """Work of loads on free facets of cells that yield, in the step to come, and the levers of walls that hold some."""
+    """Work of loads on free facets of cells that yield, in the step to come; and the levers of their walls."""
     p = cuda.grid(1)
     if p >= flow.plastic.shape[0] or row_of[p] < 0:
         return
