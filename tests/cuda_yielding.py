@@ -53,12 +53,12 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     for name, failure in (("coulomb", COULOMB), ("cone", CONE)):
         model = squeezed(failure)
         yield name, go(model, cuda_cases.moving(model), every=HALF, **common)
-        half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
-        handed[name] = kept(half.copy(), fields)
-        yield f"resumed {name}", go(model, half, every=HALF, **common)
-        if given:
-            yield f"handed {name}", go(model, start(model, given[name]), every=HALF, **common)
     model = squeezed(COULOMB)
+    half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
+    handed["coulomb"] = kept(half.copy(), fields)
+    yield "resumed", go(model, half, every=HALF, **common)
+    if given:
+        yield "handed", go(model, start(model, given["coulomb"]), every=HALF, **common)
     yield "paused", go(model, cuda_cases.moving(model), every=0, save_every=9, **common)
     own = bd.StressCriterion(largest_sum, tension=2.5e5, share=0.7, fracture_energy=SOFT["fracture_energy"])
     model = squeezed(own)

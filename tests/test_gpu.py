@@ -141,7 +141,7 @@ def compiled():
 
 
 def test_memory_is_what_the_documents_say(compiled) -> None:
-    """As in `bondem.solve.loop_cuda`, `forces_cuda`, `breakage_cuda`, `cracks_cuda` there, and decision 0010."""
+    """As in the modules `…_cuda` of `bondem.solve`, and decision 0010."""
     assert compiled["bytes"]["bonds"] == {"element": 212 + 4, "bond": 164}  # with body forces
     assert compiled["bytes"]["alike"] == {"element": 212, "bond": 124}
     assert compiled["bytes"]["breaking"] == {"element": 212 + 4 + 1, "bond": 164 + 128}

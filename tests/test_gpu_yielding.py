@@ -12,7 +12,7 @@ from bondem.kernels.tables import FRACTURE, FRICTION, LOSS, PLASTIC, TRANSLATION
 from tests.gpu_sides import ends_alike, records_alike, three_sides
 
 YIELDING = "coulomb", "cone"
-CASES = (*YIELDING, "resumed coulomb", "resumed cone", "paused", "own", "brittle cone")
+CASES = (*YIELDING, "resumed", "paused", "own", "brittle cone")
 FIELDS = (
     "pose", "stress", "motion", "acceleration", "loss", "reaction", "integrity", "released", "facet_force", "plastic",
 )  # fmt: skip
@@ -71,21 +71,18 @@ def test_ledger_closes_through_yielding_as_on_the_cpu(outcomes) -> None:
         assert abs(drifts[1] - drifts[0]) < 1e-12
 
 
-@pytest.mark.parametrize(
-    ("whole", "parted"), [("coulomb", "paused"), ("coulomb", "resumed coulomb"), ("cone", "resumed cone")]
-)
-def test_pausing_changes_no_bit_of_cells_that_yield(outcomes, whole: str, parted: str) -> None:
+@pytest.mark.parametrize("parted", ["paused", "resumed"])
+def test_pausing_changes_no_bit_of_cells_that_yield(outcomes, parted: str) -> None:
     _, gpu, _ = outcomes
     for field in (*FIELDS, "work", "broken", "cracks"):
-        np.testing.assert_array_equal(gpu[f"{whole}/{field}"], gpu[f"{parted}/{field}"])
+        np.testing.assert_array_equal(gpu[f"coulomb/{field}"], gpu[f"{parted}/{field}"])
 
 
-@pytest.mark.parametrize("case", YIELDING)
-def test_a_body_that_yields_goes_on_on_the_other_side(outcomes, case: str) -> None:
+def test_a_body_that_yields_goes_on_on_the_other_side(outcomes) -> None:
     """From the CPU to the device and back."""
     cpu, gpu, back = outcomes
-    agree(cpu, gpu, f"handed {case}", case)
-    agree(cpu, back, f"handed {case}", case)
+    agree(cpu, gpu, "handed", "coulomb")
+    agree(cpu, back, "handed", "coulomb")
 
 
 def largest(stress, tension):

@@ -2,7 +2,8 @@
 
 Bytes on the device of an element, in double precision: 212, as pose 64, motion 64, acceleration 48, loss 24, row and
 adjacency 12, and 12 more where body forces act; those of bonds, facets and cells stand in `bondem.solve.forces_cuda`,
-and what breaking and cracks take besides in `breakage_cuda` and `cracks_cuda`.
+and what breaking, softening and cracks take besides in `breakage_cuda`,
+`beam_softening_cuda` and `cracks_cuda`.
 1e8 bonds of 3.2e7 elements take 19 or 23 GB, and 1e7 cells with 7e7 facets 16 GB. Records gather on the device and
 come over once a call; the state comes over when a call ends, which is at checkpoints, at looks of events, and every
 10 000 steps.
