@@ -52,7 +52,7 @@ def reaches(index, onset, s, scale, matrix):
 
 
 @device
-def near(index, onset, s, square, matrix):
+def may_reach(index, onset, s, square, matrix):
     """Whether the facets of a cell of stress s, that bend by Σ T_b² `square`, may reach the criterion.
 
     They do not while the cell stays below it at its stress over a share of the strength, and at that with a tension
@@ -79,7 +79,7 @@ def cool_cells(stress, onset, first, last):
         hot = onset.cracked[p] != 0
         if not hot:
             s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
-            hot = near(by_address, onset, s, stress.bending[p], matrix)
+            hot = may_reach(by_address, onset, s, stress.bending[p], matrix)
         onset.hotter[p] = 1 if hot else 0
 
 

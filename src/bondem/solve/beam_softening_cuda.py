@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from bondem._compile_cuda import Array, download, launch, upload, zeros
-from bondem.kernels.cuda import beam_softening as soft
+from bondem.kernels.cuda import beam_softening as kernels
 from bondem.kernels.cuda.breaking import LOGGED, released_sum
 from bondem.kernels.soft_tables import BEGUN, SOFT_BOND, SoftBonds
 from bondem.model.failure_table import FailureTable
@@ -38,16 +38,16 @@ class SoftBeamForces:
         """Integrities first, then forces; then beams begin to soften."""
         run, bonds, breaks, table, lost = self._run, self._beams.bonds, self._breaks, self._soft, self._lost
         pose = run.elements.pose
-        launch(soft.soften_beams, self.m, pose, bonds, breaks, table, ahead > 0, stream=stream)
+        launch(kernels.soften_beams, self.m, pose, bonds, breaks, table, ahead > 0, stream=stream)
         if ahead > 0:
-            launch(soft.add_soft_losses, _PARTS, table, lost, stream=stream)
-            launch(soft.log_soft, 1, run.clock, run.scheme, pose, bonds, breaks, table, lost, stream=stream)
+            launch(kernels.add_soft_losses, _PARTS, table, lost, stream=stream)
+            launch(kernels.log_soft, 1, run.clock, run.scheme, pose, bonds, breaks, table, lost, stream=stream)
         self._beams.act(ahead, stream)
-        launch(soft.press_some, self.m, bonds, table, stream=stream)
+        launch(kernels.press_some, self.m, bonds, table, stream=stream)
         if ahead > 0:
-            launch(soft.find_soft, self.m, pose, bonds, breaks, stream=stream)
-            launch(soft.order_soft, 1, breaks, table, stream=stream)
-            launch(soft.begin_soft, self.m, pose, bonds, breaks, table, stream=stream)
+            launch(kernels.find_soft, self.m, pose, bonds, breaks, stream=stream)
+            launch(kernels.order_soft, 1, breaks, table, stream=stream)
+            launch(kernels.begin_soft, self.m, pose, bonds, breaks, table, stream=stream)
 
     def take_up(self) -> None:
         """Nothing: a record needs poses and integrities only."""
@@ -59,14 +59,15 @@ class SoftBeamForces:
     def sums(self, parts: Array) -> None:
         """Of bonds, then of what presses on those that soften; and what these have dissipated."""
         self._beams.sums(parts)
-        launch(soft.soft_sums, parts.shape[1], self._run.elements.pose, self._beams.bonds, self._soft, parts)
+        launch(kernels.soft_sums, parts.shape[1], self._run.elements.pose, self._beams.bonds, self._soft, parts)
         launch(released_sum, 1, self._breaks, parts)
 
     def keep(self, state: State) -> None:
         """Write what has softened and broken since the last call into the state."""
-        counts, begun = self._breaks.counts.copy_to_host(), int(self._soft.sizes.copy_to_host()[BEGUN])
-        logged = int(counts[LOGGED])
-        state.softened = np.array(self._soft.row.copy_to_host()[:begun])
+        table: Any = self._soft
+        counts = self._breaks.counts.copy_to_host()
+        logged, begun = int(counts[LOGGED]), int(table.sizes.copy_to_host()[BEGUN])
+        state.softened = np.array(table.row.copy_to_host()[:begun])
         download(self.integrity, state.integrity)
         download(self._breaks.released, state.released)
         if logged:
@@ -79,7 +80,7 @@ def _soft(model: Model, state: State) -> SoftBonds:
     """The table of the CPU on the device, where the list of active rows has the bonds of those that begin."""
     table = soft_bonds(model, state, np.zeros((0, 6)))
     assert table is not None
-    small = {"active": table.active.astype(np.int32), "sizes": table.sizes.astype(np.int32)}
+    small: dict[str, Any] = {"active": table.active.astype(np.int32), "sizes": table.sizes.astype(np.int32)}
     arrays = {
         name: upload(small.get(name, getattr(table, name))) for name in SoftBonds._fields if name != "handed"
     }  # fmt: skip

@@ -15,7 +15,7 @@ from bondem.kernels.crack_onset import agreed_stress
 from bondem.kernels.crack_tables import CRACKS
 from bondem.kernels.cuda.breaking import FOUND
 from bondem.kernels.cuda.crack_beginnings import BEFORE_STEP, hotness, mean_at_onset, pulled_at_onset, set_up
-from bondem.kernels.stress_index import near, reaches, strength_along
+from bondem.kernels.stress_index import may_reach, reaches, strength_along
 
 
 class Judging(NamedTuple):
@@ -48,7 +48,7 @@ def judging(function: Callable[..., float], values: tuple[float, ...]) -> Judgin
         if not hot:
             matrix = cuda.local.array((3, 3), "float64")
             s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
-            hot = near(index, onset, s, moment[p, 6], matrix)
+            hot = may_reach(index, onset, s, moment[p, 6], matrix)
         onset.hotter[p] = 1 if hot else 0
 
     @cuda_kernel
