@@ -63,6 +63,8 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     own = bd.StressCriterion(largest_sum, tension=2.5e5, share=0.7, fracture_energy=SOFT["fracture_energy"])
     model = squeezed(own)
     yield "own", go(model, cuda_cases.moving(model), every=8)
+    model = squeezed(bd.DruckerPrager(tension=1e5, compression=4e5))
+    yield "pressed cone", go(model, cuda_cases.moving(model), steps=14, every=0)
     model = torn(bd.DruckerPrager(tension=1e5, compression=4e5))
     yield "brittle cone", go(model, cuda_cases.moving(model), steps=40, dt=2.2e-3, every=8)
 

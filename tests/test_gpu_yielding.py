@@ -58,6 +58,16 @@ def test_cells_yield_in_all_ways(outcomes) -> None:
         assert len(cpu[f"{case}/cracks"]) > len(cpu[f"{case}/broken"])
 
 
+def test_facets_that_are_pressed_do_not_crack_on_the_cone(outcomes) -> None:
+    """A brittle body that is squeezed beyond its cone splits along the load, in the same facets on both sides."""
+    cpu, gpu, _ = outcomes
+    one, other = cpu["pressed cone/cracks"], gpu["pressed cone/cracks"]
+    assert 3 < len(one) < 0.8 * len(cpu["pressed cone/integrity"])
+    np.testing.assert_array_equal(one[:, FACET], other[:, FACET])
+    scale = np.abs(cpu["pressed cone/motion"]).max()
+    np.testing.assert_allclose(gpu["pressed cone/motion"], cpu["pressed cone/motion"], rtol=0.0, atol=1e-12 * scale)
+
+
 def test_ledger_closes_through_yielding_as_on_the_cpu(outcomes) -> None:
     cpu, gpu, _ = outcomes
     for case in YIELDING:
