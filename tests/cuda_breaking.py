@@ -5,19 +5,14 @@ change sides.
 """
 
 import importlib
-import pickle
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 import bondem as bd
 import cuda_cases
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
-from cuda_halves import kept, start
+from cuda_halves import kept, leave, start
 
 CRITERIA: dict[str, Any] = {
     "peripheral": bd.PeripheralStress(tension=1.5e5, shear=1e5, scatter=bd.Weibull(modulus=6.0, volume=0.3, seed=2)),
@@ -67,20 +62,5 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
         yield "handed", go(model, start(model, given["beams"]), every=5, **common)
 
 
-def main() -> None:
-    """Carry them out, and write what is compared."""
-    device, out, source, target = sys.argv[1:]
-    given = pickle.loads(Path(source).read_bytes()) if Path(source).is_file() else {}
-    arrays: dict[str, np.ndarray] = {}
-    handed: dict[str, Any] = {}
-    for name, result in results(device, given, handed):
-        for field in FIELDS:
-            arrays[f"{name}/{field}"] = getattr(result.state, field)
-        arrays[f"{name}/records"] = result.history.records
-        arrays[f"{name}/end"] = np.array([result.status.name, result.message])
-    np.savez(out, **arrays)
-    Path(target).write_bytes(pickle.dumps(handed))
-
-
 if __name__ == "__main__":
-    main()
+    leave(results, FIELDS)

@@ -23,7 +23,7 @@ def mohr_coulomb(strength: float, **options: Any) -> bd.MohrCoulomb:
     return bd.MohrCoulomb(tension=strength, cohesion=2.0 * strength, friction_angle=0.5, **options)
 
 
-def breaking(model: bd.Model, failure: bd.MohrCoulomb | bd.Rankine) -> bd.Model:
+def breaking(model: bd.Model, failure: Any) -> bd.Model:
     """A model of `cuda_cases` whose facets break."""
     return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=failure)
 

@@ -56,3 +56,18 @@ def leave_cells(results: Results, fields: tuple[str, ...]) -> None:
     np.savez(out, **arrays)
     Path(bodies).write_bytes(pickle.dumps(cuda_cases.BODIES))
     Path(target).write_bytes(pickle.dumps(handed))
+
+
+def leave(results: Results, fields: tuple[str, ...]) -> None:
+    """The same of beams, which need no bodies: gpu|cpu OUT.npz IN HANDED."""
+    device, out, source, target = sys.argv[1:]
+    given = pickle.loads(Path(source).read_bytes()) if Path(source).is_file() else {}
+    arrays: dict[str, np.ndarray] = {}
+    handed: dict[str, Any] = {}
+    for name, result in results(device, given, handed):
+        for field in fields:
+            arrays[f"{name}/{field}"] = getattr(result.state, field)
+        arrays[f"{name}/records"] = result.history.records
+        arrays[f"{name}/end"] = np.array([result.status.name, result.message])
+    np.savez(out, **arrays)
+    Path(target).write_bytes(pickle.dumps(handed))

@@ -20,7 +20,9 @@ import bondem as bd
 import cuda_breaking
 import cuda_cases
 import cuda_facets
-from bondem.solve import breakage_cuda, cracks_cuda, forces_cuda, loop_cuda
+import cuda_soft_beams
+import cuda_yielding
+from bondem.solve import beam_softening_cuda, breakage_cuda, cracks_cuda, forces_cuda, loop_cuda
 from bondem.solve.plan import Plan
 
 CAPABILITY = (9, 0)
@@ -60,7 +62,7 @@ def main() -> None:
         uploaded.append(np.array(array, order="C").view(OnHost))
         return uploaded[-1]
 
-    for module in (loop_cuda, forces_cuda, breakage_cuda, cracks_cuda):
+    for module in (loop_cuda, forces_cuda, breakage_cuda, cracks_cuda, beam_softening_cuda):
         module.launch = compiled
         module.upload = kept
         module.zeros = lambda *shape: kept(np.zeros(shape))
@@ -73,6 +75,8 @@ def main() -> None:
         ("breaking", cuda_breaking.breaking_bar(cuda_breaking.CRITERIA["peripheral"]), cuda_cases.GAUGES),
         ("cells", cuda_cases.held_bar(), cuda_cases.CELL_GAUGES),
         ("breaking cells", cuda_facets.held_bar(), cuda_cases.CELL_GAUGES),
+        ("softening", cuda_soft_beams.softening_bar(cuda_soft_beams.CRITERIA["peripheral"]), cuda_cases.GAUGES),
+        ("yielding cells", cuda_facets.breaking(cuda_cases.held_bar(), cuda_yielding.CONE), cuda_cases.CELL_GAUGES),
         ("cracking cells", cuda_facets.breaking(cuda_cases.held_bar(), RANKINE), cuda_cases.CELL_GAUGES),
     ):  # fmt: skip
         uploaded.clear()

@@ -23,6 +23,16 @@ def three_sides(script: str, folder: Path) -> tuple[Arrays, Arrays, Arrays]:
         return dict(one), dict(other), dict(third)
 
 
+def two_and_back(script: str, folder: Path) -> tuple[Arrays, Arrays, Arrays]:
+    """The same of a script of beams, which needs no bodies."""
+    cpu, gpu, back = (str(folder / name) for name in ("cpu", "gpu", "back"))
+    run(script, "cpu", f"{cpu}.npz", "", f"{cpu}.pkl")
+    run(script, "gpu", f"{gpu}.npz", f"{cpu}.pkl", f"{gpu}.pkl", **SIMULATOR)
+    run(script, "cpu", f"{back}.npz", f"{gpu}.pkl", f"{back}.pkl")
+    with np.load(f"{cpu}.npz") as one, np.load(f"{gpu}.npz") as other, np.load(f"{back}.npz") as third:
+        return dict(one), dict(other), dict(third)
+
+
 def ends_alike(expected: Arrays, found: Arrays, case: str, as_case: str, fields: tuple[str, ...]) -> None:
     """Assert that a case has broken the same facets at the same times as another, and ended alike."""
     assert expected[f"{as_case}/end"].tolist() == found[f"{case}/end"].tolist()

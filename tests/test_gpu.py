@@ -141,13 +141,16 @@ def compiled():
 
 
 def test_memory_is_what_the_documents_say(compiled) -> None:
-    """As in `bondem.solve.loop_cuda`, `forces_cuda`, `breakage_cuda`, `cracks_cuda` there, and decision 0010."""
+    """As in the modules `…_cuda` of `bondem.solve`, and decision 0010."""
     assert compiled["bytes"]["bonds"] == {"element": 212 + 4, "bond": 164}  # with body forces
     assert compiled["bytes"]["alike"] == {"element": 212, "bond": 124}
     assert compiled["bytes"]["breaking"] == {"element": 212 + 4 + 1, "bond": 164 + 128}
     assert compiled["bytes"]["cells"] == {"element": 212 + 8 + 24, "bond": 196, "held facet": 288}
     held = {"held facet": 288}
     assert compiled["bytes"]["breaking cells"] == {"element": 212 + 8 + 24 + 9, "bond": 196 + 129} | held
+    yielding = {"element": 212 + 8 + 24 + 134 + 176, "bond": 196 + 650 + 24, "held facet": 288 + 24}
+    assert compiled["bytes"]["yielding cells"] == yielding
+    assert compiled["bytes"]["softening"] == {"element": 212 + 4 + 1, "bond": 164 + 128 + 108}
     assert compiled["bytes"]["cracking cells"] == {"element": 212 + 8 + 24 + 134, "bond": 196 + 650} | held
 
 
@@ -163,6 +166,10 @@ def test_all_kernels_compile_without_a_driver(compiled) -> None:
         "begin_stresses", "end_stresses", "take_up_holds", "weigh_all_cracked", "link_cells", "measure_some",
         "relax_some", "wake_some", "wake_cells", "soften_some", "part_cracks", "calm_cracks", "change_cells",
         "load_cracks", "add_losses", "log_cracks", "crack_sums",
+        "stretch_all", "stretch_holds", "yield_some", "follow_cells", "heat_sums",
+        "cool_some", "mark_judged", "begin_judged",
+        "soften_beams", "add_soft_losses", "log_soft", "press_some", "find_soft", "order_soft", "begin_soft",
+        "soft_sums",
         "schedule_rows", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold", "write_record",
     }  # fmt: skip
     for name, text in ptx.items():
@@ -175,7 +182,8 @@ def test_all_kernels_compile_without_a_driver(compiled) -> None:
         exact = text.replace("rsqrt.approx.ftz.f64", "") if "trig_reduction" in text else text
         assert ".approx" not in exact, f"{name} divides or takes roots approximately"
         assert parameters(text) <= 4064, f"{name} takes more parameters than all drivers allow"
-    for name in ("bond_forces", "swell", "facet_loads", "measure_some", "relax_some", "load_cracks"):
+    for name in ("bond_forces", "swell", "facet_loads", "measure_some", "relax_some", "load_cracks", "yield_some",
+                 "soften_beams"):  # fmt: skip
         assert "fma.rn.f64" in ptx[name]
         assert "call" not in ptx[name], f"{name}: scalar functions are not inlined"
 
@@ -203,22 +211,12 @@ def test_what_the_device_cannot_do_is_refused() -> None:
         ({"contact": bd.LinearContact(E=1e7)}, "contacts and walls"),
         ({"formulation": "incremental"}, "the incremental formulation"),
         ({"boundary": heat}, "strains that change"),
-        ({"failure": bd.PeripheralStress(tension=1e5, shear=1e5, fracture_energy=1e5)}, "beams that soften"),
     ):
         with pytest.raises(InputError, match=rf"cannot run {what}.* yet; use device='cpu'"):
             bd.solve_explicit(model_and_plan(**options)[0], duration=1e-6, device="gpu")
     pair = bd.Particles([[0.4, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.3, shape=bd.Box((2, 1, 1)))
     body = bd.connect(pair, method="laguerre")
     for bond, options, what in (
-        (
-            bd.CellBond(E=1e7, nu=0.2),
-            {"failure": bd.MohrCoulomb(tension=1e5, cohesion=1e5, friction_angle=0.5, fracture_energy=1e4)},
-            "cells that yield",
-        ),
-        (
-            bd.CellBond(E=1e7, nu=0.2), {"failure": bd.Hydrostatic(tension=1e5)},
-            "criteria that are functions of the stress",
-        ),
         (bd.CellBond(E=1e7, nu=0.2), {"boundary": open_end}, "absorbing faces"),
         (bd.CellBond(E=1e7, nu=0.2), {"boundary": heat}, "strains that change"),
         (

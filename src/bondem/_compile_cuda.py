@@ -12,11 +12,13 @@ from typing import Any
 
 import cuda.core as cuda_core
 import numba.core.config
+import numba.core.types
 import numba.cuda
 import numba_cuda  # noqa: F401  not the older twin that Numba brings along
 import numpy as np
 
-__all__ = ["Array", "cuda", "cuda_kernel", "download", "launch", "missing", "recorded", "upload", "zeros"]
+__all__ = ["Array", "cuda", "cuda_kernel", "download", "launch", "missing", "recorded", "refused", "upload",
+           "zeros"]  # fmt: skip
 
 # their attributes are set at import, so that type checkers do not know them
 config: Any = numba.core.config
@@ -44,6 +46,19 @@ def missing() -> str | None:
 def cuda_kernel(function: Callable[..., None]) -> Any:
     """Compile a function that every thread of a device runs once; `cuda.grid(1)` is the thread's number."""
     return cuda.jit(function)
+
+
+def refused(function: Callable[..., Any], count: int) -> str | None:
+    """Why a function of a matrix (3, 3) and of `count` numbers does not compile for a device; None where it does."""
+    if SIMULATED:
+        return None
+    number: Any = numba.core.types.float64
+    signature = number(number[:, ::1], *[number] * count)
+    try:  # for the oldest devices that CUDA 12 and 13 know: one need not be there
+        cuda.compile_ptx(getattr(function, "py_func", function), signature, device=True, cc=(7, 5))
+    except Exception as error:
+        return (str(error) or type(error).__name__).splitlines()[0]
+    return None
 
 
 def launch(kernel: Any, count: int, *arguments: Any, stream: Any = 0) -> None:

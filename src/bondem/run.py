@@ -59,9 +59,9 @@ def solve_explicit(
         safety: share of the critical step to use when dt is None [-].
         state: where to start, such as the end of another run of the same elements and bonds; it stays as it is. Its
             time goes on, and with it that of all schedules: those of a second stage begin at `state.time`.
-        device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`): beams of the total formulation,
-            which may break at once, and cells whose facets may break at once or soften (`bd.Rankine`) and that do
-            not yield; without contacts.
+        device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`): beams of the total formulation
+            and cells, that may break, soften and yield by every criterion; without contacts and walls that bodies
+            touch. A function of `bd.StressCriterion` must compile for CUDA: numbers and `math`, not NumPy.
         out: run file (HDF5) to write; nothing is written when None.
         progress: called now and then with the share done, 0 … 1.
         callback: called as callback(state, record) with each record, a `History` of one; it must not change the

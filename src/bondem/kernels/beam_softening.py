@@ -50,13 +50,52 @@ def _list_soft(bonds, soft):
     soft.sizes[LOOKED_AT] = count
 
 
-@loop(parallel=False)
-def _look_at(pose, bonds, soft, change, first, last):
-    """Integrity of the beams first … last of those that are looked at, and what presses on each.
+@device
+def lose_integrity(row, output, s, opening, sliding, change):
+    """Integrity of a beam that had s, and what it dissipates by it; `opening` and `sliding` as `whole_beam` has them.
 
     The energy is s times a square of the opening, whose work both schemes book by the trapezoidal rule: what is left
     is -Δs times the product of the openings before and after, the root of the product of Y before and after.
     """
+    rate, new = opening + sliding, s
+    if change and s > 0.0:
+        new = softened(s, math.sqrt(rate), row[FIRST], row[LAST], 0.0, 1.0)
+        if new < _NOTHING:
+            new = 0.0
+    output[LOST] = math.sqrt(row[RATE] * rate) * (s - new)
+    output[PARTS] = 1.0 if new == 0.0 and s > 0.0 else 0.0
+    row[RATE] = rate
+    row[SPENT] += output[LOST]
+    return new
+
+
+@device
+def press_beam(output, s, kn, length, d, extension):
+    """What presses on a beam of integrity s beside the beam: force on its second end, along its branch d [N]."""
+    push = (1.0 - s) * kn * max(-extension, 0.0) / (length + extension)
+    for n in range(3):
+        output[PUSH + n] = push * d[n]
+
+
+@device
+def begin_row(row, k, mode, opening, sliding, tear, shear):
+    """The row of beam k that begins to soften; `tear` and `shear` are G_f A and G_II A [J]."""
+    rate = opening + sliding
+    row[SOFT_BOND], row[MODE], row[RATE], row[SPENT] = k, mode, rate, 0.0
+    row[FIRST] = math.sqrt(rate)
+    row[LAST] = last_opening(opening, sliding, tear, shear, row[FIRST])
+
+
+@device
+def pressed_beam(s, kn, extension):
+    """Energy of what presses on a beam of integrity s, beside that of the beam [J]."""
+    pressed = max(-extension, 0.0)
+    return (1.0 - s) * 0.5 * kn * pressed * pressed
+
+
+@loop(parallel=False)
+def _look_at(pose, bonds, soft, change, first, last):
+    """Integrity of the beams first … last of those that are looked at, and what presses on each."""
     rows, outputs, active, integrity, hold = soft.row, soft.output, soft.active, bonds.integrity, bonds.hold
     length, kn = bonds.length, bonds.kn
     for e in range(first, last):
@@ -65,22 +104,12 @@ def _look_at(pose, bonds, soft, change, first, last):
         k = np.int64(row[SOFT_BOND])
         s = integrity[k]
         d, extension, opening, sliding = whole_beam(pose, bonds, k)
-        rate, new = opening + sliding, s
-        if change and s > 0.0:
-            new = softened(s, math.sqrt(rate), row[FIRST], row[LAST], 0.0, 1.0)
-            if new < _NOTHING:
-                new = 0.0
-        output[LOST] = math.sqrt(row[RATE] * rate) * (s - new)
-        output[PARTS] = 1.0 if new == 0.0 and s > 0.0 else 0.0
-        row[RATE] = rate
-        row[SPENT] += output[LOST]
+        new = lose_integrity(row, output, s, opening, sliding, change)
         if new < s:
             integrity[k] = new
             if len(hold) > 0:
                 hold[k] = new / length[k]
-        push = (1.0 - new) * kn[k] * max(-extension, 0.0) / (length[k] + extension)
-        for n in range(3):
-            output[PUSH + n] = push * d[n]
+        press_beam(output, new, kn[k], length[k], d, extension)
 
 
 @loop(parallel=True)
@@ -139,11 +168,8 @@ def begin_to_soften(breaks, soft):
     for block in range(len(breaks.found)):
         for e in range(breaks.begin[block], breaks.begin[block] + breaks.found[block]):
             k = breaks.marked[e]
-            opening, sliding = breaks.onset[k, 0], breaks.onset[k, 1]
-            rate, row = opening + sliding, soft.row[soft.sizes[BEGUN]]
-            row[SOFT_BOND], row[MODE], row[RATE], row[SPENT] = k, breaks.onset[k, 2], rate, 0.0
-            row[FIRST] = math.sqrt(rate)
-            row[LAST] = last_opening(opening, sliding, soft.tear[k], soft.shear[k], row[FIRST])
+            row, held = soft.row[soft.sizes[BEGUN]], breaks.onset[k]
+            begin_row(row, k, held[2], held[0], held[1], soft.tear[k], soft.shear[k])
             soft.sizes[BEGUN] += 1
             breaks.limit[k] = np.inf
         breaks.found[block] = 0
@@ -158,6 +184,5 @@ def pressed_energy(pose, bonds, row, count, handed):
         s = bonds.integrity[k]
         if s > 0.0 or not handed:
             d = branch(pose, bonds.i[k], bonds.j[k], bonds.period)
-            pressed = max(bonds.length[k] - math.sqrt(scalar(d, d)), 0.0)
-            total += (1.0 - s) * 0.5 * bonds.kn[k] * pressed * pressed
+            total += pressed_beam(s, bonds.kn[k], math.sqrt(scalar(d, d)) - bonds.length[k])
     return total

@@ -7,12 +7,13 @@ import numpy as np
 from bondem._compile import device, kernel, loop
 from bondem.kernels.crack_tables import DEFORMATION, GAMMA, HEAT, INCREMENT
 from bondem.kernels.single_facets import orientation
+from bondem.kernels.whole import whole
 from bondem.laws.cell_energy import turned_by
 from bondem.laws.plasticity import cone_flow, flow, invariants, largest_at_most, principal, yield_bound
 
 
 @device
-def _work(s, increment):
+def work_of(s, increment):
     """σ:Δε of the last increment of a cell [Pa]."""
     return (
         s[0] * increment[0] + s[1] * increment[1] + s[2] * increment[2]
@@ -47,10 +48,9 @@ def _deform(deformation, size, e):
             deformation[3 * c + d] += size * e[c] * along
 
 
-@loop(parallel=False)
-def _flow_on_cone(pose, s, plastic, p, gamma, dilation):
+@device
+def _flow_on_cone(pose, s, plastic, p, gamma, dilation, a, v):
     """Let cell p yield by Δγ on Drucker–Prager's cone."""
-    a, v = np.empty((3, 3)), np.empty((3, 3))
     mean, deviator = invariants(s)
     principal_stresses(s, a, v)
     increment, deformation = plastic[p, INCREMENT:HEAT], plastic[p, DEFORMATION:GAMMA]
@@ -60,6 +60,53 @@ def _flow_on_cone(pose, s, plastic, p, gamma, dilation):
         e = v[0, d], v[1, d], v[2, d]
         _add_flow(increment, size, e)
         _deform(deformation, size, turned_by((w, -x, -y, -z), e))
+
+
+@device
+def _flow_in_plane(pose, s, plastic, p, cells, strength, a, v):
+    """Let cell p yield by Mohr–Coulomb's Δγ in the plane of its largest and least principal stress; Δγ."""
+    high, low, one, three = principal_stresses(s, a, v)
+    gamma = flow(high, low, cells.sine[p], strength, cells.G[p])
+    if gamma > 0.0:
+        increment, deformation = plastic[p, INCREMENT:HEAT], plastic[p, DEFORMATION:GAMMA]
+        up, down = 0.5 * gamma * (1.0 + cells.dilation[p]), -0.5 * gamma * (1.0 - cells.dilation[p])
+        e1, e3 = (v[0, one], v[1, one], v[2, one]), (v[0, three], v[1, three], v[2, three])
+        _add_flow(increment, up, e1)
+        _add_flow(increment, down, e3)
+        w, x, y, z = orientation(pose, p)
+        _deform(deformation, up, turned_by((w, -x, -y, -z), e1))
+        _deform(deformation, down, turned_by((w, -x, -y, -z), e3))
+    return gamma
+
+
+@device
+def is_hot(s, square, hot):
+    """Whether facets of a cell of stress s, that bend by Σ T_b² `square` [Pa²], are looked at, from `hot` on [Pa]."""
+    mean, deviator = invariants(s)
+    return largest_at_most(mean, deviator) + max(math.sqrt(max(square, 0.0)) + min(mean, 0.0), 0.0) > hot
+
+
+@device
+def yield_cell(pose, s, V, cells, p, a, v):
+    """Let cell p of stress s [Pa] and volume V yield; whether its cohesion is gone. a and v are (3, 3) to use."""
+    kept, plastic = 1.0, cells.plastic
+    if plastic[p, GAMMA] > 0.0:
+        done = plastic[p, INCREMENT:HEAT]
+        plastic[p, HEAT] += 0.5 * V * work_of(s, done)
+        done[:] = 0.0
+        kept = max(0.0, 1.0 - cells.fade[p] * plastic[p, GAMMA])
+    strength, gamma = kept * cells.cohesion[p], 0.0
+    mean, deviator = invariants(s)
+    if cells.cone:
+        gamma = cone_flow(mean, deviator, cells.sine[p], strength, cells.G[p])
+        if gamma > 0.0:
+            _flow_on_cone(pose, s, plastic, p, gamma, cells.dilation[p], a, v)
+    elif yield_bound(mean, deviator, cells.sine[p], strength) > 0.0:
+        gamma = _flow_in_plane(pose, s, plastic, p, cells, strength, a, v)
+    if gamma > 0.0:
+        plastic[p, GAMMA] += gamma
+        plastic[p, HEAT] += 0.5 * V * work_of(s, plastic[p, INCREMENT:HEAT])
+    return kept == 0.0
 
 
 @loop(parallel=False)
@@ -77,46 +124,13 @@ def yield_cells(pose, stress, cells, hot, cracked, hotter, first, last):
         last: one behind the last.
     """
     a, v = np.empty((3, 3)), np.empty((3, 3))
-    tensor, plastic = stress.tensor, cells.plastic
+    tensor, bending, volume = stress.tensor, stress.bending, stress.volume
     for p in range(first, last):
         s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
-        mean, deviator = invariants(s)
-        bent = max(math.sqrt(stress.bending[p]) + min(mean, 0.0), 0.0)
-        hotter[p] = 1 if cracked[p] != 0 or largest_at_most(mean, deviator) + bent > hot else 0
-        if not cells.yielding:
-            continue
-        kept, V = 1.0, stress.volume[p]
-        if plastic[p, GAMMA] > 0.0:
-            done = plastic[p, INCREMENT:HEAT]
-            plastic[p, HEAT] += 0.5 * V * _work(s, done)
-            done[:] = 0.0
-            kept = max(0.0, 1.0 - cells.fade[p] * plastic[p, GAMMA])
-            if kept == 0.0:
+        hotter[p] = 1 if cracked[p] != 0 or is_hot(s, bending[p], hot) else 0
+        if cells.yielding:
+            if yield_cell(pose, s, volume[p], cells, p, a, v):
                 hotter[p] = 2
-        strength = kept * cells.cohesion[p]
-        if cells.cone:
-            gamma = cone_flow(mean, deviator, cells.sine[p], strength, cells.G[p])
-            if gamma > 0.0:
-                _flow_on_cone(pose, s, plastic, p, gamma, cells.dilation[p])
-                plastic[p, GAMMA] += gamma
-                plastic[p, HEAT] += 0.5 * V * _work(s, plastic[p, INCREMENT:HEAT])
-            continue
-        if yield_bound(mean, deviator, cells.sine[p], strength) <= 0.0:
-            continue
-        increment = plastic[p, INCREMENT:HEAT]
-        high, low, one, three = principal_stresses(s, a, v)
-        gamma = flow(high, low, cells.sine[p], strength, cells.G[p])
-        if gamma > 0.0:
-            up, down = 0.5 * gamma * (1.0 + cells.dilation[p]), -0.5 * gamma * (1.0 - cells.dilation[p])
-            e1, e3 = (v[0, one], v[1, one], v[2, one]), (v[0, three], v[1, three], v[2, three])
-            _add_flow(increment, up, e1)
-            _add_flow(increment, down, e3)
-            w, x, y, z = orientation(pose, p)
-            deformation = plastic[p, DEFORMATION:GAMMA]
-            _deform(deformation, up, turned_by((w, -x, -y, -z), e1))
-            _deform(deformation, down, turned_by((w, -x, -y, -z), e3))
-            plastic[p, GAMMA] += gamma
-            plastic[p, HEAT] += 0.5 * V * _work(s, increment)
 
 
 @device
@@ -133,7 +147,7 @@ def _deformed(deformation, b):
 def _stretch(lever, base, pitch, deformation, k):
     b = _deformed(deformation, (pitch[0] * base[0, k], pitch[1] * base[1, k], pitch[2] * base[2, k]))
     for d in range(3):
-        lever[d, k] = np.int32(np.rint(b[d] / pitch[d]))
+        lever[d, k] = np.int32(whole(b[d] / pitch[d]))
 
 
 @kernel(parallel=False)
@@ -145,7 +159,7 @@ def stretch_cells(table, cells, every, first, last):
         if plastic[p, GAMMA] == 0.0:
             continue
         increment = plastic[p, INCREMENT:HEAT]
-        if not (every or _work(increment, increment) > 0.0):
+        if not (every or work_of(increment, increment) > 0.0):
             continue
         deformation = plastic[p, DEFORMATION:GAMMA]
         for k in range(in_start[p], in_start[p + 1]):
@@ -154,14 +168,20 @@ def stretch_cells(table, cells, every, first, last):
             _stretch(table.lever_i, cells.base_i, pitch, deformation, in_start[0] + out_bond[e])
 
 
+@device
+def stretch_grip(grips, cells, g):
+    """The lever of a wall with the plastic deformation of its cell."""
+    base = cells.base_grip[g]
+    deformation = cells.plastic[grips.cell[g], DEFORMATION:GAMMA]
+    grips.arm[g, 0], grips.arm[g, 1], grips.arm[g, 2] = _deformed(deformation, (base[0], base[1], base[2]))
+
+
 @kernel(parallel=False)
 def stretch_grips(grips, cells):
     """Levers of walls with the plastic deformation of their cells."""
     if cells.yielding:
         for g in range(len(grips.cell)):
-            base = cells.base_grip[g]
-            deformation = cells.plastic[grips.cell[g], DEFORMATION:GAMMA]
-            grips.arm[g, 0], grips.arm[g, 1], grips.arm[g, 2] = _deformed(deformation, (base[0], base[1], base[2]))
+            stretch_grip(grips, cells, g)
 
 
 @loop(parallel=False)
@@ -170,8 +190,16 @@ def book_loads(presses, cells, work):
     for l in range(len(cells.pressed)):
         power = 0.0
         for p in range(len(cells.plastic)):
-            power += _work(cells.pressed[l, p], cells.plastic[p, INCREMENT:HEAT])
+            power += work_of(cells.pressed[l, p], cells.plastic[p, INCREMENT:HEAT])
         work[presses.place] += presses.factor[l] * power
+
+
+@device
+def heat_of(tensor, V, plastic, p):
+    """Energy that cell p of volume V has dissipated by yielding, until now [J]."""
+    if plastic[p, GAMMA] == 0.0:
+        return 0.0
+    return plastic[p, HEAT] + 0.5 * V * work_of(tensor[p], plastic[p, INCREMENT:HEAT])
 
 
 @kernel(parallel=False)
@@ -179,6 +207,5 @@ def heat(stress, cells):
     """Energy that cells have dissipated by yielding, until now [J]."""
     total, plastic = 0.0, cells.plastic
     for p in range(len(plastic)):
-        if plastic[p, GAMMA] > 0.0:
-            total += plastic[p, HEAT] + 0.5 * stress.volume[p] * _work(stress.tensor[p], plastic[p, INCREMENT:HEAT])
+        total += heat_of(stress.tensor, stress.volume[p], plastic, p)
     return total

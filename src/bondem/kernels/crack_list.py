@@ -26,7 +26,7 @@ from bondem.kernels.crack_tables import (
     TREATED_ONES,
 )
 from bondem.kernels.single_facets import column, facet_of, facets_of, orientation, present_normal, resistance
-from bondem.kernels.stress_index import strength_along
+from bondem.kernels.stress_index import by_address, strength_along
 from bondem.laws.cell_energy import scalar
 from bondem.laws.softening import opening_force
 
@@ -126,7 +126,7 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
             f, _ = opening_force(f, normal)
             most = strength[k]
             if onset.judge != 0:
-                most = strength_along(onset, mean, high, most, a)
+                most = strength_along(by_address, onset, mean, high, most, a)
             start = min(math.sqrt(scalar(f, f) / (A * A) + bent * bent), most * max(slope, LEAST_START))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW

@@ -11,7 +11,7 @@ from bondem.kernels.cell_stress import cell_stresses, pair_stress, surface_stres
 from bondem.kernels.cell_yield import book_loads, stretch_cells, stretch_grips, yield_cells
 from bondem.kernels.crack_energy import bending_opening
 from bondem.kernels.single_facets import column, orientation, resistance
-from bondem.kernels.stress_index import cool_cells, reaches
+from bondem.kernels.stress_index import by_address, cool_cells, reaches
 from bondem.laws.cell_energy import scalar, turned_by
 from bondem.laws.plasticity import below
 from bondem.laws.softening import plus
@@ -89,7 +89,7 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
         if onset.judge == 0:
             if not below(s, strength[k]):
                 marked[k] = 1
-        elif reaches(onset, s, onset.tension / strength[k], matrix):
+        elif reaches(by_address, onset, s, onset.tension / strength[k], matrix):
             marked[k] = 1
 
 

@@ -23,6 +23,7 @@ from bondem._compile import device
 # Share of the return to the yield surface that is made in a step: the stress is that of the step before.
 _SHARE = 0.5
 _THIRD = 1.0 / 3.0
+_ROOT_THIRD = math.sqrt(_THIRD)
 
 
 @device
@@ -104,7 +105,7 @@ def principal(s, a, v):
 @device
 def yield_bound(p, q, sine, strength):
     """Bound on F, from `invariants`; `strength` is r c cos φ."""
-    return q + sine * (p + _THIRD ** 0.5 * q) - strength
+    return q + sine * (p + _ROOT_THIRD * q) - strength
 
 
 @device

@@ -10,6 +10,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from bondem._compile_cuda import Array, download, launch, upload, zeros
+from bondem._types import PerBond
 from bondem.kernels.cuda.breaking import LOGGED, break_bonds, judge_bonds, let_go, move_or_wait, released_sum
 from bondem.kernels.cuda.facet_breaking import (
     break_facets,
@@ -29,13 +30,16 @@ from bondem.model.state import State
 from bondem.solve.forces_cuda import BeamForces, DeviceRun, FacetForces
 
 
-def device_breaks(table: FailureTable, model: Model, state: State) -> DeviceBreaks:
+def device_breaks(
+    table: FailureTable, model: Model, state: State, limit: PerBond | None = None
+) -> DeviceBreaks:
     """When bonds break, on the device.
 
     Args:
         table: of the criterion.
         model: of beams or cells.
         state: what it has released.
+        limit: of the bound of each bond, where that of the criterion is not asked of some, (m,).
     """
     n, m = len(state.pose), len(state.integrity)
     station = share = np.zeros(0)
@@ -43,9 +47,9 @@ def device_breaks(table: FailureTable, model: Model, state: State) -> DeviceBrea
         bonds = model.bonds.stretched(state.eigenstrain)
         station, share = table.station, bonds.lever / bonds.length
     arrays = share, np.zeros(n, dtype=np.uint8), np.zeros(m, dtype=np.int32), np.zeros(3, dtype=np.int32)
+    bound = (table.limit if limit is None else limit).astype(np.float32)
     judging = (
-        table.kind, upload(table.coefficient), upload(station), upload(table.limit.astype(np.float32)),
-        table.of_force, table.of_moment,
+        table.kind, upload(table.coefficient), upload(station), upload(bound), table.of_force, table.of_moment,
     )  # fmt: skip
     return DeviceBreaks._make(
         [*judging, *map(upload, arrays), zeros(m, BROKEN_COLUMNS), upload(state.released)]

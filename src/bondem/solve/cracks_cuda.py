@@ -5,13 +5,17 @@ Bytes on the device, in double precision, more than without:
     a facet   650: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
               integrity 8, how it is treated 2, strength, softening, friction and weights 72, numbers and lists 24
     a cell    134: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 6
+
+and where cells yield, 24 a facet (levers without plastic strain), 176 a cell (17 numbers that change, 5 constants)
+and 24 a facet that walls hold.
 """
 
 from typing import Any
 
 import numpy as np
 
-from bondem._compile_cuda import Array, download, launch, upload, zeros
+from bondem._compile_cuda import Array, download, launch, refused, upload, zeros
+from bondem.errors import InputError
 from bondem.kernels.crack_tables import (
     CRACK_COLUMNS,
     CRACKS,
@@ -21,6 +25,7 @@ from bondem.kernels.crack_tables import (
     LOGGED,
     OUTPUT_COLUMNS,
     STATUS,
+    CellYield,
     CrackedFacets,
     CrackTable,
 )
@@ -28,8 +33,11 @@ from bondem.kernels.cuda import crack_beginnings as beginnings
 from bondem.kernels.cuda import cracks as states
 from bondem.kernels.cuda.breaking import released_sum
 from bondem.kernels.cuda.facets import facet_loads, swell
+from bondem.kernels.cuda.guards import turn_guard
+from bondem.kernels.cuda.stress_judging import Judging, judging
 from bondem.kernels.cuda.tables import DeviceBody, DeviceLists, DeviceOnset
-from bondem.kernels.tables import BROKEN_COLUMNS
+from bondem.kernels.cuda.yielding import follow_cells, heat_sums, stretch_all, stretch_holds, yield_some
+from bondem.kernels.tables import BROKEN_COLUMNS, GripTable
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.cracks import crack_table, with_forces
@@ -52,8 +60,9 @@ class CrackForces:
         facets.forces.copy_to_device(forces)
         n = len(state.pose)
         assert model.cells is not None
-        cells = with_forces(model.cells.rows(model.layout.i), model, state, 0)
-        grips = model.cells.grips.table(model.layout, model.constraints.row_of, 0)
+        constants = model.cells.stretched(state.eigenstrain, model.layout)
+        cells = with_forces(constants.rows(model.layout.i), model, state, 0)
+        grips = constants.grips.table(model.layout, model.constraints.row_of, 0)
         table = crack_table(model, state, cells, grips, np.zeros((0, 6)), dt)
         assert table is not None
         assert cells.bends is not None
@@ -61,7 +70,11 @@ class CrackForces:
             *facets, *run.adjacency, bends=upload(cells.bends[: self.m]), moment=zeros(n, 7)
         )  # fmt: skip
         self._onset, self._lists = _onset(model, table), _lists(table)
-        self._cracks = _cracks(table.facets)
+        self._cracks, self._judging = _cracks(table.facets), judging_of(model)
+        self._flow = _flow(table, grips) if table.flow.yielding else None
+        if self._flow is not None:
+            launch(stretch_all, n, self._body, self._flow)
+            launch(stretch_holds, len(grips.row), len(grips.row), self._whole.grips, self._flow)
         launch(states.weigh_all_cracked, n, self._body, self._cracks)
 
     def act(self, ahead: int, stream: Any = 0) -> None:
@@ -97,9 +110,24 @@ class CrackForces:
             beginnings.heat_cells, n, run.clock, run.scheme, pose, cracks.tensor, body.moment, run.rows,
             run.schedules, self._whole.grips, self._whole.holds, onset, stream=stream,
         )  # fmt: skip
-        launch(beginnings.mark_cracks, self.m, pose, body, cracks, onset, lists, stream=stream)
+        if self._flow is not None:
+            self._yield(self._flow, stream)
+        mark, begin = beginnings.mark_cracks, beginnings.begin_cracks
+        if self._judging is not None:
+            mark, begin = self._judging.mark, self._judging.begin
+            launch(self._judging.cool, n, cracks.tensor, body.moment, onset, stream=stream)
+        launch(mark, self.m, pose, body, cracks, onset, lists, stream=stream)
         launch(beginnings.order_beginnings, 1, run.clock, run.scheme, cracks, lists, stream=stream)
-        launch(beginnings.begin_cracks, self.m, pose, body, cracks, onset, lists, stream=stream)
+        launch(begin, self.m, pose, body, cracks, onset, lists, stream=stream)
+
+    def _yield(self, flow: CellYield, stream: Any) -> None:
+        """Cells yield, and what is on their surfaces follows."""
+        run, onset, n = self._run, self._onset, self._run.elements.pose.shape[0]
+        launch(yield_some, n, run.elements.pose, self._body, self._cracks.tensor, onset, flow, stream=stream)
+        launch(
+            follow_cells, n, run.clock, run.scheme, run.rows.of, run.rows.work, run.schedules, self._whole.grips,
+            self._whole.holds.grip_start, onset, flow, stream=stream,
+        )  # fmt: skip
 
     def _change(self, stream: Any) -> None:
         """Cracks wake, soften, part and go to rest, and their cells with them."""
@@ -124,14 +152,20 @@ class CrackForces:
         launch(beginnings.sum_moments, n, run.elements, body, cracks, False)
 
     def guard(self, flags: Array) -> None:
-        """A thread a facet."""
-        self._whole.guard(flags)
+        """A thread a facet; by levers without plastic strain, as directions are those of the reference."""
+        facets, flow = self._whole.facets, self._flow
+        if flow is not None:
+            facets = facets._replace(lever_i=flow.base_i, lever_j=flow.base_j)
+        launch(turn_guard, self.m, self._run.elements, facets, flags)
 
     def sums(self, parts: Array) -> None:
         """Of facets, cells and walls, then of cracks; and what these have dissipated."""
         self._whole.sums(parts)
         launch(states.crack_sums, parts.shape[1], self._run.elements.pose, self._body, self._cracks, parts)
         launch(released_sum, 1, self._cracks, parts)
+        if self._flow is not None:
+            tensor, volume = self._cracks.tensor, self._onset.volume
+            launch(heat_sums, parts.shape[1], tensor, volume, self._flow.plastic, parts)
 
     def keep(self, state: State) -> None:
         """Write what has cracked and broken since the last call into the state."""
@@ -142,6 +176,8 @@ class CrackForces:
         state.facet_force[:] = -self.forces[:3].copy_to_host()[:, : self.m]  # the device has those on cells j
         download(cracks.integrity, state.integrity)
         download(cracks.released, state.released)
+        if self._flow is not None:
+            download(self._flow.plastic, state.plastic)
         if logged:
             state.broken = np.concatenate([state.broken, cracks.log[:logged].copy_to_host()])
             sizes[LOGGED] = 0
@@ -194,6 +230,40 @@ def _onset(model: Model, table: CrackTable) -> DeviceOnset:
     row, load = np.nonzero(pressed.any(axis=2))
     arrays = starts(row, len(held.element)), held.press_schedule[load], pressed[row, load]
     return DeviceOnset(
-        upload(onset.strength), onset.hot, upload(table.stress.volume), *map(upload, arrays),
+        upload(onset.strength), onset.hot, onset.least, onset.tension, upload(table.stress.volume),
+        *map(upload, arrays),
         cracked=upload(onset.cracked), hotter=upload(np.zeros(n, dtype=np.uint8)),
     )  # fmt: skip
+
+
+def _flow(table: CrackTable, grips: GripTable) -> CellYield:
+    """The table of the CPU on the device, with the walls in the order of the rows."""
+    flow, order = table.flow, np.argsort(grips.row, kind="stable")
+    arrays = {
+        name: upload(getattr(flow, name))
+        for name in ("cohesion", "sine", "dilation", "fade", "G", "plastic")
+    }  # fmt: skip
+    m = len(table.facets.integrity)
+    return CellYield(
+        yielding=True, cone=flow.cone, base_i=upload(flow.base_i[:, :m]), base_j=upload(flow.base_j[:, :m]),
+        base_grip=upload(flow.base_grip[order]), pressed=zeros(1, 1, 6), **arrays,
+    )  # fmt: skip
+
+
+def judging_of(model: Model) -> Judging | None:
+    """The kernels of a criterion that is a function of the stress.
+
+    Raises:
+        InputError: CUDA does not compile the function.
+    """
+    table = model.softening
+    if table is None or table.judge is None:
+        return None
+    function, given = table.judge.function, tuple(table.given.tolist())
+    reason = refused(function, len(given))
+    if reason is not None:
+        raise InputError(
+            f"device='gpu' cannot compile the function of the criterion for CUDA ({reason}): use numbers and math in"
+            " it, no functions of NumPy, or device='cpu'"
+        )
+    return judging(function, given)

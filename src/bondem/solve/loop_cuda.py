@@ -2,7 +2,8 @@
 
 Bytes on the device of an element, in double precision: 212, as pose 64, motion 64, acceleration 48, loss 24, row and
 adjacency 12, and 12 more where body forces act; those of bonds, facets and cells stand in `bondem.solve.forces_cuda`,
-and what breaking and cracks take besides in `breakage_cuda` and `cracks_cuda`.
+and what breaking, softening and cracks take besides in `breakage_cuda`,
+`beam_softening_cuda` and `cracks_cuda`.
 1e8 bonds of 3.2e7 elements take 19 or 23 GB, and 1e7 cells with 7e7 facets 16 GB. Records gather on the device and
 come over once a call; the state comes over when a call ends, which is at checkpoints, at looks of events, and every
 10 000 steps.
@@ -18,12 +19,23 @@ from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUN
 from bondem.kernels.cuda import sample
 from bondem.kernels.cuda.elements import move, open_step, pull_groups, schedule_rows
 from bondem.kernels.cuda.tables import DeviceBodies, DeviceElements, DeviceGauges, RowSchedules
-from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, FRACTURE, TRANSLATION, Adjacency, Gauges, Rows, StepScheme
+from bondem.kernels.tables import (
+    CONTACT,
+    FIXED_COLUMNS,
+    FRACTURE,
+    PLASTIC,
+    TRANSLATION,
+    Adjacency,
+    Gauges,
+    Rows,
+    StepScheme,
+)
 from bondem.laws.damping import DampingTerms, LocalDamping
 from bondem.model.constraints import Constraints
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.solve.beam_softening_cuda import SoftBeamForces
 from bondem.solve.breakage_cuda import BeamBreakage, DeviceBreakage, FacetBreakage
 from bondem.solve.cracks_cuda import CrackForces
 from bondem.solve.forces_cuda import BeamForces, DeviceForces, DeviceRun, FacetForces, starts
@@ -31,7 +43,7 @@ from bondem.solve.loop_cpu import gauge_tables, noticeable
 from bondem.solve.plan import Plan
 
 # Columns of a record that the device fills, in its order; there are no contacts.
-_COLUMNS = np.array([1, 2, 3, 4, 5, 6, 8, 9, 10, FRACTURE])
+_COLUMNS = np.array([1, 2, 3, 4, 5, 6, 8, 9, 10, FRACTURE, PLASTIC])
 # Entries of a sum that a thread adds up at least, and parts of a sum at most.
 _PART, _PARTS = 8, 16384
 # Steps in one CUDA graph at most.
@@ -75,6 +87,8 @@ class GpuLoop:
     ) -> tuple[DeviceForces, DeviceBreakage | None]:
         """What makes the forces, and what breaks at once of what bears them."""
         table = model.breaking
+        if model.beam_softening is not None and table is not None:
+            return SoftBeamForces(table, model, state, run), None
         if model.cells is None:
             beams = BeamForces(model, state, run)
             return beams, None if table is None else BeamBreakage(table, model, state, run, self._bodies, beams)
@@ -230,12 +244,9 @@ def require_runnable(model: Model, plan: Plan) -> None:
     Raises:
         InputError: something that runs on the CPU only, or no device.
     """
-    held, softening = model.constraints, model.softening
+    held = model.constraints
     lacking = {
         "contacts and walls": model.contact is not None,
-        "cells that yield": softening is not None and softening.slip is not None,
-        "criteria that are functions of the stress": softening is not None and softening.judge is not None,
-        "beams that soften (fracture_energy=)": model.beam_softening is not None,
         "the non-local law": model.non_local is not None,
         "the incremental formulation": model.formulation != "total",
         "absorbing faces": len(held.absorbing) > 0,

@@ -2,15 +2,13 @@
 
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
+from bondem.kernels.whole import whole
 from bondem.laws.beam_energy import bond_force
-
-# 1.5 · 2⁵²: adding it drops the fraction of a double, to the nearest whole number (numpy.rint is unknown to CUDA)
-_WHOLE = 6755399441055744.0
 
 
 @device
 def _nearest(d, period, inverse):
-    return d - period * ((d * inverse + _WHOLE) - _WHOLE)
+    return d - period * whole(d * inverse)
 
 
 @device

@@ -57,7 +57,7 @@ def _turned(pose, p, e, X, Y, Z):
 
 
 @device
-def _judge(pose, bonds, breaks, k):
+def judge_one(pose, bonds, breaks, k):
     """Index and mode of a bond whose force is known, as `bondem.kernels.judging.index_of`."""
     a, b, constants, forces = bonds.i[k], bonds.j[k], bonds.constants, bonds.forces
     d = branch(pose, a, b, bonds.period)
@@ -81,14 +81,20 @@ def _judge(pose, bonds, breaks, k):
     return judged(breaks.kind, load, breaks.coefficient[k])
 
 
+@device
+def reaches_bound(bonds, breaks, k):
+    """Whether a bond bears enough to be judged."""
+    return _size(bonds.forces, breaks, k) >= breaks.limit[k] and bonds.integrity[k] > 0.0
+
+
 @cuda_kernel
 def judge_bonds(elements, bonds, breaks):
     """Gather the bonds that break by their present force, and hold back their ends."""
     k = cuda.grid(1)
     if k >= bonds.m:
         return
-    if _size(bonds.forces, breaks, k) >= breaks.limit[k] and bonds.integrity[k] > 0.0:
-        index, _ = _judge(elements.pose, bonds, breaks, k)
+    if reaches_bound(bonds, breaks, k):
+        index, _ = judge_one(elements.pose, bonds, breaks, k)
         if index >= 1.0:
             # the order of threads does not matter, as the list is sorted
             breaks.found[cuda.atomic.add(breaks.counts, FOUND, 1)] = k
@@ -159,7 +165,7 @@ def write_down(breaks, t, step, k, mode, gap, energy, place):
 def _break_bond(pose, bonds, breaks, t, step, k):
     """Take the force of a bond off, while its ends are where they were when it was found."""
     constants, a, b, L = bonds.constants, bonds.i[k], bonds.j[k], bonds.constants[3, k]
-    _, mode = _judge(pose, bonds, breaks, k)
+    _, mode = judge_one(pose, bonds, breaks, k)
     d = branch(pose, a, b, bonds.period)
     kn, A, B, C, kt = stiffness(constants, bonds.same, k, 1.0)
     ks, _ = shear_of(L, A, B, C)

@@ -2,9 +2,10 @@
 
 Where a step ends, a thread a cell adds up V σ = sym Σ b⊗f of its facets, with levers and forces of one instant. As
 the next one begins, a thread a cell makes the stress of it, and a thread a facet judges (`begins`); one thread puts
-those that begin into the list of cracks, in the order of the facets, and a thread each of them sets it up
-(`traction_at_onset`). No bit depends on the order of threads. These two, `bent_traction` and `_is_hot` hold the rule
-of onset, and call what the CPU calls.
+those that begin into the list of cracks, in the order of the facets, and a thread each of them sets it up. No bit
+depends on the order of threads. `pulled_at_onset`, `begins`, `mean_at_onset` and `bent_traction` hold the rule of
+onset, and call what the CPU calls; criteria that are functions of the stress have kernels of their own
+(`bondem.kernels.cuda.stress_judging`).
 """
 
 import math
@@ -13,6 +14,7 @@ from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.boundary import value_at
 from bondem.kernels.cell_stress import pair_stress
+from bondem.kernels.cell_yield import is_hot
 from bondem.kernels.crack_energy import bending_opening
 from bondem.kernels.crack_list import LEAST_START, NEW, bent_stress, treat, write_three
 from bondem.kernels.crack_onset import agreed_stress, pulled_by_bending, sheared_off
@@ -21,11 +23,11 @@ from bondem.kernels.cuda.breaking import FOUND, put_in_order
 from bondem.kernels.single_facets import column, lever, orientation, present_normal, resistance
 from bondem.kernels.tables import RUBBED
 from bondem.laws.cell_energy import bending_square, scalar, turned_by
-from bondem.laws.plasticity import below, invariants, largest_at_most, principal
+from bondem.laws.plasticity import below, principal
 from bondem.laws.softening import opening_force
 
 # Entry of `DeviceLists.counts` beside `FOUND`: how many cracks there were before this step.
-_BEFORE = 1
+BEFORE_STEP = 1
 
 
 @device
@@ -129,13 +131,6 @@ def stress_tensors(pose, body, cracks, volume):
         tensor[p, d] *= one
 
 
-@device
-def _is_hot(s, square, hot):
-    """Whether facets of a cell of stress s, that bend by Σ T_b² `square`, are looked at: `kernels.cell_yield`."""
-    mean, deviator = invariants(s)
-    return largest_at_most(mean, deviator) + max(math.sqrt(max(square, 0.0)) + min(mean, 0.0), 0.0) > hot
-
-
 @cuda_kernel
 def heat_cells(clock, scheme, pose, tensor, moment, rows, schedules, grips, holds, onset):
     """The stress of cells with walls and loads, in the step to come; and whose facets are looked at."""
@@ -147,7 +142,7 @@ def heat_cells(clock, scheme, pose, tensor, moment, rows, schedules, grips, hold
         t = scheme.origin + (clock[0] + 1) * scheme.dt
         _add_surface_stress(t, pose, tensor, schedules, grips, holds, onset, p, r)
     s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
-    onset.hotter[p] = 1 if onset.cracked[p] != 0 or _is_hot(s, moment[p, 6], onset.hot) else 0
+    onset.hotter[p] = 1 if onset.cracked[p] != 0 or is_hot(s, moment[p, 6], onset.hot) else 0
 
 
 @device
@@ -159,31 +154,54 @@ def bent_traction(pose, body, cracks, k):
 
 
 @device
-def begins(pose, body, cracks, onset, k):
-    """Whether facet k begins to crack: the rule of `bondem.kernels.crack_onset`."""
+def hotness(body, onset, k):
+    """Whether facet k is looked at: 0 not, 1 by its stress, 2 as a cell of it has no cohesion."""
+    return max(onset.hotter[body.i[k]], onset.hotter[body.j[k]])
+
+
+@device
+def pulled_at_onset(pose, body, cracks, k):
+    """Normal and traction of a facet [Pa], what of it is along the normal, and the mean stress of its cells.
+
+    Bending is added to the traction, as `bondem.kernels.crack_onset` has it.
+    """
     i, j = body.i[k], body.j[k]
-    if max(onset.hotter[i], onset.hotter[j]) == 0 or cracks.listed[k] != 0:
-        return False
     n = turned_by(orientation(pose, i), column(body.normal, k))
     f, A = _pull(body, k), cracks.area[k]
     t = f[0] / A, f[1] / A, f[2] / A
-    mean = pair_stress(cracks.tensor, i, j)
     t, across = pulled_by_bending(t, scalar(t, n), n, bent_traction(pose, body, cracks, k))
+    return n, t, across, pair_stress(cracks.tensor, i, j)
+
+
+@device
+def begins(pose, body, cracks, onset, k):
+    """Whether facet k begins to crack: the rule of `bondem.kernels.crack_onset`."""
+    hot = hotness(body, onset, k)
+    if hot == 0 or cracks.listed[k] != 0:
+        return False
+    if hot == 2:
+        return True
+    n, t, across, mean = pulled_at_onset(pose, body, cracks, k)
     if across <= 0.0 and not sheared_off(t, across, onset.strength[k]):
         return False
     return not below(agreed_stress(mean, n, t), onset.strength[k])
 
 
 @device
-def traction_at_onset(pose, body, cracks, onset, k, a, v):
-    """Traction from which facet k softens [Pa], as `bondem.kernels.crack_list` has it; a and v are (3, 3) to use."""
+def mean_at_onset(pose, body, cracks, k, a, v):
+    """What facet k begins to soften by, as `bondem.kernels.crack_list` has it; a and v are (3, 3) to use.
+
+    Returns:
+        (mean stress of its cells with bending, its largest principal stress [Pa], cosine between that and the
+        normal, rms of the traction that opens the facet [Pa]).
+    """
     bent, normal = bent_traction(pose, body, cracks, k), present_normal(pose, body, body, k)
-    mean = pair_stress(cracks.tensor, body.i[k], body.j[k])
-    _, _, one, _ = principal(bent_stress(mean, normal, bent), a, v)
+    mean = bent_stress(pair_stress(cracks.tensor, body.i[k], body.j[k]), normal, bent)
+    high, _, one, _ = principal(mean, a, v)
     slope = abs(scalar(normal, (v[0, one], v[1, one], v[2, one])))
     f, _ = opening_force(_pull(body, k), normal)
     A = cracks.area[k]
-    return min(math.sqrt(scalar(f, f) / (A * A) + bent * bent), onset.strength[k] * max(slope, LEAST_START))
+    return mean, high, slope, math.sqrt(scalar(f, f) / (A * A) + bent * bent)
 
 
 @cuda_kernel
@@ -202,27 +220,36 @@ def order_beginnings(clock, scheme, cracks, lists):
         return
     step, count, before = clock[0] + 1, lists.counts[FOUND], cracks.sizes[CRACKS]
     cracks.now[0], cracks.now[1] = scheme.origin + step * scheme.dt, step
-    lists.counts[FOUND], lists.counts[_BEFORE] = 0, before
+    lists.counts[FOUND], lists.counts[BEFORE_STEP] = 0, before
     put_in_order(lists.found, count)
     for e in range(count):
         cracks.facet[before + e] = lists.found[e]
     cracks.sizes[CRACKS] = before + count
 
 
-@cuda_kernel
-def begin_cracks(pose, body, cracks, onset, lists):
-    """Set up the cracks that begin."""
-    c = lists.counts[_BEFORE] + cuda.grid(1)
-    if c >= cracks.sizes[CRACKS]:
-        return
-    a, v = cuda.local.array((3, 3), "float64"), cuda.local.array((3, 3), "float64")
-    k, row = cracks.facet[c], cracks.row[c]
-    start = traction_at_onset(pose, body, cracks, onset, k, a, v)
+@device
+def set_up(body, cracks, lists, c, k, start):
+    """Crack c of facet k, that softens from the traction `start` on [Pa]."""
+    row = cracks.row[c]
     for d in range(row.shape[0]):
         row[d] = 0.0
     row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
     write_three(cracks.pull[c], 0, _pull(body, k))
     treat(body, cracks, c, k, ACTIVE)
+    lists.crack[k] = c
+
+
+@cuda_kernel
+def begin_cracks(pose, body, cracks, onset, lists):
+    """Set up the cracks that begin."""
+    c = lists.counts[BEFORE_STEP] + cuda.grid(1)
+    if c >= cracks.sizes[CRACKS]:
+        return
+    a, v = cuda.local.array((3, 3), "float64"), cuda.local.array((3, 3), "float64")
+    k, start = cracks.facet[c], 0.0
+    if hotness(body, onset, k) != 2:
+        _, _, slope, held = mean_at_onset(pose, body, cracks, k, a, v)
+        start = min(held, onset.strength[k] * max(slope, LEAST_START))
+    set_up(body, cracks, lists, c, k, start)
     # threads may write this together: it is the same number
     onset.cracked[body.i[k]] = onset.cracked[body.j[k]] = 1
-    lists.crack[k] = c

@@ -20,9 +20,9 @@ from bondem.kernels.tables import (
 )  # fmt: skip
 from bondem.laws.beam_energy import bond_energy
 
-# Columns: kinetic energy (2), elastic energy (4), work, loss, friction, energy of fracture; after
+# Columns: kinetic energy (2), elastic energy (4), work, loss, friction, energy of fracture, plastic energy; after
 # them three a gauge.
-TRANSLATION, ROTATION, NORMAL, WORK, LOSS, FRICTION, RELEASED, SUMS = 0, 1, 2, 6, 7, 8, 9, 10
+TRANSLATION, ROTATION, NORMAL, WORK, LOSS, FRICTION, RELEASED, HEATED, SUMS = 0, 1, 2, 6, 7, 8, 9, 10, 11
 
 
 @cuda_kernel

@@ -84,12 +84,14 @@ class DeviceOnset(NamedTuple):
 
     strength: Array  #: f_t of each facet [Pa], (m,)
     hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
+    least: float  #: size of a stress below which another criterion than Rankine's is not asked [Pa]
+    tension: float  #: f_t of such a criterion without scatter [Pa]
     volume: Array  #: [m³], (n,)
     load_start: Array  #: where the loads on free facets of the cells of each row begin, (r + 1,)
     load_schedule: Array  #: (e,)
     load_value: Array  #: what each adds to V σ of its cell at full load [J], (e, 6)
     cracked: Array  #: 1 for cells with cracks, however treated, uint8, (n,)
-    hotter: Array  #: 1 for cells whose facets are looked at, uint8, (n,)
+    hotter: Array  #: 1 for cells whose facets are looked at, 2 for those without cohesion, uint8, (n,)
 
 
 class DeviceLists(NamedTuple):
