@@ -154,9 +154,9 @@ def critical_step(
     if model.non_local is not None:
         return _lagged_step(model, scheme, terms, highest_frequency(model, integrity=integrity))
     dashpots = bond_delay(model, terms)
-    bonds = highest_frequency(model, integrity=integrity)
+    bonds, decay = highest_frequency(model, integrity=integrity), 0.0
     if model.failure is not None:
-        bonds, dashpots = _with_broken(model, bonds, dashpots)
+        bonds, decay = _with_broken(model, bonds)
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
     if model.contacts is not None:
         motions += model.contacts.law.stiffest(
@@ -166,7 +166,7 @@ def critical_step(
     for frequency, delay in motions:
         omega = raised * math.hypot(bonds, frequency)
         if omega > 0.0:
-            zeta = 0.5 * omega * max(delay, dashpots)
+            zeta = 0.5 * (decay + dashpots * bonds**2 + delay * frequency**2) / omega
             limits.append(scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
     return min(limits)
 
@@ -213,25 +213,43 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
     return min((share or SHARES[-1]) * scheme.critical / fastest, limit)
 
 
-def _with_broken(model: Model, highest: float, delay: float) -> tuple[float, float]:
-    """ω_max and the largest c / k, whichever bonds are broken and touch instead.
+def _with_broken(model: Model, highest: float) -> tuple[float, float]:
+    """ω_max, and the largest eigenvalue of M⁻¹ C of contacts [1/s] from above, whichever bonds are broken and touch.
 
     A contact of what was bonded is at most as stiff along the normal; across, the stiffer of both counts. Its lever
     arms are taken to be those of the bond.
     """
     contacts = model.contacts
     if contacts is None or contacts.own is None or not len(contacts.own):
-        return highest, delay
+        return highest, 0.0
     _, soft, friction, beta, _ = contacts.law.parameters
-    layout, kn = model.layout, contacts.own
-    inverse = 1.0 / model.mass[layout.order]
-    slow = 2.0 * beta * float(np.sqrt(1.0 / ((inverse[layout.i] + inverse[layout.j]) * kn)).max())
+    soft = soft if friction > 0.0 else 0.0
+    decay = _decay_bound(model, contacts.own, beta, soft)
     if friction == 0.0:
-        return highest, max(delay, slow)
+        return highest, decay
     if model.cells is not None:  # the spring of a facet is as stiff across as along
-        return highest * math.sqrt(max(1.0, soft)), max(delay, slow / math.sqrt(soft))
-    sheared = highest_frequency(model, table=model.bonds.sheared(soft * kn))
-    return max(highest, sheared), max(delay, slow / math.sqrt(soft))
+        return highest * math.sqrt(max(1.0, soft)), decay
+    sheared = highest_frequency(model, table=model.bonds.sheared(soft * contacts.own))
+    return max(highest, sheared), decay
+
+
+def _decay_bound(model: Model, kn: PerBond, beta: float, soft: float) -> float:
+    """Bound of M⁻¹ C [1/s], if all bonds were contacts with dashpots instead.
+
+    The velocity of one end against the other at the contact has a square of at most 2 Σ (1 / m + b² / I) (m v² + I ω²)
+    over both ends of levers b: the sum of 2 c (1 / m + b² / I) over the contacts of an element is the most that any
+    motion loses, over twice its energy. (The largest c / k would go by the smallest facet.)
+    """
+    layout, radius = model.layout, model.contact_radius[model.layout.order]
+    mass, inertia = model.mass[layout.order], model.inertia[layout.order]
+    i, j = layout.i, layout.j
+    c = 2.0 * beta * np.sqrt(kn * max(1.0, soft) * mass[i] * mass[j] / (mass[i] + mass[j]))
+    arm = model.bonds.length / (radius[i] + radius[j])
+    lost = np.zeros(len(mass))
+    for end in (i, j):
+        across = (arm * radius[end]) ** 2 / inertia[end] if soft > 0.0 else 0.0
+        lost += np.bincount(end, weights=2.0 * c * (1.0 / mass[end] + across), minlength=len(mass))
+    return float(lost.max())
 
 
 def _fastest_decay(model: Model, kn: PerBond, beta: float, soft: float) -> float:
