@@ -113,7 +113,7 @@ def _dynamic(
         crushed = sphere_crushing(body, law, failure, **asked, **given)
         told = {"F [N]": crushed.force, "F/D² [Pa]": crushed.jaeger} | _of_pieces(crushed.broken)
         told |= {"plates differ by [-]": crushed.asymmetry, "ledger [-]": crushed.residual}
-        return _outcome(name, body, crushed.state, crushed.peak, math.nan, "Pa", crushed.curve.T, told)
+        return _outcome(name, body, crushed.state, crushed.peak, math.nan, "Pa", tuple(crushed.curve.T), told)
     thrown = sphere_impact(body, law, failure, **asked, **given)
     told = {"largest force [N]": thrown.peak, "restitution [-]": thrown.restitution} | _of_pieces(thrown.broken)
     told |= {"momentum [-]": thrown.momentum, "ledger [-]": thrown.residual}

@@ -25,7 +25,7 @@ from bondem.specimen.lattice import Lattice
 # Steps between records; the impulse is their sum.
 _EVERY = 2
 # A test ends when nothing has touched the plane for so many diameters over the speed of sound, or after so many times
-# Hertz' time of contact.
+# that a ball takes to come back from a single element.
 _QUIET, _CONTACTS = 3.0, 8.0
 # How far elements may reach into a plane at first, over the diameter: rounding.
 _TOUCH = 1e-9
@@ -99,7 +99,7 @@ def sphere_impact(
         contact: law of contacts of the pieces and at the plane; None for one as stiff as the median bond, friction
             0.4 between pieces.
         duration: of the run [s]; None to end when nothing has touched the plane for three diameters over the speed
-            of sound, or eight times Hertz' time of contact after the first touch.
+            of sound, or after eight times the contact time of a ball that a single element bears.
         fine: pieces smaller than this share of the diameter are fines [-].
         progress: called now and then with the share done, 0 … 1.
 
@@ -122,9 +122,8 @@ def sphere_impact(
     fast = -float(np.dot(flight, normal))
     model = Model(ball, law, density, failure=failure, contact=specimen.contact(contact), walls=[plane])
     sound = math.sqrt(_modulus(specimen) / _density(specimen))
-    arrival, contact_time = gap / fast, _hertz(specimen, fast)
-    longest = arrival + _CONTACTS * contact_time + _QUIET * specimen.diameter / sound
     quiet, touched = _QUIET * specimen.diameter / sound, [-math.inf]
+    longest = gap / fast + _CONTACTS * math.pi * math.sqrt(specimen.mass / specimen.stiffness) + quiet
 
     def ended(state: State, record: History) -> bool:
         if float(record["wall"][-1] @ normal) < 0.0:
@@ -201,12 +200,6 @@ def _modulus(ball: BallSpecimen) -> float:
 
 def _density(ball: BallSpecimen) -> float:
     return 6.0 * ball.mass / (math.pi * ball.diameter**3)
-
-
-def _hertz(ball: BallSpecimen, speed: float) -> float:
-    """Hertz' time of contact of an elastic ball with a rigid plane, and as much for its outermost element [s]."""
-    hertz = 2.87 * (ball.mass**2 / (0.5 * ball.diameter * _modulus(ball) ** 2 * speed)) ** 0.2
-    return hertz + math.pi * math.sqrt(ball.mass / ball.stiffness)
 
 
 def _read(run: ExplicitResult, ball: BallSpecimen, flight: Floats, normal: Floats, fine: float) -> SphereImpact:
