@@ -63,14 +63,6 @@ class BrokenBall:
     damage: float
     fines: float
 
-    @classmethod
-    def of(cls, ball: "BallSpecimen", state: State, fine: float) -> "BrokenBall":
-        """From a state; `fine` is a share of the diameter."""
-        pieces = fragments(ball.lattice, state)
-        sizes = FragmentSizes.of(pieces, ball.lattice, ball.diameter)
-        damage = float(np.mean(state.bond_integrity <= 0.0))
-        return cls(pieces, sizes, damage, sizes.below(fine * ball.diameter))
-
     @property
     def largest(self) -> float:
         """Share of the mass in the heaviest piece [-]."""
@@ -125,3 +117,10 @@ class BallSpecimen:
         if given is not None:
             return given
         return LinearContact(E=self.stiffness / (math.pi * float(np.median(self.radius))), friction=_FRICTION)
+
+    def broken(self, state: State, fine: float) -> BrokenBall:
+        """What is left of it in a state; `fine` is a share of the diameter."""
+        pieces = fragments(self.lattice, state)
+        sizes = FragmentSizes.of(pieces, self.lattice, self.diameter)
+        damage = float(np.mean(state.bond_integrity <= 0.0))
+        return BrokenBall(pieces, sizes, damage, sizes.below(fine * self.diameter))

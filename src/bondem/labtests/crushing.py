@@ -204,7 +204,7 @@ def _read(run: ExplicitResult, ball: BallSpecimen, speed: float, begin: float, f
     return SphereCrushing(
         force=float(force[top]), diameter=ball.diameter,
         curve=np.column_stack([moved / ball.diameter, TENSION * force / ball.diameter**2]),
-        work=float(energy["work"][-1]), broken=BrokenBall.of(ball, run.state, fine),
+        work=float(energy["work"][-1]), broken=ball.broken(run.state, fine),
         asymmetry=float(both.max()) / peak, kinetic=float(kinetic[: top + 1].max()) / held,
         residual=run.residual, run=run,
     )  # fmt: skip

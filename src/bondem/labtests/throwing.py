@@ -207,7 +207,7 @@ def _read(run: ExplicitResult, ball: BallSpecimen, flight: Floats, normal: Float
     pushed = history["wall"]
     step = np.diff(history.time)[:, None]
     impulse = -(0.5 * (pushed[1:] + pushed[:-1]) * step).sum(axis=0)
-    broken = BrokenBall.of(ball, run.state, fine)
+    broken = ball.broken(run.state, fine)
     pieces = broken.pieces
     gained = (pieces.mass[:, None] * (pieces.velocity - flight)).sum(axis=0)
     came = ball.mass * float(np.linalg.norm(flight))
