@@ -12,8 +12,8 @@ from validation.frame.study import Study
 
 STUDIES = (
     "abacus", "assembly", "beam_bonds", "branching", "celigueta", "coverage", "dispersion", "fracture", "granite",
-    "influence", "kalthoff", "protocol", "quasistatic", "refinement", "ring", "section", "size_effect", "spall", "surface",
-    "toughness", "vibration", "wave", "weibull",
+    "influence", "kalthoff", "protocol", "quasistatic", "refinement", "ring", "section", "size_effect", "spall",
+    "surface", "toughness", "vibration", "wave", "weibull",
 )  # fmt: skip
 
 

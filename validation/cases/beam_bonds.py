@@ -68,12 +68,12 @@ def beam_bonds(E: float, nu: float, rho: float, tension: float) -> BeamBonds:
     bar = connect(pack(Box((3.0 * EDGE, EDGE, EDGE)), count=COUNT, seed=SEED))
     fit = calibrate(bar, Material("of the case", E=E, nu=nu, rho=rho), law=EulerBernoulli)
     assert isinstance(fit.law, EulerBernoulli)
-    failure, found = _criterion(2.0 * tension), math.nan
-    for _ in range(PULLS):
+    failure = _criterion(2.0 * tension)
+    found = _pulled(bar, fit.law, fit.density, failure, E, tension)
+    for _ in range(PULLS - 1):
+        failure = _criterion(failure.tension * tension / found)
         found = _pulled(bar, fit.law, fit.density, failure, E, tension)
-        factor, used = found / failure.tension, failure
-        failure = _criterion(tension / factor)
-    return BeamBonds(fit.law, fit.density, used, factor, found)
+    return BeamBonds(fit.law, fit.density, failure, found / failure.tension, found)
 
 
 def _criterion(tension: float) -> PeripheralStress:

@@ -23,8 +23,8 @@ SLOW = {"l_panel": (L_PANEL, 0.2e-3, 1e-3), "gregoire": (GREGOIRE, 0.03e-3, 0.15
 #: Angle of the crack of Kalthoff's plate [degrees], within what, and strengths of the material [Pa].
 ANGLE, LIMIT, STRENGTHS = 70.0, 5.0, (844e6, 1900e6)
 CASES = (*SLOW, "kalthoff")
-_HEAD = ("case", "quantity", "published", "beams", "verdict", "spheres", "G_c implied / given", "K_Ic implied / given",
-         "seconds a run")  # fmt: skip
+_HEAD = ("case", "quantity", "published", "beams", "verdict", "spheres", "G_c implied / given",
+         "K_Ic implied / given", "seconds a run")  # fmt: skip
 _COLOURS = (BLUE, ORANGE, GREEN, GREY)
 
 
@@ -34,8 +34,8 @@ class BeamBondsStudy(Study):
 
     E, ν, ρ and f_t are those of the cells' scorecard. E and ν are calibrated and f_t is set by direct tension, both
     on a bar of its own (`validation/cases/beam_bonds.py`). Brittle beams have no fracture energy: what their size
-    implies is told beside the published one. Slow tests are explicit and damped, as `bd.solve_quasistatic` takes cells
-    only.
+    implies is told beside the published one. Slow tests are explicit and damped, as `bd.solve_quasistatic` takes
+    cells only.
 
     Fixed beforehand: 1000 spheres for the slow cases, about as many as cells had, and 8000 for the plate; rollers and
     loads hold a row of spheres along y; no bond breaks near them, as in the cases; 400 traverses of sound along the
@@ -218,5 +218,6 @@ def _draw_plate(ax: Any, rows: Sequence[Row], strength: float) -> None:
     ax.plot(1e3 * np.array([x, x + way * np.cos(end)]), 1e3 * np.array([y, y + way * np.sin(end)]), "--", color=INK,
             label=f"{ANGLE:g}°")  # fmt: skip
     ax.set(xlim=(0.0, 1e3 * plate.length), ylim=(0.0, 1e3 * plate.width), aspect="equal", xlabel="x [mm]",
-           ylabel="y from the plane of symmetry [mm]", title=f"f_t = {1e-6 * strength:g} MPa, broken bonds after 90 µs")  # fmt: skip
+           ylabel="y from the plane of symmetry [mm]",
+           title=f"f_t = {1e-6 * strength:g} MPa, broken bonds after 90 µs")  # fmt: skip
     ax.legend(loc="upper left", fontsize=7.5, markerscale=4.0)
