@@ -150,9 +150,9 @@ def _beams() -> Section:
         rows=tuple(rows),
         after=(
             "**The panel does not break at its corner but along its clamped foot**, with all three packings"
-            " (figure: the first), and is stiffer than published: its peaks, whether within the limits or not, are not"
-            " those of the published crack. Strength and stiffness are calibrated, and toughness is what the size of the spheres"
-            " makes of them. Few"
+            " (figure: the first), and is stiffer than published: its peaks, whether within the limits or not, are"
+            " not those of the published crack. Strength and stiffness are calibrated, and toughness is what the size"
+            " of the spheres makes of them. Few"
             " spheres span a ligament, so that peaks scatter with the packing; rollers and the load hold rows of"
             " spheres, which clamps these. Bonds of the plate imply several times the G_c of the steel: with"
             " the smaller strength its cracks leave the notch at too small an angle, with the larger one none does."
