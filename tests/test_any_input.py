@@ -67,6 +67,10 @@ CELL = Later(lambda: bd.connect(bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=200, see
 GLASS = bd.Material("glass", E=70e9, nu=0.2, rho=2500.0)
 BOX, BALL, EVERYTHING, FACE = bd.Box((1.0, 1.0, 1.0)), bd.Ball(1.0), bd.Everything(), bd.Face("x_min")
 BEAM = {"E": 1e9, "nu": 0.2, "radius_ratio": 0.5, "radius_rule": "mean", "formulation": "total"}
+CELLS = bd.CellBond(E=1e9, nu=0.2)
+SMALL = Later(lambda: bd.connect(bd.pack(BALL, count=30, method="even", seed=1), method="laguerre"))
+BRICK = bd.Box((2.0, 1.0, 1.0))
+PIECE = Later(lambda: bd.connect(bd.pack(BRICK, count=30, method="even", seed=1), method="laguerre"))
 ISOTROPIC = {"E": 1e7, "nu": 0.2, "gyration": None, "stress": 1e3, "depth": 0.02}
 MOVING = {"density": 1e3, "E": 1e7, "nu": 0.2, "rho": 9e2, "depth": 0.02}
 STATIC = Later(lambda: bd.solve_static(MODEL))
@@ -194,6 +198,18 @@ USUAL: dict[str, dict[str, Any]] = {
     "labtests.dynamic_torsion": {"lattice": BAR, "law": LAW, **MOVING},
     "labtests.free_vibration": {"lattice": BAR, "law": LAW, **MOVING, "periods": 1.0, "stress": 1e3},
     "labtests.punch_specimen": {"diameter": 0.15, "height": 0.08, "ring": 0.045, "width": 0.004, "depth": 0.01},
+    "labtests.sphere_crushing": {
+        "ball": SMALL, "law": CELLS, "failure": bd.Rankine(tension=1e6, fracture_energy=1e3), "friction": 0.1,
+        "contact": None, "density": 1e3, "traverses": 2.0, "ending": 0.2, "fine": 0.2,
+    },
+    "labtests.sphere_impact": {
+        "ball": SMALL, "law": CELLS, "failure": None, "density": 1e3, "velocity": 1.0, "wall": None, "friction": 0.1,
+        "contact": None, "duration": None, "fine": 0.2,
+    },
+    "labtests.spall": {
+        "bar": PIECE, "law": CELLS, "failure": None, "density": 1e3, "pressure": 1e4, "rise": 1e-4, "fall": 1e-4,
+        "duration": 1e-3, "rebound": 1e-3, "bins": 4,
+    },
     "labtests.impact": {"lattice": BAR, "law": LAW, **MOVING, "velocity": 0.1},
 }  # fmt: skip
 # Read and write files (`test_hostile_specimens`, `test_runfile`), have no arguments, or are made by the package.
@@ -214,6 +230,8 @@ ELSEWHERE = {
 }  # fmt: skip
 # Runs on purpose: what is possible there takes as long as was asked for.
 LONG = {("solve_explicit", "duration"), ("solve_explicit", "dt"), ("solve_explicit", "safety"),
+        ("labtests.sphere_impact", "duration"), ("labtests.spall", "duration"),
+        ("labtests.sphere_crushing", "traverses"),
         *((f"labtests.{test}", key) for test in ("free_vibration", "impact") for key in ("periods", "E", "rho"))}
 
 EXTREME = st.one_of(

@@ -11,7 +11,7 @@ from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.rankine import Rankine
-from bondem.model.boundary import Drive, Fix
+from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.model import Model
 from bondem.model.schedules import Ramp
 from bondem.packing import EVEN, pack
@@ -21,6 +21,7 @@ from bondem.specimen.bonding import connect
 from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Region, Within
+from bondem.specimen.shape import Shape
 from validation.frame.files import plain
 from validation.frame.request import Request
 
@@ -61,11 +62,16 @@ class Plate:
         """End of the notch [m]."""
         return self.notch[:2]
 
-    def body(self, size: float, seed: int) -> Lattice:
-        """Its cells, of a size [m]."""
+    @property
+    def shape(self) -> Shape:
+        """The half of it, with its notch."""
         deep, at, wide = self.notch
         slot = Box((2.0 * deep, wide, 3.0 * self.thickness)).moved((-deep, at - 0.5 * wide, -self.thickness))
-        shape = Box((self.length, self.width, self.thickness)).cut(slot, name="notch")
+        return Box((self.length, self.width, self.thickness)).cut(slot, name="notch")
+
+    def body(self, size: float, seed: int) -> Lattice:
+        """Its cells, of a size [m]."""
+        shape = self.shape
         return connect(pack(shape, count=round(shape.volume / size**3), method=EVEN, seed=seed), method="laguerre")
 
     def struck(self, size: float) -> Region:
@@ -76,11 +82,14 @@ class Plate:
     def model(self, body: Lattice, tension: float, size: float) -> Model:
         """The test on a body of a strength [Pa], of cells of a size [m]."""
         failure = Rankine(tension=tension, fracture_energy=self.fracture_energy)
-        boundary = [
+        return Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=self.conditions(size))
+
+    def conditions(self, size: float) -> list[BoundaryCondition]:
+        """The plane of symmetry, and what strikes elements of a size [m]."""
+        return [
             Fix(Face("y_min"), translation="y", rotation=""),
             Drive(self.struck(size), vx=Ramp(0.0, self.speed, _RISE)),
         ]
-        return Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=boundary)
 
     def angle(self, place: Floats, area: Floats, size: float) -> float:
         """Mean direction of a crack from the tip, against the notch, weighted by area [degrees].

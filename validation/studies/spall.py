@@ -80,13 +80,13 @@ class Spall(Study):
                 "tension", "fracture_energy", "size", "count", "seed", "highest", "pull_back", "lengths", "first",
                 "steps", "run_seconds", "residual",
             )} | {
-                "broken": _broken(row), "thin": bar.place(row["tension"]),
-                "thin_pull_back": bar.pull_back(row["tension"]),
+                "broken": _broken(row), "thin": bar.thin.place(row["tension"]),
+                "thin_pull_back": bar.thin.pull_back(row["tension"]),
             }
             for row in rows if not row["error"]
         ]  # fmt: skip
         return {"place": PLACE, "within": WITHIN, "highest": HIGHEST, "pull_back": PULL_BACK,
-                "thin_highest": bar.velocity, "runs": runs}  # fmt: skip
+                "thin_highest": bar.thin.velocity, "runs": runs}  # fmt: skip
 
     def table(self, results: Mapping[str, Any]) -> str:
         """See `Study`."""
@@ -121,7 +121,7 @@ class Spall(Study):
                          title=f"f_t = {1e-6 * tension:g} MPa; dotted: published")  # fmt: skip
                 left.legend(fontsize=7.0, loc="lower right")
                 right.axvspan(1e3 * (PLACE - WITHIN), 1e3 * (PLACE + WITHIN), color=GREY, alpha=0.3, linewidth=0.0)
-                right.axvline(1e3 * bar.place(tension), color=INK, linestyle="--", linewidth=1.0)
+                right.axvline(1e3 * bar.thin.place(tension), color=INK, linestyle="--", linewidth=1.0)
                 right.set(xlim=(0.0, 1e3 * bar.length), xlabel="from the free end [mm]",
                           ylabel="broken area / section, a 3 mm bin [-]",
                           title="band: published, dashed: thin elastic bar")  # fmt: skip

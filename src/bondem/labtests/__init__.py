@@ -1,10 +1,12 @@
 """Standard tests of a specimen, one to a file: each measures one number and puts theory beside it."""
 
 from bondem.labtests.any_shape import UniformStress, uniform_stress
+from bondem.labtests.ball import BrokenBall, FragmentSizes
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.confined import TriaxialTest, triaxial
+from bondem.labtests.crushing import SphereCrushing, sphere_crushing
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
 from bondem.labtests.flexure import BendingTest, three_point_bending
 from bondem.labtests.isotropic import Isotropic
@@ -12,20 +14,28 @@ from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.punching import punch_specimen, shear
 from bondem.labtests.rig import StrengthTest
+from bondem.labtests.spalling import SpallTest, ThinBar, spall
 from bondem.labtests.splitting import BrazilianTest, brazilian
 from bondem.labtests.tearing import direct_tension
 from bondem.labtests.tension import Tension, static_tension
+from bondem.labtests.throwing import SphereImpact, sphere_impact
 from bondem.labtests.vibration import FreeVibration, free_vibration
 
 __all__ = [
     "BendingTest",
     "BrazilianTest",
+    "BrokenBall",
+    "FragmentSizes",
     "FreeVibration",
     "Isotropic",
     "NaturalFrequencies",
     "Outcome",
+    "SpallTest",
+    "SphereCrushing",
+    "SphereImpact",
     "StrengthTest",
     "Tension",
+    "ThinBar",
     "TriaxialTest",
     "UniformStress",
     "brazilian",
@@ -39,6 +49,9 @@ __all__ = [
     "natural_frequencies",
     "punch_specimen",
     "shear",
+    "spall",
+    "sphere_crushing",
+    "sphere_impact",
     "static_bending",
     "static_tension",
     "static_torsion",

@@ -21,6 +21,7 @@ class Outcome:
             the section its own tension test fills: a consistency check, no validation, as it takes the softness of
             the specimen from the specimen (docs/decisions/0004-measures.md) [unit].
         curves: arrays for figures, and further scalars beside the main one.
+        told: further numbers for the report, by their name with its unit.
     """
 
     name: str
@@ -30,6 +31,7 @@ class Outcome:
     theory_timoshenko: float | None = None
     theory_refined: float | None = None
     curves: Mapping[str, np.ndarray] = field(default_factory=dict)
+    told: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def error(self) -> float:

@@ -1,31 +1,44 @@
 """Tests to failure as rows of a report: the strength that was measured beside the one that was put in."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from bondem.errors import InputError
+from bondem.fracture.fragments import fragments
+from bondem.labtests.ball import BrokenBall
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.confined import TriaxialTest, triaxial
+from bondem.labtests.crushing import sphere_crushing
 from bondem.labtests.flexure import BendingTest, three_point_bending
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.punching import shear
 from bondem.labtests.rig import StrengthTest
+from bondem.labtests.spalling import spall
 from bondem.labtests.splitting import BrazilianTest, brazilian
 from bondem.labtests.tearing import direct_tension
+from bondem.labtests.throwing import sphere_impact
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening
+from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
 #: Tests to failure, by the names of studies, and what can be asked of each (a unit; `needed` has no default).
 STRENGTH_TESTS: Mapping[str, Mapping[str, str]] = {
     "direct_tension": {}, "ucs": {}, "brazilian": {"half_angle": "rad"}, "triaxial": {"pressure": "Pa"},
-    "three_point_bending": {"span": "m"}, "shear": {},
+    "three_point_bending": {"span": "m"}, "shear": {}, "sphere_crushing": {"friction": "-"},
+    "sphere_impact": {"velocity": "m/s", "friction": "-"}, "spall": {"pressure": "Pa", "rise": "s", "fall": "s"},
 }  # fmt: skip
 #: What has no default.
-NEEDED = (("triaxial", "pressure"),)
+NEEDED = (
+    ("triaxial", "pressure"), ("sphere_impact", "velocity"), ("spall", "pressure"), ("spall", "rise"),
+    ("spall", "fall"),
+)  # fmt: skip
+#: Tests of a ball, of which E is not read and whose outcome is of its pieces.
+OF_BALLS = ("sphere_crushing", "sphere_impact")
 _AnyTest = StrengthTest | BrazilianTest | TriaxialTest | BendingTest
 
 
@@ -41,9 +54,9 @@ def strength_outcome(
 ) -> Outcome:
     """Strength in a test of `STRENGTH_TESTS` [Pa], and what the strengths of the material imply.
 
-    That is f_t in direct tension and in the Brazilian test, and the line of the criterion in compression. Bending and
-    the
-    shear test have no closed form: their theory is NaN.
+    That is f_t in direct tension, the Brazilian test and spalling, and the line of the criterion in compression.
+    Bending, the shear test and crushing have no closed form: their theory is NaN. An impact has no strength but a
+    share of facets that break [-].
 
     Args:
         name: of the test.
@@ -65,6 +78,8 @@ def strength_outcome(
             f"labtests: {name} is no test to failure of such a material; there are {', '.join(STRENGTH_TESTS)}"
         )
     given = {"density": density, "progress": progress}
+    if name in (*OF_BALLS, "spall"):
+        return _dynamic(name, body, law, failure, asked, **given)
     test: _AnyTest
     match name:
         case "direct_tension":
@@ -83,6 +98,43 @@ def strength_outcome(
     return Outcome(name=name, measured=test.peak, theory=theory, unit="Pa", curves=_curves(test, body))
 
 
+def _dynamic(
+    name: str, body: Lattice, law: CellBond, failure: Criterion, asked: Mapping[str, float], **given: Any
+) -> Outcome:
+    """Outcome of a ball or of a bar that spalls: the curve, and numbers beside the main one as `told`."""
+    if name == "spall":
+        bar = spall(body, law, failure, **asked, **given)
+        told = {"pull-back [m/s]": bar.pull_back, "highest velocity [m/s]": bar.highest, "spall at [m]": bar.place,
+                "first break [s]": bar.first, "ledger [-]": bar.residual}  # fmt: skip
+        assert failure.softening is not None
+        curve = bar.time, bar.velocity
+        return _outcome(name, body, bar.state, bar.peak, failure.softening.tension, "Pa", curve, told)
+    if name == "sphere_crushing":
+        crushed = sphere_crushing(body, law, failure, **asked, **given)
+        told = {"F [N]": crushed.force, "F/D² [Pa]": crushed.jaeger} | _of_pieces(crushed.broken)
+        told |= {"plates differ by [-]": crushed.asymmetry, "ledger [-]": crushed.residual}
+        return _outcome(name, body, crushed.state, crushed.peak, math.nan, "Pa", tuple(crushed.curve.T), told)
+    thrown = sphere_impact(body, law, failure, **asked, **given)
+    told = {"largest force [N]": thrown.peak, "restitution [-]": thrown.restitution} | _of_pieces(thrown.broken)
+    told |= {"momentum [-]": thrown.momentum, "ledger [-]": thrown.residual}
+    return _outcome(name, body, thrown.state, thrown.damage, math.nan, "-", (thrown.time, thrown.force), told)
+
+
+def _of_pieces(broken: BrokenBall) -> dict[str, float | None]:
+    return {"damage [-]": broken.damage, "pieces [-]": float(len(broken.sizes.diameter)),
+            "heaviest piece [-]": broken.largest, "fines [-]": broken.fines}  # fmt: skip
+
+
+def _outcome(
+    name: str, body: Lattice, state: State, measured: float, theory: float, unit: str,
+    curve: Sequence[np.ndarray], told: Mapping[str, float | None],
+) -> Outcome:  # fmt: skip
+    curves = {"strain": curve[0], "stress": curve[1]} | _damaged(body, state, state.bond_integrity, state.slipped)
+    curves["piece"] = fragments(body, state).label
+    known = {key: value for key, value in told.items() if value is not None}
+    return Outcome(name=name, measured=measured, theory=theory, unit=unit, curves=curves, told=known)
+
+
 def needs_slip(name: str) -> bool:
     """Whether a test is of a material whose cells yield."""
     return name in ("ucs", "triaxial")
@@ -90,7 +142,7 @@ def needs_slip(name: str) -> bool:
 
 def _implied(name: str, softening: Softening, asked: Mapping[str, float]) -> float:
     """What the strengths imply [Pa]."""
-    if name in ("direct_tension", "brazilian"):
+    if name in ("direct_tension", "brazilian", "spall"):
         return softening.tension
     if needs_slip(name) and softening.slip is not None:
         return softening.slip.compressive(asked.get("pressure", 0.0))
@@ -100,12 +152,18 @@ def _implied(name: str, softening: Softening, asked: Mapping[str, float]) -> flo
 def _curves(test: _AnyTest, body: Lattice) -> dict[str, np.ndarray]:
     """Curve, and what figures show of the broken specimen."""
     state = test.state
+    bent = isinstance(test, BendingTest)
     whole = test.path.bond_integrity if isinstance(test, BendingTest) else state.bond_integrity
+    slip = np.zeros(len(body.particles)) if bent else state.slipped
+    return {
+        "strain": test.curve[:, 0], "stress": test.curve[:, 1], "work": np.array(test.work), "E": np.array(test.E),
+        **_damaged(body, state, whole, slip),
+    }  # fmt: skip
+
+
+def _damaged(body: Lattice, state: State, whole: np.ndarray, slip: np.ndarray) -> dict[str, np.ndarray]:
+    """Motion of the cells, what their facets have lost, and their slip."""
     damage = np.zeros(len(body.particles))
     for end in body.pairs.T:
         np.maximum.at(damage, end, 1.0 - whole)
-    slip = np.zeros(len(body.particles)) if isinstance(test, BendingTest) else state.slipped
-    return {
-        "strain": test.curve[:, 0], "stress": test.curve[:, 1], "work": np.array(test.work), "E": np.array(test.E),
-        "displacement": state.displacement, "orientation": state.orientation, "damage": damage, "slip": slip,
-    }  # fmt: skip
+    return {"displacement": state.displacement, "orientation": state.orientation, "damage": damage, "slip": slip}

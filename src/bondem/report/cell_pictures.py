@@ -38,6 +38,7 @@ def draw_cells(
     view: View,
     moved: Floats | None = None,
     shown: Mask | None = None,
+    piece: np.ndarray | None = None,
     scale: float = 1e3,
 ) -> None:
     """Draw what is seen of cells from outside, and of those that others leave bare.
@@ -49,10 +50,13 @@ def draw_cells(
         view: where one looks from.
         moved: displacements of the corners of the polygons [m], (v, 3).
         shown: which cells are there, (n,); all when None.
+        piece: of each cell: what lies between two pieces is drawn too, (n,); all are one when None.
         scale: units of the axes over metres.
     """
     here = np.ones(len(colour), dtype=bool) if shown is None else shown
     behind = (solid.neighbour >= 0) & here[np.maximum(solid.neighbour, 0)]
+    if piece is not None:
+        behind &= piece[solid.cell] == piece[np.maximum(solid.neighbour, 0)]
     size = np.diff(solid.start)
     place = solid.vertex if moved is None else solid.vertex + moved
     placed = scale * place @ view.axes.T

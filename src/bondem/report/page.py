@@ -190,6 +190,7 @@ def rows_of(findings: Findings) -> list[dict[str, Any]]:
             "error_refined": _mean([one.error_refined for one in outcomes]),
             "free_vibration": _mean([_number(one.curves.get("free_vibration")) for one in outcomes]),
             "published": findings.published.get(name),
+            "told": {key: _mean([one.told.get(key) for one in outcomes]) for key in outcomes[0].told},
         })  # fmt: skip
     return rows
 

@@ -39,6 +39,7 @@ class Drawn:
         view: where one looks from.
         slips: whether cells are coloured by their slip, where there is any.
         halved: whether the half that is nearer is left out.
+        across, up: factor and unit of both axes.
     """
 
     title: str
@@ -47,6 +48,8 @@ class Drawn:
     view: View = _ASIDE
     slips: bool = False
     halved: bool = False
+    across: tuple[float, str] = (1e3, "10$^{-3}$")
+    up: tuple[float, str] = (1e-6, "MPa")
 
 
 #: Tests to failure, in the order of figures.
@@ -60,6 +63,13 @@ DRAWN: Mapping[str, Drawn] = {
         view=View(azimuth=math.radians(8.0), elevation=math.radians(66.0)),
     ),
     "shear": Drawn("Shear test", strain="piston / ligament", stress="mean shear stress", halved=True),
+    "sphere_crushing": Drawn("Crushing of a ball", strain="closing / D", stress="2.8 F / (π D²)"),
+    "sphere_impact": Drawn(
+        "Impact of a ball", strain="time", stress="force on the plane", across=(1e6, "µs"), up=(1e-3, "kN"),
+    ),
+    "spall": Drawn(
+        "Spalling", strain="time", stress="velocity of the free end", across=(1e6, "µs"), up=(1.0, "m/s"),
+    ),
 }  # fmt: skip
 
 
@@ -70,14 +80,15 @@ def draw_curves(path: Path, findings: Findings) -> None:
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (_, axes):
         for ax, name in zip(_panels(axes, len(names)), names, strict=True):
             told = DRAWN[name]
+            (across, along), (up, of) = told.across, told.up
             for n, one in enumerate(findings.specimens):
                 outcome = one.outcomes[name]
-                ax.plot(1e3 * outcome.curves["strain"], outcome.curves["stress"] / 1e6, color=BLUE, alpha=0.8,
+                ax.plot(across * outcome.curves["strain"], up * outcome.curves["stress"], color=BLUE, alpha=0.8,
                         linewidth=1.2, label="each packing" if n == 0 else None)  # fmt: skip
             theory = findings.specimens[0].outcomes[name].theory
-            if math.isfinite(theory):
-                ax.axhline(theory / 1e6, color=ORANGE, linestyle=(0, (4, 3)), label="put in")
-            ax.set(xlabel=f"{told.strain} [10$^{{-3}}$]", ylabel=f"{told.stress} [MPa]", title=told.title)
+            if math.isfinite(theory) and name != "spall":
+                ax.axhline(up * theory, color=ORANGE, linestyle=(0, (4, 3)), label="put in")
+            ax.set(xlabel=f"{told.strain} [{along}]", ylabel=f"{told.stress} [{of}]", title=told.title)
             ax.set_ylim(bottom=0.0)
             ax.legend(loc="best")
 
@@ -98,7 +109,7 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
         figure: for the bar of colours.
         ax: where to.
         body: the cells.
-        curves: "displacement" [m], "orientation", "damage" and "slip" of the cells.
+        curves: "displacement" [m], "orientation", "damage" and "slip" of the cells, and "piece" where they part.
         told: how.
     """
     solid = polyhedra(body)
@@ -116,7 +127,7 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     if told.halved:
         toward = told.view.axes[2] * (0.0, 1.0, 1.0)
         shown = (body.centre - np.mean(body.particles.envelope.bounds, axis=0)) @ toward < 0.0
-    draw_cells(ax, solid, colour, view=told.view, moved=reach * moved, shown=shown)
+    draw_cells(ax, solid, colour, view=told.view, moved=reach * moved, shown=shown, piece=curves.get("piece"))
     ax.set_title(f"{told.title}, motion × {reach:.0f}", color=INK)
     bar = figure.colorbar(
         ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02

@@ -36,7 +36,7 @@ from bondem.specimen.fabric import fabric
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 from bondem.study.results import collect
-from bondem.study.strength_tests import cut_as
+from bondem.study.strength_tests import broken_only
 from bondem.study.study import Study
 
 #: Told the name of a stage and the share of it that is done, 0 … 1.
@@ -150,7 +150,7 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell
         return specimen
     law, density = bonds.law, bonds.density
     known = bonds.fit.tensions[: study.calibrating] if bonds.fit is not None else ()
-    whole = cut_as(lattice.particles.envelope) is None
+    whole = broken_only(lattice.particles.envelope) is None
     tension = None if not whole else known[k] if k < len(known) else static_tension(lattice, law)
     volume = lattice.particles.volume if lattice.cells is None else lattice.cells.volume
     mass = density * volume[lattice.connected].sum()
@@ -162,7 +162,7 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell
         rho=float(mass / lattice.particles.envelope.volume),
     )
     outcomes: dict[str, Outcome] = {}
-    if tension is None:  # a specimen with a notch or borings is broken only
+    if tension is None:  # a ball, or a specimen with a notch or borings, is broken only
         for name in study.tests:
             outcomes[name] = _to_failure(name, study, lattice, bonds, partial(tell, f"{name}, {stage}"))
         tell(stage, 1.0)

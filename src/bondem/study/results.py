@@ -50,7 +50,7 @@ def _micro(bonds: Bonding) -> dict[str, Any]:
 def _macro(bonds: Bonding, specimens: Sequence[Examined]) -> dict[str, Any]:
     """What was calibrated; of cells, which need no calibration, what the first packing was measured to have.
 
-    Null of a specimen with a notch or borings, which is no bar to pull.
+    Null of a ball, and of a specimen with a notch or borings, which are no bars to pull.
     """
     tensions = [one.tension for one in specimens if one.tension is not None]
     found = bonds.fit if bonds.fit is not None else tensions[0] if tensions else None
@@ -129,6 +129,7 @@ def _packing(one: Examined, calibrating: bool) -> dict[str, Any]:
                 "error_refined": outcome.error_refined,
                 "unit": outcome.unit,
                 "free_vibration": outcome.curves.get("free_vibration"),
+                **({"told": dict(outcome.told)} if outcome.told else {}),
             }
             for name, outcome in one.outcomes.items()
         },

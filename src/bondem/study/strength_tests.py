@@ -3,13 +3,13 @@
 from collections.abc import Mapping
 
 from bondem.errors import StudyError
-from bondem.labtests.strengths import NEEDED, STRENGTH_TESTS
-from bondem.specimen.geometry import BoundingBox, Box, Cylinder
+from bondem.labtests.strengths import NEEDED, OF_BALLS, STRENGTH_TESTS
+from bondem.specimen.geometry import Ball, BoundingBox, Box, Cylinder
 from bondem.specimen.shape import Cut, Shape
 from bondem.study.toml_table import TomlTable
 
-# Names of the faces that the cuts of specimens have.
-NOTCH, BORING = "notch", "boring"
+# Names of the faces that the cuts of specimens have; and of a specimen that is no bar either.
+NOTCH, BORING, BALL = "notch", "boring", "ball"
 
 
 def read_options(top: TomlTable, tests: tuple[str, ...]) -> dict[str, dict[str, float]]:
@@ -39,6 +39,11 @@ def _option(table: TomlTable, name: str, key: str, unit: str) -> float | None:
     return table.number(key, unit, default=None, above=0.0)
 
 
+def broken_only(shape: Shape) -> str | None:
+    """Why a specimen is no bar to pull: `NOTCH`, `BORING` or `BALL`; None of others."""
+    return BALL if isinstance(shape, Ball) else cut_as(shape)
+
+
 def cut_as(shape: Shape) -> str | None:
     """What was cut out of a specimen, `NOTCH` or `BORING`; None of one that is whole, or cut otherwise."""
     return shape.name if isinstance(shape, Cut) and shape.name in (NOTCH, BORING) else None
@@ -57,7 +62,7 @@ def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
             isinstance(shape, Box | BoundingBox) or cut == NOTCH, 'a specimen.shape of "box", notched or not'
         ),
         "shear": (cut == BORING, 'specimen.shape = "punch"'),
-    }
+    } | {name: (isinstance(shape, Ball), 'specimen.shape = "ball"') for name in OF_BALLS}
     for name in tests:
         if name in suits and not suits[name][0]:
             raise StudyError(f"'tests' asks for {name}, which is not of this specimen; take {suits[name][1]}")
@@ -65,3 +70,5 @@ def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
             raise StudyError(
                 f"'tests' asks for {name}, but the specimen has a {cut}; make a study of each"
             )
+        if isinstance(shape, Ball) and name not in OF_BALLS:
+            raise StudyError(f"'tests' asks for {name}, which is of a bar; of a ball there are {', '.join(OF_BALLS)}")

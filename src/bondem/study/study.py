@@ -20,7 +20,7 @@ from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
 from bondem.study.failure import read_failure, require_strength
 from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
-from bondem.study.strength_tests import cut_as, read_options, require_specimen
+from bondem.study.strength_tests import broken_only, read_options, require_specimen
 from bondem.study.toml_table import TomlTable
 
 STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
@@ -128,7 +128,7 @@ class Study:
         Raises:
             StudyError: it is no bar along x, or not the specimen of a test to failure.
         """
-        if cut_as(shape) is not None and self.bond.cells is not None:
+        if broken_only(shape) is not None and self.bond.cells is not None and self.tests:
             require_specimen(self.tests, shape)
             return
         if self.material is not None and not _is_prism(shape):

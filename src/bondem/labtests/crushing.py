@@ -1,0 +1,210 @@
+"""Crushing of a ball between two plates: single-particle strength, pieces and fines."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import number
+from bondem._types import Floats
+from bondem.errors import InputError, UnstableRunError
+from bondem.labtests.arguments import AnyLaw, check
+from bondem.labtests.ball import BallSpecimen, BrokenBall
+from bondem.laws.contact import ContactLaw
+from bondem.laws.damping import MassDamping
+from bondem.model.failure_assignment import FailureAssignment
+from bondem.model.gauges import WallGauge
+from bondem.model.model import Model
+from bondem.model.schedules import Ramp
+from bondem.model.state import State
+from bondem.model.walls import Driven, PlaneWall
+from bondem.run import solve_explicit
+from bondem.solve.history import History
+from bondem.solve.plan import ExplicitResult, Status
+from bondem.solve.schemes import VelocityVerlet
+from bondem.solve.timestep import choose_step
+from bondem.specimen.lattice import Lattice
+
+#: 2.8 / π: the tensile strength of Hiramatsu and Oka (1966) over F / D².
+TENSION = 2.8 / math.pi
+# Density of a test where none is given [kg/m³].
+_DENSITY = 2000.0
+# Share of the critical damping of the first axial vibration; records of a test; closing at which it ends at the
+# latest, over that of the expected peak; share of the time until that peak in which the plates gain speed.
+_DAMPING, _RECORDS, _REACH, _BEGIN = 0.05, 800, 4.0, 0.2
+# Largest closing that is expected at the peak, over the diameter: balls of brittle beams are ground down by the
+# plates at a small share of the strength of their bonds, and never bear what their section would.
+_CLOSING = 0.0125
+# A peak above this share of the expected one may be that of the ball.
+_SURE = 0.3
+
+
+@dataclass(frozen=True, eq=False)
+class SphereCrushing:
+    """Result of a crushing test.
+
+    Attributes:
+        force: largest force between the plates, F [N].
+        diameter: of the ball, D [m].
+        curve: closing of the plates over D [-] and 2.8 F / (π D²) [Pa] of each record, shape (k, 2).
+        work: of the plates until the end [J].
+        broken: what is left: `.pieces`, `.sizes`, `.damage`, `.fines`, `.largest`.
+        asymmetry: largest difference of the forces on both plates up to the peak, over the peak [-].
+        kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
+        residual: of the energy ledger, over its largest entry [-].
+        run: the explicit run.
+    """
+
+    force: float
+    diameter: float
+    curve: Floats
+    work: float
+    broken: BrokenBall
+    asymmetry: float
+    kinetic: float
+    residual: float
+    run: ExplicitResult
+
+    @property
+    def peak(self) -> float:
+        """Nominal tensile strength 2.8 F / (π D²) of Hiramatsu and Oka (1966) [Pa]."""
+        return TENSION * self.jaeger
+
+    @property
+    def jaeger(self) -> float:
+        """F / D² of Jaeger (1967) [Pa]."""
+        return self.force / self.diameter**2
+
+    @property
+    def state(self) -> State:
+        """The broken ball."""
+        return self.run.state
+
+
+def sphere_crushing(
+    ball: Lattice,
+    law: AnyLaw,
+    failure: FailureAssignment,
+    *,
+    friction: float = 0.0,
+    contact: ContactLaw | None = None,
+    density: float | None = None,
+    traverses: float = 300.0,
+    ending: float = 0.2,
+    fine: float = 0.2,
+    progress: Callable[[float], None] | None = None,
+) -> SphereCrushing:
+    """Crush a ball along x between two rigid plates that move towards each other, until the load has dropped.
+
+    Plates begin at the outermost elements, which touch them as spheres (cells as spheres of their volume), and each
+    moves half of the closing. The nominal tensile strength, 2.8 F / (π D²), is a measure by which laboratories
+    compare balls and lumps: cells under the plates may crush before the ball splits, so that it is no closed form of
+    f_t. The force before that rises in steps as elements come to bear, so that it follows Hertz roughly only.
+    Balls of brittle beams (`bd.PeripheralStress` without a fracture energy) lose element after element at the plates;
+    their largest force is that of grinding, within a closing of a twentieth of the diameter.
+
+    Args:
+        ball: cells or bonded spheres of a `bd.Ball`.
+        law: a bond law, a law of cells, or the non-local law.
+        failure: any criterion, or criteria by region.
+        friction: of the plates [-]; 0 is smooth.
+        contact: law of contacts of the pieces and at the plates; None for one as stiff as the median bond, friction
+            0.4 between pieces.
+        density: of the elements, or of the material of cells [kg/m³]; no result depends on it until pieces fly.
+        traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
+        ending: share of the peak to which the load has to drop [-].
+        fine: pieces smaller than this share of the diameter are fines [-].
+        progress: called now and then with the share done, 0 … 1.
+
+    Raises:
+        InputError: no ball, no criterion, or a value out of range.
+        UnstableRunError: the run became unstable.
+
+    Reference: Hiramatsu and Oka, Int. J. Rock Mech. Min. Sci. 3 (1966) 89-99; Jaeger, Can. Geotech. J. 4 (1967).
+    """
+    owner = "labtests.sphere_crushing"
+    check("sphere_crushing", ball, density=_DENSITY if density is None else density)
+    number(owner, "friction", friction, least=0.0)
+    number(owner, "traverses", traverses, least=1.0, advice="a number of at least 1")
+    share = number(owner, "ending", ending, least=0.0, below=1.0)
+    number(owner, "fine", fine, above=0.0, below=1.0, advice="a share of the diameter in (0, 1)")
+    if failure is None:
+        raise InputError(f"{owner}: failure = None; give a criterion such as bd.Rankine or bd.PeripheralStress")
+    rho = _DENSITY if density is None else density
+    bare = Model(ball, law, rho, failure=failure)
+    specimen = BallSpecimen.of("sphere_crushing", bare)
+    expected, way, sound = _expected(bare, specimen)
+    rise = traverses * specimen.diameter / sound
+    speed, begin = way / rise, _BEGIN * rise
+    plates = _plates(specimen, 0.5 * speed, begin, friction)
+    model = Model(ball, law, rho, failure=failure, contact=specimen.contact(contact), walls=plates)
+    duration = _REACH * rise + 0.5 * begin
+    damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / specimen.diameter)
+    dt = choose_step(model, VelocityVerlet(), None, safety=0.9, damping=damping).dt
+    peak = [0.0]
+
+    def ended(state: State, record: History) -> bool:
+        now = float(_force(record)[-1])
+        peak[0] = max(peak[0], now)
+        return peak[0] > _SURE * expected and now < share * peak[0]
+
+    run = solve_explicit(
+        model, duration=duration, dt=dt, every=max(1, round(duration / _RECORDS / dt)), damping=damping,
+        callback=ended, progress=progress,
+        gauges={"near": WallGauge(0, "force"), "far": WallGauge(1, "force")},
+    )  # fmt: skip
+    if run.status is Status.UNSTABLE:
+        raise UnstableRunError(f"{owner}: {run.message}")
+    return _read(run, specimen, speed, begin, fine)
+
+
+def _force(history: History) -> Floats:
+    """Mean of both plates, positive as the ball is pressed [N]."""
+    return 0.5 * (history["far"][:, 0] - history["near"][:, 0])
+
+
+def _plates(ball: BallSpecimen, speed: float, begin: float, friction: float) -> tuple[PlaneWall, PlaneWall]:
+    """Smooth or rough plates at the outermost elements, below and above along x."""
+    _, y, z = ball.middle
+    axis = np.array([1.0, 0.0, 0.0])
+    below, above = PlaneWall((-ball.reach(-axis), y, z), (1.0, 0.0, 0.0), friction=friction), ball.reach(axis)
+    return (
+        PlaneWall(below.point, below.normal, Driven(vx=Ramp(0.0, speed, begin)), friction),
+        PlaneWall((above, y, z), (-1.0, 0.0, 0.0), Driven(vx=Ramp(0.0, -speed, begin)), friction),
+    )
+
+
+def _expected(model: Model, ball: BallSpecimen) -> tuple[float, float, float]:
+    """Roughly the force at the peak [N], the closing by then [m], by Hertz and through the outermost elements, and
+    the speed of sound [m/s]; they choose the speed of the plates, and no result is made from them.
+    """
+    found = model.implied_fracture
+    assert found is not None
+    strength = found.strength
+    if model.cells is None and model.non_local is None:  # beams: what their sections make up of a section of the ball
+        lattice = model.lattice
+        solid = (math.pi * model.stiffness.radius**2 * lattice.length).sum() / lattice.particles.envelope.volume
+        strength *= min(float(solid) / 3.0, 1.0)
+    force = strength * ball.diameter**2 / TENSION
+    hertz = 2.0 * (0.75 * force / (found.E * math.sqrt(0.5 * ball.diameter))) ** (2.0 / 3.0)
+    way = min(hertz + 2.0 * force / ball.stiffness, _CLOSING * ball.diameter)
+    return force, way, math.sqrt(found.E / found.density)
+
+
+def _read(run: ExplicitResult, ball: BallSpecimen, speed: float, begin: float, fine: float) -> SphereCrushing:
+    history = run.history
+    t, force, energy = history.time, _force(history), history.energy
+    top = int(np.argmax(force))
+    moved = np.where(t < begin, 0.5 * t**2 / begin, t - 0.5 * begin) * speed
+    both = np.abs(history["far"][: top + 1, 0] + history["near"][: top + 1, 0])
+    kinetic = energy["translation"] + energy["rotation"]
+    elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting", "contact")], axis=0)
+    peak, held = (max(float(one[top]), 1e-300) for one in (force, elastic))
+    return SphereCrushing(
+        force=float(force[top]), diameter=ball.diameter,
+        curve=np.column_stack([moved / ball.diameter, TENSION * force / ball.diameter**2]),
+        work=float(energy["work"][-1]), broken=ball.broken(run.state, fine),
+        asymmetry=float(both.max()) / peak, kinetic=float(kinetic[: top + 1].max()) / held,
+        residual=run.residual, run=run,
+    )  # fmt: skip

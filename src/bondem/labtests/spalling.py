@@ -1,0 +1,239 @@
+"""Spalling: a pulse of pressure runs along a bar, comes back from its free end as tension, and parts it there."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import count, number
+from bondem._types import Floats
+from bondem.errors import InputError, UnstableRunError
+from bondem.fracture.fragments import Fragments, fragments
+from bondem.labtests.rig import require_cells
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.criterion import Criterion
+from bondem.model.gauges import Gauge
+from bondem.model.loads import Pressure
+from bondem.model.model import Model
+from bondem.model.schedules import Table
+from bondem.model.state import State
+from bondem.run import solve_explicit
+from bondem.solve.plan import ExplicitResult, Status
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face
+
+# Pieces of less of the mass are crumbs; facets with less integrity are broken [-].
+_CRUMB, _BROKEN = 0.01, 0.1
+# The pull-back ends where the velocity has come up by so much of 2 p / ρ c again.
+_REBOUND = 0.04
+# Bins along the bar, over the mean edge of its cells.
+_BIN = 1.0
+_EVERY = 2
+
+
+@dataclass(frozen=True)
+class ThinBar:
+    """What a thin elastic bar does under a triangular pulse.
+
+    Attributes:
+        E: Young's modulus [Pa].
+        rho: density [kg/m³].
+        pressure: of the crest [Pa].
+        rise, fall: how long the pulse grows and falls [s].
+    """
+
+    E: float
+    rho: float
+    pressure: float
+    rise: float
+    fall: float
+
+    @property
+    def celerity(self) -> float:
+        """c = √(E/ρ) [m/s]."""
+        return math.sqrt(self.E / self.rho)
+
+    @property
+    def velocity(self) -> float:
+        """Largest of the free end, 2 p / ρ c [m/s]."""
+        return 2.0 * self.pressure / (self.rho * self.celerity)
+
+    def pull_back(self, tension: float) -> float:
+        """Fall of that velocity that goes with a strength [Pa], 2 f_t / ρ c [m/s]."""
+        return 2.0 * tension / (self.rho * self.celerity)
+
+    def strength(self, pull_back: float) -> float:
+        """Strength of a pull-back [m/s], ½ ρ c Δu [Pa] (Novozhilov's acoustic estimate)."""
+        return 0.5 * self.rho * self.celerity * pull_back
+
+    def place(self, tension: float) -> float:
+        """Distance from the free end at which tension first reaches a strength, ½ c t_fall f_t / p [m].
+
+        The crest has come back when the fall of the pulse, of the length 2 d / c, has f_t less; infinite where the
+        strength is above the pressure.
+        """
+        return 0.5 * self.celerity * tension / self.pressure * self.fall if tension <= self.pressure else math.inf
+
+
+@dataclass(frozen=True, eq=False)
+class SpallTest:
+    """Result of a spalling test.
+
+    Attributes:
+        bar: the thin elastic bar of the same E, ρ and pulse.
+        time, velocity: of the free end along the bar, of each record [s, m/s], (k,).
+        highest: velocity of the free end [m/s].
+        pull_back: how far it falls until it comes up again, Δu [m/s]; None where it does not.
+        first: when the first facet broke [s]; None where none did.
+        lengths: of the pieces by their mass, from the free end on, no crumbs [m], (f,).
+        edges, profile: edges of bins from the free end on [m], (b + 1,), and the broken area in each over the
+            section [-], (b,).
+        residual: of the energy ledger, over its largest entry [-].
+        run: the explicit run.
+    """
+
+    bar: ThinBar
+    time: Floats
+    velocity: Floats
+    highest: float
+    pull_back: float | None
+    first: float | None
+    lengths: Floats
+    edges: Floats
+    profile: Floats
+    residual: float
+    run: ExplicitResult
+
+    @property
+    def peak(self) -> float:
+        """Spall strength ½ ρ c Δu of the pull-back [Pa]; NaN where the velocity does not come up again."""
+        return math.nan if self.pull_back is None else self.bar.strength(self.pull_back)
+
+    @property
+    def place(self) -> float | None:
+        """Length of the piece at the free end [m]; None of a bar in one piece."""
+        return float(self.lengths[0]) if len(self.lengths) > 1 else None
+
+    @property
+    def state(self) -> State:
+        """The bar in the end."""
+        return self.run.state
+
+
+def spall(
+    bar: Lattice,
+    law: CellBond,
+    failure: Criterion | None,
+    *,
+    density: float,
+    pressure: float,
+    rise: float,
+    fall: float,
+    duration: float | None = None,
+    rebound: float | None = None,
+    bins: int | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> SpallTest:
+    """Press on x_min of a bar of cells with a triangular pulse, and watch its free end x_max; nothing is damped.
+
+    Stresses are those of a thin bar where the pulse is long beside the diameter. The strength is Novozhilov's
+    acoustic estimate, ½ ρ c Δu with Δu the pull-back of the free end and c = √(E/ρ).
+
+    Args:
+        bar: cells of a bar along x.
+        law: its material.
+        failure: a criterion; None for an elastic bar.
+        density: of the material [kg/m³].
+        pressure: of the crest [Pa].
+        rise, fall: how long the pulse grows, and falls to nothing [s].
+        duration: of the run [s]; None for three times the way along the bar, when the pulse would be back at x_max.
+        rebound: by how much the velocity has to come up again for a pull-back to have ended [m/s]; None for 4 % of
+            2 p / ρ c.
+        bins: of the profile; None for one a mean edge of the cells.
+        progress: called now and then with the share done, 0 … 1.
+
+    Raises:
+        InputError: a lattice without cells, no faces x_min and x_max, a pulse that is still on when its beginning has
+            come back to x_min, or a value out of range.
+        UnstableRunError: the run became unstable.
+
+    Reference: Novozhilov's formula as in Schuler, Mayrhofer and Thoma, Int. J. Impact Eng. 32 (2006) 1635-1650.
+    """
+    owner = "labtests.spall"
+    require_cells("spall", bar, law, density)
+    given = {"pressure": (pressure, "Pa"), "rise": (rise, "s"), "fall": (fall, "s")}
+    given |= {"duration": (duration, "s")} if duration is not None else {}
+    given |= {"rebound": (rebound, "m/s")} if rebound is not None else {}
+    for name, (value, unit) in given.items():
+        number(owner, name, value, above=0.0, unit=unit)
+    parts = None if bins is None else count(owner, "bins", bins, least=1)
+    thin = ThinBar(law.E, density, pressure, rise, fall)
+    length, section = _measures(bar)
+    way = length / thin.celerity
+    if rise + fall > 2.0 * way:
+        raise InputError(
+            f"{owner}: the pulse lasts {rise + fall:.3g} s, and its beginning is back at x_min after"
+            f" {2.0 * way:.3g} s; take a shorter pulse, or a longer bar"
+        )
+    load = Pressure(Face("x_min"), pressure, schedule=Table((0.0, rise, rise + fall), (0.0, 1.0, 0.0)))
+    model = Model(bar, law, density, failure=failure, boundary=[load])
+    run = solve_explicit(
+        model, duration=3.0 * way if duration is None else duration, every=_EVERY, progress=progress,
+        gauges={"end": Gauge(Face("x_max"), "velocity")},
+    )  # fmt: skip
+    if run.status is Status.UNSTABLE:
+        raise UnstableRunError(f"{owner}: {run.message}")
+    velocity = run.history["end"][:, 0]
+    highest, fallen = pulled_back(velocity, _REBOUND * thin.velocity if rebound is None else rebound)
+    edges, profile = _profile(bar, run.state, length, section, parts)
+    return SpallTest(
+        bar=thin, time=run.history.time, velocity=velocity, highest=highest, pull_back=fallen,
+        first=float(run.events.time.min()) if len(run.events) else None,
+        lengths=lengths(fragments(bar, run.state), density * section), edges=edges, profile=profile,
+        residual=run.residual, run=run,
+    )  # fmt: skip
+
+
+def pulled_back(velocity: Floats, rebound: float) -> tuple[float, float | None]:
+    """Highest velocity of a free end, and how far it falls until it comes up again [m/s]; None if it does not.
+
+    Args:
+        velocity: over time, (k,).
+        rebound: by how much it has to come up [m/s].
+    """
+    top = int(np.argmax(velocity))
+    least = np.minimum.accumulate(velocity[top:])
+    again = np.flatnonzero(velocity[top:] > least + rebound)
+    return float(velocity[top]), float(velocity[top] - least[again[0]]) if again.size else None
+
+
+def lengths(pieces: Fragments, mass: float) -> Floats:
+    """Lengths of pieces of a bar along x with a mass a length [kg/m], from x_max on; no crumbs."""
+    whole = pieces.mass > _CRUMB * pieces.mass.sum()
+    order = np.argsort(-pieces.position[whole, 0])
+    return pieces.mass[whole][order] / mass
+
+
+def _measures(bar: Lattice) -> tuple[float, float]:
+    """Length [m] and section [m²].
+
+    Raises:
+        InputError: no bar along x.
+    """
+    shape = bar.particles.envelope
+    if not {"x_min", "x_max"} <= set(shape.faces):
+        raise InputError(f"labtests.spall: a {type(shape).__name__} has no ends x_min and x_max; take a bar along x")
+    return shape.extent, shape.section()
+
+
+def _profile(bar: Lattice, state: State, length: float, section: float, bins: int | None) -> tuple[Floats, Floats]:
+    assert bar.facets is not None
+    assert bar.cells is not None
+    if bins is None:
+        bins = max(1, round(length / (_BIN * float(np.cbrt(bar.cells.volume.mean())))))
+    broken = np.flatnonzero(state.bond_integrity < _BROKEN)
+    place = float(bar.particles.envelope.bounds[1][0]) - bar.facets.centroid[broken, 0]
+    area = bar.facets.area[broken] * np.abs(bar.facets.normal[broken, 0])
+    found, edges = np.histogram(place, bins, range=(0.0, length), weights=area)
+    return edges, found / section

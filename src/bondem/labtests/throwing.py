@@ -1,0 +1,218 @@
+"""Impact of a ball on a rigid plane: damage, pieces and rebound."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance, number, vector
+from bondem._types import Floats
+from bondem.errors import InputError, UnstableRunError
+from bondem.labtests.arguments import AnyLaw, check
+from bondem.labtests.ball import BallSpecimen, BrokenBall
+from bondem.laws.contact import ContactLaw
+from bondem.model.failure_assignment import FailureAssignment
+from bondem.model.gauges import WallGauge
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.model.walls import PlaneWall
+from bondem.run import solve_explicit
+from bondem.solve.history import History
+from bondem.solve.plan import ExplicitResult, Status
+from bondem.specimen.lattice import Lattice
+
+# Steps between records; the impulse is their sum.
+_EVERY = 2
+# A test ends when nothing has touched the plane for so many diameters over the speed of sound, or after so many times
+# that a ball takes to come back from a single element.
+_QUIET, _CONTACTS = 3.0, 8.0
+# How far elements may reach into a plane at first, over the diameter: rounding.
+_TOUCH = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class SphereImpact:
+    """Result of an impact.
+
+    Attributes:
+        velocity: of the ball before [m/s], (3,).
+        normal: of the plane, towards the ball [-], (3,).
+        time, force: of each record [s] and on the plane, positive as it is pressed [N], (k,).
+        broken: what is left: `.pieces`, `.sizes`, `.damage` (broken over all), `.fines`, `.largest`.
+        restitution: speed away from the plane of the heaviest piece over that of the ball towards it [-].
+        momentum: |impulse of the plane - change of momentum| over the momentum of the ball [-], of the run.
+        residual: of the energy ledger, over its largest entry [-].
+        run: the explicit run.
+    """
+
+    velocity: tuple[float, float, float]
+    normal: tuple[float, float, float]
+    time: Floats
+    force: Floats
+    broken: BrokenBall
+    restitution: float
+    momentum: float
+    residual: float
+    run: ExplicitResult
+
+    @property
+    def damage(self) -> float:
+        """Broken bonds or facets over all [-]."""
+        return self.broken.damage
+
+    @property
+    def peak(self) -> float:
+        """Largest force on the plane [N]."""
+        return float(self.force.max(initial=0.0))
+
+    @property
+    def state(self) -> State:
+        """What is left."""
+        return self.run.state
+
+
+def sphere_impact(
+    ball: Lattice,
+    law: AnyLaw,
+    failure: FailureAssignment | None = None,
+    *,
+    density: float,
+    velocity: float | tuple[float, float, float],
+    wall: PlaneWall | None = None,
+    friction: float = 0.0,
+    contact: ContactLaw | None = None,
+    duration: float | None = None,
+    fine: float = 0.2,
+    progress: Callable[[float], None] | None = None,
+) -> SphereImpact:
+    """Throw a ball against a rigid plane; nothing is damped.
+
+    Args:
+        ball: cells or bonded spheres of a `bd.Ball`.
+        law: a bond law, a law of cells, or the non-local law.
+        failure: any criterion, or criteria by region; None for an elastic ball.
+        density: of the elements, or of the material of cells [kg/m³].
+        velocity: towards the plane [m/s], or three components, with which it comes nearer.
+        wall: a plane that stands still; None for one across x that the ball touches, on the side of x_min.
+        friction: of that plane [-], where no wall is given.
+        contact: law of contacts of the pieces and at the plane; None for one as stiff as the median bond, friction
+            0.4 between pieces.
+        duration: of the run [s]; None to end when nothing has touched the plane for three diameters over the speed
+            of sound, or after eight times the contact time of a ball that a single element bears.
+        fine: pieces smaller than this share of the diameter are fines [-].
+        progress: called now and then with the share done, 0 … 1.
+
+    Raises:
+        InputError: no ball, a plane that begins inside of it or more than a diameter away, a velocity that leads
+            away from the plane, or a value out of range.
+        UnstableRunError: the run became unstable.
+    """
+    owner = "labtests.sphere_impact"
+    check("sphere_impact", ball, density=density)
+    number(owner, "friction", friction, least=0.0)
+    number(owner, "fine", fine, above=0.0, below=1.0, advice="a share of the diameter in (0, 1)")
+    if duration is not None:
+        number(owner, "duration", duration, above=0.0, unit="s")
+    bare = Model(ball, law, density, failure=failure)
+    specimen = BallSpecimen.of("sphere_impact", bare)
+    plane = _plane(specimen, wall, friction)
+    normal, gap = np.array(plane.normal), _gap(specimen, plane)
+    flight = _velocity(velocity, normal)
+    fast = -float(np.dot(flight, normal))
+    model = Model(ball, law, density, failure=failure, contact=specimen.contact(contact), walls=[plane])
+    sound = math.sqrt(_modulus(specimen) / _density(specimen))
+    quiet, touched = _QUIET * specimen.diameter / sound, [-math.inf]
+    longest = gap / fast + _CONTACTS * math.pi * math.sqrt(specimen.mass / specimen.stiffness) + quiet
+
+    def ended(state: State, record: History) -> bool:
+        if float(record["wall"][-1] @ normal) < 0.0:
+            touched[0] = state.time
+        return duration is None and state.time - touched[0] > quiet and touched[0] > 0.0
+
+    state = model.state()
+    state.set_motion(velocity=np.tile(flight, (len(ball.particles), 1)))
+    run = solve_explicit(
+        model, duration=longest if duration is None else duration, every=_EVERY, state=state, callback=ended,
+        progress=progress, gauges={"wall": WallGauge(0, "force")},
+    )  # fmt: skip
+    if run.status is Status.UNSTABLE:
+        raise UnstableRunError(f"{owner}: {run.message}")
+    return _read(run, specimen, flight, normal, fine)
+
+
+def _plane(ball: BallSpecimen, wall: PlaneWall | None, friction: float) -> PlaneWall:
+    """The plane that was asked for, or one across x at the outermost element.
+
+    Raises:
+        InputError: another wall, or one that moves.
+    """
+    if wall is None:
+        _, y, z = ball.middle.tolist()
+        return PlaneWall((-ball.reach(np.array([-1.0, 0.0, 0.0])), y, z), (1.0, 0.0, 0.0), friction=friction)
+    plane = instance("labtests.sphere_impact", "wall", wall, PlaneWall, "bd.PlaneWall(point, normal), or None")
+    if plane.motion is not None:
+        raise InputError("labtests.sphere_impact: the plane moves; leave out motion= and give the ball the velocity")
+    return plane
+
+
+def _gap(ball: BallSpecimen, plane: PlaneWall) -> float:
+    """Distance of the outermost element from the plane [m].
+
+    Raises:
+        InputError: the plane is inside of the ball, or far from it.
+    """
+    normal = np.array(plane.normal)
+    gap = -ball.reach(-normal) - float(np.dot(plane.point, normal))
+    if gap < -_TOUCH * ball.diameter:
+        raise InputError(
+            f"labtests.sphere_impact: the plane begins {-gap:.3g} m inside of the ball; move it back, or leave out"
+            " wall="
+        )
+    if gap > ball.diameter:
+        raise InputError(
+            f"labtests.sphere_impact: the plane is {gap:.3g} m from the ball; bring it within a diameter,"
+            f" {ball.diameter:.3g} m"
+        )
+    return max(gap, 0.0)
+
+
+def _velocity(velocity: object, normal: Floats) -> Floats:
+    """The velocity of the ball [m/s], (3,).
+
+    Raises:
+        InputError: none, or one that leads away from the plane.
+    """
+    owner = "labtests.sphere_impact"
+    if np.ndim(velocity) == 0:  # type: ignore[arg-type]
+        return -number(owner, "velocity", velocity, above=0.0, unit="m/s") * normal
+    advice = "a speed towards the plane, or three components [m/s]"
+    found = np.array(vector(owner, "velocity", velocity, advice=advice))
+    if not float(found @ normal) < 0.0:
+        raise InputError(f"{owner}: velocity = {velocity} leads away from the plane; turn it around")
+    return found
+
+
+def _modulus(ball: BallSpecimen) -> float:
+    """Roughly Young's modulus [Pa]: bonds of a cubic lattice, for durations only."""
+    return ball.stiffness / (2.0 * float(np.median(ball.radius)))
+
+
+def _density(ball: BallSpecimen) -> float:
+    return 6.0 * ball.mass / (math.pi * ball.diameter**3)
+
+
+def _read(run: ExplicitResult, ball: BallSpecimen, flight: Floats, normal: Floats, fine: float) -> SphereImpact:
+    history = run.history
+    pushed = history["wall"]
+    step = np.diff(history.time)[:, None]
+    impulse = -(0.5 * (pushed[1:] + pushed[:-1]) * step).sum(axis=0)
+    broken = ball.broken(run.state, fine)
+    pieces = broken.pieces
+    gained = (pieces.mass[:, None] * (pieces.velocity - flight)).sum(axis=0)
+    came = ball.mass * float(np.linalg.norm(flight))
+    return SphereImpact(
+        velocity=tuple(flight.tolist()), normal=tuple(normal.tolist()), time=history.time, force=-pushed @ normal,
+        broken=broken, restitution=float(pieces.velocity[0] @ normal / -(flight @ normal)),
+        momentum=float(np.linalg.norm(impulse - gained)) / came, residual=run.residual, run=run,
+    )  # fmt: skip

@@ -1,0 +1,107 @@
+"""Beam bonds for a published case: E and ν by `bd.calibrate`, strength by direct tension of another specimen.
+
+Fixed before the runs: Euler–Bernoulli beams between spheres packed by the default method; a bar 3 : 1 : 1 of 1000
+spheres (seed 101), on which E and ν are calibrated and which is pulled apart between smooth platens; a shear strength
+of twice the tensile one. The strength of a brittle lattice is proportional to that of its bonds, nearly so where it
+is pulled at a finite speed: three tests, each with the strength that follows from the one before; what the last has
+is told.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from bondem.calibration.elastic import calibrate
+from bondem.errors import UnstableRunError
+from bondem.laws.damping import MassDamping
+from bondem.laws.euler_bernoulli import EulerBernoulli
+from bondem.laws.failure.peripheral_stress import PeripheralStress
+from bondem.model.boundary import Drive, Fix
+from bondem.model.gauges import Gauge
+from bondem.model.model import Model
+from bondem.model.schedules import Ramp
+from bondem.model.state import State
+from bondem.packing import pack
+from bondem.run import solve_explicit
+from bondem.solve.history import History
+from bondem.solve.plan import Status
+from bondem.specimen.bonding import connect
+from bondem.specimen.geometry import Box
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material
+from bondem.specimen.regions import Face
+
+#: The bar for calibration: seed, spheres, and its edge [m]; no strength depends on the last.
+SEED, COUNT, EDGE = 101, 1000, 0.01
+#: Shear strength of bonds over their tensile strength.
+SHEAR = 2.0
+#: Tests in direct tension.
+PULLS = 3
+# Traverses of sound until the strain f_t / E, damping of the first axial vibration, and strain at the latest end.
+_TRAVERSES, _DAMPING, _REACH = 60.0, 0.05, 6.0
+
+
+@dataclass(frozen=True, eq=False)
+class BeamBonds:
+    """Calibrated bonds.
+
+    Attributes:
+        law: of the bonds.
+        density: of the spheres [kg/m³].
+        failure: of the bonds.
+        factor: strength of the bar over that of its bonds, in the last test [-].
+        tension: strength of the bar in the last test [Pa].
+    """
+
+    law: EulerBernoulli
+    density: float
+    failure: PeripheralStress
+    factor: float
+    tension: float
+
+
+@cache
+def beam_bonds(E: float, nu: float, rho: float, tension: float) -> BeamBonds:
+    """Bonds for a material with a tensile strength [Pa]."""
+    bar = connect(pack(Box((3.0 * EDGE, EDGE, EDGE)), count=COUNT, seed=SEED))
+    fit = calibrate(bar, Material("of the case", E=E, nu=nu, rho=rho), law=EulerBernoulli)
+    assert isinstance(fit.law, EulerBernoulli)
+    failure = _criterion(2.0 * tension)
+    found = _pulled(bar, fit.law, fit.density, failure, E, tension)
+    for _ in range(PULLS - 1):
+        failure = _criterion(failure.tension * tension / found)
+        found = _pulled(bar, fit.law, fit.density, failure, E, tension)
+    return BeamBonds(fit.law, fit.density, failure, found / failure.tension, found)
+
+
+def _criterion(tension: float) -> PeripheralStress:
+    return PeripheralStress(tension=tension, shear=SHEAR * tension)
+
+
+def _pulled(
+    bar: Lattice, law: EulerBernoulli, density: float, failure: PeripheralStress, E: float, tension: float
+) -> float:
+    """Strength of a bar in direct tension [Pa], slowly."""
+    length, section = 3.0 * EDGE, EDGE**2
+    sound = math.sqrt(E / (density * 0.63))
+    rise = _TRAVERSES * length / sound
+    speed = tension / E * length / rise
+    model = Model(bar, law, density, failure=failure, boundary=[
+        Fix(Face("x_min"), translation="x", rotation=""), Drive(Face("x_max"), vx=Ramp(0.0, speed, 0.2 * rise)),
+    ])  # fmt: skip
+    peak = [0.0]
+
+    def ended(state: State, record: History) -> bool:
+        now = float(record["end"][-1, 0])
+        peak[0] = max(peak[0], now)
+        return peak[0] > 0.2 * tension * section and now < 0.3 * peak[0]
+
+    run = solve_explicit(
+        model, duration=_REACH * rise, every=20, gauges={"end": Gauge(Face("x_max"), "force")}, callback=ended,
+        damping=MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
+    )  # fmt: skip
+    if run.status is Status.UNSTABLE:
+        raise UnstableRunError(run.message)
+    return float(np.max(run.history["end"][:, 0])) / section
