@@ -225,7 +225,6 @@ from bondem._compile import threads
 from bondem.kernels.contact_pass import SERIAL_PAIRS
 from bondem.model.state import State
 from bondem.solve import neighbour_list as lists
-from bondem.solve.cracks import joints
 from bondem.solve.timestep import critical_step
 from test_breaking_contacts import block, crushing
 
@@ -239,9 +238,6 @@ damping = bd.LocalDamping(0.02)
 dt = 0.5 * critical_step(model, bd.VelocityVerlet(), damping)
 state = model.state()
 state.set_motion(velocity=2.0 * (6.5 - model.lattice.particles.position))
-rest = State(model)
-listed = lists.ContactList(model, model.contacts, rest, joints(model, rest, rest.integrity))
-assert len(listed.arrays.first) > SERIAL_PAIRS
 
 
 def bits(state):
@@ -252,7 +248,7 @@ def bits(state):
 def run(count, every, **options):
     with threads(count):
         return bd.solve_explicit(
-            model, duration=900 * dt, dt=dt, every=every, damping=damping, state=state.copy(), **options
+            model, duration=720 * dt, dt=dt, every=every, damping=damping, state=state.copy(), **options
         )
 
 
@@ -280,6 +276,7 @@ found = bd.read_run(place).state
 assert 0 < len(found.broken) < len(done.events)
 assert len(found.touching) > 100
 resumed = bd.resume(place)
+assert len(resumed.state.touching) > SERIAL_PAIRS  # so threads share them
 print(bits(resumed.state), len(resumed.events), len(resumed.state.contacts))
 """
 

@@ -15,7 +15,7 @@ from bondem.laws.contact import FRICTION, SOFT, contact_force, pair_spring, spri
 # A pair that touches, and one that parted in this step: it still hands in what it lost.
 TOUCHING, PARTED = 1, 2
 # Pairs of one portion of work.
-_PORTION = 2000
+_PORTION = 250
 
 
 @loop(parallel=False)

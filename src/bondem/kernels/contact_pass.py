@@ -20,8 +20,8 @@ from bondem.kernels.tables import DAMPED, RUBBED
 from bondem.kernels.walls import KIND, RATE, among, load_walls, wall_gap, wall_travel
 from bondem.laws.contact import SOFT, contact_force, spring_energy, wall_spring
 
-# Below this many candidates launching threads costs more than the loop.
-SERIAL_PAIRS = 4000
+# Below this many pairs that may touch launching threads costs more than the loop.
+SERIAL_PAIRS = 1000
 # Elements of one portion of work.
 _PORTION = 2000
 # Distances of all pairs are measured anew when an element has moved this share of the reach of the list.
