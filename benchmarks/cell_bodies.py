@@ -262,7 +262,7 @@ def held_against_limit(one: dict[str, Any], own: list[dict[str, Any]]) -> dict[s
 
 
 def table(cases: list[dict[str, Any]]) -> str:
-    """Errors in percent; of ν the difference itself, times a hundred; the worst against the limit of the meshes too."""
+    """Errors in percent; of ν the difference itself, times a hundred; the worst against the meshes' limit too."""
     names = ["E", "nu", *(f"f{k}" for k in range(1, 7)), "tension", "bending", "torsion"]
     lines = ["| shape | ν | elements | seed | thick | limit | worst | against limit | " + " | ".join(names) + " |"]
     lines.append("|---" * (8 + len(names)) + "|")

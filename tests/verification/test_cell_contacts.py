@@ -171,3 +171,25 @@ def test_platens_in_contact_crush_a_specimen_at_its_strength() -> None:
         assert 0.93 * strength < stress.max() < 1.02 * strength
         assert stress[-1] < 0.9 * stress.max()
     assert np.ptp(run.history.energy["balance"]) < 1e-3 * run.history.energy["work"].max()
+
+
+def test_dashpots_leave_a_step_that_does_not_go_by_the_smallest_facet() -> None:
+    """A ball of 300 brittle cells: facets differ a thousandfold in area, and the step is as long as it has to be."""
+    steps, model = [], None
+    for damping in (0.0, 0.1):
+        law = bd.LinearContact(E=E, friction=0.4, damping=damping)
+        model = bd.Model(
+            ball(300), bd.CellBond(E=E, nu=NU), density=RHO, failure=FAILURES["brittle"], contact=law,
+            walls=[bd.PlaneWall(point=(-0.05, 0.0, 0.0), normal=(1.0, 0.0, 0.0))],
+        )  # fmt: skip
+        steps.append(critical_step(model, bd.VelocityVerlet()))
+    assert 0.2 * steps[0] < steps[1] < steps[0]
+    assert model is not None
+    state = model.state()
+    state.set_motion(velocity=np.tile([-20.0, 0.0, 0.0], (300, 1)))
+    run = bd.solve_explicit(model, duration=2000 * 0.9 * steps[1], dt=0.9 * steps[1], every=100, state=state)
+    assert len(run.events) > 100  # it comes to pieces, which touch
+    energy = run.history.energy
+    there = energy["translation"][0]
+    assert energy["loss"][-1] > 0.01 * there
+    assert np.ptp(energy["balance"]) < 1e-3 * there

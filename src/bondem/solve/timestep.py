@@ -236,9 +236,9 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
 def _decay_bound(model: Model, kn: PerBond, beta: float, soft: float) -> float:
     """Bound of M⁻¹ C [1/s], if all bonds were contacts with dashpots instead.
 
-    The square of the velocity of one end against the other at a contact is at most 2 Σ (1/m + b²/I) (m v² + I ω²) over
-    both ends, b their levers. So the sum of 2 c (1/m + b²/I) over the contacts of an element is a bound: no motion
-    loses more over twice its energy. (The largest c / k would go by the smallest facet.)
+    The square of the velocity of one end against the other at a contact is at most 2 Σ (1/m + b²/I) (m v² + I ω²)
+    over both ends, b their levers. So the sum of 2 c (1/m + b²/I) over the contacts of an element is a bound: no
+    motion loses more over twice its energy. (The largest c / k would go by the smallest facet.)
     """
     layout, radius = model.layout, model.contact_radius[model.layout.order]
     mass, inertia = model.mass[layout.order], model.inertia[layout.order]
