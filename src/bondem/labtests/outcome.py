@@ -5,6 +5,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from bondem._types import Floats
+from bondem.model.state import State
+
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
@@ -21,6 +24,8 @@ class Outcome:
             the section its own tension test fills: a consistency check, no validation, as it takes the softness of
             the specimen from the specimen (docs/decisions/0004-measures.md) [unit].
         curves: arrays for figures, and further scalars beside the main one.
+        state: the broken specimen, of a test to failure.
+        energy: of a test to failure, `labtests.ledger.energy_ledger` along the curve [J], (k,) each.
     """
 
     name: str
@@ -30,6 +35,8 @@ class Outcome:
     theory_timoshenko: float | None = None
     theory_refined: float | None = None
     curves: Mapping[str, np.ndarray] = field(default_factory=dict)
+    state: State | None = None
+    energy: Mapping[str, Floats] = field(default_factory=dict)
 
     @property
     def error(self) -> float:

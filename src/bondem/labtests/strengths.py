@@ -7,12 +7,12 @@ import numpy as np
 
 from bondem.errors import InputError
 from bondem.labtests.compression import uniaxial_compression
-from bondem.labtests.confined import TriaxialTest, triaxial
+from bondem.labtests.confined import triaxial
 from bondem.labtests.flexure import BendingTest, three_point_bending
+from bondem.labtests.ledger import AnyTest, energy_ledger
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.punching import shear
-from bondem.labtests.rig import StrengthTest
-from bondem.labtests.splitting import BrazilianTest, brazilian
+from bondem.labtests.splitting import brazilian
 from bondem.labtests.tearing import direct_tension
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
@@ -26,7 +26,6 @@ STRENGTH_TESTS: Mapping[str, Mapping[str, str]] = {
 }  # fmt: skip
 #: What has no default.
 NEEDED = (("triaxial", "pressure"),)
-_AnyTest = StrengthTest | BrazilianTest | TriaxialTest | BendingTest
 
 
 def strength_outcome(
@@ -65,7 +64,7 @@ def strength_outcome(
             f"labtests: {name} is no test to failure of such a material; there are {', '.join(STRENGTH_TESTS)}"
         )
     given = {"density": density, "progress": progress}
-    test: _AnyTest
+    test: AnyTest
     match name:
         case "direct_tension":
             test = direct_tension(body, law, failure, **given)
@@ -80,7 +79,10 @@ def strength_outcome(
         case _:
             test = three_point_bending(body, law, failure, span=asked.get("span"), progress=progress)
     theory = _implied(name, softening, asked)
-    return Outcome(name=name, measured=test.peak, theory=theory, unit="Pa", curves=_curves(test, body))
+    return Outcome(
+        name=name, measured=test.peak, theory=theory, unit="Pa", curves=_curves(test, body), state=test.state,
+        energy=energy_ledger(test),
+    )  # fmt: skip
 
 
 def needs_slip(name: str) -> bool:
@@ -97,7 +99,7 @@ def _implied(name: str, softening: Softening, asked: Mapping[str, float]) -> flo
     return math.nan
 
 
-def _curves(test: _AnyTest, body: Lattice) -> dict[str, np.ndarray]:
+def _curves(test: AnyTest, body: Lattice) -> dict[str, np.ndarray]:
     """Curve, and what figures show of the broken specimen."""
     state = test.state
     whole = test.path.bond_integrity if isinstance(test, BendingTest) else state.bond_integrity
