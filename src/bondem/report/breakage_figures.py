@@ -17,7 +17,7 @@ from bondem.report.strength_figures import DRAWN, Drawn, arranged, broken_in, pa
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, sheet
 from bondem.specimen.lattice import Lattice
 
-#: Facets that have at most this integrity left are drawn and counted as cracks [-].
+#: Facets that have at most this integrity left are cracks, and join no pieces [-].
 CRACKED = 0.5
 # Largest motion of the pieces drawn, over the length of the specimen.
 _EXAGGERATED = 0.08
@@ -37,14 +37,15 @@ def draw_pieces(path: Path, specimen: Examined) -> None:
 def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: Outcome, told: Drawn) -> None:
     state = outcome.state
     assert state is not None
-    pieces = fragments(body, state)
+    pieces = fragments(body, state, integrity=CRACKED)
     found = cracks(body, state, integrity=CRACKED)
     size = float(np.ptp(body.centre, axis=0).max())
     reach = max(1.0, _EXAGGERATED * size / float(np.ptp(state.displacement, axis=0).max()))
     large = int((pieces.size >= _FEW).sum())
     draw_fragments(left, body, state, pieces, view=told.view, reach=reach)
-    left.set_title(f"{told.title}: {_many(large, 'piece')}, {_many(len(pieces) - large, 'crumb')},"
-                   f"\nmotion × {reach:.0f}", color=INK)  # fmt: skip
+    crumbs = f", {_many(len(pieces) - large, 'crumb')}" if len(pieces) > large else ""
+    left.set_title(f"{told.title}: {_many(large, 'piece')}{crumbs}", color=INK)
+    left.text(0.02, 0.0, f"motion × {reach:.0f}", transform=left.transAxes, fontsize=8.5)
     scale = draw_cracks(right, body, found, view=told.view)
     right.set_title(f"cracks: {1e6 * found.area:.0f} mm² in {_many(len(found.surfaces), 'surface')}", color=INK)
     if len(found):
@@ -72,7 +73,7 @@ def draw_energies(path: Path, specimen: Examined) -> None:
             ax.text(0.02, 0.97, f"balance within {with_unit(float(missing), 'J', 2)}", transform=ax.transAxes,
                     va="top", fontsize=8.5)  # fmt: skip
         handles, labels = axes[0, 0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside lower center", ncols=4)
+        figure.legend(handles, labels, loc="outside lower center", ncols=4 if columns > 1 else 2)
 
 
 def _many(count: int, what: str) -> str:

@@ -58,9 +58,9 @@ CAPTIONS = {
         that was put in, where that has a closed form.""",
     "broken": """The first specimen as it broke, its motion exaggerated: cells as polyhedra, coloured by the damage of
         their facets, or by their plastic slip.""",
-    "pieces": """Left: pieces of the first specimen, each in a colour of its own, its motion exaggerated; those of
-        less than ten cells in orange. Right: surfaces of cracks, facets that have lost half of their strength or
-        more, coloured by their opening.""",
+    "pieces": """Cracks are facets that have lost half of their strength or more. Left: what the others join, each
+        piece in a colour of its own, its motion exaggerated; those of less than ten cells in orange. Right: surfaces
+        of cracks, coloured by their opening.""",
     "energies": """Energies of the first specimen as its curve goes: what the work of the load (dashed) has turned
         into.""",
     "errors": "All tests at a glance: means over the packings with their scatter.",

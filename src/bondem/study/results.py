@@ -146,7 +146,7 @@ def _failure(body: Lattice, outcome: Outcome) -> dict[str, Any] | None:
     if outcome.state is None:
         return None
     return {
-        "pieces": len(fragments(body, outcome.state)),
+        "pieces": len(fragments(body, outcome.state, integrity=CRACKED)),
         "crack_area": cracks(body, outcome.state, integrity=CRACKED).area,
         "energy": {name: energy[-1] for name, energy in outcome.energy.items()},
         "largest_imbalance": np.abs(outcome.energy["balance"]).max(),
