@@ -17,7 +17,8 @@ def energy_ledger(test: AnyTest) -> dict[str, Floats]:
     """Energies at each point of the curve of a test [J], (k,) each: `PARTS`, "work" of the load, and "balance".
 
     balance = sum of the parts - work, which should vanish. A bending test has no speed: its "fracture" is what its
-    events dissipate, and "kinetic", "plastic", "friction" and "damping" are zero.
+    events dissipate, and "kinetic", "plastic", "friction" and "damping" are zero. Its "work" and "elastic" are of the
+    rollers as their cells move, whose middle is not quite the line of the load: 1.5 % of the work in 200 cells.
     """
     found = _of_path(test) if isinstance(test, BendingTest) else _of_run(test)
     balance = np.sum([found[name] for name in PARTS], axis=0) - found["work"]
@@ -36,9 +37,16 @@ def _of_run(test: StrengthTest | BrazilianTest | TriaxialTest) -> dict[str, Floa
 
 
 def _of_path(test: BendingTest) -> dict[str, Floats]:
+    """Of all three rollers: an event comes at constant loads, what lies between two events is proportional."""
     path = test.path
-    none = np.zeros(len(path.work) + 1)
-    # What an event dissipates is gone at the next one.
-    spent = np.concatenate([[0.0, 0.0], np.cumsum(path.energy)[:-1]])
-    found = {"elastic": np.append(0.0, path.stored), "fracture": spent, "work": np.append(0.0, path.work)}
-    return dict.fromkeys(PARTS, none) | found
+    load, moved = path.load, -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
+    compliance = moved / load
+    first = 0.5 * load[:1] * moved[:1]
+    softer = load[:-1] ** 2 * np.diff(compliance)
+    further = 0.5 * np.diff(load**2) * compliance[1:]
+    spent = np.cumsum(path.energy)[:-1]  # what an event dissipates is gone at the next one
+    none = np.zeros(len(load) + 1)
+    return dict.fromkeys(PARTS, none) | {
+        "elastic": np.append(0.0, 0.5 * load * moved), "fracture": np.concatenate([[0.0, 0.0], spent]),
+        "work": np.concatenate([[0.0], np.cumsum(np.concatenate([first, softer + further]))]),
+    }  # fmt: skip

@@ -55,19 +55,24 @@ def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: 
 
 
 def draw_energies(path: Path, specimen: Examined) -> None:
-    """The ledger of each test over its strain: what the work of the load has turned into."""
+    """The ledger of each test over its strain: what the work of the load has turned into.
+
+    Where a path turns back, only what lies farther than all before is drawn.
+    """
     names = broken_in(specimen)
     rows, columns = arranged(len(names))
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows + 0.5, rows, columns, squeeze=False) as (figure, axes):
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
             outcome = specimen.outcomes[name]
-            strain, energy = 1e3 * outcome.curves["strain"], outcome.energy
+            strain = 1e3 * outcome.curves["strain"]
+            missing = np.abs(outcome.energy["balance"]).max()
+            farther = strain >= np.maximum.accumulate(strain)
+            strain, energy = strain[farther], {part: along[farther] for part, along in outcome.energy.items()}
             top = np.zeros(len(strain))
             for part in PARTS:
                 ax.fill_between(strain, top, top + energy[part], color=_COLOURS[part], linewidth=0.0, label=part)
                 top = top + energy[part]
             ax.plot(strain, energy["work"], color=INK, linestyle=(0, (4, 3)), linewidth=1.2, label="work of the load")
-            missing = np.abs(energy["balance"]).max()
             ax.set(xlabel=f"{DRAWN[name].strain} [10$^{{-3}}$]", ylabel="energy [J]", title=DRAWN[name].title)
             ax.set_ylim(bottom=0.0)
             ax.text(0.02, 0.97, f"balance within {with_unit(float(missing), 'J', 2)}", transform=ax.transAxes,

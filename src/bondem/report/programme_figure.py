@@ -28,11 +28,12 @@ def draw_targets(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
             if not known:
                 continue
             spread = [100.0 * (row["scatter"] or 0.0) for _, row in known]
-            ax.errorbar([100.0 * row[key] for _, row in known], [y for y, _ in known], xerr=spread, fmt=style,
-                        color=colour, markersize=6, capsize=3, linewidth=1.0, label=label)  # fmt: skip
+            bars = {"xerr": spread, "capsize": 3} if any(spread) else {}
+            ax.errorbar([100.0 * row[key] for _, row in known], [y for y, _ in known], fmt=style, color=colour,
+                        markersize=6, linewidth=1.0, label=label, **bars)  # fmt: skip
         reach = 1.15 * max(5.0, *(abs(value) for value in ax.get_xlim()))
         ax.set(xlim=(-reach, reach), ylim=(-0.6, len(shown) - 0.4), yticks=place,
-               xlabel="measured / wanted − 1  [%]")  # fmt: skip
+               xlabel="measured over target or closed form, less one  [%]")  # fmt: skip
         ax.set_yticklabels([f"{row['specimen']}: {row['label']}" for row in shown])
         ax.grid(axis="y", visible=False)
         figure.legend(loc="outside lower center", ncols=2)
