@@ -133,7 +133,7 @@ def test_bending_takes_the_tension_of_mohr_and_coulomb() -> None:
 
 
 def test_the_work_of_the_rollers_is_stored_or_dissipated() -> None:
-    """But for the distance of the middle of a strip's cells from its line, at most half a cell in half the span: 8 %."""
+    """But for the distance of a strip's cells from its line, at most half a cell in half the span: 8 %."""
     test = run("three_point_bending", most=500)
     ledger = energy_ledger(test)
     assert all(len(along) == len(test.curve) for along in ledger.values())

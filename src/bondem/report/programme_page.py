@@ -17,7 +17,8 @@ from bondem.specimen.material import Material
 #: Figures of a specimen's own report that this one shows, in order.
 SHOWN = ("strength", "broken", "pieces", "energies")
 _TARGETS = """How far each test is off its target, and off what the strengths put in imply, where that has a closed
-    form; bars: standard deviation over the packings."""
+    form."""
+_BARS = " Bars: standard deviation over the packings."
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,8 @@ def write_programme(
     if figures and any(row["off_target"] is not None or row["off_theory"] is not None for row in rows):
         (out / "figures").mkdir(exist_ok=True)
         draw_targets(out / "figures" / "targets.png", rows)
-        summary = _picture(out / "figures" / "targets.png", _TARGETS)
+        scattered = any(row["scatter"] for row in rows)
+        summary = _picture(out / "figures" / "targets.png", _TARGETS + (_BARS if scattered else ""))
     pictures = {one.name: _pictures(out / one.folder) if figures else [] for one in chapters}
     environment = templates()
     environment.filters |= {"quantity": with_unit, "percent": percent, "signed": signed_percent}
