@@ -195,8 +195,9 @@ def test_what_is_finished_is_not_run_again(finished: Any, monkeypatch: pytest.Mo
     other = PROGRAMME | {"specimens": [PRISM, DISC | {"count": 150}], "output": {"figures": False}}
     run_programme(parse_programme(other), out)
     assert ran[1:] == ["concrete: Small prism", "concrete: disc"]
-    run_programme(parse_programme(other), out, fresh=True)
+    run_programme(parse_programme(other).changed(packings=2), out, fresh=True)
     assert len(ran) == 5
+    assert "± scatter" in (out / "report.html").read_text()
 
 
 def test_the_command_runs_a_programme(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,8 +1,9 @@
 """The report of a test programme: one HTML page over the reports of its specimens."""
 
 import base64
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,8 @@ from bondem.specimen.material import Material
 
 #: Figures of a specimen's own report that this one shows, in order.
 SHOWN = ("strength", "broken", "pieces", "energies")
+# Fields of criteria that are stresses.
+_STRESSES = ("tension", "compression", "cohesion", "hydrostatic")
 _TARGETS = """How far each test is off its target, and off what the strengths put in imply, where that has a closed
     form."""
 _BARS = " Bars: standard deviation over the packings."
@@ -73,7 +76,8 @@ def write_programme(
     page = environment.get_template("programme.html").render(
         title=title,
         material=material,
-        failure=failure,
+        criterion=type(failure).__name__,
+        strengths=_strengths(failure) if failure is not None else [],
         rows=rows,
         chapters=chapters,
         summary=summary,
@@ -82,6 +86,27 @@ def write_programme(
         today=date.today().isoformat(),
     )
     write_text(out / "report.html", page)
+
+
+def _strengths(failure: Criterion) -> list[tuple[str, str]]:
+    """What a criterion was given, by name, as people read it; angles in degrees."""
+    told: list[tuple[str, str]] = []
+    for item in fields(failure):
+        value = getattr(failure, item.name)
+        if value is None or value == 0.0:
+            continue
+        if not isinstance(value, int | float):
+            shown = type(value).__name__
+        elif item.name in _STRESSES:
+            shown = with_unit(value, "Pa")
+        elif item.name.startswith("fracture_energy"):
+            shown = with_unit(value, "J/m²")
+        elif item.name == "friction_angle":
+            shown = f"{math.degrees(value):.4g}°"
+        else:
+            shown = f"{value:.4g}"
+        told.append((item.name.replace("_", " "), shown))
+    return told
 
 
 def _pictures(folder: Path) -> list[Picture]:

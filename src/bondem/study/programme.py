@@ -176,7 +176,8 @@ def _series(
     except StudyError as error:
         raise StudyError(f"specimen '{name}': {error}") from None
     own = _targets(where.section("targets"), tests)
-    found = {test: (targets | own)[test] for test in tests if test in targets | own}
+    wanted = {**targets, **own}
+    found = {test: wanted[test] for test in tests if test in wanted}
     return Series(name=name, study=study, targets=found, inputs=_hash(document, folder))
 
 
