@@ -80,6 +80,8 @@ def read(path: str | Path) -> Study | Programme:
     """
     path = Path(path)
     data = read_toml(path)
+    if isinstance(data.get("specimen"), list):
+        raise StudyError("'specimen' is a list of tables; several specimens are [[specimens]], one is [specimen]")
     if "specimens" in data:
         return parse_programme(data, folder=path.parent)
     return parse_study(data, folder=path.parent)
