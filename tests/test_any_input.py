@@ -173,7 +173,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "cracks": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
     "explain": {"model": BREAKING, "state": BREAKING.state(), "most": 3},
     "failure_index": {"model": BREAKING, "state": BREAKING.state()},
-    "fragments": {"lattice": LATTICE, "state": BREAKING.state()},
+    "fragments": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
     "Graded": {"fine": 1e-3, "coarse": 1e-2, "about": BALL, "growth": 0.3},
     "aggregates": {"shape": BOX, "sieve": bd.Sieve((0.2, 0.3), (0.0, 1.0)), "fraction": 0.1, "gap": 0.05, "seed": 1},
     "pack": {"shape": BOX, "count": 40, "size": None, "spread": 0.2, "sizes": None, "method": "quench", "seed": 1,

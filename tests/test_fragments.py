@@ -41,3 +41,14 @@ def test_pieces_of_a_chain():
 def test_a_state_of_another_lattice_is_refused():
     with pytest.raises(InputError, match="its own lattice"):
         bd.fragments(chain(4).lattice, chain(5).state())
+
+
+def test_what_has_softened_so_far_joins_nothing():
+    model = chain(6)
+    state = model.state()
+    state.integrity[np.flatnonzero(np.isin(state.layout.bond_order, [1]))] = 0.4  # bond 3-4
+    assert len(bd.fragments(model.lattice, state)) == 1
+    assert len(bd.fragments(model.lattice, state, integrity=0.3)) == 1
+    assert bd.fragments(model.lattice, state, integrity=0.4).label.tolist() == [0, 0, 0, 0, 1, 1]
+    with pytest.raises(InputError, match="integrity = 1"):
+        bd.fragments(model.lattice, state, integrity=1.0)

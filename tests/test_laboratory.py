@@ -10,6 +10,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, StudyError
+from bondem.labtests.ledger import energy_ledger
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study, read_study
 
@@ -129,6 +130,16 @@ def test_bending_takes_the_tension_of_mohr_and_coulomb() -> None:
     np.testing.assert_array_equal(both[0].curve, both[1].curve)
     assert both[0].curve.shape == (31, 2)
     assert both[0].E == both[1].E
+
+
+def test_the_work_of_the_rollers_is_stored_or_dissipated() -> None:
+    """But for the distance of a strip's cells from its line, at most half a cell in half the span: 8 %."""
+    test = run("three_point_bending", most=500)
+    ledger = energy_ledger(test)
+    assert all(len(along) == len(test.curve) for along in ledger.values())
+    np.testing.assert_allclose(ledger["fracture"][2:], np.cumsum(test.path.energy)[:-1])
+    assert ledger["fracture"][-1] > 0.3 * ledger["work"][-1]
+    assert np.abs(ledger["balance"]).max() < 0.08 * ledger["work"][-1]
 
 
 def study(**changed: Any) -> Any:

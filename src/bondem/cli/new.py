@@ -1,4 +1,4 @@
-"""`bondem new silica` or `bondem new cells`: a commented study to begin from."""
+"""`bondem new silica`, `bondem new cells` or `bondem new concrete`: a commented study to begin from."""
 
 from pathlib import Path
 
@@ -13,7 +13,10 @@ from bondem.study.beginnings import TEMPLATES, template
 @click.argument("kind", metavar="|".join(TEMPLATES), type=click.Choice(tuple(TEMPLATES)))
 @click.argument("file", metavar="[FILE]", type=click.Path(path_type=Path), required=False)
 def command(kind: str, file: Path | None) -> None:
-    """Write a commented study file: beam bonds that are calibrated (silica), or cells that need no calibration."""
+    """Write a commented study file: beam bonds (silica), cells (cells), or cells to failure (concrete).
+
+    Beam bonds are calibrated, cells need no calibration; concrete is a test programme of several specimens.
+    """
     path = file or Path(TEMPLATES[kind])
     if path.exists():
         raise InputError(f"'{path}' is there already; name another FILE, or move it away")

@@ -88,6 +88,28 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
     console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True)
 
 
+def show_programme(results: Mapping[str, Any], out: Path) -> None:
+    """Print a finished test programme: measured against target."""
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console.width = 140
+    console.print(f"\n[bold]{results['programme']}[/bold], specimens: {len(results['specimens'])}\n", soft_wrap=True)
+    table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
+    for name in ("  specimen", "test"):
+        table.add_column(name, no_wrap=True)
+    for name in ("measured", "± scatter", "target", "off", "closed form", "off"):
+        table.add_column(name, justify="right", no_wrap=True)
+    for row in results["rows"]:
+        table.add_row(
+            f"  {row['specimen']}", row["label"], with_unit(row["measured"], row["unit"]),
+            "–" if row["scatter"] is None else percent(row["scatter"]),
+            with_unit(row["target"], row["unit"]), signed_percent(row["off_target"]),
+            with_unit(row["theory"], row["unit"]), signed_percent(row["off_theory"]),
+        )  # fmt: skip
+    console.print(table, soft_wrap=True)
+    console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True)
+
+
 def _law(micro: Mapping[str, Any]) -> str:
     if micro["law"] not in LAWS:
         return (

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from bondem._checks import instance
+from bondem._checks import instance, number
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.model.state import State
@@ -38,19 +38,21 @@ class Fragments:
         return len(self.size)
 
 
-def fragments(lattice: Lattice, state: State) -> Fragments:
+def fragments(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Fragments:
     """The pieces of a state.
 
     Args:
         lattice: what it is a state of.
         state: of an explicit run, such as `run.state`.
+        integrity: bonds at or below it join nothing, in [0, 1): 0 for broken ones, more for those that soften too.
 
     Raises:
-        InputError: a state of another lattice.
+        InputError: a state of another lattice, or an integrity outside [0, 1).
     """
     instance("fragments", "lattice", lattice, Lattice, "the lattice of the model")
     instance("fragments", "state", state, State, "the state of a run, or model.state()")
-    n, whole = len(lattice.particles), state.bond_integrity > 0.0
+    number("fragments", "integrity", integrity, least=0.0, below=1.0, advice="a share in [0, 1), 0 for broken bonds")
+    n, whole = len(lattice.particles), state.bond_integrity > integrity
     if len(state.pose) != n or len(whole) != len(lattice.pairs):
         raise InputError(f"fragments: the state has {len(state.pose)} elements and other bonds; give its own lattice")
     i, j = lattice.pairs[whole].T

@@ -5,6 +5,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from bondem._types import Floats
+from bondem.model.state import State
+
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
@@ -22,6 +25,8 @@ class Outcome:
             the specimen from the specimen (docs/decisions/0004-measures.md) [unit].
         curves: arrays for figures, and further scalars beside the main one.
         told: further numbers for the report, by their name with its unit.
+        state: the broken specimen, of a test to failure.
+        energy: of a test to failure, `labtests.ledger.energy_ledger` along the curve [J], (k,) each.
     """
 
     name: str
@@ -32,6 +37,8 @@ class Outcome:
     theory_refined: float | None = None
     curves: Mapping[str, np.ndarray] = field(default_factory=dict)
     told: Mapping[str, float] = field(default_factory=dict)
+    state: State | None = None
+    energy: Mapping[str, Floats] = field(default_factory=dict)
 
     @property
     def error(self) -> float:

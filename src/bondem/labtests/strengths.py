@@ -10,14 +10,14 @@ from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
 from bondem.labtests.ball import BrokenBall
 from bondem.labtests.compression import uniaxial_compression
-from bondem.labtests.confined import TriaxialTest, triaxial
+from bondem.labtests.confined import triaxial
 from bondem.labtests.crushing import sphere_crushing
 from bondem.labtests.flexure import BendingTest, three_point_bending
+from bondem.labtests.ledger import AnyTest, energy_ledger
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.punching import shear
-from bondem.labtests.rig import StrengthTest
 from bondem.labtests.spalling import spall
-from bondem.labtests.splitting import BrazilianTest, brazilian
+from bondem.labtests.splitting import brazilian
 from bondem.labtests.tearing import direct_tension
 from bondem.labtests.throwing import sphere_impact
 from bondem.laws.cell_bond import CellBond
@@ -39,7 +39,6 @@ NEEDED = (
 )  # fmt: skip
 #: Tests of a ball, of which E is not read and whose outcome is of its pieces.
 OF_BALLS = ("sphere_crushing", "sphere_impact")
-_AnyTest = StrengthTest | BrazilianTest | TriaxialTest | BendingTest
 
 
 def strength_outcome(
@@ -80,7 +79,7 @@ def strength_outcome(
     given = {"density": density, "progress": progress}
     if name in (*OF_BALLS, "spall"):
         return _dynamic(name, body, law, failure, asked, **given)
-    test: _AnyTest
+    test: AnyTest
     match name:
         case "direct_tension":
             test = direct_tension(body, law, failure, **given)
@@ -95,7 +94,10 @@ def strength_outcome(
         case _:
             test = three_point_bending(body, law, failure, span=asked.get("span"), progress=progress)
     theory = _implied(name, softening, asked)
-    return Outcome(name=name, measured=test.peak, theory=theory, unit="Pa", curves=_curves(test, body))
+    return Outcome(
+        name=name, measured=test.peak, theory=theory, unit="Pa", curves=_curves(test, body), state=test.state,
+        energy=energy_ledger(test),
+    )  # fmt: skip
 
 
 def _dynamic(
@@ -132,7 +134,9 @@ def _outcome(
     curves = {"strain": curve[0], "stress": curve[1]} | _damaged(body, state, state.bond_integrity, state.slipped)
     curves["piece"] = fragments(body, state).label
     known = {key: value for key, value in told.items() if value is not None}
-    return Outcome(name=name, measured=measured, theory=theory, unit=unit, curves=curves, told=known)
+    return Outcome(
+        name=name, measured=measured, theory=theory, unit=unit, curves=curves, told=known, state=state,
+    )  # fmt: skip
 
 
 def needs_slip(name: str) -> bool:
@@ -149,7 +153,7 @@ def _implied(name: str, softening: Softening, asked: Mapping[str, float]) -> flo
     return math.nan
 
 
-def _curves(test: _AnyTest, body: Lattice) -> dict[str, np.ndarray]:
+def _curves(test: AnyTest, body: Lattice) -> dict[str, np.ndarray]:
     """Curve, and what figures show of the broken specimen."""
     state = test.state
     bent = isinstance(test, BendingTest)

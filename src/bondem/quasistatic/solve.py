@@ -41,8 +41,8 @@ class QuasistaticResult:
         factor: of the load at each event [-], (e,). It falls where the path snaps back.
         load: on the driven region along its motion or load [N], (e,).
         displacement: of the same [m], (e,).
-        work: of walls or loads until each event [J], (e,).
-        stored: elastic energy before each event [J], (e,).
+        work: of `load` on its way until each event [J], (e,): all there is, where nothing else moves under load.
+        stored: elastic energy before each event, ½ load · displacement [J], (e,), likewise.
         energy: dissipated by each event [J], (e,); the sum of those before is work - stored. Nothing is known of the
             last one, which has 0.
         gauge: of each gauge the displacement between its regions [m], (e, 3).

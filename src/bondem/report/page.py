@@ -14,6 +14,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from bondem.errors import InputError
 from bondem.io.atomic import write_text
 from bondem.laws.catalogue import named
+from bondem.report.breakage_figures import draw_energies, draw_pieces
 from bondem.report.cell_figures import draw_bent, draw_body
 from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
 from bondem.report.fabric_figures import draw_distribution, draw_layering
@@ -27,7 +28,8 @@ from bondem.report.summary_figures import draw_errors
 from bondem.specimen.layering import wall_layering
 from bondem.specimen.radial_distribution import radial_distribution
 
-_CAPTIONS = {
+#: Of the figures, by name.
+CAPTIONS = {
     "specimen": "The specimen: its elements, coloured by radius, on one half; its bonds alone on the other.",
     "geode": """Directions of the bonds, counted on the 320 faces of a geode and divided by what an isotropic fabric
         would have there. Inside, a good packing shows noise and no pattern; next to the walls elements line up.""",
@@ -56,6 +58,11 @@ _CAPTIONS = {
         that was put in, where that has a closed form.""",
     "broken": """The first specimen as it broke, its motion exaggerated: cells as polyhedra, coloured by the damage of
         their facets, or by their plastic slip.""",
+    "pieces": """Cracks are facets that have lost half of their strength or more. Left: what the others join, each
+        piece in a colour of its own, its motion exaggerated; those of less than ten cells in orange. Right: surfaces
+        of cracks, coloured by their opening.""",
+    "energies": """Energies of the first specimen as its curve goes: what the work of the load (dashed) has turned
+        into.""",
     "errors": "All tests at a glance: means over the packings with their scatter.",
 }
 
@@ -105,7 +112,7 @@ def write_report(
             progress(done / len(drawings))
         path = out / "figures" / f"{name}.png"
         draw(path)
-        caption = _OF_CELLS.get(name, _CAPTIONS[name]) if findings.specimens[0].lattice.cells else _CAPTIONS[name]
+        caption = _OF_CELLS.get(name, CAPTIONS[name]) if findings.specimens[0].lattice.cells else CAPTIONS[name]
         if name == "errors" and findings.published:
             caption += " Ticks: what is in print (unsigned)."
         data = base64.b64encode(path.read_bytes()).decode("ascii")
@@ -145,18 +152,25 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
     if any(name in first.outcomes for name in DRAWN):
         drawings["strength"] = lambda path: draw_curves(path, findings)
         drawings["broken"] = lambda path: draw_broken(path, first)
+        drawings["pieces"] = lambda path: draw_pieces(path, first)
+        drawings["energies"] = lambda path: draw_energies(path, first)
     if any(row["error"] is not None for row in findings.results["tests"].values()):
         drawings["errors"] = lambda path: draw_errors(path, findings)
     return drawings
 
 
-def page(findings: Findings, pictures: dict[str, Picture]) -> str:
-    """The HTML of the report."""
-    templates = Environment(
+def templates() -> Environment:
+    """Where pages are made from; a name that is not there raises."""
+    return Environment(
         loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
-    templates.filters |= {
+
+
+def page(findings: Findings, pictures: dict[str, Picture]) -> str:
+    """The HTML of the report."""
+    environment = templates()
+    environment.filters |= {
         "quantity": with_unit,
         "percent": percent,
         "signed": signed_percent,
@@ -164,7 +178,7 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
     }
     rows = rows_of(findings)
     law = findings.bonds.law if findings.bonds is not None else None
-    return templates.get_template("report.html").render(
+    return environment.get_template("report.html").render(
         findings=findings,
         results=findings.results,
         pictures=pictures,

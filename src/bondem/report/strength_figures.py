@@ -75,10 +75,10 @@ DRAWN: Mapping[str, Drawn] = {
 
 def draw_curves(path: Path, findings: Findings) -> None:
     """Stress over strain of every packing, with the strength that was put in."""
-    names = _names(findings.specimens[0])
-    rows, columns = _arranged(len(names))
+    names = broken_in(findings.specimens[0])
+    rows, columns = arranged(len(names))
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (_, axes):
-        for ax, name in zip(_panels(axes, len(names)), names, strict=True):
+        for ax, name in zip(panels(axes, len(names)), names, strict=True):
             told = DRAWN[name]
             (across, along), (up, of) = told.across, told.up
             for n, one in enumerate(findings.specimens):
@@ -95,10 +95,10 @@ def draw_curves(path: Path, findings: Findings) -> None:
 
 def draw_broken(path: Path, specimen: Examined) -> None:
     """The broken specimen, its motion exaggerated: cells by what their facets have lost, or by their slip."""
-    names = _names(specimen)
-    rows, columns = _arranged(len(names))
+    names = broken_in(specimen)
+    rows, columns = arranged(len(names))
     with sheet(path, 4.1 * columns, 3.6 * rows, rows, columns, squeeze=False) as (figure, axes):
-        for ax, name in zip(_panels(axes, len(names)), names, strict=True):
+        for ax, name in zip(panels(axes, len(names)), names, strict=True):
             draw_failed(figure, ax, specimen.lattice, specimen.outcomes[name].curves, DRAWN[name])
 
 
@@ -136,16 +136,17 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
 
 
-def _names(specimen: Examined) -> list[str]:
+def broken_in(specimen: Examined) -> list[str]:
+    """The tests to failure of a specimen, in the order of figures."""
     return [name for name in DRAWN if name in specimen.outcomes]
 
 
-def _arranged(count: int) -> tuple[int, int]:
+def arranged(count: int) -> tuple[int, int]:
     """Rows and columns."""
     return math.ceil(count / _COLUMNS), min(count, _COLUMNS)
 
 
-def _panels(axes: np.ndarray, count: int) -> list[Axes]:
+def panels(axes: np.ndarray, count: int) -> list[Axes]:
     """As many as there are tests; the others are left empty."""
     every = axes.ravel().tolist()
     for ax in every[count:]:

@@ -8,8 +8,13 @@ from typing import Any
 import numpy as np
 
 from bondem import __version__
+from bondem.fracture.cracks import cracks
+from bondem.fracture.fragments import fragments
+from bondem.labtests.outcome import Outcome
 from bondem.laws.bond import BondLaw
+from bondem.report.breakage_figures import CRACKED
 from bondem.report.findings import Bonding, Examined
+from bondem.specimen.lattice import Lattice
 from bondem.study.study import Study
 
 _COMMON = {item.name for item in fields(BondLaw)}
@@ -130,9 +135,22 @@ def _packing(one: Examined, calibrating: bool) -> dict[str, Any]:
                 "unit": outcome.unit,
                 "free_vibration": outcome.curves.get("free_vibration"),
                 **({"told": dict(outcome.told)} if outcome.told else {}),
+                "failure": _failure(one.lattice, outcome),
             }
             for name, outcome in one.outcomes.items()
         },
+    }
+
+
+def _failure(body: Lattice, outcome: Outcome) -> dict[str, Any] | None:
+    """What a test to failure left, and where its work has gone until the end; None of other tests."""
+    if outcome.state is None:
+        return None
+    return {
+        "pieces": len(fragments(body, outcome.state, integrity=CRACKED)),
+        "crack_area": cracks(body, outcome.state, integrity=CRACKED).area,
+        "energy": {name: energy[-1] for name, energy in outcome.energy.items()},
+        "largest_imbalance": np.abs(outcome.energy["balance"]).max(),
     }
 
 

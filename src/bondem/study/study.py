@@ -169,14 +169,25 @@ def read_study(path: str | Path) -> Study:
         StudyError: no such file, not TOML, or a key that is unknown, missing or out of range.
     """
     path = Path(path)
+    data = read_toml(path)
+    if "specimens" in data:
+        raise StudyError(f"'{path}' has [[specimens]]: it is a test programme; give a file with one [specimen]")
+    return parse_study(data, folder=path.parent)
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """The document in a file.
+
+    Raises:
+        StudyError: no such file, or not TOML.
+    """
     try:
         with open(path, "rb") as file:
-            data = tomllib.load(file)
+            return tomllib.load(file)
     except OSError as error:
         raise StudyError(f"study '{path}' cannot be read ({error.strerror}); check the path") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise StudyError(f"study '{path}' is not valid TOML: {error}; mend it there") from None
-    return parse_study(data, folder=path.parent)
 
 
 def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:

@@ -1,0 +1,85 @@
+"""What tests to failure leave and cost: pieces and crack surfaces of the first specimen, and its energies."""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from bondem.fracture.cracks import cracks
+from bondem.fracture.fragments import fragments
+from bondem.labtests.ledger import PARTS
+from bondem.labtests.outcome import Outcome
+from bondem.report.crack_pictures import draw_cracks, draw_fragments
+from bondem.report.findings import Examined
+from bondem.report.numbers import with_unit
+from bondem.report.strength_figures import DRAWN, Drawn, arranged, broken_in, panels
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, sheet
+from bondem.specimen.lattice import Lattice
+
+#: Facets that have at most this integrity left are cracks, and join no pieces [-].
+CRACKED = 0.5
+# Largest motion of the pieces drawn, over the length of the specimen.
+_EXAGGERATED = 0.08
+# A piece has at least so many cells; smaller ones are crumbs.
+_FEW = 10
+_COLOURS = dict(zip(PARTS, (BLUE, GREY, ORANGE, PURPLE, GREEN, PALE), strict=True))
+
+
+def draw_pieces(path: Path, specimen: Examined) -> None:
+    """Pieces, moved apart, and the surfaces of cracks with their opening; a row a test."""
+    names = broken_in(specimen)
+    with sheet(path, 8.2, 3.5 * len(names), len(names), 2, squeeze=False) as (figure, axes):
+        for (left, right), name in zip(axes, names, strict=True):
+            _draw_test(figure, left, right, specimen.lattice, specimen.outcomes[name], DRAWN[name])
+
+
+def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: Outcome, told: Drawn) -> None:
+    state = outcome.state
+    assert state is not None
+    pieces = fragments(body, state, integrity=CRACKED)
+    found = cracks(body, state, integrity=CRACKED)
+    size = float(np.ptp(body.centre, axis=0).max())
+    reach = max(1.0, _EXAGGERATED * size / float(np.ptp(state.displacement, axis=0).max()))
+    large = int((pieces.size >= _FEW).sum())
+    draw_fragments(left, body, state, pieces, view=told.view, reach=reach)
+    crumbs = f", {_many(len(pieces) - large, 'crumb')}" if len(pieces) > large else ""
+    left.set_title(f"{told.title}: {_many(large, 'piece')}{crumbs}", color=INK)
+    left.text(0.02, 0.0, f"motion × {reach:.0f}", transform=left.transAxes, fontsize=8.5)
+    scale = draw_cracks(right, body, found, view=told.view)
+    right.set_title(f"cracks: {1e6 * found.area:.0f} mm² in {_many(len(found.surfaces), 'surface')}", color=INK)
+    if len(found):
+        bar = figure.colorbar(scale, ax=right, orientation="horizontal", shrink=0.6, aspect=30, pad=0.02)
+        bar.set_label("opening [µm]")
+        bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
+
+
+def draw_energies(path: Path, specimen: Examined) -> None:
+    """The ledger of each test over its strain: what the work of the load has turned into.
+
+    Where a path turns back, only what lies farther than all before is drawn.
+    """
+    names = broken_in(specimen)
+    rows, columns = arranged(len(names))
+    with sheet(path, 4.1 * columns + 0.4, 3.2 * rows + 0.5, rows, columns, squeeze=False) as (figure, axes):
+        for ax, name in zip(panels(axes, len(names)), names, strict=True):
+            outcome = specimen.outcomes[name]
+            strain = 1e3 * outcome.curves["strain"]
+            missing = np.abs(outcome.energy["balance"]).max()
+            farther = strain >= np.maximum.accumulate(strain)
+            strain, energy = strain[farther], {part: along[farther] for part, along in outcome.energy.items()}
+            top = np.zeros(len(strain))
+            for part in PARTS:
+                ax.fill_between(strain, top, top + energy[part], color=_COLOURS[part], linewidth=0.0, label=part)
+                top = top + energy[part]
+            ax.plot(strain, energy["work"], color=INK, linestyle=(0, (4, 3)), linewidth=1.2, label="work of the load")
+            ax.set(xlabel=f"{DRAWN[name].strain} [10$^{{-3}}$]", ylabel="energy [J]", title=DRAWN[name].title)
+            ax.set_ylim(bottom=0.0)
+            ax.text(0.02, 0.97, f"balance within {with_unit(float(missing), 'J', 2)}", transform=ax.transAxes,
+                    va="top", fontsize=8.5)  # fmt: skip
+        handles, labels = axes[0, 0].get_legend_handles_labels()
+        figure.legend(handles, labels, loc="outside lower center", ncols=4 if columns > 1 else 2)
+
+
+def _many(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"

@@ -1,0 +1,120 @@
+"""The report of a test programme: one HTML page over the reports of its specimens."""
+
+import base64
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+from bondem.io.atomic import write_text
+from bondem.laws.failure.criterion import Criterion
+from bondem.report.numbers import percent, signed_percent, with_unit
+from bondem.report.page import CAPTIONS, Picture, templates
+from bondem.report.programme_figure import draw_targets
+from bondem.specimen.material import Material
+
+#: Figures of a specimen's own report that this one shows, in order.
+SHOWN = ("strength", "broken", "pieces", "energies")
+# Fields of criteria that are stresses.
+_STRESSES = ("tension", "compression", "cohesion", "hydrostatic")
+_TARGETS = """How far each test is off its target, and off what the strengths put in imply, where that has a closed
+    form."""
+_BARS = " Bars: standard deviation over the packings."
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """What the report shows of one specimen.
+
+    Attributes:
+        name: of the specimen.
+        folder: of its results, beside the report.
+        shape: as engineers write it.
+        results: its `results.json`.
+        labels: of its tests, by name.
+    """
+
+    name: str
+    folder: str
+    shape: str
+    results: Mapping[str, Any]
+    labels: Mapping[str, str]
+
+
+def write_programme(
+    title: str,
+    material: Material,
+    failure: Criterion | None,
+    rows: Sequence[Mapping[str, Any]],
+    chapters: Sequence[Chapter],
+    out: Path,
+    *,
+    figures: bool,
+) -> None:
+    """Write `report.html` and, where wanted, `figures/targets.png`.
+
+    Args:
+        title: of the programme.
+        material: of all specimens.
+        failure: likewise, or None.
+        rows: of the table, measured against target.
+        chapters: what the specimens left, in folders within `out`.
+        out: an existing folder.
+        figures: whether to draw, and to show what the specimens drew.
+    """
+    summary = None
+    if figures and any(row["off_target"] is not None or row["off_theory"] is not None for row in rows):
+        (out / "figures").mkdir(exist_ok=True)
+        draw_targets(out / "figures" / "targets.png", rows)
+        scattered = any(row["scatter"] for row in rows)
+        summary = _picture(out / "figures" / "targets.png", _TARGETS + (_BARS if scattered else ""))
+    pictures = {one.name: _pictures(out / one.folder) if figures else [] for one in chapters}
+    environment = templates()
+    environment.filters |= {"quantity": with_unit, "percent": percent, "signed": signed_percent}
+    page = environment.get_template("programme.html").render(
+        title=title,
+        material=material,
+        criterion=type(failure).__name__,
+        strengths=_strengths(failure) if failure is not None else [],
+        rows=rows,
+        chapters=chapters,
+        summary=summary,
+        pictures=pictures,
+        seconds=sum(sum(one.results["timing"].values()) for one in chapters),
+        today=date.today().isoformat(),
+    )
+    write_text(out / "report.html", page)
+
+
+def _strengths(failure: Criterion) -> list[tuple[str, str]]:
+    """What a criterion was given, by name, as people read it; angles in degrees."""
+    told: list[tuple[str, str]] = []
+    for item in fields(failure):
+        value = getattr(failure, item.name)
+        if value is None or value == 0.0:
+            continue
+        if not isinstance(value, int | float):
+            shown = type(value).__name__
+        elif item.name in _STRESSES:
+            shown = with_unit(value, "Pa")
+        elif item.name.startswith("fracture_energy"):
+            shown = with_unit(value, "J/m²")
+        elif item.name == "friction_angle":
+            shown = f"{math.degrees(value):.4g}°"
+        else:
+            shown = f"{value:.4g}"
+        told.append((item.name.replace("_", " "), shown))
+    return told
+
+
+def _pictures(folder: Path) -> list[Picture]:
+    files = [(name, folder / "figures" / f"{name}.png") for name in ("specimen", *SHOWN)]
+    drawn = [(name, file) for name, file in files if file.exists()]
+    broken = any(name in SHOWN for name, _ in drawn)
+    return [_picture(file, CAPTIONS[name]) for name, file in drawn if not broken or name != "specimen"]
+
+
+def _picture(file: Path, caption: str) -> Picture:
+    return Picture(" ".join(caption.split()), base64.b64encode(file.read_bytes()).decode("ascii"))
