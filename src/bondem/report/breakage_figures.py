@@ -59,7 +59,7 @@ def draw_energies(path: Path, specimen: Examined) -> None:
 
     Where a path turns back, only what lies farther than all before is drawn.
     """
-    names = broken_in(specimen)
+    names = [name for name in broken_in(specimen) if specimen.outcomes[name].energy]
     rows, columns = arranged(len(names))
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows + 0.5, rows, columns, squeeze=False) as (figure, axes):
         for ax, name in zip(panels(axes, len(names)), names, strict=True):

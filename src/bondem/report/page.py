@@ -153,7 +153,8 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         drawings["strength"] = lambda path: draw_curves(path, findings)
         drawings["broken"] = lambda path: draw_broken(path, first)
         drawings["pieces"] = lambda path: draw_pieces(path, first)
-        drawings["energies"] = lambda path: draw_energies(path, first)
+        if any(first.outcomes[name].energy for name in DRAWN if name in first.outcomes):
+            drawings["energies"] = lambda path: draw_energies(path, first)
     if any(row["error"] is not None for row in findings.results["tests"].values()):
         drawings["errors"] = lambda path: draw_errors(path, findings)
     return drawings

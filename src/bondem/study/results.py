@@ -146,9 +146,13 @@ def _failure(body: Lattice, outcome: Outcome) -> dict[str, Any] | None:
     """What a test to failure left, and where its work has gone until the end; None of other tests."""
     if outcome.state is None:
         return None
-    return {
+    found = {
         "pieces": len(fragments(body, outcome.state, integrity=CRACKED)),
         "crack_area": cracks(body, outcome.state, integrity=CRACKED).area,
+    }
+    if not outcome.energy:
+        return found
+    return found | {
         "energy": {name: energy[-1] for name, energy in outcome.energy.items()},
         "largest_imbalance": np.abs(outcome.energy["balance"]).max(),
     }
