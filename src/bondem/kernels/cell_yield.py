@@ -63,13 +63,14 @@ def _flow_on_cone(pose, s, plastic, p, gamma, dilation, a, v):
 
 
 @device
-def _flow_in_plane(pose, s, plastic, p, cells, strength, a, v):
+def _flow_in_plane(pose, s, plastic, p, given, strength, a, v):
     """Let cell p yield by Mohr–Coulomb's Δγ in the plane of its largest and least principal stress; Δγ."""
+    _, sine, _, dilation, G = given
     high, low, one, three = principal_stresses(s, a, v)
-    gamma = flow(high, low, cells.sine[p], strength, cells.G[p])
+    gamma = flow(high, low, sine, strength, G)
     if gamma > 0.0:
         increment, deformation = plastic[p, INCREMENT:HEAT], plastic[p, DEFORMATION:GAMMA]
-        up, down = 0.5 * gamma * (1.0 + cells.dilation[p]), -0.5 * gamma * (1.0 - cells.dilation[p])
+        up, down = 0.5 * gamma * (1.0 + dilation), -0.5 * gamma * (1.0 - dilation)
         e1, e3 = (v[0, one], v[1, one], v[2, one]), (v[0, three], v[1, three], v[2, three])
         _add_flow(increment, up, e1)
         _add_flow(increment, down, e3)
@@ -87,22 +88,34 @@ def is_hot(s, square, hot):
 
 
 @device
-def yield_cell(pose, s, V, cells, p, a, v):
-    """Let cell p of stress s [Pa] and volume V yield; whether its cohesion is gone. a and v are (3, 3) to use."""
-    kept, plastic = 1.0, cells.plastic
+def _flow_bound(cone, mean, deviator, slope, strength):
+    """Whether a cell may flow: above 0, by Drucker–Prager's cone or Mohr–Coulomb's planes [Pa]."""
+    if cone:
+        return -1.0 if mean > 0.0 else deviator + 3.0 * slope * mean - strength
+    return yield_bound(mean, deviator, slope, strength)
+
+
+@device
+def yield_cell(pose, s, V, plastic, cone, given, p, a, v):
+    """Let cell p of stress s [Pa] and volume V yield; whether its cohesion is gone.
+
+    `given` are numbers of the cell as `CellYield` has them: fade, slope, cohesion, dilation, G; the table itself is
+    not handed on, as all its arrays would have their references counted. a and v are (3, 3) to use.
+    """
+    kept, (fade, slope, cohesion, dilation, G) = 1.0, given
     if plastic[p, GAMMA] > 0.0:
         done = plastic[p, INCREMENT:HEAT]
         plastic[p, HEAT] += 0.5 * V * work_of(s, done)
         done[:] = 0.0
-        kept = max(0.0, 1.0 - cells.fade[p] * plastic[p, GAMMA])
-    strength, gamma = kept * cells.cohesion[p], 0.0
+        kept = max(0.0, 1.0 - fade * plastic[p, GAMMA])
+    strength, gamma = kept * cohesion, 0.0
     mean, deviator = invariants(s)
-    if cells.cone:
-        gamma = cone_flow(mean, deviator, cells.sine[p], strength, cells.G[p])
+    if cone:
+        gamma = cone_flow(mean, deviator, slope, strength, G)
         if gamma > 0.0:
-            _flow_on_cone(pose, s, plastic, p, gamma, cells.dilation[p], a, v)
-    elif yield_bound(mean, deviator, cells.sine[p], strength) > 0.0:
-        gamma = _flow_in_plane(pose, s, plastic, p, cells, strength, a, v)
+            _flow_on_cone(pose, s, plastic, p, gamma, dilation, a, v)
+    elif yield_bound(mean, deviator, slope, strength) > 0.0:
+        gamma = _flow_in_plane(pose, s, plastic, p, given, strength, a, v)
     if gamma > 0.0:
         plastic[p, GAMMA] += gamma
         plastic[p, HEAT] += 0.5 * V * work_of(s, plastic[p, INCREMENT:HEAT])
@@ -124,13 +137,20 @@ def yield_cells(pose, stress, cells, hot, cracked, hotter, first, last):
         last: one behind the last.
     """
     a, v = np.empty((3, 3)), np.empty((3, 3))
-    tensor, bending, volume = stress.tensor, stress.bending, stress.volume
+    tensor, bending, volume, yielding, cone = stress.tensor, stress.bending, stress.volume, cells.yielding, cells.cone
+    plastic, fade, slope, cohesion = cells.plastic, cells.fade, cells.sine, cells.cohesion
+    dilation, G = cells.dilation, cells.G
     for p in range(first, last):
         s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
         hotter[p] = 1 if cracked[p] != 0 or is_hot(s, bending[p], hot) else 0
-        if cells.yielding:
-            if yield_cell(pose, s, volume[p], cells, p, a, v):
-                hotter[p] = 2
+        if not yielding:
+            continue
+        mean, deviator = invariants(s)
+        if plastic[p, GAMMA] == 0.0 and _flow_bound(cone, mean, deviator, slope[p], cohesion[p]) <= 0.0:
+            continue
+        given = fade[p], slope[p], cohesion[p], dilation[p], G[p]
+        if yield_cell(pose, s, volume[p], plastic, cone, given, p, a, v):
+            hotter[p] = 2
 
 
 @device

@@ -36,7 +36,8 @@ def yield_some(pose, body, tensor, onset, flow):
         return
     a, v = cuda.local.array((3, 3), "float64"), cuda.local.array((3, 3), "float64")
     s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
-    if yield_cell(pose, s, onset.volume[p], flow, p, a, v):
+    given = flow.fade[p], flow.sine[p], flow.cohesion[p], flow.dilation[p], flow.G[p]
+    if yield_cell(pose, s, onset.volume[p], flow.plastic, flow.cone, given, p, a, v):
         onset.hotter[p] = 2
     stretch_cells(body, flow, False, p, p + 1)
 
