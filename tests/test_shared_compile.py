@@ -86,3 +86,21 @@ def test_a_process_that_is_killed_leaves_no_lock(tmp_path):
     start = time.monotonic()
     with alone(place, patience=60.0):
         assert time.monotonic() - start < 30.0
+
+
+SMALL = """
+import numba.np.ufunc.parallel as layer
+import bondem as bd
+lattice = bd.connect(bd.pack(bd.Box((1.0, 1.0, 1.0)), count=8, method="even", seed=1), method="laguerre")
+soft = bd.Rankine(tension=1e5, fracture_energy=1e3)
+model = bd.Model(lattice, bd.CellBond(E=1e7, nu=0.2), 1000.0, failure=soft)
+bd.solve_explicit(model, duration=1e-4)
+assert layer._is_initialized
+"""
+
+
+def test_threads_are_there_for_code_from_the_cache() -> None:
+    """Also of a body too small to use them: its compiled code has them by name (a second process compiles nothing)."""
+    for _ in range(2):
+        done = subprocess.run([sys.executable, "-c", SMALL], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr

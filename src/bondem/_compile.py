@@ -188,6 +188,10 @@ class _Shared(CPUDispatcher):
         self._cache.save_overload = save_alone
 
     def compile(self, sig: Any) -> Any:
+        # Code from the cache calls the threading layer by name, wherever a loop within is threaded. Numba starts that
+        # layer only where such a loop was compiled in the same process as what calls it; where both had been in the
+        # cache, the names stand for nothing, and the first call ends the process.
+        numba.get_num_threads()
         # numba's own lock first, as in functions that are compiled for this one: no two threads wait for each other
         with global_compiler_lock, _alone(f"{self.py_func.__module__}.{self.py_func.__qualname__}{sig}"):
             return super().compile(sig)
