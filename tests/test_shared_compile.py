@@ -100,7 +100,7 @@ assert layer._is_initialized
 
 
 def test_threads_are_there_for_code_from_the_cache() -> None:
-    """Also of a body too small to use them: its compiled code has them by name (a second process compiles nothing)."""
+    """Also of a body too small to use them: its compiled code has them by name (a second process compiles none)."""
     for _ in range(2):
         done = subprocess.run([sys.executable, "-c", SMALL], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
