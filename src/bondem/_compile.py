@@ -41,7 +41,7 @@ from bondem._pruning import Pruned
 
 __all__ = [
     "LANES", "Callback", "cache_directory", "callback", "called", "compiled_before", "current_threads", "device",
-    "kernel", "loop", "most_threads", "prange", "say_nothing", "threads",
+    "kernel", "loop", "most_threads", "picked", "prange", "say_nothing", "threads",
 ]  # fmt: skip
 
 # set by numba at import, so that type checkers do not know its attributes
@@ -310,6 +310,32 @@ def _called(_: Any, address: Any, matrix: Any, given: Any) -> Any:
 
 
 called: Any = intrinsic(_called)
+
+
+def _picked(_: Any, value: Any, one: Any, other: Any) -> Any:
+    """In compiled code: `one` where a number, or each of many in one register, is above zero, else `other`.
+
+    Both are computed, so that a function without branches is compiled for one number and for many.
+    """
+    kinds = value, one, other
+    many = next((kind for kind in kinds if kind != types.float64), types.float64)
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        kind = next((a.type for a in arguments if isinstance(a.type, ir.VectorType)), ir.DoubleType())
+        found = [a if a.type == kind else _spread(builder, a, kind) for a in arguments]
+        return builder.select(builder.fcmp_ordered(">", found[0], ir.Constant(kind, None)), found[1], found[2])
+
+    return many(*kinds), build
+
+
+def _spread(builder: Any, value: Any, kind: Any) -> Any:
+    """One number in each place of a vector."""
+    index, size = ir.IntType(32), kind.count
+    first = builder.insert_element(ir.Constant(kind, ir.Undefined), value, ir.Constant(index, 0))
+    return builder.shuffle_vector(first, first, ir.Constant(ir.VectorType(index, size), [0] * size))
+
+
+picked: Any = intrinsic(_picked)
 
 
 def current_threads() -> int:

@@ -49,7 +49,7 @@ def pair_candidates(
         bond: the bond of each pair, or -1, (c,).
         in_start: where the pairs of each later element begin, (n + 1,).
         gap: from which the overlap counts, at most 0 [m], (c,).
-        stretch: memory of the contacts, (c, 6).
+        stretch: memory of the contacts, in six of (c, 8).
         touch: 1 where there is one, uint8, (c,).
         out_start, out_pair: pairs of each earlier element.
     """
@@ -58,7 +58,7 @@ def pair_candidates(
     out_start = np.zeros(n + 1, np.int64)
     room = len(neighbour) // 2 + 1 + np.int64(listed.sum())
     first, second, bond = np.empty(room, np.uint32), np.empty(room, np.uint32), np.empty(room, np.int64)
-    gap, stretch, touch = np.zeros(room), np.zeros((room, 6)), np.zeros(room, np.uint8)
+    gap, stretch, touch = np.zeros(room), np.zeros((room, 8)), np.zeros(room, np.uint8)
     count = 0
     for p in range(n):
         begin = count

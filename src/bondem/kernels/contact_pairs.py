@@ -1,16 +1,18 @@
 """Pairs of elements in contact: each that touches writes its force and goes on with its memory.
 
 Most pairs of a list are bonded, or further apart than elements move before distances are measured anew: only the
-others are looked at, in the order of the list.
+others are looked at, in the order of the list, and those that touch are taken WIDTH at a time.
 """
 
 import math
 
 import numpy as np
 
-from bondem._compile import device, loop, prange
-from bondem.kernels.bond_pass import branch
-from bondem.laws.contact import FRICTION, SOFT, contact_force, pair_spring, spring_energy
+from bondem._compile import device, loop, picked, prange
+from bondem.kernels.bond_pass import apart, branch
+from bondem.kernels.lane_memory import number_in, places_below, places_in, put_row, row
+from bondem.kernels.lanes import WIDTH, lane, zero_of
+from bondem.laws.contact import FRICTION, HERTZIAN, SOFT, contact_force, pair_spring, spring_energy
 
 # A pair that touches, and one that parted in this step: it still hands in what it lost.
 TOUCHING, PARTED = 1, 2
@@ -68,35 +70,29 @@ def _at_contact(d, v, spin, reach):
 
 
 @device
-def _meeting(motion, a, b, ra, rb):
-    """Of two elements: velocity of b against a, spins times radii, the sum of spins, and the mass that meets."""
+def _meeting(a, b, ra, rb):
+    """Of two rows of motion: velocity of b against a, spins times radii, the sum of spins, and the mass that meets."""
     return (
-        (motion[b, 0] - motion[a, 0], motion[b, 1] - motion[a, 1], motion[b, 2] - motion[a, 2]),
-        (
-            ra * motion[a, 4] + rb * motion[b, 4],
-            ra * motion[a, 5] + rb * motion[b, 5],
-            ra * motion[a, 6] + rb * motion[b, 6],
-        ),
-        (motion[a, 4] + motion[b, 4], motion[a, 5] + motion[b, 5], motion[a, 6] + motion[b, 6]),
-        1.0 / (motion[a, 3] + motion[b, 3]),
+        (b[0] - a[0], b[1] - a[1], b[2] - a[2]),
+        (ra * a[4] + rb * b[4], ra * a[5] + rb * b[5], ra * a[6] + rb * b[6]),
+        (a[4] + b[4], a[5] + b[5], a[6] + b[6]),
+        1.0 / (a[3] + b[3]),
     )  # fmt: skip
 
 
 @device
 def _pair_force(law, own, ra, rb, reach, d, meeting, s, p, dt):
-    """Overlap of a pair, its force and memory as `contact_force` has them, and the torque over the radius.
-
-    Numbers only: arrays that are handed to what branches have their references counted, for each pair.
-    """
+    """Overlap of a pair, its force and memory as `contact_force` has them, and the torque over the radius."""
     v, spin, both, mass = meeting
     length, now = _at_contact(d, v, spin, ra + rb)
     was, last = _at_contact((d[0] - dt * v[0], d[1] - dt * v[1], d[2] - dt * v[2]), v, spin, ra + rb)
-    n, overlap = now[0], max(reach - length, 0.0)
+    n, overlap = now[0], picked(reach - length, reach - length, 0.0)
     twist = 0.5 * (both[0] * n[0] + both[1] * n[1] + both[2] * n[2])
     kn, part, beta = pair_spring(law, own, ra, rb, overlap)
     before = kn
-    if part < 1.0:
-        before = pair_spring(law, 0.0, ra, rb, max(reach - was, 0.0))[0]
+    if law[HERTZIAN] != 0.0:
+        softer = pair_spring(law, 0.0 * own, ra, rb, picked(reach - was, reach - was, 0.0))[0]
+        before = picked(own, kn, softer)
     spring = spring_and_dashpot(law, kn, part, beta, before, mass)
     found = contact_force(spring, law[FRICTION], overlap, now, last, twist, s, p, dt)
     share, f = length / (ra + rb), found[0]
@@ -109,40 +105,57 @@ def _pair_force(law, own, ra, rb, reach, d, meeting, s, p, dt):
 
 @loop(parallel=False)
 def some_pairs(elements, period, c, listed, moved, dt, begin, end):
-    """Forces and memory of the pairs begin … end of a list that touch or have just parted."""
-    pose, motion, joined, bond = elements.pose, elements.motion, c.joined, c.bond
-    slack, touch, first, second, gap, own = c.slack, c.touch, c.first, c.second, c.gap, c.own
-    radius, stretch, output = c.radius, c.stretch, c.output
-    law = c.law[0], c.law[1], c.law[2], c.law[3], c.law[4]
+    """Forces and memory of the pairs begin … end of a list that touch or have just parted.
+
+    They stand in `c.close` from `begin` on, up to what is returned.
+    """
+    pose, joined, bond = elements.pose, c.joined, c.bond
+    slack, touch, first, second, gap, radius = c.slack, c.touch, c.first, c.second, c.gap, c.radius
     close, count = c.close, begin
     for e in range(begin, end):
         # without branches, as these would be guessed wrong every other time
         k = listed[e]
         bonded = (bond[k] >= 0) & (joined[max(bond[k], 0)] > 0.0)
-        apart = (slack[k] > moved) & (touch[k] == 0)
+        off = (slack[k] > moved) & (touch[k] == 0)
         close[count] = k
-        count += 0 if bonded | apart else 1
-    for e in range(begin, count):
+        count += 0 if bonded | off else 1
+    last, count = count, begin
+    for e in range(begin, last):
         k = close[e]
         a, b = first[k], second[k]
-        d, ra, rb = branch(pose, a, b, period), radius[a], radius[b]
-        reach = ra + rb + gap[k]
-        if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] >= reach * reach and touch[k] != TOUCHING:
-            touch[k] = 0
-            continue
-        s, p = (stretch[k, 0], stretch[k, 1], stretch[k, 2]), (stretch[k, 3], stretch[k, 4], stretch[k, 5])
-        meeting = _meeting(motion, a, b, ra, rb)
-        overlap, found, torque = _pair_force(law, own[k], ra, rb, reach, d, meeting, s, p, dt)
-        f, s, p, damped, rubbed = found
-        for n in range(3):
-            stretch[k, n], stretch[k, 3 + n], output[k, n], output[k, 3 + n] = s[n], p[n], f[n], torque[n]
-        output[k, 6], output[k, 7] = damped, rubbed
-        touch[k] = TOUCHING if overlap > 0.0 else PARTED
+        d, reach = branch(pose, a, b, period), radius[a] + radius[b] + gap[k]
+        off = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] >= reach * reach) & (touch[k] != TOUCHING)
+        touch[k] = 0 if off else touch[k]
+        close[count] = k
+        count += 0 if off else 1
+    for e in range(begin, count, WIDTH):
+        _many_pairs(pose, elements.motion, period, c, dt, e, count)
+    return count
+
+
+@device
+def _many_pairs(pose, motion, period, c, dt, begin, end):
+    """Forces and memory of WIDTH pairs from `begin` on of `c.close`; the last before `end` fills up the lanes."""
+    law = c.law[0], c.law[1], c.law[2], c.law[3], c.law[4]
+    k = places_below(c.close, np.uint64(begin), np.uint64(end))
+    a, b = places_in(c.first, k), places_in(c.second, k)
+    d, ra, rb = apart(row(pose, a), row(pose, b), period), number_in(c.radius, a), number_in(c.radius, b)
+    reach, memory = ra + rb + number_in(c.gap, k), row(c.stretch, k)
+    meeting = _meeting(row(motion, a), row(motion, b), ra, rb)
+    overlap, found, torque = _pair_force(
+        law, number_in(c.own, k), ra, rb, reach, d, meeting, memory[:3], memory[3:6], dt
+    )  # fmt: skip
+    f, s, p, damped, rubbed = found
+    zero = zero_of(damped)
+    put_row(c.stretch, k, (s[0], s[1], s[2], p[0], p[1], p[2], zero, zero))
+    put_row(c.output, k, (f[0], f[1], f[2], torque[0], torque[1], torque[2], damped, rubbed))
+    for n in range(min(end - begin, WIDTH)):
+        c.touch[c.close[begin + n]] = TOUCHING if lane(overlap, n) > 0.0 else PARTED
 
 
 @loop(parallel=True)
 def pair_forces(elements, period, c, moved, dt):
-    """Forces and memory of all pairs that may touch, in portions."""
+    """Forces and memory of all pairs that may touch, in portions of the list."""
     near = c.nears[0]
     count = (near + _PORTION - 1) // _PORTION
     for q in prange(count):

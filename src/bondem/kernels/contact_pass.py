@@ -56,7 +56,8 @@ def contact_loads(elements, period, dt, contacts, threaded):
     if threaded and contacts.nears[0] >= SERIAL_PAIRS:
         pair_forces(elements, period, contacts, moved, dt)
     else:
-        some_pairs(elements, period, contacts, contacts.near, moved, dt, 0, contacts.nears[0])
+        nears = contacts.nears[0]
+        contacts.nears[1] = some_pairs(elements, period, contacts, contacts.near, moved, dt, 0, nears)
     if threaded:
         gather(elements, contacts, dt)
     else:
@@ -184,29 +185,28 @@ def gather(elements, contacts, dt):
 def hand_out(elements, contacts, dt):
     """The same from the pairs that touch, to the same bits; elements that nothing touches are left alone."""
     c, sums, hit, met = contacts, contacts.sums, contacts.hit, contacts.met
-    first, second, touch, output, load, near = c.first, c.second, c.touch, c.output, c.load, c.near
+    first, second, output, load, close, wall_start = c.first, c.second, c.output, c.load, c.close, c.wall_start
     for e in range(c.hits[0]):
         for d in range(6):
             load[hit[e], d] = 0.0
     count = 0
-    for e in range(c.nears[0]):
-        k = near[e]
-        if touch[k] != 0:
-            a, b = first[k], second[k]
-            for end in range(2):  # no function: tables that are handed to what branches have their references counted
-                p = a if end == 0 else b
-                if met[p] == 0:
-                    met[p], hit[count] = 1, p
-                    count += 1
-                    for d in range(8):
-                        sums[p, d] = 0.0
-            for d in range(3):
-                sums[a, d] -= output[k, d]
-                sums[a, 3 + d] += output[k, 3 + d]
-            for d in range(8):
-                sums[b, d] += output[k, d]
-    wall_start, radius, loss = c.wall_start, c.radius, elements.loss
-    for p in range(len(load)):
+    for e in range(c.nears[1]):
+        k = close[e]
+        a, b = first[k], second[k]
+        for end in range(2):  # no function: tables that are handed to what branches have their references counted
+            p = a if end == 0 else b
+            if met[p] == 0:
+                met[p], hit[count] = 1, p
+                count += 1
+                for d in range(8):
+                    sums[p, d] = 0.0
+        for d in range(3):
+            sums[a, d] -= output[k, d]
+            sums[a, 3 + d] += output[k, 3 + d]
+        for d in range(8):
+            sums[b, d] += output[k, d]
+    radius, loss = c.radius, elements.loss
+    for p in range(len(load) if len(c.wall) > 0 else 0):
         if wall_start[p + 1] > wall_start[p] and met[p] == 0:
             met[p], hit[count] = 1, p
             count += 1

@@ -14,8 +14,8 @@ from bondem._compile import device
 from bondem.kernels.lanes import WIDTH, instruction, lanes, shuffled, vector, zero_of
 
 __all__ = [
-    "add_loads", "add_numbers", "add_rows", "clear_row", "entry", "places", "places_below", "places_in", "prefetch",
-    "put_entry", "put_row", "put_side", "row", "side", "widened",
+    "add_loads", "add_numbers", "add_rows", "clear_row", "entry", "number_in", "places", "places_below", "places_in",
+    "prefetch", "put_entry", "put_row", "put_side", "row", "side", "widened",
 ]  # fmt: skip
 
 _COLUMNS = 8
@@ -181,6 +181,29 @@ def clear_row(typingctx, table, p):
     return types.void(table, p), generate
 
 
+def _gathered(builder: Any, found: list[Any]) -> Any:
+    """One number as it is, or many in lanes."""
+    if len(found) == 1:
+        return found[0]
+    many = ir.Constant(vector, ir.Undefined)
+    for n, value in enumerate(found):
+        many = builder.insert_element(many, value, ir.Constant(_INDEX, n))
+    return many
+
+
+@instruction
+def number_in(typingctx, column, p):
+    """Number p of a column of float64, or those of many."""
+    if not (_is_table(column) and column.ndim == 1 and p in (types.uint64, place)):
+        return None
+
+    def generate(context, builder, sig, args):
+        there = _places(builder, args[1])
+        return _gathered(builder, [builder.load(_address(context, builder, sig.args[0], args[0], n)) for n in there])
+
+    return (types.float64 if p == types.uint64 else lanes)(column, p), generate
+
+
 @instruction
 def entry(typingctx, table, p, c):
     """Number c of a row of a table of any width, or of many rows."""
@@ -188,16 +211,10 @@ def entry(typingctx, table, p, c):
     def generate(context, builder, sig, args):
         kind, columns = sig.args[0], context.make_array(sig.args[0])(context, builder, args[0])
         width = builder.extract_value(columns.shape, 1)
-        found = [
+        return _gathered(builder, [
             builder.load(_address(context, builder, kind, args[0], builder.add(builder.mul(n, width), args[2])))
             for n in _places(builder, args[1])
-        ]
-        if sig.args[1] == types.uint64:
-            return found[0]
-        many = ir.Constant(vector, ir.Undefined)
-        for n, value in enumerate(found):
-            many = builder.insert_element(many, value, ir.Constant(_INDEX, n))
-        return many
+        ])
 
     one = types.float64 if p == types.uint64 else lanes
     return one(table, p, types.int64), generate

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number
-from bondem._compile import device
+from bondem._compile import device, picked
 from bondem._types import Floats
 
 # Contacts a sphere can have with spheres of its size: the kissing number bounds the stiffness around it.
@@ -153,15 +153,15 @@ class LinearContact(ContactLaw):
 def pair_spring(law, own, ra, rb, overlap):
     """Stiffness dF/du of two spheres along the normal [N/m], F over it and u [-], and the share of their dashpot.
 
-    `own` is the stiffness of a pair that has one by itself, else 0.
+    `own` is the stiffness of a pair that has one by itself, else 0. Of one pair or of many, like `contact_force`.
     """
-    if own > 0.0:
-        return own, 1.0, law[DASHPOT]
     if law[HERTZIAN] == 0.0:
-        small = min(ra, rb)
-        return law[MODULUS] * math.pi * small * small / (ra + rb), 1.0, law[DASHPOT]
+        small = picked(rb - ra, ra, rb)
+        k = law[MODULUS] * math.pi * small * small / (ra + rb)
+        return picked(own, own, k), picked(own, 1.0, 1.0), picked(own, law[DASHPOT], law[DASHPOT])
     k = 2.0 * law[MODULUS] * math.sqrt(ra * rb / (ra + rb) * overlap)
-    return k, 2.0 / 3.0, HERTZIAN_DASHPOT * law[DASHPOT]
+    hertzian = HERTZIAN_DASHPOT * law[DASHPOT]
+    return picked(own, own, k), picked(own, 1.0, 2.0 / 3.0), picked(own, law[DASHPOT], hertzian)
 
 
 @device
@@ -199,13 +199,13 @@ def _turned(s, n, angle):
     z = s[2] + angle * (n[0] * s[1] - n[1] * s[0])
     o = _tangential((x, y, z), n)
     after = _dot(o, o)
-    keep = math.sqrt(_dot(s, s) / after) if after > 0.0 else 0.0
+    keep = picked(after, math.sqrt(_dot(s, s) / after), 0.0)
     return keep * o[0], keep * o[1], keep * o[2]
 
 
 @device
 def contact_force(spring, friction, overlap, now, last, twist, s, p, dt):
-    """Force on the second body of a contact, and how its memory goes on.
+    """Force on the second body of a contact, and how its memory goes on; of one contact, or of many in lanes.
 
     Where the tangential spring is stiffer than a step ago it keeps its force, where it is softer its stretch: what it
     stores never grows by that (Thornton, Cummins and Cleary, Powder Technology 233, 2013). What it is given and does
@@ -232,30 +232,30 @@ def contact_force(spring, friction, overlap, now, last, twist, s, p, dt):
     (nx, ny, nz), v = now
     opening = _dot(v, now[0])
     elastic = share * kn * overlap
-    normal = max(elastic - cn * opening, 0.0) if overlap > 0.0 else 0.0
+    pressed = elastic - cn * opening
+    normal = picked(overlap, picked(pressed, pressed, 0.0), 0.0)
     resist = normal - elastic
     hx, hy, hz = resist * nx, resist * ny, resist * nz
     fx, fy, fz = normal * nx, normal * ny, normal * nz
-    rubbed = 0.0
+    rubbed = 0.0 * overlap
     sx, sy, sz = s
     if friction > 0.0:
         t = _tangential(v, now[0])
         came = _turned(_tangential(last[1], last[0]), now[0], dt * twist)
         ox, oy, oz = _turned(s, now[0], dt * twist)
-        if ks > before:
-            less = before / ks
-            ox, oy, oz = less * ox, less * oy, less * oz
+        less = picked(ks - before, before / ks, 1.0)
+        ox, oy, oz = less * ox, less * oy, less * oz
         half = 0.5 * dt
         ux, uy, uz = ox + half * (came[0] + t[0]), oy + half * (came[1] + t[1]), oz + half * (came[2] + t[2])
         limit = friction * normal
         pull = ks * math.sqrt(ux * ux + uy * uy + uz * uz)
-        held = limit / pull if pull > limit else (1.0 if overlap > 0.0 else 0.0)
+        held = picked(pull - limit, limit / pull, picked(overlap, 1.0, 0.0))
         sx, sy, sz = held * ux, held * uy, held * uz
         given = half * (before * _dot(s, last[1]) + ks * _dot((sx, sy, sz), v))
         rubbed = given - 0.5 * (ks * _dot((sx, sy, sz), (sx, sy, sz)) - before * _dot(s, s))
         gx, gy, gz = ks * sx + cs * t[0], ks * sy + cs * t[1], ks * sz + cs * t[2]
-        if gx * gx + gy * gy + gz * gz > limit * limit:  # the dashpot never makes it slide
-            gx, gy, gz = ks * sx, ks * sy, ks * sz
+        slides = gx * gx + gy * gy + gz * gz - limit * limit  # the dashpot never makes it slide
+        gx, gy, gz = picked(slides, ks * sx, gx), picked(slides, ks * sy, gy), picked(slides, ks * sz, gz)
         hx, hy, hz = hx - (gx - ks * sx), hy - (gy - ks * sy), hz - (gz - ks * sz)
         fx, fy, fz = fx - gx, fy - gy, fz - gz
     damped = -0.5 * dt * (_dot(p, last[1]) + _dot((hx, hy, hz), v))

@@ -87,8 +87,8 @@ class ContactList:
             first=first, second=second, gap=gap, bond=bond, joined=self._joined, apart=self._apart,
             own=own, of_bond=of_bond,
             slack=np.zeros(len(first)), measured=np.full((n, 3), np.inf), far=np.full(2, np.inf),
-            near=np.zeros(len(first), dtype=np.int64), nears=np.zeros(1, dtype=np.int64),
-            close=np.zeros(len(first) + 1, dtype=np.int64),
+            near=np.zeros(len(first), dtype=np.int64), nears=np.zeros(2, dtype=np.int64),
+            close=np.zeros(len(first) + 1, dtype=np.uint32),
             stretch=stretch, touch=touch, output=np.zeros((len(first), 8)),
             in_start=in_start, out_start=out_start, out_pair=out_pair,
             sums=np.zeros((n, 8)), hit=np.zeros(n, dtype=np.int64), hits=np.zeros(1, dtype=np.int64),
@@ -126,7 +126,7 @@ class ContactList:
         c, state = self.arrays, self._state
         touching = c.touch == TOUCHING
         state.touching = np.column_stack([c.first[touching], c.second[touching]]).astype(np.int64)
-        state.stretch = c.stretch[touching]
+        state.stretch = c.stretch[touching, :6]
         at_wall = c.wall_touch == TOUCHING
         element = np.repeat(np.arange(len(c.radius)), np.diff(c.wall_start))
         state.wall_touching = np.column_stack([element[at_wall], c.wall[at_wall]]).astype(np.int64)
