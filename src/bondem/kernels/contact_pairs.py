@@ -71,7 +71,7 @@ def _at_contact(d, v, spin, reach):
 
 @device
 def _meeting(a, b, ra, rb):
-    """Of two rows of motion: velocity of b against a, spins times radii, the sum of spins, and the mass that meets."""
+    """Of two rows of motion: velocity of b against a, spins times radii, sum of spins, and the mass that meets."""
     return (
         (b[0] - a[0], b[1] - a[1], b[2] - a[2]),
         (ra * a[4] + rb * b[4], ra * a[5] + rb * b[5], ra * a[6] + rb * b[6]),

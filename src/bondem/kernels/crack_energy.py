@@ -8,7 +8,7 @@ import math
 
 from bondem._compile import device, kernel, loop
 from bondem.laws.cell_energy import bending_square, cross, relative, resisted_turn, scalar, turned_by
-from bondem.laws.plasticity import invariants, largest_pressure
+from bondem.laws.plasticity import largest_pressure
 from bondem.laws.softening import opening_force, whole_force
 
 
@@ -39,14 +39,30 @@ def bending(p, q, H):
     return 2.0 * scalar(v, turned), (2.0 * (w * h[0] + c[0]), 2.0 * (w * h[1] + c[1]), 2.0 * (w * h[2] + c[2]))
 
 
+@device
+def bending_traction(p, q, factor, H):
+    """T_b of a facet [Pa]."""
+    return math.sqrt(max(bending_square(p, q, factor, H), 0.0))
+
+
+@device
+def opened_at_most(bent, mean):
+    """Bound of `opened_by` without an angle: σ3 is at most the least of the diagonal [Pa]."""
+    return max(bent + min(mean[0], mean[1], mean[2], 0.0), 0.0)
+
+
 @kernel(parallel=False)
-def bending_opening(p, q, factor, H, mean):
+def opened_by(bent, mean):
     """T_b of a facet less the largest pressure of the `mean` stress of its cells, at least 0 [Pa]."""
-    bent = math.sqrt(max(bending_square(p, q, factor, H), 0.0))
-    least, _ = invariants(mean)
-    if bent <= -least:
+    if opened_at_most(bent, mean) == 0.0:
         return 0.0
     return max(bent - largest_pressure(mean), 0.0)
+
+
+@device
+def bending_opening(p, q, factor, H, mean):
+    """What bending opens of a facet [Pa]."""
+    return opened_by(bending_traction(p, q, factor, H), mean)
 
 
 @device

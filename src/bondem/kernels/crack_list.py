@@ -37,24 +37,25 @@ LEAST_START = 0.02
 
 
 @device
-def read_three(row, first):
-    """Three numbers of a row, from `first` on."""
-    return row[first], row[first + 1], row[first + 2]
+def read_three(table, r, first):
+    """Three numbers of row r, from `first` on: no view of the row, whose references would be counted."""
+    return table[r, first], table[r, first + 1], table[r, first + 2]
 
 
 @device
-def write_three(row, first, a):
+def write_three(table, r, first, a):
     """Write them."""
-    row[first], row[first + 1], row[first + 2] = a[0], a[1], a[2]
+    table[r, first], table[r, first + 1], table[r, first + 2] = a[0], a[1], a[2]
 
 
 @device
 def known(pose, bonds, cells, cracks, c):
     """Of a crack that is measured: facet, k, part w of cell i, gap, normal, and shares and stresses of both sides."""
-    k, g = np.int64(cracks.row[c, FACET]), cracks.geometry[c]
-    shares = read_three(g, SHARE_I), read_three(g, SHARE_J)
+    k, geometry = np.int64(cracks.facet[c]), cracks.geometry
+    shares = read_three(geometry, c, SHARE_I), read_three(geometry, c, SHARE_J)
     stresses = pose[bonds.i[k], STRESS], pose[bonds.j[k], STRESS]
-    return k, cells.k[k], cracks.part[k], read_three(g, GAP), read_three(g, NORMAL), shares, stresses
+    gap, normal = read_three(geometry, c, GAP), read_three(geometry, c, NORMAL)
+    return k, cells.k[k], cracks.part[k], gap, normal, shares, stresses
 
 
 @device
@@ -130,7 +131,7 @@ def begin_cracks(pose, bonds, cells, stress, onset, cracks):
             start = min(math.sqrt(scalar(f, f) / (A * A) + bent * bent), most * max(slope, LEAST_START))
         row[:] = 0.0
         row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
-        write_three(cracks.pull[c], 0, column(force, k))
+        write_three(cracks.pull, c, 0, column(force, k))
         cracks.sizes[CRACKS] += 1
         cracks.facet[c] = k
         treat(bonds, cracks, c, k, ACTIVE)

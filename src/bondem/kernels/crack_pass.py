@@ -28,7 +28,7 @@ _SERIAL = 500
 # Cracks of one portion of work.
 _PORTION = 250
 # What is done to the cracks and cells of a portion.
-_MOMENTS, _MEASURE, _RELAX, _REST, _SOFTEN, _FORCES, _CHANGES, _SUMS = range(8)
+_MOMENTS, _MEASURE, _RELAX, _RELAX_AGAIN, _REST, _SOFTEN, _FORCES, _CHANGES, _SUMS = range(9)
 
 
 @loop(parallel=False)
@@ -46,8 +46,8 @@ def _portion(kind, elements, bonds, cells, cracks, share, count):
     elif kind == _MEASURE:
         measure_cracks(pose, bonds, cells, cracks, first, last)
         begin_bases(pose, cells, cracks, n * share // count, n * (share + 1) // count)
-    elif kind == _RELAX:
-        relax_cells(pose, cells, cracks, first, last)
+    elif kind in (_RELAX, _RELAX_AGAIN):
+        relax_cells(pose, cells, cracks, kind == _RELAX_AGAIN, first, last)
     elif kind == _REST:
         look_at_rest(pose, bonds, cells, cracks, first, last)
     elif kind == _SOFTEN:
@@ -105,10 +105,10 @@ def crack_between(elements, bonds, cells, contacts, table, threaded):
                 _all(_REST, elements, bonds, cells, cracks, threaded)
                 if wake_cracks(elements.pose, bonds, cells, contacts, cracks):
                     list_cracks(bonds, cracks)
-                    _all(_RELAX, elements, bonds, cells, cracks, threaded)
+                    _all(_RELAX_AGAIN, elements, bonds, cells, cracks, threaded)
                 _all(_SOFTEN, elements, bonds, cells, cracks, threaded)
                 if leave_cracks(elements.pose, bonds, cells, contacts, cracks):
-                    _all(_RELAX, elements, bonds, cells, cracks, threaded)
+                    _all(_RELAX_AGAIN, elements, bonds, cells, cracks, threaded)
             _all(_CHANGES if change else _FORCES, elements, bonds, cells, cracks, threaded)
             _all(_SUMS, elements, bonds, cells, cracks, threaded)
             if change:

@@ -10,7 +10,7 @@ from bondem._compile import device, kernel, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.contact_pairs import let_touch
-from bondem.kernels.crack_energy import bending_opening, halves, stretched
+from bondem.kernels.crack_energy import bending_traction, halves, opened_at_most, opened_by, stretched
 from bondem.kernels.crack_list import NEW, known, link_cracks, read_three, treat, weigh_cracked, write_three
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -55,29 +55,29 @@ FELL, CALMED, TO_PART, WAKES = 1, 2, 3, 4
 
 
 @loop(parallel=False)
-def measure_crack(g, place, n):
-    """Write what is known of a crack into g; `place` is its `frame`, n its normal in the frames of both cells."""
+def measure_crack(geometry, c, place, n):
+    """Write what is known of crack c; `place` is its `frame`, n its normal in the frames of both cells."""
     d, p, q, a, b, u, v = place
     a, b = turned_by(p, a), turned_by(q, b)
     n, m = turned_by(p, n), turned_by(q, n)
-    write_three(g, GAP, opened(d, a, b))
-    write_three(g, SHARE_I, turned_by(p, u))
-    write_three(g, SHARE_J, turned_by(q, v))
-    write_three(g, ARM_I, a)
-    write_three(g, ARM_J, b)
-    g[FACING] = scalar(n, m)
+    write_three(geometry, c, GAP, opened(d, a, b))
+    write_three(geometry, c, SHARE_I, turned_by(p, u))
+    write_three(geometry, c, SHARE_J, turned_by(q, v))
+    write_three(geometry, c, ARM_I, a)
+    write_three(geometry, c, ARM_J, b)
+    geometry[c, FACING] = scalar(n, m)
     n = plus(n, 1.0, m)
     l = math.sqrt(scalar(n, n))
-    write_three(g, NORMAL, (n[0] / l, n[1] / l, n[2] / l))
+    write_three(geometry, c, NORMAL, (n[0] / l, n[1] / l, n[2] / l))
 
 
 @loop(parallel=False)
-def halve_crack(half, g, c, k, w, s):
+def halve_crack(half, geometry, c, k, w, s):
     """Write the halves of a crack of stiffness k [N/m], part w of cell i and integrity s."""
-    gap, normal = read_three(g, GAP), read_three(g, NORMAL)
+    gap, normal = read_three(geometry, c, GAP), read_three(geometry, c, NORMAL)
     along = k * scalar(gap, normal)
     for side in range(2):
-        share, part = (read_three(g, SHARE_I), w) if side == 0 else (read_three(g, SHARE_J), 1.0 - w)
+        share, part = read_three(geometry, c, SHARE_I if side == 0 else SHARE_J), w if side == 0 else 1.0 - w
         swollen, across, h = scalar(share, gap), scalar(share, normal), 2 * c + side
         half[h, SWOLLEN], half[h, PULLED], half[h, SQUARE] = swollen, k * swollen, scalar(share, share) / part
         half[h, ALONG], half[h, PRESSED], half[h, CLOSED] = across, across / part, along
@@ -92,8 +92,8 @@ def measure_cracks(pose, bonds, cells, cracks, first, last):
     for e in range(first, last):
         c = active[e]
         k = facet[c]
-        measure_crack(geometry[c], frame(pose, bonds, cells, k), column(normal, k))
-        halve_crack(half, geometry[c], c, stiff[k], part[k], integrity[k])
+        measure_crack(geometry, c, frame(pose, bonds, cells, k), column(normal, k))
+        halve_crack(half, geometry, c, stiff[k], part[k], integrity[k])
 
 
 @kernel(parallel=False)
@@ -112,21 +112,30 @@ def begin_bases(pose, cells, cracks, first, last):
 
 
 @loop(parallel=False)
-def relax_cells(pose, cells, cracks, first, last):
+def relax_cells(pose, cells, cracks, again, first, last):
     """Stresses of the cells first … last of the list, by Newton's method on a piecewise linear, rising function.
 
     V θ = Σ g·δ - (1 - s) g·F⁺ / k of each half (`bondem.laws.softening`), all but the stress in the table of halves.
+    A step of Newton's is exact where no half begins or ceases to press on the way. `again`: those that are stale.
     """
     cell, base, head, after, half = cracks.cell, cracks.base, cracks.head, cracks.after, cracks.half
-    weight = cells.weight
+    weight, stale = cells.weight, cracks.stale
     for e in range(first, last):
         p = cell[e]
+        if again and stale[p] == 0:
+            continue
+        stale[p] = 0
         W, stress = weight[p], pose[p, STRESS]
         for _ in range(30):
-            swelling, softness, h = base[p], 0.0, head[p]
+            swelling, softness, h, up, down = base[p], 0.0, head[p], math.inf, -math.inf
             while h >= 0:
                 along, square = half[h, ALONG], half[h, SQUARE]
                 press = half[h, CLOSED] + stress * half[h, PRESSED]
+                turns = -press / half[h, PRESSED]  # how far the stress is from where this half turns
+                if turns > 0.0:
+                    up = min(up, turns)
+                elif turns <= 0.0:
+                    down = max(down, turns)
                 opening = half[h, PULLED] + stress * square
                 if press < 0.0:
                     opening -= press * along
@@ -136,7 +145,7 @@ def relax_cells(pose, cells, cracks, first, last):
                 h = after[h]
             change = (W * swelling - stress) / (1.0 + W * softness)
             stress += change
-            if abs(change) <= 1e-14 * abs(stress):
+            if (down < change and change < up) or abs(change) <= 1e-14 * abs(stress):
                 break
         pose[p, STRESS] = stress
 
@@ -144,10 +153,10 @@ def relax_cells(pose, cells, cracks, first, last):
 @device
 def hand_over(bonds, cells, cracks, c, k, sign):
     """Add what a resting crack does to V θ of its cells to `base`, or take it off."""
-    g, s = cracks.geometry[c], sign * cracks.integrity[k]
-    gap = read_three(g, GAP)
-    cracks.base[bonds.i[k]] += s * scalar(read_three(g, SHARE_I), gap)
-    cracks.base[bonds.j[k]] += s * scalar(read_three(g, SHARE_J), gap)
+    geometry, s = cracks.geometry, sign * cracks.integrity[k]
+    gap = read_three(geometry, c, GAP)
+    cracks.base[bonds.i[k]] += s * scalar(read_three(geometry, c, SHARE_I), gap)
+    cracks.base[bonds.j[k]] += s * scalar(read_three(geometry, c, SHARE_J), gap)
     weigh_cracked(cells, cracks, bonds.i[k])
     weigh_cracked(cells, cracks, bonds.j[k])
 
@@ -168,19 +177,22 @@ def stays_at_rest(K, gap, u, v, one, other, top, bent):
 @loop(parallel=False)
 def look_at_rest(pose, bonds, cells, cracks, first, last):
     """Flag those of the resting cracks first … last that are about to soften or close."""
-    row, flag, facet, resting = cracks.row, cracks.flag, cracks.facet, cracks.resting
-    at_i, at_j, stiff = bonds.i, bonds.j, cells.k
+    row, flag, facet, resting, tensor = cracks.row, cracks.flag, cracks.facet, cracks.resting, cracks.tensor
+    at_i, at_j, stiff, bends, area = bonds.i, bonds.j, cells.k, cells.bends, cracks.area
     for e in range(first, last):
         c = resting[e]
         k, flag[c] = facet[c], 0
         d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
         gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
-        K, one, other, bent = stiff[k], pose[at_i[k], STRESS], pose[at_j[k], STRESS], 0.0
-        if row[c, TOP] < math.inf:
-            mean = pair_stress(cracks.tensor, at_i[k], at_j[k])
-            bent = cracks.area[k] * bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
-        if not stays_at_rest(K, gap, u, v, one, other, row[c, TOP], bent):
-            flag[c] = WAKES
+        K, one, other, top = stiff[k], pose[at_i[k], STRESS], pose[at_j[k], STRESS], row[c, TOP]
+        if top == math.inf:
+            flag[c] = 0 if stays_at_rest(K, gap, u, v, one, other, top, 0.0) else WAKES
+            continue
+        mean = pair_stress(tensor, at_i[k], at_j[k])
+        bent = bending_traction(p, q, bends[k], resistance(cells, 1.0, k))
+        if not stays_at_rest(K, gap, u, v, one, other, top, area[k] * opened_at_most(bent, mean)):
+            if not stays_at_rest(K, gap, u, v, one, other, top, area[k] * opened_by(bent, mean)):
+                flag[c] = WAKES
 
 
 @device
@@ -189,17 +201,17 @@ def wake_crack(pose, bonds, cells, contacts, cracks, c, k, place):
 
     `place` is its `frame`. Its cells do not know of it yet (`hand_over`).
     """
-    row = cracks.row[c]
-    measure_crack(cracks.geometry[c], place, column(cells.normal, k))
-    if cracks.integrity[k] == 0.0 and turned_away(cracks.geometry[c], cracks.area[k]):
+    row = cracks.row
+    measure_crack(cracks.geometry, c, place, column(cells.normal, k))
+    if cracks.integrity[k] == 0.0 and turned_away(cracks.geometry, c, cracks.area[k]):
         treat(bonds, cracks, c, k, PARTED)
-        part_faces(pose, bonds, contacts, row, k)
+        part_faces(pose, bonds, contacts, row, c, k)
         return False
     treat(bonds, cracks, c, k, ACTIVE)
-    halve_crack(cracks.half, cracks.geometry[c], c, cells.k[k], cracks.part[k], cracks.integrity[k])
-    row[BEFORE] = NEW
-    gap, normal, p = read_three(cracks.geometry[c], GAP), read_three(cracks.geometry[c], NORMAL), place[1]
-    write_three(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), plus(gap, -scalar(gap, normal), normal)))
+    halve_crack(cracks.half, cracks.geometry, c, cells.k[k], cracks.part[k], cracks.integrity[k])
+    row[c, BEFORE] = NEW
+    gap, normal, p = read_three(cracks.geometry, c, GAP), read_three(cracks.geometry, c, NORMAL), place[1]
+    write_three(row, c, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), plus(gap, -scalar(gap, normal), normal)))
     return True
 
 
@@ -215,6 +227,7 @@ def wake_cracks(pose, bonds, cells, contacts, cracks):
         if not wake_crack(pose, bonds, cells, contacts, cracks, c, k, frame(pose, bonds, cells, k)):
             continue
         hand_over(bonds, cells, cracks, c, k, -1.0)
+        cracks.stale[bonds.i[k]] = cracks.stale[bonds.j[k]] = 1
         woken = True
     return woken
 
@@ -227,7 +240,8 @@ def soften(pose, bonds, cells, cracks, first, last):
     """
     rows, active, flag, integrity = cracks.row, cracks.active, cracks.flag, cracks.integrity
     half, geometry, at_i, at_j = cracks.half, cracks.geometry, bonds.i, bonds.j
-    lasting, fastest, area = cracks.last, cracks.fastest, cracks.area
+    lasting, fastest, area, tensor = cracks.last, cracks.fastest, cracks.area, cracks.tensor
+    bends, kink, steep = cells.bends, cracks.kink, cracks.steep
     for e in range(first, last):
         c = active[e]
         flag[c] = 0
@@ -235,29 +249,31 @@ def soften(pose, bonds, cells, cracks, first, last):
         (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
         s, before, onset = integrity[k], rows[c, BEFORE], rows[c, ONSET]
         whole = plus((w * one[0], w * one[1], w * one[2]), 1.0 - w, other)
-        bent = 0.0
+        square, new, rows[c, BEFORE] = scalar(whole, whole), 0.0, s
+        pull = force = math.sqrt(square)
         if s > 0.0:
-            p, q = orientation(pose, at_i[k]), orientation(pose, at_j[k])
-            mean = pair_stress(cracks.tensor, at_i[k], at_j[k])
-            bent = area[k] * bending_opening(p, q, cells.bends[k], resistance(cells, 1.0, k), mean)
-        pull = math.sqrt(scalar(whole, whole))
-        force = math.sqrt(scalar(whole, whole) + bent * bent)
-        rows[c, BEFORE] = s
+            i, j, A = at_i[k], at_j[k], area[k]
+            p, q, mean = orientation(pose, i), orientation(pose, j), pair_stress(tensor, i, j)
+            bent = bending_traction(p, q, bends[k], resistance(cells, 1.0, k))
+            most = fastest[k] if onset == 0.0 or lasting[k] == 0.0 else _FASTEST
+            opens = opened_at_most(bent, mean)
+            for exact in range(2):  # the bound alone, where nothing is beyond it
+                force = math.sqrt(square + A * A * opens * opens)
+                new = max(softened(s, force / A, onset, lasting[k], kink, steep), s - most)
+                if exact == 1 or opens == 0.0 or (new == s and before != NEW and force < _ASLEEP * rows[c, TOP]):
+                    break
+                opens = opened_by(bent, mean)
+            if new < 1e-9:
+                new = 0.0
         if before == NEW:
             rows[c, TOP] = max(rows[c, TOP], force)
             continue
-        new = 0.0
-        if s > 0.0:
-            most = fastest[k] if onset == 0.0 or lasting[k] == 0.0 else _FASTEST
-            new = max(softened(s, force / area[k], onset, lasting[k], cracks.kink, cracks.steep), s - most)
-            if new < 1e-9:
-                new = 0.0
         if new < s:
             integrity[k] = new
             half[2 * c, LOOSE] = half[2 * c + 1, LOOSE] = (1.0 - new) / K
             rows[c, TOP] = max(rows[c, TOP], force)
             flag[c] = FELL
-        elif s == 0.0 and turned_away(geometry[c], area[k]):
+        elif s == 0.0 and turned_away(geometry, c, area[k]):
             flag[c] = TO_PART
         elif press_i == 0.0 and press_j == 0.0:
             calm = s == 0.0 or force < _ASLEEP * rows[c, TOP]
@@ -280,9 +296,11 @@ def leave_cracks(pose, bonds, cells, contacts, cracks):
         elif now == TO_PART:
             cracks.released[0] += let_go_crack(pose, bonds, cells, cracks, c)
             leave_crack(bonds, cracks, c, PARTED)
-            part_faces(pose, bonds, contacts, cracks.row[c], cracks.facet[c])
+            part_faces(pose, bonds, contacts, cracks.row, c, cracks.facet[c])
+        k = cracks.facet[c]
+        cracks.stale[bonds.i[k]] = cracks.stale[bonds.j[k]] = 1
         if now != FELL:
-            hand_over(bonds, cells, cracks, c, cracks.facet[c], 1.0)
+            hand_over(bonds, cells, cracks, c, k, 1.0)
     return changed
 
 
@@ -295,7 +313,7 @@ def let_go_crack(pose, bonds, cells, cracks, c):
     """
     k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
     (_, press_i), (_, press_j) = halves(K, w, gap, normal, shares, stresses)
-    lost = stretched(K, 0.0, read_three(cracks.row[c], RUB))
+    lost = stretched(K, 0.0, read_three(cracks.row, c, RUB))
     for side in range(2):
         p, part, press = (bonds.i[k], w, press_i) if side == 0 else (bonds.j[k], 1.0 - w, press_j)
         if press < 0.0:
@@ -319,31 +337,31 @@ def _stiffness(pose, cells, cracks, p, without):
 
 
 @device
-def turned_away(g, area):
+def turned_away(geometry, c, area):
     """Whether the faces of a crack no longer face each other."""
-    gap, normal = read_three(g, GAP), read_three(g, NORMAL)
+    gap, normal = read_three(geometry, c, GAP), read_three(geometry, c, NORMAL)
     along = max(scalar(gap, normal), 0.0)
     across = plus(gap, -scalar(gap, normal), normal)
-    return g[FACING] < _FACING or max(along * along, scalar(across, across)) > area
+    return geometry[c, FACING] < _FACING or max(along * along, scalar(across, across)) > area
 
 
 @device
-def part_faces(pose, bonds, contacts, row, k):
+def part_faces(pose, bonds, contacts, rows, c, k):
     """Let the cells of a facet touch like others from now on, where cells do."""
-    row[TOP] = math.inf
+    rows[c, TOP] = math.inf
     if contacts is not None:  # decided when compiled
-        row[TOP] = let_touch(pose, bonds.period, contacts, k)
+        rows[c, TOP] = let_touch(pose, bonds.period, contacts, k)
 
 
 @device
 def leave_crack(bonds, cracks, c, status):
     """Treat a crack one by one no longer; its cells do not know yet (`hand_over`)."""
-    k, row = cracks.facet[c], cracks.row[c]
+    k, row = cracks.facet[c], cracks.row
     treat(bonds, cracks, c, k, status)
     if cracks.integrity[k] == 0.0:
-        row[TOP] = math.inf
-    write_three(row, RUB, (0.0, 0.0, 0.0))
-    write_three(row, SLIP, (0.0, 0.0, 0.0))
-    write_three(cracks.pull[c], 0, (0.0, 0.0, 0.0))
+        row[c, TOP] = math.inf
+    write_three(row, c, RUB, (0.0, 0.0, 0.0))
+    write_three(row, c, SLIP, (0.0, 0.0, 0.0))
+    write_three(cracks.pull, c, 0, (0.0, 0.0, 0.0))
     cracks.half[2 * c, :] = 0.0
     cracks.half[2 * c + 1, :] = 0.0

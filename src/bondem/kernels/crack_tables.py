@@ -104,6 +104,7 @@ class CrackedFacets(NamedTuple):
     cell: np.ndarray  #: cells with cracks that are treated one by one, (n,)
     head: np.ndarray  #: first half of a cell, or -1, (n,)
     after: np.ndarray  #: the next half of its cell, or -1, (2 m,)
+    stale: np.ndarray  #: 1 for cells whose stress is to be found again in this step, uint8, (n,)
     base: np.ndarray  #: V θ of cells without the cracks that are treated one by one [m³], (n,)
     pull: np.ndarray  #: force of each crack on its cell i [N], (m, 3)
     output: np.ndarray  #: torques on both cells [N·m], energy lost to friction and to the crack in a step [J], (m, 8)

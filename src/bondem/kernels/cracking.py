@@ -40,7 +40,7 @@ from bondem.laws.softening import crack_couple, plus, rubbed
 @device
 def log_crack(pose, bonds, cracks, c, k, mode, gap):
     """Write down a crack of which nothing is left."""
-    i, arm = bonds.i[k], read_three(cracks.geometry[c], ARM_I)
+    i, arm = bonds.i[k], read_three(cracks.geometry, c, ARM_I)
     place = pose[i, 0] + arm[0], pose[i, 1] + arm[1], pose[i, 2] + arm[2]
     write_break(cracks.log[cracks.sizes[LOGGED]], cracks.now, k, mode, gap, cracks.row[c, SPENT], place)
     cracks.sizes[LOGGED] += 1
@@ -96,13 +96,12 @@ def crack_forces(pose, bonds, cells, cracks, change, first, last):
         flag[c] = 0
         if listed[facet[c]] != 1 + ACTIVE:  # it has just gone to rest
             continue
-        row, g, output = rows[c], geometry[c], outputs[c]
         k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
         (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
         s = integrity[k]
         along = w * press_i + (1.0 - w) * press_j
         p, q = orientation(pose, at_i[k]), orientation(pose, at_j[k])
-        slip = turned_by(p, read_three(row, SLIP))
+        slip = turned_by(p, read_three(rows, c, SLIP))
         rub, now = rubbed(K, s, gap, normal, slip, -friction[facet[c]] * (1.0 - s) * along)
         f = plus(plus(rub, s * w, one), s * (1.0 - w), other)
         f = plus(f, along, normal)
@@ -111,22 +110,22 @@ def crack_forces(pose, bonds, cells, cracks, change, first, last):
         both, slid = crack_couple(gap, f, ci, cj), cross(now, rub)
         ni, nj = _normal_couples(both, slid, p, column(facing, k), normal)
         bent, h = bending(p, q, resistance(cells, 1.0, k))
-        x, y = cross(read_three(g, ARM_I), f), cross(f, read_three(g, ARM_J))
-        write_three(pulls[c], 0, f)
-        write_three(output, TORQUE_I, plus(plus(plus(x, 1.0, ci), 1.0, ni), s, h))
-        write_three(output, TORQUE_J, plus(plus(plus(y, 1.0, cj), 1.0, nj), -s, h))
-        output[RUBBED_AWAY] = output[LOST] = 0.0
+        x, y = cross(read_three(geometry, c, ARM_I), f), cross(f, read_three(geometry, c, ARM_J))
+        write_three(pulls, c, 0, f)
+        write_three(outputs, c, TORQUE_I, plus(plus(plus(x, 1.0, ci), 1.0, ni), s, h))
+        write_three(outputs, c, TORQUE_J, plus(plus(plus(y, 1.0, cj), 1.0, nj), -s, h))
+        outputs[c, RUBBED_AWAY] = outputs[c, LOST] = 0.0
         if change:
             rate = 0.5 / K * (w * scalar(one, one) + (1.0 - w) * scalar(other, other)) + bent
-            _book(row, output, K, s, rate, rub, plus(now, -1.0, slip))
-            write_three(row, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), now))
-            write_three(row, RUB, rub)
-            if s == 0.0 and row[BEFORE] > 0.0:
+            _book(rows, outputs, c, K, s, rate, rub, plus(now, -1.0, slip))
+            write_three(rows, c, SLIP, turned_by((p[0], -p[1], -p[2], -p[3]), now))
+            write_three(rows, c, RUB, rub)
+            if s == 0.0 and rows[c, BEFORE] > 0.0:
                 flag[c] = 1
 
 
 @device
-def _book(row, output, K, s, rate, rub, came):
+def _book(rows, outputs, c, K, s, rate, rub, came):
     """Energy that a crack has dissipated in this step, and what it has rubbed away by the slip that came.
 
     The energy is s times a square of the opening, whose work both schemes book by the trapezoidal rule. What is left
@@ -134,20 +133,20 @@ def _book(row, output, K, s, rate, rub, came):
     so where the opening does not turn. (Their arithmetic mean misses Δs times the square of the change in opening.)
     The spring of friction has 1 - s times the square of its stretch, and takes up Δs times the product of both.
     """
-    before, last = row[BEFORE], read_three(row, RUB)
+    before, last = rows[c, BEFORE], read_three(rows, c, RUB)
     lost = 0.0
     if s < before:
-        lost = math.sqrt(max(row[RATE] * rate, 0.0)) * (before - s)
+        lost = math.sqrt(max(rows[c, RATE] * rate, 0.0)) * (before - s)
         after = 1.0 / (K * (1.0 - s))
         stretch = after * rub[0], after * rub[1], after * rub[2]
         if before < 1.0:
             lost -= 0.5 * scalar(last, stretch) * (before - s) / (1.0 - before)
         else:
             lost -= 0.5 * K * scalar(plus(stretch, 1.0, came), stretch) * (before - s)
-    row[RATE] = rate
-    row[SPENT] += lost
-    output[LOST] = lost
-    output[RUBBED_AWAY] = 0.5 * (scalar(last, came) + scalar(rub, came))
+    rows[c, RATE] = rate
+    rows[c, SPENT] += lost
+    outputs[c, LOST] = lost
+    outputs[c, RUBBED_AWAY] = 0.5 * (scalar(last, came) + scalar(rub, came))
 
 
 @loop(parallel=False)
@@ -181,8 +180,7 @@ def log_cracks(pose, bonds, cracks):
         if cracks.listed[k] == 1 + ACTIVE:
             lost += cracks.output[c, LOST]
             if cracks.flag[c] != 0:
-                g = cracks.geometry[c]
-                gap = scalar(read_three(g, GAP), read_three(g, NORMAL))
+                gap = scalar(read_three(cracks.geometry, c, GAP), read_three(cracks.geometry, c, NORMAL))
                 log_crack(pose, bonds, cracks, c, k, TENSION if gap > 0.0 else SHEAR, gap)
     cracks.released[0] += lost
 
@@ -201,7 +199,7 @@ def add_crack_moments(pose, cells, cracks, first, last):
             k = facet[c]
             if listed[k] == 1 + ACTIVE:
                 if h == 2 * c:
-                    add_moment(moment, pose, p, lever(lever_i, pitch, k), read_three(pull[c], 0))
+                    add_moment(moment, pose, p, lever(lever_i, pitch, k), read_three(pull, c, 0))
                 else:
                     away = -pull[c, 0], -pull[c, 1], -pull[c, 2]
                     add_moment(moment, pose, p, lever(lever_j, pitch, k), away)
@@ -215,7 +213,7 @@ def crack_energies(pose, bonds, cells, cracks):
     for c in range(cracks.sizes[CRACKS]):
         if cracks.row[c, STATUS] == ACTIVE:
             k, K, w, gap, n, shares, stresses = known(pose, bonds, cells, cracks, c)
-            s, rub = cracks.integrity[k], read_three(cracks.row[c], RUB)
+            s, rub = cracks.integrity[k], read_three(cracks.row, c, RUB)
             (one, _), (other, _) = halves(K, w, gap, n, shares, stresses)
             across, along = crack_energy(K, w, s, gap, n, (one, other), rub)
             p, q = orientation(pose, bonds.i[k]), orientation(pose, bonds.j[k])

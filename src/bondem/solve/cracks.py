@@ -111,7 +111,7 @@ def crack_table(
         facet=np.zeros(m, dtype=np.int64), active=np.zeros(m, dtype=np.int64), resting=np.zeros(m, dtype=np.int64),
         geometry=np.zeros((m, GEOMETRY_COLUMNS)), half=np.zeros((2 * m, HALF_COLUMNS)),
         cell=np.zeros(n, dtype=np.int64), head=np.full(n, -1, dtype=np.int64),
-        after=np.full(2 * m, -1, dtype=np.int64), base=np.zeros(n),
+        after=np.full(2 * m, -1, dtype=np.int64), stale=np.zeros(n, dtype=np.uint8), base=np.zeros(n),
         pull=pull, output=np.zeros((m, OUTPUT_COLUMNS)), load=load, log=np.empty((m, BROKEN_COLUMNS)),
         released=state.released,
     )  # fmt: skip

@@ -234,7 +234,7 @@ def set_up(body, cracks, lists, c, k, start):
     for d in range(row.shape[0]):
         row[d] = 0.0
     row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
-    write_three(cracks.pull[c], 0, _pull(body, k))
+    write_three(cracks.pull, c, 0, _pull(body, k))
     treat(body, cracks, c, k, ACTIVE)
     lists.crack[k] = c
 

@@ -131,8 +131,8 @@ def measure_some(pose, body, cracks):
     if c >= cracks.sizes[CRACKS] or cracks.listed[cracks.facet[c]] != 1 + ACTIVE:
         return
     k = cracks.facet[c]
-    measure_crack(cracks.geometry[c], place_of(pose, body, k), column(body.normal, k))
-    halve_crack(cracks.half, cracks.geometry[c], c, body.k[k], cracks.part[k], cracks.integrity[k])
+    measure_crack(cracks.geometry, c, place_of(pose, body, k), column(body.normal, k))
+    halve_crack(cracks.half, cracks.geometry, c, body.k[k], cracks.part[k], cracks.integrity[k])
 
 
 @cuda_kernel
@@ -140,7 +140,7 @@ def relax_some(pose, body, cracks):
     """Stresses of the cells with such cracks."""
     p = cuda.grid(1)
     if p < pose.shape[0] and cracks.sizes[CRACKS] > 0 and cracks.head[p] >= 0:
-        relax_cells(pose, body, cracks, p, p + 1)
+        relax_cells(pose, body, cracks, False, p, p + 1)
 
 
 @cuda_kernel
@@ -167,8 +167,8 @@ def wake_some(pose, body, cracks):
 def _handed_over(cracks, h):
     """What a half adds to V θ of its cell as it goes to rest [m³], as `kernels.crack_states.hand_over`."""
     c = h >> 1
-    share = read_three(cracks.geometry[c], SHARE_I if h % 2 == 0 else SHARE_J)
-    return cracks.integrity[cracks.facet[c]] * scalar(share, read_three(cracks.geometry[c], GAP))
+    share = read_three(cracks.geometry, c, SHARE_I if h % 2 == 0 else SHARE_J)
+    return cracks.integrity[cracks.facet[c]] * scalar(share, read_three(cracks.geometry, c, GAP))
 
 
 @cuda_kernel
@@ -186,7 +186,7 @@ def wake_cells(pose, body, cracks, lists, cracked):
     if woken:
         weigh_cracked(body, cracks, p)
         _link(body, cracks, lists, p)
-        relax_cells(pose, body, cracks, p, p + 1)
+        relax_cells(pose, body, cracks, False, p, p + 1)
 
 
 @cuda_kernel
@@ -214,7 +214,7 @@ def part_cracks(pose, body, cracks, lists):
         cracks.released[0] += let_go_crack(pose, body, body, cracks, c)
         leave_crack(body, cracks, c, PARTED)
         hand_over(body, body, cracks, c, k, 1.0)
-        part_faces(pose, body, None, cracks.row[c], k)
+        part_faces(pose, body, None, cracks.row, c, k)
 
 
 @cuda_kernel
@@ -244,7 +244,7 @@ def change_cells(pose, body, cracks):
     if calmed:
         weigh_cracked(body, cracks, p)
     if changed:
-        relax_cells(pose, body, cracks, p, p + 1)
+        relax_cells(pose, body, cracks, False, p, p + 1)
 
 
 @cuda_kernel
@@ -291,7 +291,7 @@ def log_cracks(pose, body, cracks, lists):
     put_in_order(lists.found, count)
     for e in range(count):
         c = lists.found[e]
-        gap = scalar(read_three(cracks.geometry[c], GAP), read_three(cracks.geometry[c], NORMAL))
+        gap = scalar(read_three(cracks.geometry, c, GAP), read_three(cracks.geometry, c, NORMAL))
         log_crack(pose, body, cracks, c, cracks.facet[c], TENSION if gap > 0.0 else SHEAR, gap)
 
 
@@ -308,7 +308,7 @@ def crack_sums(pose, body, cracks, parts):
         k, K, w, gap, n, shares, stresses = known(pose, body, body, cracks, c)
         left = cracks.integrity[k]
         (one, _), (other, _) = halves(K, w, gap, n, shares, stresses)
-        across, along = crack_energy(K, w, left, gap, n, (one, other), read_three(cracks.row[c], RUB))
+        across, along = crack_energy(K, w, left, gap, n, (one, other), read_three(cracks.row, c, RUB))
         p, q = orientation(pose, body.i[k]), orientation(pose, body.j[k])
         bent, _ = bending(p, q, resistance(body, left, k))
         parts[NORMAL_SUM, s] += across
