@@ -8,7 +8,8 @@ rounding. What is done with a crack or a cell by itself is done on all threads, 
 list: no bit depends on threads. See `bondem.laws.softening`.
 """
 
-from bondem._compile import loop, prange
+from bondem._compile import kernel, loop, prange
+from bondem.kernels.cell_stress import cell_stresses, surface_stresses
 from bondem.kernels.crack_list import begin_cracks, list_cracks
 from bondem.kernels.crack_onset import judge_body
 from bondem.kernels.crack_states import (
@@ -79,6 +80,17 @@ def clear_crack_loads(table):
     """Take off what cracks did a step ago, where there are any."""
     if table is not None:  # decided when compiled
         clear_cracks(table.facets)
+
+
+@kernel(parallel=False)
+def stresses_now(pose, body, table):
+    """Stresses of all cells from the forces they bear now, as a run begins: its first record has their energies."""
+    cells, cracks, moment = body.cells, table.facets, body.cells.moment
+    kept = moment.copy()  # a step adds the forces of cracks itself
+    add_crack_moments(pose, cells, cracks, 0, cracks.sizes[CELLS])
+    cell_stresses(moment, table.stress, 0, len(pose))
+    surface_stresses(pose, body.grips, body.presses, table.stress, table.flow.pressed)
+    moment[:, :] = kept
 
 
 @loop(parallel=False)

@@ -9,6 +9,7 @@ from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance, clea
 from bondem.kernels.boundary import set_boundary
 from bondem.kernels.cell_strain import book_strains, strain_body
 from bondem.kernels.contact_pass import contact_loads
+from bondem.kernels.crack_pass import stresses_now
 from bondem.kernels.crack_tables import FACET
 from bondem.kernels.facet_breaking import weigh_all
 from bondem.kernels.grip_pass import give, grip_loads, place_walls
@@ -160,6 +161,8 @@ class CpuLoop:
             self._evaluate()
             self._keep()
             self.state.stale = False
+        if self._body is not None and self._cracks is not None and self._cracks.flow.yielding:
+            stresses_now(pose, self._body, self._cracks)
         records = np.empty((1, self._width))
         sample(
             t, run.elements, bonds, run.rows, run.gauges, self._history, self._body, self._non_local,
