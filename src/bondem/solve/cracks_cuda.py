@@ -4,7 +4,7 @@ Bytes on the device, in double precision, more than without:
 
     a facet   650: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
               integrity 8, how it is treated 2, strength, softening, friction and weights 72, numbers and lists 24
-    a cell    134: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 6
+    a cell    135: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 6, stale 1
 
 and where cells yield, 24 a facet (levers without plastic strain), 176 a cell (17 numbers that change, 5 constants)
 and 24 a facet that walls hold.
@@ -105,11 +105,7 @@ class CrackForces:
         """As a step begins: facets begin to crack by the stresses of the step before."""
         run, body, cracks, onset, lists = self._run, self._body, self._cracks, self._onset, self._lists
         pose, n = run.elements.pose, run.elements.pose.shape[0]
-        launch(beginnings.stress_tensors, n, pose, body, cracks, onset.volume, stream=stream)
-        launch(
-            beginnings.heat_cells, n, run.clock, run.scheme, pose, cracks.tensor, body.moment, run.rows,
-            run.schedules, self._whole.grips, self._whole.holds, onset, stream=stream,
-        )  # fmt: skip
+        self._find_stresses(1, stream)
         if self._flow is not None:
             self._yield(self._flow, stream)
         mark, begin = beginnings.mark_cracks, beginnings.begin_cracks
@@ -119,6 +115,16 @@ class CrackForces:
         launch(mark, self.m, pose, body, cracks, onset, lists, stream=stream)
         launch(beginnings.order_beginnings, 1, run.clock, run.scheme, cracks, lists, stream=stream)
         launch(begin, self.m, pose, body, cracks, onset, lists, stream=stream)
+
+    def _find_stresses(self, ahead: int, stream: Any = None) -> None:
+        """Stresses of all cells, with what walls and tractions do now or in the step `ahead`."""
+        run, body, cracks, onset, whole = self._run, self._body, self._cracks, self._onset, self._whole
+        pose, n = run.elements.pose, run.elements.pose.shape[0]
+        launch(beginnings.stress_tensors, n, pose, body, cracks, onset.volume, stream=stream)
+        launch(
+            beginnings.heat_cells, n, run.clock, ahead, run.scheme, pose, cracks.tensor, body.moment, run.rows,
+            run.schedules, whole.grips, whole.holds, onset, stream=stream,
+        )  # fmt: skip
 
     def _yield(self, flow: CellYield, stream: Any) -> None:
         """Cells yield, and what is on their surfaces follows."""
@@ -150,6 +156,8 @@ class CrackForces:
         launch(states.link_cells, n, pose, body, cracks, self._lists, self._onset.cracked)
         launch(states.measure_some, self.m, pose, body, cracks)
         launch(beginnings.sum_moments, n, run.elements, body, cracks, False)
+        if self._flow is not None:
+            self._find_stresses(0)
 
     def guard(self, flags: Array) -> None:
         """A thread a facet; by levers without plastic strain, as directions are those of the reference."""

@@ -132,14 +132,14 @@ def stress_tensors(pose, body, cracks, volume):
 
 
 @cuda_kernel
-def heat_cells(clock, scheme, pose, tensor, moment, rows, schedules, grips, holds, onset):
-    """The stress of cells with walls and loads, in the step to come; and whose facets are looked at."""
+def heat_cells(clock, ahead, scheme, pose, tensor, moment, rows, schedules, grips, holds, onset):
+    """The stress of cells with walls and loads, now or in the step `ahead`; and whose facets are looked at."""
     p = cuda.grid(1)
     if p >= pose.shape[0]:
         return
     r = rows.of[p]
     if r >= 0:
-        t = scheme.origin + (clock[0] + 1) * scheme.dt
+        t = scheme.origin + (clock[0] + ahead) * scheme.dt
         _add_surface_stress(t, pose, tensor, schedules, grips, holds, onset, p, r)
     s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
     onset.hotter[p] = 1 if onset.cracked[p] != 0 or is_hot(s, moment[p, 6], onset.hot) else 0
