@@ -122,6 +122,7 @@ def test_a_study_breaks_judges_and_draws(tmp_path: Any) -> None:
     assert strong["toughness"] / weak["toughness"] == pytest.approx(
         strong["bond_tension"] / weak["bond_tension"], rel=1e-6
     )
+    (tmp_path / "figures").mkdir()
     study.draw(tmp_path, made, found)
     for name in ("gregoire", "kalthoff"):
         assert (tmp_path / "figures" / f"beams_{name}.png").stat().st_size > 10_000
