@@ -101,7 +101,9 @@ def test_a_spall_test_is_as_long_and_fine_as_asked() -> None:
 def test_fines_are_below_the_size_asked() -> None:
     failure = bd.Rankine(tension=2e6)
     usual = {"density": 2400.0, "velocity": 6.0}
-    few, many = (bd.labtests.sphere_impact(body("ball"), LAW, failure, fine=one, **usual).broken for one in (0.2, 0.9))
+    few, many = (
+        bd.labtests.sphere_impact(body("ball"), LAW, failure, fine=share, **usual).broken for share in (0.2, 0.9)
+    )
     for one, share in ((few, 0.2), (many, 0.9)):
         small = one.sizes.diameter < share * 20e-3
         steps = np.diff(one.sizes.passing, prepend=0.0)

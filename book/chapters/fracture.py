@@ -206,8 +206,8 @@ def _ways() -> Section:
         before=(
             "Notched bars: peak over that of a slow, damped explicit run, of which 1 % is asked. Displacements that"
             " grow have neither steps of softening nor facets that fail together. With 300 cells they agree with the"
-            f" explicit run within {_off(300):.2%}, and what load factors have more falls with the band, whose default"
-            f" is 0.02; with 1000 cells they have up to {_off(1000):.2%} more themselves. Steps and band were chosen"
+            f" explicit run within {_off(300):.2%}: what load factors have more is due to their steps. With 1000"
+            f" cells they have up to {_off(1000):.2%} more themselves. Steps and the band, 0.02, were chosen"
             " on packings 1 to 3; 4 and 5 were drawn afterwards. Other bands than the default: `--counts 300 --seeds"
             " 1 2 3`."
         ),

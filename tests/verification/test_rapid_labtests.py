@@ -44,7 +44,6 @@ def test_a_slow_crushing_test_is_in_balance_and_symmetric():
     assert test.work == pytest.approx(work, rel=0.02)  # of both plates, over the closing
     after = force[np.argmax(force) :] / test.force
     assert after[-1] < 0.2 <= after[:-1].min()  # it ends as the load has dropped to a fifth
-    assert 30.0 < crushed(traverses=60.0).kinetic / test.kinetic < 300.0  # ten times as fast: v²
 
 
 def test_rough_plates_hold_the_ball_across() -> None:
@@ -55,7 +54,7 @@ def test_rough_plates_hold_the_ball_across() -> None:
         assert np.abs(smooth.run.history[name][:, 1:]).max() == 0.0
         force = np.abs(rough.run.history[name])
         across = np.linalg.norm(force[:, 1:], axis=1)
-        assert 0.0 < across.max()
+        assert across.max() > 0.0
         assert (across <= 0.3 * force[:, 0] + 1e-9 * rough.force).all()
 
 
@@ -169,6 +168,7 @@ def test_the_free_end_is_twice_as_fast_as_the_pulse():
     assert test.pull_back is None
     assert math.isnan(test.peak)
     assert test.place is None
+    assert test.lengths == pytest.approx([LENGTH])
     assert test.first is None
     assert test.residual < 1e-3
 
@@ -183,8 +183,10 @@ def test_a_brittle_bar_parts_where_tension_first_reaches_its_strength():
     assert reached < test.first < reached + 10e-6  # the crest is rounded by the width of the bar
     assert test.profile[: int(30e-3 / SIZE)].max() == 0.0
     about = np.abs(0.5 * (test.edges[1:] + test.edges[:-1]) - test.place) < 3.0 * SIZE
-    assert 0.95 < test.profile[about].sum() < 3.0  # of the section, for it parts there
-    assert test.lengths.sum() == pytest.approx(LENGTH, rel=0.03)
+    assert test.profile[about].sum() > 0.95  # of the section, for it parts there
+    broken, facets = test.state.bond_integrity < 0.1, bar().facets
+    across = (facets.area * np.abs(facets.normal[:, 0]))[broken].sum() / DEPTH**2
+    assert test.profile.sum() == pytest.approx(across)
     assert test.residual < 1e-3
     assert test.bar.place(20e6) == math.inf
 
