@@ -38,6 +38,7 @@ def test_a_slow_crushing_test_is_in_balance_and_symmetric():
     assert test.asymmetry < 0.5 * crushed(traverses=60.0).asymmetry
     assert test.residual < 1e-3
     assert test.kinetic < 0.01
+    assert test.kinetic < 0.5 * crushed(traverses=60.0).kinetic
     assert test.peak == pytest.approx(2.8 / math.pi * test.force / (2.0 * RADIUS) ** 2)
     closing, force = test.curve[:, 0] * 2.0 * RADIUS, test.curve[:, 1] * (2.0 * RADIUS) ** 2 * math.pi / 2.8
     work = float((0.5 * (force[1:] + force[:-1]) * np.diff(closing)).sum())
@@ -142,7 +143,9 @@ def test_damage_grows_with_speed_from_none():
     assert found[0].damage == 0.0
     assert found[0].damage < found[1].damage < found[2].damage
     assert found[0].restitution > found[1].restitution > found[2].restitution
-    for one in found:
+    for one, v in zip(found, (0.05, 4.0, 10.0), strict=True):
+        pieces = one.broken.pieces
+        assert one.restitution == pytest.approx(pieces.velocity[np.argmax(pieces.mass), 0] / v)
         assert one.momentum < 1e-3
         assert one.residual < 1e-3
 
