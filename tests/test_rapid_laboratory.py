@@ -90,6 +90,27 @@ def test_a_wall_that_is_given_is_the_one_that_is_left_out() -> None:
     np.testing.assert_allclose(own.force, usual.force, rtol=1e-6, atol=1e-6 * usual.peak)
 
 
+def test_a_spall_test_is_as_long_and_fine_as_asked() -> None:
+    usual = USUAL["spall"][2]
+    test = bd.labtests.spall(body("bar"), LAW, None, bins=7, duration=20e-6, **usual)
+    assert len(test.profile) == 7
+    np.testing.assert_allclose(np.diff(test.edges), 60e-3 / 7)
+    assert test.time[-1] == pytest.approx(20e-6, rel=0.01)
+
+
+def test_fines_are_below_the_size_asked() -> None:
+    failure = bd.Rankine(tension=2e6)
+    usual = {"density": 2400.0, "velocity": 6.0}
+    few, many = (
+        bd.labtests.sphere_impact(body("ball"), LAW, failure, fine=share, **usual).broken for share in (0.2, 0.9)
+    )
+    for one, share in ((few, 0.2), (many, 0.9)):
+        small = one.sizes.diameter < share * 20e-3
+        steps = np.diff(one.sizes.passing, prepend=0.0)
+        assert one.fines == pytest.approx(steps[small].sum())
+    assert few.fines < many.fines
+
+
 STUDY: dict[str, Any] = {
     "name": "concrete", "packings": 1, "tests": ["sphere_impact"],
     "material": {"name": "concrete", "E": 40e9, "nu": 0.2, "rho": 2400.0},

@@ -12,7 +12,9 @@ from book.tolerances import AtLeast, AtMost, Near, So
 STRENGTH = Measurement("strength", "python benchmarks/strength.py", "2 h")
 BRAZILIAN = Measurement("brazilian", "python benchmarks/brazilian.py --seeds 1 2 3 4 5", "30 min")
 FACTORS = Measurement(
-    "load_factors", "python benchmarks/load_factors.py --counts 300 1000 --seeds 1 2 3 --steps 0.01", "15 min"
+    "load_factors",
+    "python benchmarks/load_factors.py --counts 300 1000 --seeds 1 2 3 4 5 --steps 0.01 --ripples 0.02",
+    "10 min",
 )
 MEASUREMENTS = (STRENGTH, BRAZILIAN, FACTORS, TESTS)
 

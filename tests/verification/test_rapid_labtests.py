@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.labtests.spalling import pulled_back
 
 LAW = bd.CellBond(E=30e9, nu=0.2)
 RADIUS, DENSITY = 10e-3, 2400.0
@@ -37,10 +38,25 @@ def test_a_slow_crushing_test_is_in_balance_and_symmetric():
     assert test.asymmetry < 0.5 * crushed(traverses=60.0).asymmetry
     assert test.residual < 1e-3
     assert test.kinetic < 0.01
+    assert test.kinetic < 0.5 * crushed(traverses=60.0).kinetic
     assert test.peak == pytest.approx(2.8 / math.pi * test.force / (2.0 * RADIUS) ** 2)
     closing, force = test.curve[:, 0] * 2.0 * RADIUS, test.curve[:, 1] * (2.0 * RADIUS) ** 2 * math.pi / 2.8
     work = float((0.5 * (force[1:] + force[:-1]) * np.diff(closing)).sum())
     assert test.work == pytest.approx(work, rel=0.02)  # of both plates, over the closing
+    after = force[np.argmax(force) :] / test.force
+    assert after[-1] < 0.2 <= after[:-1].min()  # it ends as the load has dropped to a fifth
+
+
+def test_rough_plates_hold_the_ball_across() -> None:
+    """By at most their friction; smooth ones by nothing."""
+    smooth = crushed(traverses=60.0)
+    rough = bd.labtests.sphere_crushing(ball(), LAW, mortar(4e6), friction=0.3, traverses=60.0)
+    for name in ("near", "far"):
+        assert np.abs(smooth.run.history[name][:, 1:]).max() == 0.0
+        force = np.abs(rough.run.history[name])
+        across = np.linalg.norm(force[:, 1:], axis=1)
+        assert across.max() > 0.0
+        assert (across <= 0.3 * force[:, 0] + 1e-9 * rough.force).all()
 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.StrengthWarning")
@@ -97,6 +113,17 @@ def test_an_elastic_ball_comes_back(kind):
     assert test.damage == 0.0
     assert test.broken.fines == 0.0
     assert 0.9 < test.restitution <= 1.0
+    mass = float(test.broken.pieces.mass.sum())
+    impulse = float((0.5 * (test.force[1:] + test.force[:-1]) * np.diff(test.time)).sum())
+    assert impulse == pytest.approx(mass * (1.0 + test.restitution), rel=1e-3)  # at 1 m/s
+
+
+def test_a_rough_plane_takes_its_friction_of_motion_along_it() -> None:
+    """A ball that slides all the time loses µ (1 + e) of its normal velocity along the plane: 2 > 3.5 µ (1 + e)."""
+    test = bd.labtests.sphere_impact(ball(), LAW, density=DENSITY, velocity=(-1.0, 2.0, 0.0), friction=0.2)
+    lost = 2.0 - float(test.broken.pieces.velocity[0, 1])
+    assert lost == pytest.approx(0.2 * (1.0 + test.restitution), rel=0.02)
+    assert test.momentum < 1e-3
 
 
 def test_a_smooth_plane_leaves_motion_along_it():
@@ -116,7 +143,9 @@ def test_damage_grows_with_speed_from_none():
     assert found[0].damage == 0.0
     assert found[0].damage < found[1].damage < found[2].damage
     assert found[0].restitution > found[1].restitution > found[2].restitution
-    for one in found:
+    for one, v in zip(found, (0.05, 4.0, 10.0), strict=True):
+        pieces = one.broken.pieces
+        assert one.restitution == pytest.approx(pieces.velocity[np.argmax(pieces.mass), 0] / v)
         assert one.momentum < 1e-3
         assert one.residual < 1e-3
 
@@ -142,6 +171,7 @@ def test_the_free_end_is_twice_as_fast_as_the_pulse():
     assert test.pull_back is None
     assert math.isnan(test.peak)
     assert test.place is None
+    assert test.lengths == pytest.approx([LENGTH])
     assert test.first is None
     assert test.residual < 1e-3
 
@@ -155,5 +185,17 @@ def test_a_brittle_bar_parts_where_tension_first_reaches_its_strength():
     reached = PULSE["rise"] + (LENGTH + test.bar.place(4e6)) / 4000.0
     assert reached < test.first < reached + 10e-6  # the crest is rounded by the width of the bar
     assert test.profile[: int(30e-3 / SIZE)].max() == 0.0
+    about = np.abs(0.5 * (test.edges[1:] + test.edges[:-1]) - test.place) < 3.0 * SIZE
+    assert test.profile[about].sum() > 0.95  # of the section, for it parts there
+    broken, facets = test.state.bond_integrity < 0.1, bar().facets
+    across = (facets.area * np.abs(facets.normal[:, 0]))[broken].sum() / DEPTH**2
+    assert test.profile.sum() == pytest.approx(across)
     assert test.residual < 1e-3
     assert test.bar.place(20e6) == math.inf
+
+
+@pytest.mark.parametrize(("rebound", "fallen"), [(0.04, 0.5), (0.1, 1.0), (0.5, None)])
+def test_a_pull_back_ends_where_the_velocity_comes_up_again(rebound: float, fallen: float | None) -> None:
+    """From 2 m/s down to 1.5, up by 0.05, down to 1 and up by 0.2."""
+    velocity = np.array([0.0, 1.0, 2.0, 1.8, 1.5, 1.55, 1.2, 1.0, 1.1, 1.2])
+    assert pulled_back(velocity, rebound) == (2.0, fallen)

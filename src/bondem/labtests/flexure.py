@@ -63,7 +63,7 @@ def three_point_bending(
     *,
     span: float | None = None,
     strip: float | None = None,
-    ripple: float = 0.1,
+    ripple: float = 0.02,
     together: float = 0.005,
     until: float = 0.05,
     most: int = 100_000,
