@@ -40,7 +40,7 @@ def cone(sides: int) -> float:
 
 def pulled(test: str, count: int, seed: int, slower: float, nu: float) -> dict[str, Any]:
     """One test on one packing."""
-    body = bd.connect(bd.pack(bd.Box((SIDE,) * 3), count=count, method="even", seed=seed), method="laguerre")
+    body = bd.connect(bd.pack(bd.Box((SIDE, SIDE, SIDE)), count=count, method="even", seed=seed), method="laguerre")
     axes, low_high = AXES[test], body.particles.envelope.bounds
     expected = cone(len(axes))
     stress = np.array([expected if axis in axes else 0.0 for axis in "xyz"])
@@ -78,7 +78,8 @@ def pulled(test: str, count: int, seed: int, slower: float, nu: float) -> dict[s
     stiffness = float(np.polyfit(t[straight] / rise, found[straight], 1)[0]) / expected
     return {
         "test": test, "count": count, "seed": seed, "slower": slower, "nu": nu, "cone": expected,
-        "asked": ASKED[test], "peak": float(found[peak]), "over_cone": float(found[peak] / expected), "stiffness": stiffness,
+        "asked": ASKED[test], "peak": float(found[peak]), "over_cone": float(found[peak] / expected),
+        "stiffness": stiffness,
         "at": float(t[peak] / rise), "steps": run.iterations, "cracks": len(run.state.cracks),
         "broken": len(run.state.broken), "residual": run.residual, "last": float(found[-1] / found[peak]),
         "seconds": round(time.perf_counter() - begun, 1),

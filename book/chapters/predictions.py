@@ -53,9 +53,9 @@ def _seeds(seeds: list[int]) -> str:
     return f"{'seed' if len(seeds) == 1 else 'seeds'} {', '.join(map(str, seeds))}"
 
 
-def _peaks(what: str, ones: list[dict[str, Any]], **more: Any) -> Row:
+def _peaks(what: str, ones: list[dict[str, Any]], form: Form = _MPA, **more: Any) -> Row:
     peaks = CONCRETE.of(*(one["peak"] for one in ones))
-    return Row(case=f"{what}; {_told(ones)}", ours=peaks, **({"form": _MPA} | more))
+    return Row(case=f"{what}; {_told(ones)}", ours=peaks, form=form, **more)
 
 
 def _concrete() -> Section:
