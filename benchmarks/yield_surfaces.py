@@ -115,7 +115,7 @@ def closed(name: str) -> dict[str, float | None]:
 def draw(path: Path) -> None:
     """Both surfaces in the space of principal stresses, and both in the plane σ3 = 0."""
     start, along = about_the_axis()
-    with sheet(path, 12.0, 4.2, columns=0) as (figure, _):
+    with sheet(path, 12.4, 4.2, columns=0) as (figure, _):
         for n, (name, criterion) in enumerate(CRITERIA.items()):
             far = reached(criterion, (start, along))
             shape = len(LEVELS), TURNS
@@ -131,7 +131,6 @@ def draw(path: Path) -> None:
             for one in (ax.xaxis, ax.yaxis, ax.zaxis):
                 one.set_ticks([-150, -100, -50, 0])
             ax.view_init(elev=22, azim=35)
-            ax.set_box_aspect(None, zoom=0.9)
         ax = figure.add_subplot(1, 3, 3)
         for name, criterion in CRITERIA.items():
             rays = in_the_plane()
