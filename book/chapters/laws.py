@@ -146,8 +146,8 @@ def _beside() -> Section:
             " f_t = 4 MPa, c = 14.3 MPa, φ = 35°: 54.9 MPa in compression as a continuum, 13.7 times f_t. Strengths"
             " of laws that break at once are multiplied by one factor so that packing 1 bears 4 MPa in direct"
             " tension; what they then bear otherwise is their own. Stresses in MPa; two: packings 1, 2. The"
-            " cost is that of elastic steps with criterion and contacts, time of the processor without that of starting"
-            " a run, over that of the first law. Damage by yielding of cells is not drawn.\n\n"
+            " cost is that of elastic steps with criterion and contacts, time of the processor without that of"
+            " starting a run, over that of the first law. Damage by yielding of cells is not drawn.\n\n"
             + "\n".join(lines)
         ),
         rows=tuple(rows),
