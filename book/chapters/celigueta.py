@@ -32,7 +32,8 @@ _OF_SPEED, _OF_PLATES = 0.03, 0.02
 # What is asked of Laguerre areas up to this ν: E, and ν itself.
 _UP_TO, _OF_E, _OF_NU = 0.4, 0.01, 0.005
 
-STRESS, MODULUS, SHARE = Form("MPa", 1e6, ".2f"), Form("GPa", 1e9, ".2f"), Form(style=".3f")
+STRESS, MODULUS = Form("MPa", 1e6, ".2f"), Form("GPa", 1e9, ".2f")
+SHARE, RATIO = Form(style=".3f"), Form(style=".2f")
 _AREAS = {"weighted": "the authors' areas", "facet": "Laguerre facets"}
 
 
@@ -134,7 +135,8 @@ def _speed() -> Section:
     first = {(one["test"], one["failure"]): one["peak"][0] for one in cases if one["slower"] == 1.0}
     rows = []
     for one in cases:
-        words = f"{one['test']}, {one['failure']}, {one['slower']:g} times slower"
+        speed = "the paper's speed" if one["slower"] == 1.0 else f"{one['slower']:g} times slower"
+        words = f"{one['test']}, {one['failure']}, {speed}"
         if one["slower"] != 1.0:
             change = one["peak"][0] / first[one["test"], one["failure"]] - 1.0
             rows.append(Row(case=f"{words}: change of the peak", ours=SLOWER.of(change), form=Form("%", 1e-2, "+.1f"),
@@ -164,9 +166,25 @@ def _reach() -> Section:
             some = [one for one in cases if (one["count"], one["reach"]) == (count, reach)]
             cells += [_of(some, "z", 1.0, ".1f"), _of(some, "E_plates", 1e9, ".1f"), _of(some, "peak", 1e6, ".1f")]
         lines.append("| " + " | ".join(cells) + " |")
-    seeds = ", ".join(str(seed) for seed in sorted({one["seed"] for one in cases}))
+    numbers = sorted({one["seed"] for one in cases})
+    seeds = ", ".join(map(str, numbers))
+
+    def ratios(above: tuple[int, float], below: tuple[int, float]) -> list[float]:
+        peaks = {(one["count"], one["reach"], one["seed"]): one["peak"] for one in cases}
+        return [peaks[*above, seed] / peaks[*below, seed] for seed in numbers]
+
+    rows = [
+        Row(case=f"{count} elements: peak with a reach of {reaches[-1]:g} over that with {reaches[0]:g}", form=RATIO,
+            ours=REACH.of(*ratios((count, reaches[-1]), (count, reaches[0]))))
+        for count in counts
+    ] + [
+        Row(case=f"reach of {reach:g}: peak of {counts[-1]} elements over that of {counts[0]}", form=RATIO,
+            ours=REACH.of(*ratios((counts[-1], reach), (counts[0], reach))))
+        for reach in reaches
+    ]  # fmt: skip
     return Section(
         title="Sizes and gaps",
+        rows=tuple(rows),
         before=(
             "Compression, Rankine with 6 MPa, the authors' areas: spheres at most so many (R1 + R2) apart are bonded,"
             f" z is the coordination number; packings {seeds}, one after the other. The paper does not print the"
