@@ -80,7 +80,9 @@ def _calibrated() -> Section:
             " not seen. A run is both tests at one set of parameters. Cells have G_f = 100 J/m², the paper's law its"
             " construction, plates and friction (of elements and plates alike), beams E and ν of packing 1."
             " The strips of the Brazilian test of cells are three quarters of a cell wide to each side, so that f_t"
-            " depends on the size of the cells; a case that was not reached has no unseen packings."
+            " depends on the size of the cells; a case that was not reached has no unseen packings. Slopes of the"
+            " beams by both parameters are alike, and which way the search goes then hangs on the third digit of a"
+            " run: before, with another time step, it used up 15 runs and ended at 37.65 and 5.01 MPa."
         ),
         rows=tuple(rows),
     )
