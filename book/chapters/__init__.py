@@ -20,6 +20,7 @@ from book.chapters import (
     laws,
     packings,
     parameters,
+    predictions,
     protocol,
     rapid_fracture,
     strength,
@@ -30,8 +31,8 @@ from book.small import PACKINGS
 
 _FILES = (
     andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, concrete,
-    celigueta, laws, fracture, rapid_fracture, packings, parameters, dynamic_tests, surface, formulations, dynamics,
-    cost,
+    celigueta, laws, predictions, fracture, rapid_fracture, packings, parameters, dynamic_tests, surface,
+    formulations, dynamics, cost,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}

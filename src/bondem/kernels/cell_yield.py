@@ -11,6 +11,10 @@ from bondem.kernels.whole import whole
 from bondem.laws.cell_energy import turned_by
 from bondem.laws.plasticity import cone_flow, flow, invariants, largest_at_most, principal, yield_bound
 
+# No stress σ is beyond Mohr and Coulomb's planes or a cone by more than √2 |σ| less their strength, its largest
+# principal stress not above |σ|; the square, and something for rounding.
+_REACH = 2.01
+
 
 @device
 def work_of(s, increment):
@@ -81,6 +85,12 @@ def _flow_in_plane(pose, s, plastic, p, given, strength, a, v):
 
 
 @device
+def _square(s):
+    """σ:σ [Pa²]."""
+    return s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5])
+
+
+@device
 def is_hot(s, square, hot):
     """Whether facets of a cell of stress s, that bend by Σ T_b² `square` [Pa²], are looked at, from `hot` on [Pa]."""
     mean, deviator = invariants(s)
@@ -140,8 +150,14 @@ def yield_cells(pose, stress, cells, hot, cracked, hotter, first, last):
     tensor, bending, volume, yielding, cone = stress.tensor, stress.bending, stress.volume, cells.yielding, cells.cone
     plastic, fade, slope, cohesion = cells.plastic, cells.fade, cells.sine, cells.cohesion
     dilation, G = cells.dilation, cells.G
+    least = max(hot, 0.0) ** 2
     for p in range(first, last):
         s = tensor[p, 0], tensor[p, 1], tensor[p, 2], tensor[p, 3], tensor[p, 4], tensor[p, 5]
+        square = _square(s)
+        calm = (_REACH * (square + bending[p]) < least) & (cracked[p] == 0)
+        if calm and not (yielding and (_REACH * square >= cohesion[p] ** 2 or plastic[p, GAMMA] > 0.0)):
+            hotter[p] = 0
+            continue
         hotter[p] = 1 if cracked[p] != 0 or is_hot(s, bending[p], hot) else 0
         if not yielding:
             continue

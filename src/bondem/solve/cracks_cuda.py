@@ -4,7 +4,7 @@ Bytes on the device, in double precision, more than without:
 
     a facet   650: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
               integrity 8, how it is treated 2, strength, softening, friction and weights 72, numbers and lists 24
-    a cell    135: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 6, stale 1
+    a cell    135: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 7
 
 and where cells yield, 24 a facet (levers without plastic strain), 176 a cell (17 numbers that change, 5 constants)
 and 24 a facet that walls hold.
