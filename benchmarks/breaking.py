@@ -31,7 +31,7 @@ def block(elements: int, cells: bool) -> tuple[bd.Lattice, bd.CellBond | bd.Eule
     return specimen(elements, largest=elements), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
 
 
-def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
+def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int, dict[str, dict[str, int]]]:
     lattice, law = block(elements, cells)
     criteria: dict[str, bd.Criterion | None] = {
         "elastic": None, "MohrCoulomb": bd.MohrCoulomb(tension=1e15, cohesion=1e15, friction_angle=0.6)
@@ -49,17 +49,17 @@ def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
         state.set_motion(velocity=1e-3 * np.random.default_rng(0).standard_normal((len(lattice.particles), 3)))
         found[name] = CpuLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
         found[name].run(3)
-    return found, len(lattice.pairs)
+    return found, len(lattice.pairs), {}
 
 
-def touching(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
+def touching(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int, dict[str, dict[str, int]]]:
     lattice, law = block(elements, cells)
     failure = bd.PeripheralStress(tension=265e6, shear=265e6)
     if cells:
         failure = bd.MohrCoulomb(tension=50e6, cohesion=150e6, friction_angle=0.6, fracture_energy=50.0)
     contact = bd.LinearContact(E=70e9, friction=0.4)
     inward = -(lattice.centre - lattice.centre.mean(axis=0)) / (0.5 * np.ptp(lattice.centre[:, 0]))
-    found = {}
+    found, counts = {}, {}
     crushed = [("in pieces", 5.0, 1000), ("in dust", 20.0, 1200)] if cells else [("in pieces", 4.0, 600)]
     for name, speed, steps in (("elastic", 0.5, 3), ("whole", 0.5, 3), *crushed):
         fails = name != "elastic"
@@ -71,9 +71,9 @@ def touching(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int]:
         state.set_motion(velocity=speed * inward)
         found[name] = CpuLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
         found[name].run(steps)
-        broken, cracked = len(state.broken), len(state.cracks)
-        print(f"{name}: {broken} bonds broken, {cracked} cracked, {len(state.touching)} contacts")
-    return found, len(lattice.pairs)
+        counts[name] = {"broken": len(state.broken), "cracked": len(state.cracks), "contacts": len(state.touching)}
+        print(name, counts[name])
+    return found, len(lattice.pairs), counts
 
 
 def main() -> None:
@@ -88,7 +88,7 @@ def main() -> None:
     clock = time.process_time if options.threads == 1 else time.perf_counter
     with threads(options.threads):
         made = touching if options.contact else loops
-        found, bonds = made(options.elements, options.cells)
+        found, bonds, counts = made(options.elements, options.cells)
         steps = max(20, (1_000_000 if options.contact else 4_000_000) // bonds)
         times: dict[str, list[float]] = {name: [] for name in found}
         for _ in range(options.repeat):
@@ -104,7 +104,7 @@ def main() -> None:
             "ratio_of_least": float(min(each) / elastic.min()),
             "median_ratio": float(np.median(np.array(each) / elastic)),
         }  # fmt: skip
-        result[name] = row
+        result[name] = row | counts.get(name, {})
         print(name, {key: round(value, 3) for key, value in row.items()})
     kind = "_cells" * options.cells + "_contact" * options.contact
     keep(options.out or RESULTS / f"breaking{kind}.json", result)

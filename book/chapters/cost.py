@@ -13,7 +13,10 @@ PEERS = Measurement("peers", "python benchmarks/peers/compare.py --elements 1000
 AGAINST = Measurement("against", "python benchmarks/against.py speed", "20 min")
 STEPS = Measurement("bond_steps", "python benchmarks/bond_steps.py --threads 1 --repeat 3 --largest 20000", "1 min")
 CALLBACK = Measurement("callback", "python benchmarks/callback.py", "1 min")
-MEASUREMENTS = (PEERS, AGAINST, STEPS, CALLBACK, TIMES)
+FAILING = Measurement("breaking_cells", "python benchmarks/breaking.py --cells", "2 min")
+TOUCHING = Measurement("breaking_contact", "python benchmarks/breaking.py --contact", "2 min")
+TOUCHING_CELLS = Measurement("breaking_cells_contact", "python benchmarks/breaking.py --cells --contact", "4 min")
+MEASUREMENTS = (PEERS, AGAINST, STEPS, CALLBACK, TIMES, FAILING, TOUCHING, TOUCHING_CELLS)
 
 RATE = Form("M/s", 1e6, ".0f")
 FINE_RATE = Form("M/s", 1e6, ".1f")
@@ -32,7 +35,7 @@ def chapter() -> Chapter:
             "On 2 shared cores, which others use as well: medians, and processor time where said. What was tried for"
             " the step: [decision 0001](decisions/0001-state.md)."
         ),
-        sections=(_starting(), _step(), _peers(), _memory()),
+        sections=(_starting(), _step(), _failing(), _peers(), _memory()),
     )
 
 
@@ -100,6 +103,49 @@ def _step() -> Section:
         before=f"Medians on {here['processor']}, {here['vector']}, {_machine()['started'][:10]}.",
         rows=tuple(rows),
         after="Bytes, flops and the share of the roofline: `python benchmarks/scaling.py`.",
+    )
+
+
+#: What was measured, its place in the results, how rows call it, and how many elastic steps it may cost.
+FAILURES = (
+    (FAILING, "MohrCoulomb", "cells, Mohr–Coulomb on the traction of facets, brittle", 1.25),
+    (FAILING, "Rankine", "cells, Rankine on the stress of cells", 1.6),
+    (FAILING, "MohrCoulomb, softening", "cells that yield, facets that soften", 1.6),
+    (TOUCHING, "whole", "beams that may break and touch, whole", None),
+    (TOUCHING, "in pieces", "the same, in pieces", 2.0),
+    (TOUCHING_CELLS, "whole", "cells that yield, soften and touch, whole", None),
+    (TOUCHING_CELLS, "in pieces", "the same, in pieces", 2.0),
+    (TOUCHING_CELLS, "in dust", "the same, in dust", None),
+)
+
+
+def _least(data: dict[str, Any], found: dict[str, Any]) -> str:
+    """The ratio of the least times, and what was broken and touched as the first step was timed."""
+    words = f"least over least {found['ratio_of_least']:.2f}"
+    if "broken" in found:
+        words += f"; of {_many(data['bonds'])} bonds {_many(found['broken'])} broken, {_many(found['cracked'])} cracked"
+        words += f" or broken, {_many(found['contacts'])} contacts"
+    return words
+
+
+def _failing() -> Section:
+    rows = [
+        Row(case=words, ours=measured.number(name, "median_ratio"), form=Form(style=".2f"),
+            tolerance=None if asked is None else AtMost(asked),
+            note=_least(measured.data, measured.data[name]))
+        for measured, name, words, asked in FAILURES
+    ]  # fmt: skip
+    return Section(
+        title="Failure and contact, in elastic steps",
+        before=(
+            "10 000 elements, one thread, processor time of steps in turn with those of the elastic body; the first"
+            " three where nothing breaks."
+        ),
+        rows=tuple(rows),
+        after=(
+            "A crack that is closed or softens is treated by itself, at many times the cost of a facet: the ratio of a"
+            " body of cells goes by how many of its facets are such cracks."
+        ),
     )
 
 
