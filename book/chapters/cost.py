@@ -123,8 +123,8 @@ def _least(data: dict[str, Any], found: dict[str, Any]) -> str:
     """The ratio of the least times, and what was broken and touched as the first step was timed."""
     words = f"least over least {found['ratio_of_least']:.2f}"
     if "broken" in found:
-        words += f"; of {_many(data['bonds'])} bonds {_many(found['broken'])} broken, {_many(found['cracked'])} cracked"
-        words += f" or broken, {_many(found['contacts'])} contacts"
+        words += f"; of {_many(data['bonds'])} bonds {_many(found['broken'])} broken, {_many(found['cracked'])}"
+        words += f" cracked or broken, {_many(found['contacts'])} contacts"
     return words
 
 
@@ -143,8 +143,8 @@ def _failing() -> Section:
         ),
         rows=tuple(rows),
         after=(
-            "A crack that is closed or softens is treated by itself, at many times the cost of a facet: the ratio of a"
-            " body of cells goes by how many of its facets are such cracks."
+            "A crack that is closed or softens is treated by itself, at many times the cost of a facet: the ratio of"
+            " a body of cells goes by how many of its facets are such cracks."
         ),
     )
 
