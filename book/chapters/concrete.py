@@ -221,7 +221,8 @@ def _work() -> Section:
             " uppermost quarter, whose facets under the roller take up to 1.09 of its share with a band of 0.1."
             " Both bands end at a twentieth of the peak; how much of their difference is where they end was not"
             " measured. Events take a few per cent more than their steps, perhaps as facets open further in the event"
-            " that weakens them (not tested by itself); that stands in all rows of energy. It is not cracks away from the crack (none begins two cells away from it) nor"
+            " that weakens them (not tested by itself); that stands in all rows of energy. It is not cracks away from"
+            " the crack (none begins two cells away from it) nor"
             " facets that begin late (0.003)."
         ),
     )
