@@ -17,6 +17,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--gpu", action="store_true", help="run the tests that need a CUDA device too")
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Processes that tests start carry out all their cases where slow tests run."""
+    if config.getoption("--validate"):
+        os.environ["BONDEM_EVERY_CASE"] = "1"
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     for marker, option in _OPTIONS.items():
         if config.getoption(option):

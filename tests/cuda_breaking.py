@@ -49,7 +49,8 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
         model = breaking_bar(criterion)
         yield name, go(model, cuda_cases.moving(model), every=5, **common)
     model = breaking_bar(CRITERIA["peripheral"])
-    yield "paused", go(model, cuda_cases.moving(model), every=0, save_every=7, **common)
+    if cuda_cases.EVERY:
+        yield "paused", go(model, cuda_cases.moving(model), every=0, save_every=7, **common)
     scheme = bd.TchamwaWielgosz(1.2)
     yield "dissipative", go(model, cuda_cases.moving(model), every=5, scheme=scheme)
     model = breaking_cell()

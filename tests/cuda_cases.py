@@ -6,6 +6,7 @@ are whole numbers of a grid, then by 1e-9.
 """
 
 import importlib
+import os
 import pickle
 import sys
 from collections.abc import Iterator
@@ -19,6 +20,9 @@ from bondem.kernels.cell_pass import STRESS
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
+
+#: Whether to carry out variants, too, that differ from others by how a run is paused alone.
+EVERY = "BONDEM_EVERY_CASE" in os.environ
 
 GAUGES = {
     "end": bd.Gauge(bd.Face("x_max", depth=0.5), "displacement"),

@@ -54,14 +54,16 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     scatter = bd.Weibull(modulus=8.0, volume=0.5, seed=3)
     model = torn(bd.Rankine(**SOFT, scatter=scatter))
     yield "soft", go(model, cuda_cases.moving(model), STEPS, every=HALF, **common)
-    yield "paused", go(model, cuda_cases.moving(model), STEPS, every=0, save_every=17, **common)
+    if cuda_cases.EVERY:
+        yield "paused", go(model, cuda_cases.moving(model), STEPS, every=0, save_every=17, **common)
     half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
     handed["soft"] = kept(half.copy(), FIELDS)
     yield "resumed", go(model, half.copy(), STEPS, every=HALF, **common)
     if given:
         yield "handed", go(model, start(model, given["soft"]), STEPS, every=HALF, **common)
     half.set_motion(velocity=half.velocity[::-1].copy())
-    yield "stale", go(model, half, HALF + 5, every=1, **common)
+    if cuda_cases.EVERY:
+        yield "stale", go(model, half, HALF + 5, every=1, **common)
     brittle = torn(bd.Rankine(tension=6e5, friction=0.3))
     scheme = bd.TchamwaWielgosz(1.2)
     yield "brittle", go(brittle, cuda_cases.moving(brittle), 60, 2e-3, every=10, scheme=scheme)

@@ -44,7 +44,8 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.CELL_GAUGES}
     held = held_bar()
     yield "held", go(held, cuda_cases.moving(held), every=6, **common)
-    yield "paused", go(held, cuda_cases.moving(held), every=0, save_every=5, **common)
+    if cuda_cases.EVERY:
+        yield "paused", go(held, cuda_cases.moving(held), every=0, save_every=5, **common)
     half = go(held, cuda_cases.moving(held), HALF, every=0, **common).state
     handed["held"] = kept(half, FIELDS)
     yield "resumed", go(held, half.copy(), every=6, **common)

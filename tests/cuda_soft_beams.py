@@ -49,14 +49,16 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
         model = softening_bar(criterion)
         yield name, go(model, cuda_cases.moving(model, speed=3.0), every=HALF, **common)
     model = softening_bar(CRITERIA["peripheral"])
-    yield "paused", go(model, cuda_cases.moving(model, speed=3.0), every=0, save_every=7, **common)
+    if cuda_cases.EVERY:
+        yield "paused", go(model, cuda_cases.moving(model, speed=3.0), every=0, save_every=7, **common)
     half = go(model, cuda_cases.moving(model, speed=3.0), HALF, every=0, **common).state
     handed["soft"] = kept(half.copy(), FIELDS)
     yield "resumed", go(model, half.copy(), every=HALF, **common)
     if given:
         yield "handed", go(model, start(model, given["soft"]), every=HALF, **common)
     half.set_motion(velocity=half.velocity[::-1].copy())
-    yield "stale", go(model, half, HALF + 5, every=1, **common)
+    if cuda_cases.EVERY:
+        yield "stale", go(model, half, HALF + 5, every=1, **common)
     model = softening_cell()
     yield "alike", go(model, cuda_cases.moving(model, speed=5.0), every=6)
 

@@ -59,7 +59,8 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     yield "resumed", go(model, half, every=HALF, **common)
     if given:
         yield "handed", go(model, start(model, given["coulomb"]), every=HALF, **common)
-    yield "paused", go(model, cuda_cases.moving(model), every=0, save_every=9, **common)
+    if cuda_cases.EVERY:
+        yield "paused", go(model, cuda_cases.moving(model), every=0, save_every=9, **common)
     own = bd.StressCriterion(largest_sum, tension=2.5e5, share=0.7, fracture_energy=SOFT["fracture_energy"])
     model = squeezed(own)
     yield "own", go(model, cuda_cases.moving(model), every=8)

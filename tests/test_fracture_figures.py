@@ -109,6 +109,7 @@ def test_waves_of_a_struck_plate_run_at_the_speed_of_the_material(tmp_path: Path
     assert (tmp_path / "stress_waves.png").stat().st_size > 50_000
 
 
+@pytest.mark.validate
 def test_cracks_go_round_the_stones_of_the_mesoscale_example(tmp_path: Path, monkeypatch) -> None:
     """A small prism with few stones: between the strengths of the interface and of mortar, and no stone breaks."""
     example = script("examples/mesoscale.py")

@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,6 +25,11 @@ from tests.recording import Record
 
 HERE = Path(__file__).parent
 SIMULATOR = {"NUMBA_ENABLE_CUDASIM": "1", "NUMBA_DISABLE_JIT": "1"}
+
+
+def only_slowly(case: str) -> Any:
+    """A variant that scripts carry out where slow tests run."""
+    return pytest.param(case, marks=pytest.mark.validate)
 
 
 def run(script: str, *arguments: str, **environment: str) -> str:

@@ -6,9 +6,10 @@ import pytest
 from bondem.kernels.crack_tables import ACTIVE, FACET, PARTED, RESTING, SPENT, STATUS
 from bondem.kernels.tables import BROKEN_BOND, BROKEN_STEP, FRACTURE, FRICTION, LOSS, TRANSLATION, WORK
 from tests.gpu_sides import ends_alike, records_alike, three_sides
+from tests.test_gpu import only_slowly
 from tests.test_gpu_failure import apart
 
-CASES = "soft", "paused", "resumed", "stale", "brittle", "flying"
+CASES = "soft", only_slowly("paused"), "resumed", only_slowly("stale"), "brittle", "flying"
 FIELDS = "pose", "stress", "motion", "acceleration", "loss", "reaction", "integrity", "released", "facet_force"
 
 
@@ -94,7 +95,7 @@ def test_the_log_has_each_broken_facet_once(outcomes) -> None:
         assert gpu[f"{case}/released"][0] == pytest.approx(cracks[:, SPENT].sum(), rel=0.05)
 
 
-@pytest.mark.parametrize("parted", ["paused", "resumed"])
+@pytest.mark.parametrize("parted", [only_slowly("paused"), "resumed"])
 def test_pausing_changes_no_bit_of_cracks(outcomes, parted: str) -> None:
     _, gpu, _ = outcomes
     for field in (*FIELDS, "work", "broken", "cracks"):

@@ -7,8 +7,9 @@ import pytest
 
 from bondem.kernels.tables import BROKEN_STEP, FRACTURE, TRANSLATION, WORK
 from tests.gpu_sides import ends_alike, records_alike, three_sides
+from tests.test_gpu import only_slowly
 
-CASES = "held", "paused", "resumed", "pressed", "flying"
+CASES = "held", only_slowly("paused"), "resumed", "pressed", "flying"
 FIELDS = "pose", "stress", "motion", "acceleration", "loss", "reaction", "integrity", "released"
 
 
@@ -63,7 +64,7 @@ def test_ledger_closes_through_breakage_of_facets_as_on_the_cpu(outcomes) -> Non
     assert abs(drifts[1] - drifts[0]) < 1e-12
 
 
-@pytest.mark.parametrize("parted", ["paused", "resumed"])
+@pytest.mark.parametrize("parted", [only_slowly("paused"), "resumed"])
 def test_pausing_changes_no_bit_of_facets_that_break(outcomes, parted: str) -> None:
     _, gpu, _ = outcomes
     for field in (*FIELDS, "work", "broken"):

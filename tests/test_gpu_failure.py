@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from bondem.kernels.tables import BROKEN_BOND, BROKEN_MODE, BROKEN_STEP, BROKEN_TIME, FRACTURE, TRANSLATION, WORK
-from tests.test_gpu import SIMULATOR, run
+from tests.test_gpu import SIMULATOR, only_slowly, run
 
 CRITERIA = "peripheral", "mohr coulomb", "linear", "elliptic"
-CASES = (*CRITERIA, "paused", "dissipative", "alike", "resumed")
+CASES = (*CRITERIA, only_slowly("paused"), "dissipative", "alike", "resumed")
 FIELDS = "pose", "motion", "acceleration", "loss", "work", "reaction", "integrity", "released"
 
 
@@ -83,7 +83,7 @@ def test_ledger_closes_through_breakage_as_on_the_cpu(outcomes) -> None:
     assert abs(drifts[1] - drifts[0]) < 1e-12
 
 
-@pytest.mark.parametrize("parted", ["paused", "resumed"])
+@pytest.mark.parametrize("parted", [only_slowly("paused"), "resumed"])
 def test_pausing_changes_no_bit_of_what_breaks(outcomes, parted: str) -> None:
     _, gpu, _ = outcomes
     for field in (*FIELDS, "broken"):

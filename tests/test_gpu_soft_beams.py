@@ -6,9 +6,10 @@ import pytest
 from bondem.kernels.soft_tables import FIRST, LAST, RATE, SOFT_BOND
 from bondem.kernels.tables import FRACTURE, TRANSLATION, WORK
 from tests.gpu_sides import ends_alike, records_alike, two_and_back
+from tests.test_gpu import only_slowly
 
 CRITERIA = "peripheral", "mohr coulomb"
-CASES = (*CRITERIA, "paused", "resumed", "stale", "alike")
+CASES = (*CRITERIA, only_slowly("paused"), "resumed", only_slowly("stale"), "alike")
 FIELDS = "pose", "motion", "acceleration", "loss", "reaction", "integrity", "released", "softened"
 
 
@@ -57,7 +58,7 @@ def test_ledger_closes_through_softening_as_on_the_cpu(outcomes) -> None:
     assert abs(drifts[1] - drifts[0]) < 1e-12
 
 
-@pytest.mark.parametrize("parted", ["paused", "resumed"])
+@pytest.mark.parametrize("parted", [only_slowly("paused"), "resumed"])
 def test_pausing_changes_no_bit_of_beams_that_soften(outcomes, parted: str) -> None:
     _, gpu, _ = outcomes
     for field in (*FIELDS, "work", "broken"):

@@ -10,9 +10,10 @@ from bondem.errors import InputError
 from bondem.kernels.crack_tables import FACET, GAMMA, HEAT, ONSET, STATUS
 from bondem.kernels.tables import FRACTURE, FRICTION, LOSS, PLASTIC, TRANSLATION, WORK
 from tests.gpu_sides import ends_alike, records_alike, three_sides
+from tests.test_gpu import only_slowly
 
 YIELDING = "coulomb", "cone"
-CASES = (*YIELDING, "resumed", "paused", "own", "brittle cone")
+CASES = (*YIELDING, "resumed", only_slowly("paused"), "own", "brittle cone")
 FIELDS = (
     "pose", "stress", "motion", "acceleration", "loss", "reaction", "integrity", "released", "facet_force", "plastic",
 )  # fmt: skip
@@ -81,7 +82,7 @@ def test_ledger_closes_through_yielding_as_on_the_cpu(outcomes) -> None:
         assert abs(drifts[1] - drifts[0]) < 1e-12
 
 
-@pytest.mark.parametrize("parted", ["paused", "resumed"])
+@pytest.mark.parametrize("parted", [only_slowly("paused"), "resumed"])
 def test_pausing_changes_no_bit_of_cells_that_yield(outcomes, parted: str) -> None:
     _, gpu, _ = outcomes
     for field in (*FIELDS, "work", "broken", "cracks"):

@@ -69,6 +69,7 @@ def test_spheres_do_not_spall() -> None:
         bd.labtests.spall(spheres, LAW, None, **USUAL["spall"][2])
 
 
+@pytest.mark.validate
 def test_balls_of_beams_are_crushed_and_thrown() -> None:
     ball = bd.connect(bd.pack(bd.Ball(10e-3), count=300, seed=1))
     law = bd.EulerBernoulli(E=60e9, nu=0.2, radius_ratio=0.6)

@@ -19,7 +19,6 @@ CASES = {
 FRACTURE = study("fracture", {name: f"fracture_{name}" for name in CASES}, options="--finer 0.7")
 COARSE = study("fracture", {}, options="--finer 0.5 --seeds 1", kept="fracture_coarse")
 FINE = study("fracture", {}, options="--seeds 1", kept="fracture_fine")
-PETERSSON = study("fracture", {}, options="--seeds 1 --cases petersson", kept="fracture_petersson")
 TOUGHNESS = study("toughness", {"toughness": "fracture_toughness"})
 SIZES = study("size_effect", {"size_effect": "fracture_size_effect"})
 KALTHOFF = study("kalthoff", {"kalthoff": "fracture_kalthoff"})
@@ -32,7 +31,7 @@ RING = study("ring", {"ring": "fracture_ring"})
 RING_FINE = study("ring", {}, options="--size 0.08e-3 --seeds 1", kept="ring_fine")
 RING_THIN = study("ring", {}, options="--side 0.15e-3 --size 0.06e-3 --seeds 1", kept="ring_thin")
 MEASUREMENTS = (
-    FRACTURE, COARSE, FINE, PETERSSON, BEAMS, FACTORS, TOUGHNESS, SIZES, KALTHOFF, KALTHOFF_SECONDS, WEIBULL, RING,
+    FRACTURE, COARSE, FINE, BEAMS, FACTORS, TOUGHNESS, SIZES, KALTHOFF, KALTHOFF_SECONDS, WEIBULL, RING,
     RING_FINE, RING_THIN,
 )  # fmt: skip
 
@@ -65,14 +64,16 @@ def _scorecard() -> Section:
         ),
         rows=tuple(
             row
-            for measured, size in ((FRACTURE, ""), (COARSE, ", coarser"), (PETERSSON, ", finer"), (FINE, ", finer"))
-            for one in measured.at("cases") if measured is not FINE or one["name"] != "petersson"
+            for measured, size in ((FRACTURE, ""), (COARSE, ", coarser"), (FINE, ", finer"))
+            for one in measured.at("cases")
             for row in _rows(measured, one, size)
         ),
         after=(
-            "Petersson's finer beam had 15.288 J in an earlier edition, when paths did not end where a body is in two"
-            " parts: it hung together by the 1e-7 of their integrity that torn facets keep for the sake of the matrix"
-            " (decision 0023). Its row is measured again, in a command of its own."
+            "Measured again since steps of softening follow the curve as given and the band is 0.02 (decision 0023):"
+            " peaks are 0.5 to 3.2 % lower than in the edition before. Petersson's work was 0.633, 0.635 and 0.662 J"
+            " there, coarser 0.675 and finer 0.648 J. The first packing, whose work is the largest now, has two lines"
+            " of facets beside each other at the end of its crack (figure), and bears a fortieth of its peak to the"
+            " end of the path; why was not looked into."
         ),
     )  # fmt: skip
 
