@@ -26,6 +26,9 @@ _TIE = 1e-9
 _PARTED, _HELD = 1e-5, 0.5
 # Share of the events, the last ones, that have to be below the load at which a run ends.
 _LAST = 0.05
+# … and so many over the band of the steps at least: as one facet softens from beginning to end, more or less, which
+# may come at much less than what went before.
+_FEWEST = 2.0
 # Rotations of small motions [rad]: cos is 1 to half a per cent; and the share of the elements that may have turned by
 # more. What hangs loose may turn by as much as it likes.
 _SMALL, _TURNED = 0.1, 0.1
@@ -112,8 +115,8 @@ def solve_quasistatic(
             the more events.
         together: facets whose load factors are within this share of the least fail in one event, at the middle of
             it; 0 for one after the other, of equal ones that of the lowest number first.
-        until: end where the load has fallen to this share of its peak, and all of the last twentieth of the events
-            stay below: single events come at much less than those about them.
+        until: end where the load has fallen to this share of its peak, and all of the last twentieth of the events,
+            at least 2 / `ripple`, stay below: some events come at much less than those about them.
         most: end after so many events.
         gauges: pairs of regions whose relative displacement is recorded, by name.
         progress: called with the share done, 0 … 1, by how far the load has fallen after its peak.
@@ -173,7 +176,7 @@ def solve_quasistatic(
         if progress is not None and peak > 0.0 and share < 1.0:
             progress(min(max((1.0 - factor * load / peak) / (1.0 - share), 0.0), 1.0))
         below = below + 1 if factor * load < share * peak else 0
-        if below and below >= _LAST * (event + 1):
+        if below >= max(_LAST * (event + 1), _FEWEST / band):
             end = "unloaded"
             break
     return path.result(body, end, equilibrium)
