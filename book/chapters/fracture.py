@@ -90,6 +90,12 @@ def _rows(measured: Measurement, one: dict[str, Any], size: str) -> list[Row]:
             tolerance=Between(claim["low"], claim["high"]),
         )
     ]  # fmt: skip
+    if claim["quantity"] == "work":
+        for what, found in (
+            ("dissipated to the end of the path, with what is stored there, without a tail", one["dissipated"]),
+            ("tail that the work above supposes after its last load of 0.02 of the peak", one["tail"]),
+        ):
+            rows.append(Row(case=f"{one['title']}: {what}{size}", ours=measured.of(*found), form=form))
     if one["continuum"] is not None:
         peaks = [peak / one["continuum"] for peak in one["peak"]]
         rows.append(

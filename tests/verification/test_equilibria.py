@@ -38,7 +38,7 @@ def test_a_stale_preconditioner_is_made_anew() -> None:
     system = System.of(replace(model, failure=None))
     begun = Iteration(system)
     body = DamagedBody(model, system, begun.root)
-    equilibrium = Iterated(body.system, body.matrix, begun)
+    equilibrium = Iterated(body.system, body.matrix, begun, body.integrity)
     still = np.zeros(6 * len(model.layout.order))
     right = body.right - body.pull
     first = equilibrium.solve(right, still)

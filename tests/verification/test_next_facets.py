@@ -21,7 +21,7 @@ def begun(count: int, cut: float) -> tuple[DamagedBody, Iterated, StressOnset]:
     system = System.of(replace(model, failure=None))
     first = Iteration(system)
     body = DamagedBody(model, system, first.root)
-    search = Iterated(body.system, body.matrix, first)
+    search = Iterated(body.system, body.matrix, first, body.integrity)
     assert model.softening is not None
     rank = np.empty(len(body.integrity), dtype=np.int64)
     rank[model.layout.bond_order] = np.arange(len(rank))

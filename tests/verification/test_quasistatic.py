@@ -203,7 +203,7 @@ def test_iteration_finds_what_elimination_does() -> None:
     system = System.of(bd.Model(model.lattice, model.bond, 2500.0, boundary=model.boundary))
     begun = Iteration(system)
     body = DamagedBody(model, system, begun.root)
-    search, u = Iterated(body.system, body.matrix, begun), np.zeros(1200)
+    search, u = Iterated(body.system, body.matrix, begun, body.integrity), np.zeros(1200)
     for k in np.random.default_rng(1).choice(len(body.integrity), 60, replace=False).tolist():
         body.weaken(k, 0.0, (False, False))
         u = search.solve(body.right, u)

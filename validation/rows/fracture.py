@@ -5,6 +5,8 @@ then, and what is stored. Beyond it a hinge bears a load that falls with the squ
 that event (Elices, Guinea and Planas 1992): the tail. Displacements are small in `bd.solve_quasistatic`, so that a
 crack's last cells become a hinge that bears ever more where a real one folds: events at which the line has gone by
 more than `FOLDED` of the height of the body, and all later ones, are not counted.
+
+Beside it stands what the path itself dissipates until its end, with what is stored there: no tail is supposed.
 """
 
 from dataclasses import dataclass
@@ -78,7 +80,8 @@ class FractureRun(Request):
             "failures": len(path.bond), "iterations": path.iterations, "end": path.end,
             "run_seconds": round(perf_counter() - begun, 1),
             "peak": path.load[peak], "displacement": way[peak], "work": path.energy[:last].sum() + stored,
-            "tail": path.load[last] * way[last], "area": _torn(body, path),
+            "tail": path.load[last] * way[last], "dissipated": path.energy.sum() + 0.5 * path.load[-1] * way[-1],
+            "area": _torn(body, path),
             "curve": _curve(case, path), "crack": _crack(body, path),
         })  # fmt: skip
 

@@ -106,7 +106,7 @@ def _judged(case: Case, rows: Sequence[Row], curve: str) -> dict[str, Any]:
         "continuum": cohesive_crack(case, beam, CURVES[curve]).peak if beam else None,
         "seeds": [row["seed"] for row in rows],
         **{key: [row[key] for row in rows]
-           for key in ("count", "events", "peak", "work", "tail", "run_seconds", "end")},
+           for key in ("count", "events", "peak", "work", "tail", "dissipated", "run_seconds", "end")},
         "mean": {key: mean_and_scatter([read(row) for row in rows]) for key, (read, *_) in _UNITS.items()},
     }  # fmt: skip
 

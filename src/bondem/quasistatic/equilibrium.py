@@ -5,7 +5,7 @@ from typing import Protocol
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._types import Floats, PerBond
 from bondem.errors import ConvergenceError
 from bondem.quasistatic.facet_matrix import FacetMatrix
 from bondem.solve.linear import Elimination, Iteration, System, conjugate_gradients
@@ -62,15 +62,16 @@ class Iterated:
         rounds, solutions: iterations and equilibria so far.
     """
 
-    def __init__(self, system: System, matrix: FacetMatrix, begun: Iteration) -> None:
+    def __init__(self, system: System, matrix: FacetMatrix, begun: Iteration, integrity: PerBond) -> None:
         """Begin with the preconditioner of the whole body.
 
         Args:
             system: whose matrix changes.
             matrix: the same, scaled as `begun` has it.
             begun: of the matrix as it is now.
+            integrity: of its facets, which changes, too, (m,).
         """
-        self._system, self._matrix, self._begun = system, matrix, begun
+        self._system, self._matrix, self._begun, self._integrity = system, matrix, begun, integrity
         self.rounds = self.solutions = 0
         self._begin()
 
@@ -108,7 +109,7 @@ class Iterated:
 
     def _renew(self) -> None:
         """Make the preconditioner of the matrix as it is now."""
-        self._begun = Iteration(self._system)
+        self._begun = Iteration(self._system, (*self._matrix.sides, 1.0 - self._integrity))
         self._matrix.rescale(self._begun.root)
         self._begin()
 

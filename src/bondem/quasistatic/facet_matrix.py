@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.sparse import csr_array
 
-from bondem._types import Floats
+from bondem._types import Floats, Ints
 from bondem.model.layout import Layout
 from bondem.model.stiffness import Stiffness
 
@@ -41,6 +41,11 @@ class FacetMatrix:
         self._above = above  # row i, column j
         self._plain_rows = _by_rows(self.plain)
         self.rescale(root)
+
+    @property
+    def sides(self) -> tuple[Ints, Ints]:
+        """The cells on either side of each facet, (m,) each."""
+        return self._i, self._j
 
     def rescale(self, root: Floats) -> None:
         """Take other blocks S."""

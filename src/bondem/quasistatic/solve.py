@@ -317,7 +317,7 @@ def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
     else:
         begun = Iteration(system)
         body = DamagedBody(model, system, begun.root)
-        equilibrium = Iterated(body.system, body.matrix, begun)
+        equilibrium = Iterated(body.system, body.matrix, begun, body.integrity)
     if soft is not None:
         return body, equilibrium, StressOnset(body, soft)
     assert brittle is not None

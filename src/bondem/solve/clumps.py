@@ -9,10 +9,11 @@ additive Schwarz with a Nicolaides coarse space): the number of iterations hardl
 import math
 
 import numpy as np
-from scipy.sparse import bsr_array, csc_array, dia_array
+from scipy.sparse import bsr_array, coo_array, csc_array, dia_array
+from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import splu
 
-from bondem._types import Floats, Ints, PerElement3
+from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
 from bondem.model.stiffness import Stiffness
 from bondem.solve.lanczos import lowest_modes
 
@@ -20,6 +21,8 @@ from bondem.solve.lanczos import lowest_modes
 _CLUMP = 25.0
 # Keeps the coarse matrix regular where a clump has fewer than six motions of its own.
 _REGULAR = 1e-9
+# A bond that has lost more of its stiffness joins nothing.
+_LOST = 0.5
 
 
 def clump_of(position: PerElement3) -> Ints:
@@ -37,6 +40,42 @@ def clump_of(position: PerElement3) -> Ints:
     cells = np.maximum(np.rint(extent / edge), 1.0)
     cell = np.minimum(((position - lower) / extent * cells).astype(np.int64), cells.astype(np.int64) - 1)
     return np.unique(np.ravel_multi_index(tuple(cell.T), tuple(cells.astype(int))), return_inverse=True)[1]
+
+
+def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) -> Ints:
+    """Clumps that do not reach across cracks, (n,): iterations on a cracked body take less than half as many.
+
+    Elements that no bond with half its stiffness joins are in clumps of their own. What still holds together, but by
+    some bonds that have lost stiffness, is cut by a plane through the mean place of these, across their direction.
+
+    Args:
+        clump: of each element, (n,).
+        position: of the elements [m], (n, 3).
+        i, j: elements on both sides of a bond, (m,) each.
+        lost: the share of its stiffness that it has lost, (m,).
+    """
+    clump = _joined(clump, i, j, lost <= _LOST)
+    weak = np.flatnonzero((clump[i] == clump[j]) & (lost > 0.0))
+    across = position[j[weak]] - position[i[weak]]
+    across *= np.sqrt(lost[weak] / (across**2).sum(axis=1))[:, None]
+    count = int(clump.max()) + 1
+    own, weight = clump[i[weak]], lost[weak]
+    total = np.bincount(own, weight, count)
+    cut = total > 0.0
+    middle, fabric = np.zeros((count, 3)), np.zeros((count, 3, 3))
+    np.add.at(middle, own, weight[:, None] * 0.5 * (position[i[weak]] + position[j[weak]]))
+    np.add.at(fabric, own, across[:, :, None] * across[:, None, :])
+    middle[cut] /= total[cut, None]
+    normal = np.linalg.eigh(fabric)[1][:, :, 2]
+    beyond = cut[clump] & (np.einsum("nk,nk->n", position - middle[clump], normal[clump]) > 0.0)
+    return np.unique(2 * clump + beyond, return_inverse=True)[1]
+
+
+def _joined(clump: Ints, i: Ints, j: Ints, bonds: Mask) -> Ints:
+    """The parts of clumps that some of the bonds join, (n,)."""
+    held = np.flatnonzero(bonds & (clump[i] == clump[j]))
+    joined = coo_array((np.ones(len(held)), (i[held], j[held])), shape=(len(clump), len(clump)))
+    return connected_components(joined, directed=False)[1].astype(np.int64)
 
 
 def clump_motions(position: PerElement3, clump: Ints) -> Floats:

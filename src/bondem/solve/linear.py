@@ -14,12 +14,12 @@ import numpy as np
 from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 
-from bondem._types import Floats, Mask
+from bondem._types import Floats, Ints, Mask, PerBond
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.model.stiffness import Stiffness
-from bondem.solve.clumps import Clumps, clump_motions, clump_of
+from bondem.solve.clumps import Clumps, clump_motions, clump_of, parted
 
 # Up to this many elements, or in a lattice that is little more than a chain, elimination wins. Cells have twice the
 # neighbours, and dilatation couples the next ones: 1200 of them take 1.3 s to eliminate, and 0.2 s to iterate.
@@ -204,13 +204,21 @@ class Iteration:
         coarse: its coarse correction.
     """
 
-    def __init__(self, system: System) -> None:
+    def __init__(self, system: System, lost: tuple[Ints, Ints, PerBond] | None = None) -> None:
+        """Prepare the preconditioner.
+
+        Args:
+            system: the matrix and what is free.
+            lost: elements on both sides of bonds, and the share of their stiffness that these have lost, (m,) each.
+        """
         self._system = system
         K = system.matrix
         self.root, self._back = element_roots(K, system.free)
         self._turned = np.ascontiguousarray(np.swapaxes(self.root, 1, 2))
         self.scaled = K.scaled(self.root)
         clump = clump_of(system.position)
+        if lost is not None:
+            clump = parted(clump, system.position, *lost)
         self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
         self._rigid = self.unscaled(system.loose)
         if self._rigid.shape[1]:
