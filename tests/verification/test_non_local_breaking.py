@@ -110,14 +110,36 @@ def test_scatter_multiplies_the_strength_of_each_bond(one_thread: None) -> None:
     assert gaps[1] / gaps[0] == pytest.approx(factor, abs=2.0 * 4e-3 * run.dt / gaps[0])
 
 
-def test_a_pair_that_breaks_under_pressure_repels_and_rubs(one_thread: None) -> None:
-    """The normal force is kn (L - l) from then on, friction grows as its spring does and ends at μ N; no tension."""
+def sheared_and_pressed(friction: float) -> tuple[bd.Model, list[bd.Table]]:
+    """Two cells whose bond breaks under pressure by the shear that follows, then a contact bears both; and the way."""
     time, pressed, slid = [0.0, 0.2, 0.6, 1.0], [0.0, -1e-3, -1e-3, 1e-3], [0.0, 0.0, 5e-3, 5e-3]
     way = [bd.Table(time, [n * a + t * b for n, t in zip(pressed, slid, strict=True)])
            for a, b in zip(AXIS, ACROSS, strict=True)]  # fmt: skip
     drive = bd.Drive(bd.Index([1]), x=way[0], y=way[1], z=way[2], rx=0.0, ry=0.0, rz=0.0)
-    contact = bd.LinearContact(E=E, friction=0.3)
-    model = two(bd.Rankine(tension=2e4), drive, contact)
+    return two(bd.Rankine(tension=2e4), drive, bd.LinearContact(E=E, friction=friction)), way
+
+
+def test_stresses_after_a_step_with_breaks_are_those_of_what_still_bears(one_thread: None) -> None:
+    """Eq (1), σ = Σ sym(l f) / V: of the contact that takes over, at its own lever, and of nothing else."""
+    model, _ = sheared_and_pressed(friction=0.3)
+    gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
+    broken = driven(model, 0.2, 1.0)
+    step = int(broken.events.step[0])
+    run = driven(model, 0.2, step * broken.dt, gauges=gauges)
+    assert run.events.step.tolist() == [step]
+    volume, radius = model.non_local_constants.volume, model.contact_radius
+    share = radius[0] / radius.sum()
+    force, branch = -run.history["grip"][-1], np.diff(run.state.position, axis=0)[0]
+    assert force[0] < 0.0
+    for p, lever in ((0, share * branch), (1, (1.0 - share) * branch)):
+        tensor = 0.5 * (np.outer(lever, force) + np.outer(force, lever)) / volume[p]
+        expected = tensor[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+        np.testing.assert_allclose(run.state.stress[p], expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
+
+
+def test_a_pair_that_breaks_under_pressure_repels_and_rubs(one_thread: None) -> None:
+    """The normal force is kn (L - l) from then on, friction grows as its spring does and ends at μ N; no tension."""
+    model, way = sheared_and_pressed(friction=0.3)
     gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
     run = driven(model, 0.2, 1.0, gauges=gauges)
     assert len(run.events) == 1
