@@ -111,7 +111,7 @@ def test_scatter_multiplies_the_strength_of_each_bond(one_thread: None) -> None:
 
 
 def sheared_and_pressed(friction: float) -> tuple[bd.Model, list[bd.Table]]:
-    """Two cells whose bond breaks under pressure by the shear that follows, then a contact bears both; and the way."""
+    """Two cells: their bond breaks under pressure by the shear that follows, then a contact bears; and the way."""
     time, pressed, slid = [0.0, 0.2, 0.6, 1.0], [0.0, -1e-3, -1e-3, 1e-3], [0.0, 0.0, 5e-3, 5e-3]
     way = [bd.Table(time, [n * a + t * b for n, t in zip(pressed, slid, strict=True)])
            for a, b in zip(AXIS, ACROSS, strict=True)]  # fmt: skip
