@@ -87,8 +87,8 @@ def test_resume_is_exact_to_the_bit(tmp_path, make, scheme):
     whole = bd.solve_explicit(model, duration=400 * dt, out=tmp_path / "whole.h5", **options)
 
     plan = read_run(tmp_path / "whole.h5").plan
-    with pytest.raises(KilledError):
-        integrate(model, plan, sink=Killed(tmp_path / "killed.h5", model, plan))
+    with pytest.raises(KilledError), Killed(tmp_path / "killed.h5", model, plan) as sink:
+        integrate(model, plan, sink=sink)
     assert read_run(tmp_path / "killed.h5").state.step == 300
 
     resumed = bd.resume(tmp_path / "killed.h5")

@@ -1,7 +1,9 @@
 """One process at a time: a lock on a file that processes of one machine share."""
 
+import errno
 import importlib
 import os
+import struct
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
@@ -11,6 +13,8 @@ from typing import Any
 _POSIX: Any = importlib.import_module("fcntl") if os.name == "posix" else None
 # Between two looks at a lock that another process holds [s].
 _LOOK = 0.02
+# Where the byte is that a claimed file is known by.
+_FAR = 1 << 62
 
 
 @contextmanager
@@ -36,3 +40,19 @@ def alone(place: Path, *, patience: float) -> Iterator[None]:
                 else:
                     break
         yield
+
+
+def claim(descriptor: int) -> bool:
+    """Claim an open file for writing, until it is closed; False where another process, or another open file, has it.
+
+    Readers are not kept out, as by HDF5's own locks. Where such claims are not known nobody is refused.
+    """
+    if _POSIX is None or not hasattr(_POSIX, "F_OFD_SETLK"):
+        return True
+    # one byte far beyond the end: struct flock of 64-bit systems
+    asked = struct.pack("hhqqi4x", _POSIX.F_WRLCK, os.SEEK_SET, _FAR, 1, 0)
+    try:
+        _POSIX.fcntl(descriptor, _POSIX.F_OFD_SETLK, asked)
+    except OSError as error:
+        return error.errno not in (errno.EACCES, errno.EAGAIN)
+    return True

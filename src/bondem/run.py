@@ -7,6 +7,7 @@ from pathlib import Path
 
 from bondem._checks import instance, shown
 from bondem.errors import InputError
+from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.runfile import RunFile, read_run
 from bondem.laws.damping import AnyDamping
 from bondem.laws.failure.criterion import Criterion
@@ -15,6 +16,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.events import Event
 from bondem.solve.explicit import integrate
+from bondem.solve.halting import noticing, stop_by
 from bondem.solve.modal import solve_modes
 from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status
 from bondem.solve.relaxation import solve_relaxed
@@ -36,6 +38,7 @@ def solve_explicit(
     gauges: Mapping[str, AnyGauge] | None = None,
     every: int = 100,
     save_every: int = 0,
+    snapshot_every: int = 0,
     until: Event | Sequence[Event] = (),
     safety: float = 0.9,
     state: State | None = None,
@@ -55,6 +58,7 @@ def solve_explicit(
         gauges: what to record, by name: `bd.Gauge`, `bd.WallGauge`.
         every: steps between records; 0 for none.
         save_every: steps between checkpoints into `out`; 0 for the last state only.
+        snapshot_every: steps between snapshots into `out`, which ParaView 6 shows as it grows; 0 for none.
         until: an event that ends the run early, or several.
         safety: share of the critical step to use when dt is None [-].
         state: where to start, such as the end of another run of the same elements and bonds; it stays as it is. Its
@@ -62,7 +66,8 @@ def solve_explicit(
         device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`): beams of the total formulation
             and cells, that may break, soften and yield by every criterion; without contacts and walls that bodies
             touch. A function of `bd.StressCriterion` must compile for CUDA: numbers and `math`, not NumPy.
-        out: run file (HDF5) to write; nothing is written when None.
+        out: run file (HDF5) to write; nothing is written when None. With it SIGINT (Ctrl-C) and SIGTERM stop the run
+            after a checkpoint, for `resume`; a second one stops it at once.
         progress: called now and then with the share done, 0 … 1.
         callback: called as callback(state, record) with each record, a `History` of one; it must not change the
             state, and ends the run by returning True.
@@ -94,6 +99,7 @@ def solve_explicit(
         gauges={} if gauges is None else gauges,
         every=every,
         save_every=save_every,
+        snapshot_every=snapshot_every,
         until=until,
         safety=safety,
     )
@@ -103,11 +109,24 @@ def solve_explicit(
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
     plan = replace(plan, dt=step.dt)
     plan.steps  # noqa: B018  refuses more than anyone waits for
-    sink = RunFile(out, model, plan) if out is not None else None
-    return integrate(
-        model, plan, state=own, sink=sink, progress=progress, callback=callback, loop_of=loop_of,
-        remark=step.remark,
-    )  # fmt: skip
+    if out is None:
+        return integrate(
+            model, plan, state=own, progress=progress, callback=callback, loop_of=loop_of, remark=step.remark
+        )
+    with RunFile(out, model, plan, cracks=GrowingCracks(model.lattice)) as sink, noticing() as halt:
+        result = integrate(
+            model, plan, state=own, sink=sink, progress=progress, callback=callback, loop_of=loop_of,
+            remark=step.remark, halt=halt,
+        )  # fmt: skip
+        stopped = halt()
+    return _unless(stopped, result, sink)
+
+
+def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile) -> ExplicitResult:
+    """The result, unless a signal stopped the run before its end."""
+    if stopped is not None and result.message.startswith("interrupted"):
+        stop_by(stopped, f"{result.message}, step {result.steps}; bd.resume('{sink.path}') goes on from there")
+    return result
 
 
 def resume(
@@ -143,10 +162,14 @@ def resume(
             message=f"had been stopped by an event at t = {kept.state.time:.6g} s",
         )
     loop_of = _loop_on(device, kept.model, kept.plan)
-    sink = RunFile(path, kept.model, kept.plan)
-    return integrate(
-        kept.model, kept.plan, state=kept.state, history=kept.history, sink=sink, progress=progress, loop_of=loop_of
-    )
+    cracks = GrowingCracks(kept.model.lattice)
+    with RunFile(path, kept.model, kept.plan, cracks=cracks, goes_on=kept) as sink, noticing() as halt:
+        result = integrate(
+            kept.model, kept.plan, state=kept.state, history=kept.history, sink=sink, progress=progress,
+            loop_of=loop_of, halt=halt,
+        )  # fmt: skip
+        stopped = halt()
+    return _unless(stopped, result, sink)
 
 
 def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, State, float], Loop] | None:

@@ -7,7 +7,7 @@ import numpy as np
 from bondem._types import Floats, Ints
 from bondem.fracture.faces import Faces, moved_points
 from bondem.model.state import State
-from bondem.specimen.cells.polyhedra import polyhedra
+from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
 from bondem.specimen.cells.solids import ranges
 from bondem.specimen.lattice import Lattice
 
@@ -35,18 +35,23 @@ class CrackPolygons:
         return len(self.facet)
 
 
-def crack_polygons(lattice: Lattice, state: State, chosen: Ints, faces: Faces) -> CrackPolygons:
-    """Polygons of some facets, by their user's numbers; regular ones of the area of the section of beams."""
-    reference, start, facet = _discs(faces) if lattice.facets is None else _outlines(lattice, chosen)
+def crack_polygons(
+    lattice: Lattice, state: State, chosen: Ints, faces: Faces, solid: Polyhedra | None = None
+) -> CrackPolygons:
+    """Polygons of some facets, by their user's numbers; regular ones of the area of the section of beams.
+
+    `solid` are the polygons of all cells, where they are known.
+    """
+    reference, start, facet = _discs(faces) if lattice.facets is None else _outlines(lattice, chosen, solid)
     number = chosen[np.repeat(facet, np.diff(start))]
     on_i, gap = moved_points(lattice, state, number, reference)
     return CrackPolygons(on_i + 0.5 * gap, start, facet, reference)
 
 
-def _outlines(lattice: Lattice, chosen: Ints) -> tuple[Floats, Ints, Ints]:
+def _outlines(lattice: Lattice, chosen: Ints, known: Polyhedra | None) -> tuple[Floats, Ints, Ints]:
     if not len(chosen):
         return np.zeros((0, 3)), np.zeros(1, dtype=np.int64), np.zeros(0, dtype=np.int64)
-    solid, n = polyhedra(lattice), len(lattice.particles)
+    solid, n = known or polyhedra(lattice), len(lattice.particles)
     i, j = lattice.pairs[chosen].T
     key = i * n + j
     order = np.argsort(key)

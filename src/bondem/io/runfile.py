@@ -1,20 +1,29 @@
 """The run file: output and restart in one HDF5 file.
 
-    /                attributes format, schema, bondem_version; texts plan and model (JSON)
+    /                attributes format, schema, bondem_version, digest; texts plan, model and provenance (JSON)
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
     /bonds           pairs (m, 2)
     /facets, /cells  of a body, see `bondem.io.bodies`
-    /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale
+    /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale, seconds, digest
     /history         records (s, 14 + 3 g); attribute gauges
+    /VTKHDF          snapshots for ParaView, where there are any, see `bondem.io.snapshots`
 
-What is derived (order, stiffnesses) is not kept but made again, by the same code. The file is
-written aside and moved into place, so that a kill leaves the checkpoint before.
+What is derived (order, stiffnesses) is not kept but made again, by the same code. The file grows by commits of
+`bondem.io.journal`, so that a kill at any moment leaves the checkpoint and the snapshots before. Whatever a run goes
+on from is under a digest: a file of which a bit has changed is refused.
 """
 
 import json
+import platform
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from datetime import UTC, datetime
+from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from types import TracebackType
+from typing import Any, Self
 
 import h5py
 import numpy as np
@@ -22,9 +31,12 @@ import numpy as np
 from bondem import __version__
 from bondem._checks import instance, place
 from bondem.errors import RunFileError
-from bondem.io.atomic import replacing, require_writable
+from bondem.io.atomic import require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
+from bondem.io.digest import arrays_of, digest_of
+from bondem.io.journal import JournaledFile, opened
+from bondem.io.snapshots import Polygons, Snapshots
 from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
 from bondem.laws.failure.criterion import Criterion
 from bondem.model.model import Model
@@ -34,12 +46,16 @@ from bondem.solve.plan import Plan
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 6
+SCHEMA = 7
 # From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
-# on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams.
-_OLDEST = 2
+# on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams; from
+# 7 on digests, snapshots and provenance.
+_OLDEST, _DIGESTED = 2, 7
 # Schema from which on an array of the state is there.
 _SINCE = {"stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6}
+# What does not change while a run goes on.
+_STATIC = ("plan", "model", "provenance", "elements", "bonds", "facets", "cells")
+_CHUNK = 1 << 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,31 +67,43 @@ class Checkpoint:
         plan: how.
         state: where it stands.
         history: the records so far.
+        seconds: of wall time that it has taken [s].
+        schema: of the file it comes from.
     """
 
     model: Model
     plan: Plan
     state: State
     history: History
+    seconds: float = 0.0
+    schema: int = SCHEMA
 
 
 class RunFile:
-    """Keeps the last checkpoint of a run in a file (a `Sink`).
+    """Keeps checkpoints and snapshots of a run in a file (a `Sink`).
 
     Args:
         path: the file; one that is there is replaced at the first checkpoint.
         model: what is run.
         plan: how, with its time step resolved, so that going on does not depend on finding it again.
+        cracks: finds outlines of cracks for snapshots; none are shown without.
+        goes_on: the checkpoint in the file at `path` that the run goes on from, if it does.
 
     Raises:
         InputError: the file cannot be written.
-        RunFileError: the model holds something that a run file cannot.
+        RunFileError: the model holds something that a run file cannot, or another process writes the file.
     """
 
-    def __init__(self, path: str | Path, model: Model, plan: Plan) -> None:
+    def __init__(
+        self, path: str | Path, model: Model, plan: Plan, *, cracks: Callable[[State], Polygons] | None = None,
+        goes_on: Checkpoint | None = None,
+    ) -> None:  # fmt: skip
         self.path = place("out", path)
         require_writable(self.path, "run file")
-        self._model = model
+        self._model, self._plan = model, plan
+        self._cracks = cracks if model.failure is not None else None
+        self._before = goes_on.seconds if goes_on is not None else 0.0
+        self._begun = time.perf_counter()
         self._texts = {
             "plan": json.dumps(encode(plan)),
             "model": json.dumps({
@@ -86,30 +114,132 @@ class RunFile:
                 "failure": encode(model.failure),
                 "shape": encode(model.lattice.particles.shape),
             }),
+            "provenance": json.dumps({
+                "bondem": __version__, "numpy": np.__version__, "numba": version("numba"), "h5py": h5py.__version__,
+                "python": platform.python_version(), "machine": f"{platform.system()} {platform.machine()}",
+                "started": datetime.now(UTC).isoformat(timespec="seconds"),
+            }),
         }  # fmt: skip
+        self._snapshots: Snapshots | None = None
+        self._replaced: JournaledFile | None = None
+        again = goes_on is not None and goes_on.schema >= _DIGESTED
+        if not again and self.path.exists():
+            self._replaced = JournaledFile(self.path)  # nobody else may write what is about to go
+        aside = None if again else self.path.with_name(f".{self.path.name}.part")
+        self._raw = JournaledFile(self.path, aside=aside)
+        self._file: h5py.File | None = None
+        if again:
+            assert goes_on is not None
+            self._file = h5py.File(self._raw, "r+", libver=("v108", "v108"))
+            if "VTKHDF" in self._file:
+                self._snapshots = Snapshots.of(self._file, self._cracks)
+                self._snapshots.cut(goes_on.state.time)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Let go of the file; what was not committed is forgotten."""
+        if self._file is not None:
+            self._raw.roll_back()
+            self._file.close()
+        self._file = None
+        self._raw.close()
+        if self._replaced is not None:
+            self._replaced.close()
 
     def checkpoint(self, state: State, history: History) -> None:
-        """Write all that is needed to go on from here."""
+        """Write all that is needed to go on from here.
+
+        Raises:
+            RunFileError: the disk is full, or another failure to write; what was there stays as it was.
+        """
+        file = self._begun_file()
+        kept = file.require_group("state")
+        for name in State.ARRAYS:
+            _put(kept, name, getattr(state, name))
+        file.require_group("history")
+        _put(file["history"], "records", history.records)
+        _attributes(file["history"])["gauges"] = json.dumps(history.gauges)
+        kept.attrs.update(step=state.step, time=state.time, stale=state.stale, seconds=self._seconds())
+        kept.attrs["digest"] = _digest_of_state(state, history)
+        self._commit()
+
+    def snapshot(self, state: State) -> None:
+        """Add what ParaView shows of a state."""
+        file = self._begun_file()
+        if self._snapshots is None:
+            self._snapshots = Snapshots.begin(file, self._model, self._cracks)
+        self._snapshots.take(self._model, state)
+        self._commit()
+
+    def _commit(self) -> None:
+        assert self._file is not None
+        self._file.flush()
+        self._raw.commit()
+        if self._replaced is not None:
+            self._replaced.close()
+            self._replaced = None
+
+    def _seconds(self) -> float:
+        return self._before + time.perf_counter() - self._begun
+
+    def _begun_file(self) -> h5py.File:
+        if self._file is not None:
+            return self._file
         particles = self._model.lattice.particles
-        with replacing(self.path) as aside, h5py.File(aside, "w") as file:
-            file.attrs["format"] = FORMAT
-            file.attrs["schema"] = SCHEMA
-            file.attrs["bondem_version"] = __version__
-            for name, text in self._texts.items():
-                file.create_dataset(name, data=text)
-            elements = file.create_group("elements")
-            elements["position"] = particles.position
-            elements["radius"] = particles.radius
-            elements["density"] = np.asarray(self._model.density, dtype=float)
-            if particles.period is not None:
-                elements["period"] = particles.period
-            write_bonds(file, self._model.lattice)
-            kept = file.create_group("state")
-            for name in State.ARRAYS:
-                kept[name] = getattr(state, name)
-            kept.attrs.update(step=state.step, time=state.time, stale=state.stale)
-            file["history/records"] = history.records
-            file["history"].attrs["gauges"] = json.dumps(history.gauges)
+        self._file = file = h5py.File(self._raw, "w", libver=("v108", "v108"))
+        file.attrs["format"] = FORMAT
+        file.attrs["schema"] = SCHEMA
+        file.attrs["bondem_version"] = __version__
+        for name, text in self._texts.items():
+            file.create_dataset(name, data=text)
+        elements = file.create_group("elements")
+        elements["position"] = particles.position
+        elements["radius"] = particles.radius
+        elements["density"] = np.asarray(self._model.density, dtype=float)
+        if particles.period is not None:
+            elements["period"] = particles.period
+        write_bonds(file, self._model.lattice)
+        file.attrs["digest"] = _digest_of_rest(file)
+        return file
+
+
+def _put(group: Any, name: str, values: np.ndarray) -> None:
+    """Write an array over the one that is there, which grows or shrinks with it."""
+    data = group.get(name)
+    if data is None or data.shape[1:] != values.shape[1:] or data.maxshape[:1] != (None,):
+        if data is not None:
+            del group[name]
+        if values[:1].nbytes == 0 and values.shape[1:].count(0):
+            group[name] = values
+            return
+        row = max(values.dtype.itemsize * int(np.prod(values.shape[1:])), 1)
+        chunk = (max(min(len(values), _CHUNK // row), 1), *values.shape[1:])
+        data = group.create_dataset(
+            name, shape=values.shape, maxshape=(None, *values.shape[1:]), chunks=chunk, dtype=values.dtype
+        )
+    if len(data) != len(values):
+        data.resize(len(values), axis=0)
+    if len(values):
+        data[...] = values
+
+
+def _digest_of_state(state: State, history: History) -> str:
+    arrays = [(name, getattr(state, name)) for name in State.ARRAYS]
+    stands = json.dumps([state.step, state.time, bool(state.stale), list(history.gauges)])
+    return digest_of([*arrays, ("records", history.records), ("stands", stands)])
+
+
+def _digest_of_rest(file: h5py.File) -> str:
+    kept = {name: file[name] for name in _STATIC if name in file}
+    head = json.dumps([str(file.attrs["format"]), int(_attributes(file)["schema"])])
+    return digest_of([*arrays_of(kept), ("head", head)])
 
 
 def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoint:
@@ -127,11 +257,7 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
     path = place("path", path)
     if not path.is_file():
         raise RunFileError(f"there is no run file '{path}'; check the path")
-    try:
-        file = h5py.File(path, "r")
-    except OSError:
-        raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote") from None
-    with file:
+    with reading(path) as file:
         head = _attributes(file)
         if head.get("format") != FORMAT:
             raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote")
@@ -145,9 +271,28 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
                 f"'{path}' was written by an older bondem, before there were contacts; start the run again"
             )
         try:
-            return _checkpoint(file, head["schema"], failure)
-        except (KeyError, ValueError, OSError) as error:
+            if head["schema"] >= _DIGESTED and _digest_of_rest(file) != head["digest"]:
+                raise ValueError("its digest is another one")
+            return _checkpoint(file, int(head["schema"]), failure)
+        except RunFileError:
+            raise
+        except Exception as error:  # damage shows in more ways than a list could hold
             raise RunFileError(f"'{path}' is damaged ({error}); start the run again") from error
+
+
+@contextmanager
+def reading(path: Path) -> Iterator[h5py.File]:
+    """A run file as its last commit has it, also while it is written or after a kill.
+
+    Raises:
+        RunFileError: no HDF5 file.
+    """
+    try:
+        file = h5py.File(opened(path), "r")
+    except Exception:  # of a damaged file HDF5 may say anything
+        raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote") from None
+    with file:
+        yield file
 
 
 def _array(file: h5py.File, name: str) -> np.ndarray:
@@ -202,4 +347,8 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
     if schema < 5:
         records = np.insert(records, PLASTIC, 0.0, axis=1)
     history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
-    return Checkpoint(model, decode(_json(file, "plan")), state, history)
+    if schema >= _DIGESTED and _digest_of_state(state, history) != kept["digest"]:
+        raise ValueError("the digest of its state is another one")
+    return Checkpoint(
+        model, decode(_json(file, "plan")), state, history, float(kept.get("seconds", 0.0)), schema
+    )

@@ -50,7 +50,7 @@ def write_cells(path: Path, body: Lattice, moved: PerElement3 | None, fields: Ma
         moved: displacements of the cells [m], (n, 3); None at rest.
         fields: of the cells, by name, (n,) or (n, k).
     """
-    corners = _Corners(body)
+    corners = Corners(body)
     point = corners.place if moved is None else corners.place + moved[corners.cell]
     n = len(body.particles)
     count, faces = np.bincount(corners.cell, minlength=n), np.bincount(corners.polygon_cell, minlength=n)
@@ -75,7 +75,7 @@ def write_cells(path: Path, body: Lattice, moved: PerElement3 | None, fields: Ma
             data[name] = values
 
 
-class _Corners:
+class Corners:
     """Corners of cells, each once a cell, sorted by cell.
 
     Attributes:

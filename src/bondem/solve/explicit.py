@@ -1,5 +1,6 @@
 """Explicit dynamics: a plan, and the loop that carries it out."""
 
+import time
 from collections.abc import Callable
 from typing import cast
 
@@ -9,6 +10,7 @@ from bondem.errors import InputError
 from bondem.kernels.advance import FINE, NOT_FINITE, RUNAWAY
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.solve.halting import Halt
 from bondem.solve.history import History
 from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status, settled
@@ -19,6 +21,8 @@ from bondem.solve.saving import Sink
 _CHUNK = 5_000
 # Steps in which what ends a run comes up from rounding: a copy must be older than that to be given back.
 _RISE = 1_000
+# Wall time of one compiled call, about [s], and the elements and bonds times steps that the first one takes.
+_PATIENCE, _WORK = 1.0, 20_000_000
 
 
 def integrate(
@@ -32,6 +36,7 @@ def integrate(
     loop_of: Callable[[Model, Plan, State, float], Loop] | None = None,
     callback: Callback | None = None,
     remark: str = "",
+    halt: Halt | None = None,
 ) -> ExplicitResult:
     """Carry out a plan, from rest or from where `state` and `history` of the same plan left off.
 
@@ -46,6 +51,7 @@ def integrate(
         callback: called with the state and its record, a history of one, whenever one is written; it only looks,
             and ends the run by returning True.
         remark: more to say in the message of the result.
+        halt: asked now and then; the run stops, with a checkpoint, where it tells a signal.
 
     A given dt is taken as it is: `settled` checks it.
     """
@@ -69,13 +75,18 @@ def integrate(
     stop = bool(fresh) and callback is not None and bool(callback(state, History(begun, names)))
     warning = f"; {remark}" if remark else ""
     turned = ""
+    if sink is not None and plan.snapshot_every and state.step == 0:
+        sink.snapshot(state)
+    pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop:
-        goal = min(total, kept[-1].step + _CHUNK)
+        goal = min(total, kept[-1].step + _CHUNK, state.step + pace)
         looked = plan.every if plan.events or callback is not None else 0
-        for interval in (plan.save_every, looked):
+        for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, looked):
             if interval:
                 goal = min(goal, (state.step // interval + 1) * interval)
-        records, wide, lost, sick = loop.run(goal - state.step)
+        steps, began = goal - state.step, time.perf_counter()
+        records, wide, lost, sick = loop.run(steps)
+        pace = max(round(steps * _PATIENCE / max(time.perf_counter() - began, 1e-9)), 1)
         fresh.append(records)
         if lost or sick != FINE:
             cause = _CAUSES.get(sick, f"{lost} unbroken {joined} are turned beyond 90 degrees")
@@ -95,12 +106,17 @@ def integrate(
             history = history.extended(*fresh)
             fresh.clear()
             sink.checkpoint(state, history)
+        if plan.snapshot_every and state.step % plan.snapshot_every == 0 and sink is not None:
+            sink.snapshot(state)
         if state.step - kept[-1].step >= _CHUNK:
             kept = (kept[-1], state.copy())
         if callback is not None and len(records) and callback(state, History(records, names)):
             stop = True
         elif any(event.happened(state) for event in plan.events):
             status, message = Status.STOPPED, f"stopped by an event at t = {state.time:.6g} s"
+            break
+        if halt is not None and halt() is not None:
+            status, message = Status.STOPPED, f"interrupted at t = {state.time:.6g} s"
             break
     if stop:
         status, message = Status.STOPPED, f"stopped by the callback at t = {state.time:.6g} s"

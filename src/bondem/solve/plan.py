@@ -40,6 +40,7 @@ class Plan:
         gauges: what to record, by name.
         every: steps between records; 0 for none.
         save_every: steps between checkpoints; 0 for none but the last.
+        snapshot_every: steps between snapshots for ParaView; 0 for none.
         until: an event that ends the run, or several.
         safety: share of the critical time step to use when dt is None [-].
     """
@@ -51,6 +52,7 @@ class Plan:
     gauges: Mapping[str, AnyGauge] = field(default_factory=dict)
     every: int = 100
     save_every: int = 0
+    snapshot_every: int = 0
     until: Event | Sequence[Event] = ()
     safety: float = 0.9
 
@@ -61,7 +63,7 @@ class Plan:
         share = number("", "safety", self.safety, above=0.0, advice="a share of the critical step in (0, 1]")
         if share > 1.0:
             raise InputError(f"safety = {self.safety}; give a share of the critical step in (0, 1]")
-        for name in ("every", "save_every"):
+        for name in ("every", "save_every", "snapshot_every"):
             whole = count("", name, getattr(self, name), advice="a whole number of steps, 0 for never")
             object.__setattr__(self, name, whole)
         instance("", "scheme", self.scheme, Scheme, "a scheme such as bd.VelocityVerlet()")

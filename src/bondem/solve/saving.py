@@ -12,3 +12,7 @@ class Sink(Protocol):
     def checkpoint(self, state: State, history: History) -> None:
         """Keep all that is needed to go on from here."""
         ...
+
+    def snapshot(self, state: State) -> None:
+        """Keep what is shown of a state."""
+        ...

@@ -228,7 +228,8 @@ def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
 def keep_specimen(path: Path, lattice: Lattice, bonds: Bonding) -> None:
     """Write a specimen, free and at rest, as a run file: model and state to go on from."""
     model = Model(lattice, bonds.law, density=bonds.density)
-    RunFile(path, model, settled(model, Plan(duration=0.0))).checkpoint(State(model), History.empty(()))
+    with RunFile(path, model, settled(model, Plan(duration=0.0))) as file:
+        file.checkpoint(State(model), History.empty(()))
 
 
 class _Watch:

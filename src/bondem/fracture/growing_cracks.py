@@ -1,0 +1,54 @@
+"""Outlines of cracks in one state after another of the same body, for files that grow."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints
+from bondem.fracture.crack_polygons import crack_polygons
+from bondem.fracture.faces import faces_of
+from bondem.model.state import State
+from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True, eq=False)
+class CrackOutlines:
+    """Polygons of the facets and beams that have lost integrity.
+
+    Attributes:
+        vertex: corners, half-way between both faces [m], (v, 3).
+        start: corners of polygon q are start[q] … start[q + 1] - 1, (p + 1,).
+        fields: of the polygons: facet, integrity, area [m²], opening, sliding [m], (p,) each.
+    """
+
+    vertex: Floats
+    start: Ints
+    fields: dict[str, np.ndarray]
+
+
+class GrowingCracks:
+    """Finds the outlines in a state; the cells are cut into polygons once.
+
+    Args:
+        lattice: of the model.
+    """
+
+    def __init__(self, lattice: Lattice) -> None:
+        self._lattice = lattice
+        self._solid: Polyhedra | None = None
+
+    def __call__(self, state: State) -> CrackOutlines:
+        """The outlines of a state."""
+        whole = state.bond_integrity
+        chosen = np.flatnonzero(whole < 1.0)
+        if len(chosen) and self._solid is None and self._lattice.facets is not None:
+            self._solid = polyhedra(self._lattice)
+        faces = faces_of(self._lattice, state, chosen)
+        found = crack_polygons(self._lattice, state, chosen, faces, self._solid)
+        row = found.facet
+        fields = {
+            "facet": chosen[row], "integrity": whole[chosen][row], "area": faces.area[row],
+            "opening": faces.opening[row], "sliding": faces.sliding[row],
+        }  # fmt: skip
+        return CrackOutlines(found.vertex, found.start, fields)

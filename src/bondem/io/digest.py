@@ -1,0 +1,34 @@
+"""Digests of arrays and texts, by which a file knows that it is damaged."""
+
+import hashlib
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+
+def digest_of(items: Iterable[tuple[str, Any]]) -> str:
+    """Of names with what stands for them: arrays with their types and shapes, or texts; 64 hexadecimal digits."""
+    found = hashlib.blake2b(digest_size=32)
+    for name, value in items:
+        if isinstance(value, str):
+            told, data = "text", value.encode()
+        else:
+            array = np.ascontiguousarray(value)
+            told, data = f"{array.dtype.str} {np.shape(value)}", array.data if array.size else b""
+        found.update(f"{name} {told} ".encode())
+        found.update(data)
+    return found.hexdigest()
+
+
+def arrays_of(group: Any, under: str = "") -> list[tuple[str, Any]]:
+    """All arrays and texts of an HDF5 group and the groups in it, by their paths, in their order."""
+    items: list[tuple[str, Any]] = []
+    for name in sorted(group):
+        item, path = group[name], f"{under}/{name}"
+        if hasattr(item, "shape"):
+            value = item[()]
+            items.append((path, value.decode() if isinstance(value, bytes) else value))
+        else:
+            items += arrays_of(item, path)
+    return items

@@ -1,0 +1,157 @@
+"""Snapshots of a run in its file, as ParaView shows them: elements, bonds or cells, and cracks, in time.
+
+    /VTKHDF/elements   points that move: radius, displacement, velocity, angular_velocity, orientation (w, x, y, z);
+                       under the cell law and the non-local law the stress (xx, yy, zz, xy, yz, xz)
+    /VTKHDF/bonds      lines between elements: length, integrity and, of beams without history, normal_force
+    /VTKHDF/cells      of a body instead of bonds: polyhedra where they were at rest (warp by displacement)
+    /VTKHDF/cracks     polygons of facets and beams that have lost integrity: integrity, opening, sliding, facet
+
+SI units in single precision; a state to go on from is kept elsewhere, to the bit.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import h5py
+import numpy as np
+
+from bondem._types import Floats, Ints
+from bondem.io.vtk_cells import Corners
+from bondem.io.vtkhdf_series import Piece, begin_collection, lines_of, polyhedra_of
+from bondem.laws.bond import BondLaw
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observe.cell_forces import CellForces
+from bondem.observe.cell_stress import mean_stress
+
+#: Columns of a 3×3 tensor, and of a row xx, yy, zz, xy, xz, yz of a state, in the order of VTK.
+_OF_TENSOR, _OF_ROW = ((0, 1, 2, 0, 1, 0), (0, 1, 2, 1, 2, 2)), (0, 1, 2, 3, 5, 4)
+
+
+class Polygons(Protocol):
+    """Outlines of cracks: corners (v, 3), where each polygon begins in them (p + 1,), and fields of the polygons."""
+
+    @property
+    def vertex(self) -> Floats: ...
+
+    @property
+    def start(self) -> Ints: ...
+
+    @property
+    def fields(self) -> Mapping[str, np.ndarray]: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Snapshots:
+    """The group of snapshots of a file.
+
+    Attributes:
+        pieces: by name.
+        cracks: finds the outlines of cracks in a state, None where nothing breaks.
+    """
+
+    pieces: Mapping[str, Piece]
+    cracks: Callable[[State], Polygons] | None
+
+    @classmethod
+    def begin(cls, file: h5py.File, model: Model, cracks: Callable[[State], Polygons] | None) -> "Snapshots":
+        """Write what does not change."""
+        root = begin_collection(file)
+        lattice, n = model.lattice, len(model.lattice.particles)
+        pieces = {"elements": Piece.begin(root, "elements", "PolyData")}
+        vertices = {"NumberOfPoints": np.array([n])} | lines_of(np.arange(n)[:, None])
+        pieces["elements"].set_static(vertices | {"PointData/radius": _single(lattice.particles.radius)})
+        if lattice.cells is None:
+            pieces["bonds"] = Piece.begin(root, "bonds", "PolyData")
+            pairs = lattice.pairs[_drawn(model)]
+            static = {"NumberOfPoints": np.array([n])} | lines_of(pairs)
+            pieces["bonds"].set_static(static | {"CellData/length": _single(lattice.length[_drawn(model)])})
+        else:
+            pieces["cells"] = Piece.begin(root, "cells", "UnstructuredGrid")
+            c = Corners(lattice)
+            static = polyhedra_of(_single(c.place), c.cell, c.number, c.start, c.polygon_cell, n)
+            pieces["cells"].set_static(static | {"CellData/volume": _single(lattice.cells.volume)})
+        if cracks is not None:
+            pieces["cracks"] = Piece.begin(root, "cracks", "PolyData")
+        return cls(pieces, cracks)
+
+    @classmethod
+    def of(cls, file: h5py.File, cracks: Callable[[State], Polygons] | None) -> "Snapshots":
+        """Those of a file that has them."""
+        root: Any = file["VTKHDF"]
+        pieces = {name: Piece(root[name]) for name in root if name != "Assembly"}
+        return cls(pieces, cracks if "cracks" in pieces else None)
+
+    def take(self, model: Model, state: State) -> None:
+        """Add one, unless there is one of this time already."""
+        times = self.pieces["elements"].times
+        if len(times) and times[-1] >= state.time:
+            return
+        own: dict[str, Any] = {
+            "displacement": state.displacement, "velocity": state.velocity,
+            "angular_velocity": state.angular_velocity, "orientation": state.orientation,
+        }  # fmt: skip
+        stress = _stress(model, state)
+        if stress is not None:
+            own["stress"] = stress
+        place = state.position
+        self.pieces["elements"].add_step(
+            state.time, points=place, point_data={"radius": None} | own, cell_data={}
+        )
+        if "bonds" in self.pieces:
+            drawn = _drawn(model)
+            fields = {name: values[drawn] for name, values in _of_bonds(model, state).items()}
+            self.pieces["bonds"].add_step(
+                state.time, points=place, point_data={}, cell_data={"length": None} | fields
+            )
+        if "cells" in self.pieces:
+            del own["orientation"], own["angular_velocity"]
+            self.pieces["cells"].add_step(state.time, points=None, point_data={}, cell_data={"volume": None} | own)
+        if self.cracks is not None:
+            found = self.cracks(state)
+            self.pieces["cracks"].add_step(
+                state.time, points=found.vertex, point_data={}, cell_data=found.fields, polygons=found.start
+            )
+
+    def cut(self, time: float) -> None:
+        """Forget those after a time [s]."""
+        for piece in self.pieces.values():
+            piece.cut(int((piece.times <= time).sum()))
+
+
+def _single(values: Any) -> Any:
+    return np.asarray(values, dtype=np.float32)
+
+
+def _drawn(model: Model) -> np.ndarray:
+    """Bonds that do not cross the border of a periodic cell, (m,)."""
+    position, pairs = model.lattice.particles.position, model.lattice.pairs
+    plain = position[pairs[:, 1]] - position[pairs[:, 0]]
+    return np.abs(plain - model.lattice.branch).max(axis=1) < 1e-6 * model.lattice.particles.mean_radius
+
+
+def _stress(model: Model, state: State) -> Floats | None:
+    if model.cells is not None:
+        tensor = mean_stress(model, CellForces.of(model, state))
+        return tensor[:, _OF_TENSOR[0], _OF_TENSOR[1]]
+    if state.stress.size:
+        return state.stress[model.layout.rank][:, _OF_ROW]
+    return None
+
+
+def _of_bonds(model: Model, state: State) -> dict[str, Floats]:
+    whole = state.bond_integrity
+    if not isinstance(model.bond, BondLaw | Mapping) or model.formulation != "total":
+        return {"integrity": whole}
+    lattice, strain = model.lattice, state.stress_free_strain
+    i, j = lattice.pairs.T
+    length = np.linalg.norm(lattice.particles.nearest(state.position[j] - state.position[i]), axis=1)
+    rest = lattice.length * (1.0 + _by_user(model, strain)) if strain.size else lattice.length
+    return {"integrity": whole, "normal_force": whole * model.stiffness.kn * (length - rest)}
+
+
+def _by_user(model: Model, values: Floats) -> Floats:
+    own = np.empty_like(values)
+    own[model.layout.bond_order] = values
+    return own

@@ -1,0 +1,47 @@
+"""Signals that ask a run to stop: it finishes its steps, keeps them, and only then stops."""
+
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+
+#: Of a run that nobody stops.
+Halt = Callable[[], int | None]
+
+
+@contextmanager
+def noticing() -> Iterator[Halt]:
+    """Within the block SIGINT (Ctrl-C) and SIGTERM are noted; a second one stops at once.
+
+    Yields:
+        What tells the signal that has come, or None. In other threads than the main one none are noted.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield lambda: None
+        return
+    come: list[int] = []
+
+    def note(number: int, frame: FrameType | None) -> None:
+        if come:
+            raise KeyboardInterrupt
+        come.append(number)
+
+    before = {number: signal.signal(number, note) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield lambda: come[0] if come else None
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler if handler is not None else signal.SIG_DFL)
+
+
+def stop_by(number: int, told: str) -> None:
+    """Stop as the signal would have: KeyboardInterrupt for SIGINT, SystemExit with status 143 for SIGTERM.
+
+    Args:
+        number: of the signal.
+        told: for the traceback of an interrupt.
+    """
+    if number == signal.SIGINT:
+        raise KeyboardInterrupt(told)
+    raise SystemExit(128 + number)
