@@ -1,0 +1,172 @@
+"""Runs that are killed while they write, and bits that are flipped in their files.
+
+A block of brittle cells is torn apart, with contact between the pieces, in a process of its own that writes a
+checkpoint and a snapshot every few steps. SIGKILL comes at a random moment after the first. Then: does bondem open
+the file, does VTK's own reader, how much is lost, and does the run that goes on end with the same bits as one that
+was never stopped?
+
+Run: python benchmarks/survival.py [--cells 1500] [--kills 200] [--flips 200]
+     python benchmarks/survival.py --cells 100000 --kills 10 --flips 0 --steps 120 --every 20 --out FILE
+It writes benchmarks/results/survival.json.
+"""
+
+import argparse
+import functools
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+import bondem as bd
+from bondem.errors import RunFileError
+from kept import RESULTS, keep, origin
+
+FILE = RESULTS / "survival.json"
+SAFE = ("state.pose", "state.motion", "state.integrity", "state.broken", "history.records")
+
+
+@functools.cache
+def model_of(count: int) -> bd.Model:
+    """Fast enough that pieces come off within a thousand steps."""
+    particles = bd.pack(bd.Box((4e-2, 2e-2, 2e-2)), count=count, method="even", seed=1)
+    body = bd.connect(particles, method="laguerre")
+    failure = bd.MohrCoulomb(tension=2e6, cohesion=6e6, friction_angle=0.6)
+    ends = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=2.0)]
+    contact = bd.LinearContact(E=30e9, friction=0.3)
+    return bd.Model(body, bd.CellBond(E=30e9, nu=0.2), 2500.0, failure=failure, boundary=ends, contact=contact)
+
+
+def run(count: int, steps: int, every: int, out: Path, progress=None) -> bd.ExplicitResult:
+    model = model_of(count)
+    dt = bd.solve_explicit(model, duration=0.0).dt
+    return bd.solve_explicit(
+        model, duration=steps * dt, dt=dt, every=every, save_every=every, snapshot_every=every, out=out,
+        progress=progress,
+    )  # fmt: skip
+
+
+def worker(count: int, steps: int, every: int, out: Path) -> None:
+    """The run that is killed; it tells how far it has come."""
+    run(count, steps, every, out, progress=lambda share: print(round(share * steps), flush=True))
+
+
+def steps_for_vtk(path: Path) -> int:
+    """How many steps VTK's own reader finds; it must read the last one, too."""
+    from vtkmodules.vtkIOHDF import vtkHDFReader
+
+    reader = vtkHDFReader()
+    reader.SetFileName(str(path))
+    reader.UpdateInformation()
+    count = int(reader.GetNumberOfSteps())
+    reader.SetStep(count - 1)
+    reader.Update()
+    parts = reader.GetOutputDataObject(0)
+    assert parts.GetPartitionedDataSet(0).GetPartition(0).GetNumberOfPoints() > 0
+    return count
+
+
+def same(one: bd.ExplicitResult, other: bd.ExplicitResult) -> bool:
+    def of(run: bd.ExplicitResult, name: str) -> np.ndarray:
+        return functools.reduce(getattr, name.split("."), run)
+
+    return all(np.array_equal(of(one, name), of(other, name)) for name in SAFE)
+
+
+def killed(whole: bd.ExplicitResult, seconds: float, options: argparse.Namespace, folder: Path, number: int) -> dict:
+    """One run that is killed, and what becomes of it."""
+    path, random = folder / f"{number}.h5", np.random.default_rng(number)
+    command = [sys.executable, __file__, "--worker", str(path), "--cells", str(options.cells)]
+    command += ["--steps", str(options.steps), "--every", str(options.every)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        first = process.stdout.readline()  # the first interval is done
+        time.sleep(0.001)
+        while not path.exists():
+            time.sleep(0.001)
+        time.sleep(float(random.uniform(0.0, seconds)))
+        process.send_signal(signal.SIGKILL)
+        told = [first, *process.stdout.read().split("\n")]
+    reached = max(int(line) for line in told if line.strip().isdigit())
+    found = {"number": number, "reached": reached, "journal": (folder / f".{path.name}.journal").exists()}
+    try:
+        found["kept"] = bd.read_run(path).state.step
+        found["vtk"] = steps_for_vtk(path)
+        found["same"] = same(whole, bd.resume(path))
+        found["vtk after"] = steps_for_vtk(path)
+    except (RunFileError, AssertionError) as error:
+        found["error"] = str(error)
+    path.unlink(missing_ok=True)
+    return found
+
+
+def flipped(path: Path, count: int) -> dict:
+    """Single bits of a run file: how many were refused, how many changed nothing, how many gave other numbers."""
+    whole, data = bd.read_run(path), path.read_bytes()
+    used, random = np.flatnonzero(np.frombuffer(data, dtype=np.uint8)), np.random.default_rng(7)
+    found = {"flips": count, "refused": 0, "harmless": 0, "other numbers": 0}
+    harmed = path.with_name("harmed.h5")
+    for _ in range(count):
+        bit = 8 * int(random.choice(used)) + int(random.integers(8))
+        changed = bytearray(data)
+        changed[bit // 8] ^= 1 << bit % 8
+        harmed.write_bytes(changed)
+        try:
+            read = bd.read_run(harmed)
+        except RunFileError:
+            found["refused"] += 1
+            continue
+        equal = all(
+            np.array_equal(getattr(read.state, name), getattr(whole.state, name)) for name in type(read.state).ARRAYS
+        ) and np.array_equal(read.history.records, whole.history.records)
+        equal = equal and np.array_equal(read.model.mass, whole.model.mass)
+        found["harmless" if equal else "other numbers"] += 1
+    harmed.unlink()
+    return found
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--cells", type=int, default=1500)
+    parser.add_argument("--steps", type=int, default=2000)
+    parser.add_argument("--every", type=int, default=50)
+    parser.add_argument("--kills", type=int, default=200)
+    parser.add_argument("--flips", type=int, default=200)
+    parser.add_argument("--worker", type=Path, help=argparse.SUPPRESS)
+    parser.add_argument("--out", type=Path, default=FILE)
+    options = parser.parse_args()
+    if options.worker:
+        worker(options.cells, options.steps, options.every, options.worker)
+        return
+    begun = origin()
+    with tempfile.TemporaryDirectory(dir=os.environ.get("BONDEM_SURVIVAL_DIR")) as name:
+        folder = Path(name)
+        run(options.cells, options.every, options.every, folder / "warm.h5")
+        began = time.perf_counter()
+        whole = run(options.cells, options.steps, options.every, folder / "whole.h5")
+        seconds = time.perf_counter() - began
+        flips = flipped(folder / "whole.h5", options.flips) if options.flips else {}
+        kills = []
+        for number in range(options.kills):
+            kills.append(killed(whole, seconds, options, folder, number))
+            print(json.dumps(kills[-1]), flush=True)
+    good = [one for one in kills if "error" not in one]
+    result = {
+        "cells": options.cells, "steps": options.steps, "every": options.every, "broken": len(whole.events),
+        "seconds": seconds, "kills": len(kills), "opened by both": len(good),
+        "same bits": sum(one["same"] for one in good),
+        "lost at most": max((one["reached"] - one["kept"] for one in good), default=None),
+        "with a journal": sum(one["journal"] for one in kills),
+        "errors": [one["error"] for one in kills if "error" in one], "flipped": flips,
+    }  # fmt: skip
+    keep(options.out, begun | result)
+    print(json.dumps(result, indent=1))
+
+
+if __name__ == "__main__":
+    main()
