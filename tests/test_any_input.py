@@ -214,9 +214,10 @@ USUAL: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 # Read and write files (`test_hostile_specimens`, `test_runfile`), have no arguments, or are made by the package.
 ELSEWHERE = {
-    "load_particles", "read_lattice", "read_particles", "read_provenance", "read_run", "resume", "save_particles",
-    "write_vtkhdf", "Everything", "VelocityVerlet", "BondLaw", "Event", "Region", "Schedule", "Scheme", "Shape",
-    "SizeLaw", "BondGeometry", "BondStiffness", "BondStrain", "BulkModuli", "Calibration", "Callback", "Checkpoint",
+    "load_particles", "read_lattice", "read_particles", "read_contents", "read_provenance", "read_run", "resume",
+    "save_particles", "write_vtkhdf", "Everything", "VelocityVerlet", "BondLaw", "Event", "Region", "Schedule",
+    "RunContents", "Scheme", "Shape", "SizeLaw",
+    "BondGeometry", "BondStiffness", "BondStrain", "BulkModuli", "Calibration", "Callback", "Checkpoint",
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
     "QuasistaticResult", "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata",
     "Trial", "StrengthCalibration", "StrengthRun", "Cells",

@@ -203,3 +203,28 @@ def test_a_cache_that_cannot_be_written_does_no_harm(tmp_path):
 def test_the_cache_lies_beside_the_compiled_code():
     assert PackingCache().folder.name == "packings"
     assert PackingCache().folder.parent.name.startswith("bondem")
+
+
+def test_a_flipped_bit_is_packed_again(tmp_path):
+    """Whatever bit of a kept packing is flipped: the packing is the same, kept or made anew."""
+    shape = bd.Cylinder(radius=5e-3, length=2e-2)
+    cache, made = PackingCache(tmp_path), []
+    particles = bd.pack(shape, count=150, seed=3)
+
+    def make():
+        made.append(1)
+        return particles
+
+    request = {"shape": shape, "count": 150}
+    cache.remembered(request, make)
+    (file,) = tmp_path.glob("*.h5")
+    data, random = file.read_bytes(), np.random.default_rng(5)
+    used = np.flatnonzero(np.frombuffer(data, dtype=np.uint8))
+    for _ in range(60):
+        changed = bytearray(data)
+        changed[int(random.choice(used))] ^= 1 << int(random.integers(8))
+        file.write_bytes(changed)
+        found = cache.remembered(request, make)
+        np.testing.assert_array_equal(found.position, particles.position)
+        np.testing.assert_array_equal(found.radius, particles.radius)
+    assert len(made) > 20

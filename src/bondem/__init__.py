@@ -84,6 +84,7 @@ _PUBLIC = {
     "bondem.solve.modal": ("ModesResult",),
     "bondem.io.importing": ("read_lattice", "read_particles"),
     "bondem.io.particles_file": ("load_particles", "read_provenance", "save_particles"),
+    "bondem.io.run_contents": ("RunContents", "read_contents"),
     "bondem.io.runfile": ("Checkpoint", "read_run"),
     "bondem.io.vtk": ("write_vtkhdf",),
     "bondem.run": ("resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"),

@@ -27,6 +27,8 @@ from bondem.io.importing import read_particles as read_particles
 from bondem.io.particles_file import load_particles as load_particles
 from bondem.io.particles_file import read_provenance as read_provenance
 from bondem.io.particles_file import save_particles as save_particles
+from bondem.io.run_contents import RunContents as RunContents
+from bondem.io.run_contents import read_contents as read_contents
 from bondem.io.runfile import Checkpoint as Checkpoint
 from bondem.io.runfile import read_run as read_run
 from bondem.io.vtk import write_vtkhdf as write_vtkhdf

@@ -56,3 +56,28 @@ def claim(descriptor: int) -> bool:
     except OSError as error:
         return error.errno not in (errno.EACCES, errno.EAGAIN)
     return True
+
+
+@contextmanager
+def sole(place: Path) -> Iterator[bool]:
+    """Claim a place for the block, by a file that goes with it; False where another process has it.
+
+    Args:
+        place: of the file, in a folder that is there and can be written to; elsewhere nobody is refused.
+    """
+    with ExitStack() as held:
+        file = None
+        with suppress(OSError):
+            while True:
+                file = held.enter_context(place.open("a"))
+                if not claim(file.fileno()):
+                    yield False
+                    return
+                with suppress(OSError):
+                    if os.fstat(file.fileno()).st_ino == place.stat().st_ino:
+                        break  # and not one that its owner has just taken away
+        try:
+            yield True
+        finally:
+            if file is not None:
+                place.unlink(missing_ok=True)

@@ -14,7 +14,7 @@ import click
 from bondem import __version__
 from bondem.errors import BondemError, UnstableRunError
 
-_COMMANDS = ("calibrate", "new", "resume", "run", "strength")
+_COMMANDS = ("calibrate", "check", "info", "new", "resume", "run", "strength", "watch")
 
 OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130
 
@@ -61,14 +61,31 @@ def _status(command: click.Command) -> int:
         return command.main(standalone_mode=False) or OK
     except click.exceptions.Exit as stop:
         return stop.exit_code
-    except click.Abort:
-        return _complain("interrupted", INTERRUPTED)
+    except (click.Abort, KeyboardInterrupt) as stop:
+        return _complain(_told(stop), INTERRUPTED)
+    except SystemError as error:
+        # what an interrupt becomes that comes while compiled code runs
+        if _by_interrupt(error):
+            return _complain("interrupted", INTERRUPTED)
+        raise
     except click.ClickException as error:
         return _complain(f"{error.format_message()} See '{command.name} --help'.", BAD_INPUT)
     except UnstableRunError as error:
         return _complain(str(error), UNSTABLE)
     except BondemError as error:
         return _complain(str(error), BAD_INPUT)
+
+
+def _by_interrupt(error: BaseException | None) -> bool:
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__ or error.__context__
+    return error is not None
+
+
+def _told(stop: BaseException) -> str:
+    """What an interrupt says, such as how to go on."""
+    cause = stop.__cause__ or stop.__context__
+    return str(stop) or (str(cause) if isinstance(cause, KeyboardInterrupt) else "") or "interrupted"
 
 
 def _warn(message: Warning | str, category: type[Warning], *_: object) -> None:

@@ -6,6 +6,7 @@ from typing import Any
 
 import click
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
 from bondem.cli.quantities import Quantity
@@ -80,9 +81,10 @@ def _show(found: dict[str, Any]) -> None:
     symbol = LAWS[found["law"]].free.symbol
     target = found["material"]
     console.print(
-        f"\n[bold]{named(found['law'])} bonds[/bold] for {target['name']} (E = {with_unit(target['E'], 'Pa')},"
-        f" ν = {target['nu']:g}, ρ = {with_unit(target['rho'], 'kg/m³')})", soft_wrap=True,
-    )  # fmt: skip
+        f"\n[bold]{named(found['law'])} bonds[/bold] for {escape(target['name'])}"
+        f" (E = {with_unit(target['E'], 'Pa')}, ν = {target['nu']:g}, ρ = {with_unit(target['rho'], 'kg/m³')})",
+        soft_wrap=True,
+    )
     if found["reason"]:
         console.print(f"  recommended: {found['reason']}", soft_wrap=True)
     radius = "" if found["parameter"] == "radius_ratio" else f", r̃ = {micro['r_mu_ratio']:g}"

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from rich.console import Console
+from rich.markup import escape
 from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
@@ -37,7 +38,7 @@ def progress_bars() -> Iterator[Callable[[str, float], None]]:
 
         def progress(stage: str, share: float) -> None:
             if stage not in tasks:
-                tasks[stage] = bars.add_task(stage, total=1.0)
+                tasks[stage] = bars.add_task(escape(stage), total=1.0)
             bars.update(tasks[stage], completed=share)
 
         yield progress
@@ -56,6 +57,16 @@ def on_threads(count: int | None) -> Iterator[None]:
         yield
 
 
+def span(seconds: float) -> str:
+    """A time as people read it: "12.3 s", "4 min 05 s", "2 h 31 min"."""
+    if seconds < 59.95:
+        return f"{seconds:.1f} s"
+    whole = round(seconds)
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60:02d} s"
+    return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
+
+
 def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
     """Print a finished study."""
     console = Console(highlight=False)
@@ -63,7 +74,7 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
         console.width = 120
     micro, macro, specimen = results["micro"], results["macro"], results["specimen"]
     lines = [
-        f"[bold]{study.name}[/bold], packings: {study.packings} of {specimen['elements']} elements",
+        f"[bold]{escape(study.name)}[/bold], packings: {study.packings} of {specimen['elements']} elements",
         f"  z = {specimen['coordination_number']:.3f}, φ = {specimen['volume_fraction']:.4f}",
     ]
     if micro is not None:
@@ -85,7 +96,7 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
         console.print(_tests(study, results), soft_wrap=True)
         for line in _EXPLANATION:
             console.print(f"  [dim]{line}[/dim]", soft_wrap=True)
-    console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True)
+    console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True, markup=False)
 
 
 def show_programme(results: Mapping[str, Any], out: Path) -> None:
@@ -93,7 +104,8 @@ def show_programme(results: Mapping[str, Any], out: Path) -> None:
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = 140
-    console.print(f"\n[bold]{results['programme']}[/bold], specimens: {len(results['specimens'])}\n", soft_wrap=True)
+    head = f"\n[bold]{escape(results['programme'])}[/bold], specimens: {len(results['specimens'])}\n"
+    console.print(head, soft_wrap=True)
     table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
     for name in ("  specimen", "test"):
         table.add_column(name, no_wrap=True)
@@ -101,13 +113,13 @@ def show_programme(results: Mapping[str, Any], out: Path) -> None:
         table.add_column(name, justify="right", no_wrap=True)
     for row in results["rows"]:
         table.add_row(
-            f"  {row['specimen']}", row["label"], with_unit(row["measured"], row["unit"]),
+            escape(f"  {row['specimen']}"), escape(row["label"]), with_unit(row["measured"], row["unit"]),
             "–" if row["scatter"] is None else percent(row["scatter"]),
             with_unit(row["target"], row["unit"]), signed_percent(row["off_target"]),
             with_unit(row["theory"], row["unit"]), signed_percent(row["off_theory"]),
         )  # fmt: skip
     console.print(table, soft_wrap=True)
-    console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True)
+    console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True, markup=False)
 
 
 def _law(micro: Mapping[str, Any]) -> str:

@@ -1,11 +1,11 @@
 """Particles, and a lattice where there are bonds, in one HDF5 file with where they come from.
 
-    /                attributes format, schema, bondem_version; texts shape and provenance (JSON)
+    /                attributes format, schema, bondem_version, digest; texts shape and provenance (JSON)
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one
     /bonds           pairs (m, 2), where a lattice was saved
     /facets, /cells  of a body of cells, see `bondem.io.bodies`
 
-Arrays are kept to the bit.
+Arrays are kept to the bit, and a file of which one has changed is refused.
 """
 
 import json
@@ -23,13 +23,15 @@ from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
+from bondem.io.digest import arrays_of, digest_of
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.shape import Shape
 
 FORMAT = "bondem particles"
-#: From 2 on they may hold facets and cells.
-SCHEMA = 2
+#: From 2 on they may hold facets and cells, from 3 on they have a digest.
+SCHEMA = 3
+_DIGESTED = 3
 
 
 def save_particles(
@@ -69,6 +71,7 @@ def save_particles(
             file["elements/period"] = elements.period
         if lattice is not None:
             write_bonds(file, lattice)
+        file.attrs["digest"] = digest_of(arrays_of(file))
 
 
 def load_particles(path: str | Path) -> Particles:
@@ -116,6 +119,8 @@ def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
                 " read it"
             )
         try:
+            if schema >= _DIGESTED and digest_of(arrays_of(file)) != head["digest"]:
+                raise ValueError("its digest is another one")
             period = _array(file, "elements/period") if "elements/period" in file else None
             shape = decode(json.loads(_array(file, "shape").item()))
             if not isinstance(shape, Shape | None):
@@ -126,7 +131,7 @@ def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
             )
             lattice = read_bonds(file, particles) if "bonds/pairs" in file else None
             told = json.loads(_array(file, "provenance").item())
-        except (AssertionError, AttributeError, KeyError, TypeError, ValueError, OSError) as error:
+        except Exception as error:  # damage shows in more ways than a list could hold
             raise InputError(f"'{path}' is damaged ({error}); make it again") from error
     return particles, lattice, {"bondem_version": version} | {key: decode(value) for key, value in told.items()}
 

@@ -10,7 +10,8 @@ from typing import Any, cast
 
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.reach import recommend
-from bondem.io.atomic import require_folder, write_text
+from bondem.io.atomic import write_text
+from bondem.io.folder import only_writer
 from bondem.io.particles_file import save_particles
 from bondem.io.runfile import RunFile
 from bondem.io.vtk import write_vtkhdf
@@ -62,13 +63,16 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         What `results.json` holds.
 
     Raises:
-        InputError: the folder cannot be written to (found out before any work), or the study asks for
-            something impossible.
+        InputError: the folder cannot be written to, or another process writes to it (found out before any work), or
+            the study asks for something impossible.
         PackingError: a packing did not reach its target.
         UnreachableTargetError: the bond law, or none that could be recommended, gives the material's Poisson's ratio.
     """
-    out = Path(out)
-    require_folder(out, "output folder")
+    with only_writer(Path(out), "output folder"):
+        return _carry_out(study, Path(out), progress)
+
+
+def _carry_out(study: Study, out: Path, progress: Progress | None) -> dict[str, Any]:
     tell = progress or (lambda stage, share: None)
     if study.material is not None and study.bond.law is None and study.bond.cells is None:
         recommend(study.material.nu)  # raises before any work

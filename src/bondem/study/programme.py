@@ -79,12 +79,15 @@ def read(path: str | Path) -> Study | Programme:
         StudyError: no such file, not TOML, or a key that is unknown, missing or out of range.
     """
     path = Path(path)
-    data = read_toml(path)
-    if isinstance(data.get("specimen"), list):
-        raise StudyError("'specimen' is a list of tables; several specimens are [[specimens]], one is [specimen]")
-    if "specimens" in data:
-        return parse_programme(data, folder=path.parent)
-    return parse_study(data, folder=path.parent)
+
+    def either(data: dict[str, Any]) -> Study | Programme:
+        if isinstance(data.get("specimen"), list):
+            raise StudyError("'specimen' is a list of tables; several specimens are [[specimens]], one is [specimen]")
+        if "specimens" in data:
+            return parse_programme(data, folder=path.parent)
+        return parse_study(data, folder=path.parent)
+
+    return read_toml(path, either)
 
 
 def parse_programme(data: Mapping[str, Any], *, folder: Path = Path()) -> Programme:

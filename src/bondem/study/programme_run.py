@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import bondem
-from bondem.io.atomic import require_folder, write_text
+from bondem.io.atomic import write_text
+from bondem.io.folder import only_writer
 from bondem.report.numbers import measures, with_unit
 from bondem.report.programme_page import Chapter, write_programme
 from bondem.report.strength_figures import DRAWN
@@ -36,11 +37,15 @@ def run_programme(
         What `results.json` holds: "rows" of the table, and of each specimen its own under "specimens".
 
     Raises:
-        InputError: the folder cannot be written to, or a study asks for something impossible.
+        InputError: the folder cannot be written to, another process writes to it, or a study asks for something
+            impossible.
         UnstableRunError: a run became unstable. Specimens that were finished before are kept.
     """
-    out = Path(out)
-    require_folder(out, "output folder")
+    with only_writer(Path(out), "output folder"):
+        return _carry_out(programme, Path(out), fresh, progress)
+
+
+def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress | None) -> dict[str, Any]:
     found = {one.name: _results(one, out / one.folder, fresh, progress) for one in programme.series}
     rows = [row for one in programme.series for row in _rows(one, found[one.name])]
     study = programme.series[0].study

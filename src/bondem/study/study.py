@@ -3,10 +3,10 @@
 import dataclasses
 import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from bondem.errors import StudyError
 from bondem.labtests.strengths import STRENGTH_TESTS
@@ -19,11 +19,13 @@ from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
 from bondem.study.failure import read_failure, require_strength
+from bondem.study.lines import located
 from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
 from bondem.study.strength_tests import broken_only, read_options, require_specimen
 from bondem.study.toml_table import TomlTable
 
 STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
+Read = TypeVar("Read")
 DYNAMIC_TESTS = ("dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact")
 TESTS = STATIC_TESTS + DYNAMIC_TESTS
 
@@ -169,25 +171,32 @@ def read_study(path: str | Path) -> Study:
         StudyError: no such file, not TOML, or a key that is unknown, missing or out of range.
     """
     path = Path(path)
-    data = read_toml(path)
-    if "specimens" in data:
-        raise StudyError(f"'{path}' has [[specimens]]: it is a test programme; give a file with one [specimen]")
-    return parse_study(data, folder=path.parent)
+
+    def one(data: dict[str, Any]) -> Study:
+        if "specimens" in data:
+            raise StudyError(f"'{path}' has [[specimens]]: it is a test programme; give a file with one [specimen]")
+        return parse_study(data, folder=path.parent)
+
+    return read_toml(path, one)
 
 
-def read_toml(path: Path) -> dict[str, Any]:
-    """The document in a file.
+def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
+    """What a function makes of the document in a file; its errors get the line of the key that they name.
 
     Raises:
-        StudyError: no such file, or not TOML.
+        StudyError: no such file, not TOML, or what the function raises.
     """
     try:
-        with open(path, "rb") as file:
-            return tomllib.load(file)
+        text = path.read_bytes().decode()
+        data = tomllib.loads(text)
     except OSError as error:
         raise StudyError(f"study '{path}' cannot be read ({error.strerror}); check the path") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise StudyError(f"study '{path}' is not valid TOML: {error}; mend it there") from None
+    try:
+        return parse(data)
+    except StudyError as error:
+        raise located(error, text, str(path)) from None
 
 
 def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:

@@ -1,0 +1,31 @@
+"""`bondem check STUDY.toml`."""
+
+from pathlib import Path
+
+import click
+from rich.console import Console
+from rich.table import Table
+
+from bondem.study.forecast import forecast
+from bondem.study.programme import Programme, read
+
+
+@click.command("check")
+@click.argument("study_file", metavar="STUDY.toml", type=click.Path(path_type=Path))
+def command(study_file: Path) -> None:
+    """Read a study and say what it will do, without doing it; exit status 2 for one that is wrong.
+
+    Sizes of elements, time steps and memory are estimates from the volume of the shape.
+    """
+    asked = read(study_file)
+    studies = [(one.name, one.study) for one in asked.series] if isinstance(asked, Programme) else [("", asked)]
+    console = Console(highlight=False, markup=False)
+    if not console.is_terminal:
+        console.width = 120
+    console.print(f"{asked.name}: {study_file} is in order", soft_wrap=True)
+    for name, study in studies:
+        table = Table(box=None, show_header=False, padding=(0, 2, 0, 0), title=name or None, title_justify="left")
+        for what, words in forecast(study):
+            table.add_row(f"  {what}", words)
+        console.print()
+        console.print(table)

@@ -1,0 +1,65 @@
+"""`bondem watch RUN.h5`."""
+
+import time
+from pathlib import Path
+
+import click
+from rich.console import Console
+from rich.live import Live
+from rich.table import Table
+
+from bondem.cli.info import lines_of
+from bondem.cli.terminal import span
+from bondem.errors import RunFileError
+from bondem.io.run_contents import RunContents, read_contents
+
+
+@click.command("watch")
+@click.argument("run_file", metavar="RUN.h5", type=click.Path(path_type=Path))
+@click.option("--interval", type=click.FloatRange(min=0.05), default=1.0, show_default=True, metavar="SECONDS",
+              help="Between two looks.")  # fmt: skip
+@click.option("--patience", type=click.FloatRange(min=0.0), default=60.0, show_default=True, metavar="SECONDS",
+              help="How long to wait for a file that is not there yet.")  # fmt: skip
+def command(run_file: Path, interval: float, patience: float) -> None:
+    """Watch a run: how far it is at its last checkpoint, until nobody writes it any more.
+
+    On a terminal the display is kept up to date; in a pipe there is a line for each checkpoint.
+    """
+    console = Console(highlight=False, markup=False)
+    found, began = None, time.monotonic()
+    while found is None:
+        try:
+            found = read_contents(run_file)
+        except RunFileError:
+            if run_file.exists() or time.monotonic() - began >= patience:
+                raise
+            time.sleep(interval)
+    if not console.is_terminal:
+        _follow(run_file, found, interval)
+        return
+    with Live(_shown(found), console=console, auto_refresh=False) as live:
+        while found.written:
+            time.sleep(interval)
+            found = read_contents(run_file)
+            live.update(_shown(found), refresh=True)
+
+
+def _follow(run_file: Path, found: RunContents, interval: float) -> None:
+    told = -1
+    while True:
+        if found.step != told:
+            told = found.step
+            left = "" if found.left is None else f", {span(found.left)} left"
+            rate = "" if found.rate is None else f", {found.rate:.4g} steps/s{left}"
+            click.echo(f"step {found.step} of {found.steps}, t = {found.time:.6g} s, {found.broken} broken{rate}")
+        if not found.written:
+            return
+        time.sleep(interval)
+        found = read_contents(run_file)
+
+
+def _shown(found: RunContents) -> Table:
+    table = Table(box=None, show_header=False, padding=(0, 2, 0, 0))
+    for name, words in lines_of(found):
+        table.add_row(name, words)
+    return table

@@ -1,0 +1,122 @@
+"""What is in a run file, told without reading all of it."""
+
+import json
+import os
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from bondem._checks import place
+from bondem._lock import claim
+from bondem.errors import RunFileError
+from bondem.io.runfile import FORMAT, reading
+from bondem.solve.history import History
+
+
+@dataclass(frozen=True)
+class RunContents:
+    """What is in a run file.
+
+    Attributes:
+        path: of the file.
+        size: of the file [bytes].
+        elements, bonds: how many there are; facets of a body are bonds.
+        cells: whether the elements are cells.
+        step, steps: of the last checkpoint, and of the whole run.
+        time, duration: of the last checkpoint and of the whole run [s].
+        dt: time step [s].
+        seconds: wall time that the run has taken until then [s].
+        records: of the history.
+        snapshots: for ParaView.
+        broken: bonds that have broken.
+        imbalance: largest miss of the energy ledger over its largest entry [-]; None without records.
+        written: whether a process is writing the file now.
+        provenance: versions, machine and start.
+        schema: of the file.
+    """
+
+    path: str
+    size: int
+    elements: int
+    bonds: int
+    cells: bool
+    step: int
+    steps: int
+    time: float
+    duration: float
+    dt: float
+    seconds: float
+    records: int
+    snapshots: int
+    broken: int
+    imbalance: float | None
+    written: bool
+    provenance: dict[str, str]
+    schema: int
+
+    @property
+    def rate(self) -> float | None:
+        """Steps a second of wall time; None where nothing is known of it."""
+        return self.step / self.seconds if self.seconds > 0.0 and self.step else None
+
+    @property
+    def left(self) -> float | None:
+        """Wall time that is left at that rate [s]; None where nothing is known of it."""
+        return None if self.rate is None else (self.steps - self.step) / self.rate
+
+    def as_json(self) -> str:
+        """All of it as JSON text."""
+        return json.dumps(asdict(self) | {"rate": self.rate, "left": self.left}, indent=2)
+
+
+def read_contents(path: str | Path) -> RunContents:
+    """What is in a run file, also while it is written.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        RunFileError: no such file, not a run file, or damaged.
+    """
+    path = place("read_contents: path", path)
+    if not path.is_file():
+        raise RunFileError(f"there is no run file '{path}'; check the path")
+    with reading(path) as file:
+        head: Any = file.attrs
+        if head.get("format") != FORMAT:
+            raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote")
+        try:
+            return _contents(path, file, head)
+        except Exception as error:  # damage shows in more ways than a list could hold
+            raise RunFileError(f"'{path}' is damaged ({error}); start the run again") from error
+
+
+def _contents(path: Path, file: Any, head: Any) -> RunContents:
+    plan, kept = json.loads(file["plan"][()]), file.get("state")
+    gauges = json.loads(file["history"].attrs["gauges"]) if "history" in file else []
+    history = History(np.asarray(file["history/records"][()]), tuple(gauges)) if "history" in file else None
+    dt, duration = float(plan["dt"]), float(plan["duration"])
+    stands = kept.attrs if kept is not None else {}
+    steps = file.get("VTKHDF/elements/Steps")
+    told = json.loads(file["provenance"][()]) if "provenance" in file else {"bondem": str(head["bondem_version"])}
+    missed = None if history is None or not len(history) else history.imbalance
+    return RunContents(
+        path=str(path), size=path.stat().st_size, elements=len(file["elements/radius"]),
+        bonds=len(file["bonds/pairs"]), cells="cells" in file, step=int(stands.get("step", 0)),
+        steps=round(duration / dt), time=float(stands.get("time", 0.0)), duration=duration, dt=dt,
+        seconds=float(stands.get("seconds", 0.0)), records=0 if history is None else len(history),
+        snapshots=0 if steps is None else int(steps.attrs["NSteps"]),
+        broken=len(file["state/broken"]) if kept is not None and "broken" in kept else 0,
+        imbalance=None if missed is None or not np.isfinite(missed) else missed, written=_written(path),
+        provenance={str(key): str(value) for key, value in told.items()}, schema=int(head["schema"]),
+    )  # fmt: skip
+
+
+def _written(path: Path) -> bool:
+    try:
+        with open(path, "r+b") as file:
+            return not claim(file.fileno())
+    except OSError:  # what nobody here may write, nobody here writes
+        return not os.access(path, os.R_OK)
