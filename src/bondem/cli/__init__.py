@@ -14,7 +14,7 @@ import click
 from bondem import __version__
 from bondem.errors import BondemError, UnstableRunError
 
-_COMMANDS = ("calibrate", "check", "info", "new", "resume", "run", "strength", "watch")
+_COMMANDS = ("calibrate", "check", "info", "new", "render", "resume", "run", "strength", "view", "watch")
 
 OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130
 

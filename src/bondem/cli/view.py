@@ -1,0 +1,22 @@
+"""`bondem view RUN.h5`."""
+
+from pathlib import Path
+
+import click
+
+from bondem.cli.seeing import SHOWN, seeing
+
+
+@click.command("view")
+@click.argument("run_file", metavar="RUN.h5", type=click.Path(path_type=Path))
+@click.option("--field", help="What colours elements: a field of the file, or 'fragment'.  [displacement]")
+@click.option("--show", type=click.Choice(SHOWN), default="auto", show_default=True, help="What is drawn.")
+@click.option("--snapshot", type=int, default=-1, show_default=True, help="Which one; -1 is the last.")
+@click.option("--warp", type=click.FloatRange(min=0.0), default=1.0, show_default=True,
+              help="By how much displacements are enlarged.")  # fmt: skip
+def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float) -> None:
+    """Open a window on a run file, to turn it and to move through its snapshots with a slider.
+
+    It needs the optional extra, pip install "bondem[view]", and a screen.
+    """
+    seeing().view(run_file, field=field, show=show, snapshot=snapshot, warp=warp)
