@@ -9,7 +9,7 @@ import pytest
 
 from bondem.errors import RunFileError
 from bondem.io import journal
-from bondem.io.journal import JournaledFile, opened
+from bondem.io.journal import JournaledFile, committed
 
 V = ("v108", "v108")
 
@@ -38,7 +38,7 @@ def change(file: h5py.File, number: int) -> None:
 
 def consistent(path: Path) -> int:
     """The number of the commit that a reader finds, which all parts of the file must have."""
-    with h5py.File(opened(path), "r") as file:
+    with h5py.File(committed(path), "r") as file:
         number = int(file.attrs["commit"])
         value = number if number > 1 else 0
         assert file["grows"].shape == (5000 + 700 * value,)
@@ -118,7 +118,7 @@ def test_half_a_journal_counts_for_nothing(tmp_path: Path) -> None:
     journal._write_journal(tmp_path / ".a.h5.journal", len(whole), {0: bytearray(4096)})
     data = (tmp_path / ".a.h5.journal").read_bytes()
     (tmp_path / ".a.h5.journal").write_bytes(data[: len(data) // 2])
-    assert opened(path) == path
+    assert committed(path) == path
     JournaledFile(path).close()
     assert path.read_bytes() == whole
     assert os.listdir(tmp_path) == ["a.h5"]

@@ -156,6 +156,25 @@ def test_names_of_the_user_are_no_markup(tmp_path: Path) -> None:
     assert "out [/b]" in done.stdout
 
 
+@pytest.mark.parametrize("options", [{}, {"field": "velocity", "show": "bonds"}, {"field": "fragment"}], ids=str)
+def test_a_picture_of_a_run(tmp_path: Path, options: dict[str, str]) -> None:
+    scenes = pytest.importorskip("bondem.report.scenes")
+    image = pytest.importorskip("PIL.Image")
+    place = finished(tmp_path)
+    if options.get("show") == "bonds":
+        with pytest.raises(InputError, match="there is no field 'velocity' here; there are integrity, length"):
+            scenes.render_run(place, tmp_path / "run.png", **options)
+        options = options | {"field": "integrity"}
+    out = scenes.render_run(place, tmp_path / "run.png", size=(300, 200), **options)
+    with image.open(out) as picture:
+        assert picture.size == (300, 200)
+        assert len(picture.getcolors(1 << 20)) > 10
+    with pytest.raises(InputError, match="there is no snapshot 9999"):
+        scenes.render_run(place, tmp_path / "run.png", snapshot=9999)
+    with pytest.raises(InputError, match=r"ends in .png"):
+        scenes.render_run(place, tmp_path / "run.jpg")
+
+
 @pytest.mark.validate
 @pytest.mark.parametrize("number", range(6))
 def test_an_interrupt_is_one_line(tmp_path: Path, number: int) -> None:

@@ -26,7 +26,7 @@ def command(
 
     It needs the optional extra: pip install "bondem[view]".
     """
-    place = seeing().render(
+    place = seeing().render_run(
         run_file, out or run_file.with_suffix(".png"), field=field, show=show, snapshot=snapshot, section=section,
         warp=warp, size=size,
     )  # fmt: skip

@@ -19,4 +19,4 @@ def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: f
 
     It needs the optional extra, pip install "bondem[view]", and a screen.
     """
-    seeing().view(run_file, field=field, show=show, snapshot=snapshot, warp=warp)
+    seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp)

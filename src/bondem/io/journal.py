@@ -37,7 +37,7 @@ class JournaledFile(io.RawIOBase):
         aside: where it lies until the first commit, which moves it to `path`; None for a file that is there.
 
     Raises:
-        RunFileError: another process writes this file, or it cannot be opened.
+        RunFileError: another process writes this file, or it cannot be committed.
     """
 
     def __init__(self, path: Path, *, aside: Path | None = None) -> None:
@@ -195,7 +195,7 @@ class RecoveredFile(io.BytesIO):
     """A file as its last commit has it, in memory, where a journal says that it is not so on the disk."""
 
 
-def opened(path: Path) -> Path | RecoveredFile:
+def committed(path: Path) -> Path | RecoveredFile:
     """What to read a file from: itself, or where a whole journal lies beside it what this makes of it."""
     found = _read_journal(_journal_of(path))
     if found is None:

@@ -35,8 +35,8 @@ from bondem.io.atomic import require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
 from bondem.io.digest import arrays_of, digest_of
-from bondem.io.journal import JournaledFile, opened
-from bondem.io.snapshots import Polygons, Snapshots
+from bondem.io.journal import JournaledFile, committed
+from bondem.io.snapshots import Outlined, Snapshots
 from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
 from bondem.laws.failure.criterion import Criterion
 from bondem.model.model import Model
@@ -95,7 +95,7 @@ class RunFile:
     """
 
     def __init__(
-        self, path: str | Path, model: Model, plan: Plan, *, cracks: Callable[[State], Polygons] | None = None,
+        self, path: str | Path, model: Model, plan: Plan, *, cracks: Callable[[State], Outlined] | None = None,
         goes_on: Checkpoint | None = None,
     ) -> None:  # fmt: skip
         self.path = place("out", path)
@@ -288,7 +288,7 @@ def reading(path: Path) -> Iterator[h5py.File]:
         RunFileError: no HDF5 file.
     """
     try:
-        file = h5py.File(opened(path), "r")
+        file = h5py.File(committed(path), "r")
     except Exception:  # of a damaged file HDF5 may say anything
         raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote") from None
     with file:

@@ -18,7 +18,7 @@ import numpy as np
 
 from bondem._types import Floats, Ints
 from bondem.io.vtk_cells import Corners
-from bondem.io.vtkhdf_series import Piece, begin_collection, lines_of, polyhedra_of
+from bondem.io.vtkhdf_series import Piece, begin_collection, static_lines, static_polyhedra
 from bondem.laws.bond import BondLaw
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -29,7 +29,7 @@ from bondem.observe.cell_stress import mean_stress
 _OF_TENSOR, _OF_ROW = ((0, 1, 2, 0, 1, 0), (0, 1, 2, 1, 2, 2)), (0, 1, 2, 3, 5, 4)
 
 
-class Polygons(Protocol):
+class Outlined(Protocol):
     """Outlines of cracks: corners (v, 3), where each polygon begins in them (p + 1,), and fields of the polygons."""
 
     @property
@@ -52,32 +52,32 @@ class Snapshots:
     """
 
     pieces: Mapping[str, Piece]
-    cracks: Callable[[State], Polygons] | None
+    cracks: Callable[[State], Outlined] | None
 
     @classmethod
-    def begin(cls, file: h5py.File, model: Model, cracks: Callable[[State], Polygons] | None) -> "Snapshots":
+    def begin(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
         """Write what does not change."""
         root = begin_collection(file)
         lattice, n = model.lattice, len(model.lattice.particles)
         pieces = {"elements": Piece.begin(root, "elements", "PolyData")}
-        vertices = {"NumberOfPoints": np.array([n])} | lines_of(np.arange(n)[:, None])
+        vertices = {"NumberOfPoints": np.array([n])} | static_lines(np.arange(n)[:, None])
         pieces["elements"].set_static(vertices | {"PointData/radius": _single(lattice.particles.radius)})
         if lattice.cells is None:
             pieces["bonds"] = Piece.begin(root, "bonds", "PolyData")
             pairs = lattice.pairs[_drawn(model)]
-            static = {"NumberOfPoints": np.array([n])} | lines_of(pairs)
+            static = {"NumberOfPoints": np.array([n])} | static_lines(pairs)
             pieces["bonds"].set_static(static | {"CellData/length": _single(lattice.length[_drawn(model)])})
         else:
             pieces["cells"] = Piece.begin(root, "cells", "UnstructuredGrid")
             c = Corners(lattice)
-            static = polyhedra_of(_single(c.place), c.cell, c.number, c.start, c.polygon_cell, n)
+            static = static_polyhedra(_single(c.place), c.cell, c.number, c.start, c.polygon_cell, n)
             pieces["cells"].set_static(static | {"CellData/volume": _single(lattice.cells.volume)})
         if cracks is not None:
             pieces["cracks"] = Piece.begin(root, "cracks", "PolyData")
         return cls(pieces, cracks)
 
     @classmethod
-    def of(cls, file: h5py.File, cracks: Callable[[State], Polygons] | None) -> "Snapshots":
+    def of(cls, file: h5py.File, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
         """Those of a file that has them."""
         root: Any = file["VTKHDF"]
         pieces = {name: Piece(root[name]) for name in root if name != "Assembly"}

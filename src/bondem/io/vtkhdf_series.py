@@ -155,7 +155,7 @@ def append(group: h5py.Group, name: str, rows: Any) -> int:
     return begin
 
 
-def polyhedra_of(point: Floats, cell: Ints, number: Ints, start: Ints, owner: Ints, count: int) -> dict[str, Any]:
+def static_polyhedra(point: Floats, cell: Ints, number: Ints, start: Ints, owner: Ints, count: int) -> dict[str, Any]:
     """Static arrays of `count` polyhedra, each with points of its own.
 
     Args:
@@ -178,7 +178,7 @@ def polyhedra_of(point: Floats, cell: Ints, number: Ints, start: Ints, owner: In
     return arrays | {"NumberOf" + name: np.array([size]) for name, size in sizes.items()}
 
 
-def lines_of(pairs: Ints) -> dict[str, Any]:
+def static_lines(pairs: Ints) -> dict[str, Any]:
     """Static arrays of lines between points, (c, 2), or of vertices, (c, 1)."""
     arrays: dict[str, Any] = {}
     for kind in _KINDS:

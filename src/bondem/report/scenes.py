@@ -28,7 +28,7 @@ _UNITS = {
 _FINE, _COARSE, _MANY = 24, 10, 20_000
 
 
-def render(
+def render_run(
     run_file: Path, out: Path, *, field: str | None = None, show: str = "auto", snapshot: int = -1,
     section: str | None = None, warp: float = 1.0, size: Sequence[int] = (1200, 800),
 ) -> Path:  # fmt: skip
@@ -53,19 +53,17 @@ def render(
     if not film and out.suffix.lower() != ".png":
         raise InputError(f"'{out}': give a name that ends in .png, or in .mp4 or .gif for a film")
     scene = _Scene(run_file, field, show, section, warp)
-    plotter = pyvista.Plotter(off_screen=True, window_size=list(size))
+    plotter: Any = pyvista.Plotter(off_screen=True, window_size=list(size))
     plotter.set_background(_BACKGROUND)
     if not film:
         scene.draw(plotter, scene.number(snapshot))
         plotter.screenshot(out)
     else:
-        if out.suffix.lower() == ".gif":
-            plotter.open_gif(str(out))
-        else:
-            try:
-                plotter.open_movie(str(out))
-            except (ImportError, ValueError) as error:
-                raise InputError(f"'{out}': films need imageio-ffmpeg ({error}), or ask for .gif") from error
+        try:
+            plotter.open_gif(str(out)) if out.suffix.lower() == ".gif" else plotter.open_movie(str(out))
+        except (ImportError, ValueError) as error:
+            told = " ".join(str(error).split())
+            raise InputError(f'films need imageio ({told}): pip install "bondem[view]"') from None
         for number in range(scene.count):
             plotter.clear_actors()
             scene.draw(plotter, number)
@@ -74,12 +72,12 @@ def render(
     return out
 
 
-def view(
+def view_run(
     run_file: Path, *, field: str | None = None, show: str = "auto", snapshot: int = -1, warp: float = 1.0
 ) -> None:
     """Open a window with a slider through the snapshots."""
     scene = _Scene(run_file, field, show, None, warp)
-    plotter = pyvista.Plotter()
+    plotter: Any = pyvista.Plotter()
     plotter.set_background(_BACKGROUND)
     chosen = scene.number(snapshot)
 
@@ -139,7 +137,8 @@ class _Scene:
             bar = {"color": "black", "title": _titled(name), "n_labels": 3, "fmt": "%.3g"}
             plotter.add_mesh(
                 body, scalars=name, cmap="tab20" if name == "fragment" else SEQUENTIAL, smooth_shading=False,
-                show_scalar_bar=name not in ("fragment", None), scalar_bar_args=bar, color=GREY, name="body", **_LIGHT,
+                show_scalar_bar=name not in ("fragment", None), scalar_bar_args=bar, color=GREY, name="body",
+                **_LIGHT,
             )  # fmt: skip
         cracks = pieces.get("cracks")
         if cracks is not None and cracks.n_cells and (self.show == "cracks" or self.section):
