@@ -106,23 +106,26 @@ def test_vtk_reads_what_the_run_had(tmp_path: Path, make) -> None:
             )  # fmt: skip
 
 
-def test_a_run_that_goes_on_has_the_same_snapshots(tmp_path: Path) -> None:
-    """Killed between two checkpoints, after a snapshot that the checkpoint does not know."""
+@pytest.mark.parametrize(("snapshot_every", "killed", "kept"), [(150, 450, 400), (200, 400, 200)])
+def test_a_run_that_goes_on_has_the_same_snapshots(
+    tmp_path: Path, snapshot_every: int, killed: int, kept: int
+) -> None:
+    """Killed after a snapshot that the last checkpoint does not know, also between both of one step."""
     model = cells()
     dt = bd.solve_explicit(model, duration=0.0).dt
-    options = {"every": 50, "save_every": 200, "snapshot_every": 150}
+    options = {"every": 50, "save_every": 200, "snapshot_every": snapshot_every}
     whole = bd.solve_explicit(model, duration=900 * dt, out=tmp_path / "whole.h5", **options)
 
     class Cut(RunFile):
         def snapshot(self, state: State) -> None:
             super().snapshot(state)
-            if state.step == 450:
+            if state.step == killed:
                 raise EnoughError
 
     place, plan = tmp_path / "cut.h5", read_run(tmp_path / "whole.h5").plan
     with pytest.raises(EnoughError), Cut(place, model, plan, cracks=GrowingCracks(model.lattice)) as sink:
         integrate(model, plan, sink=sink)
-    assert read_run(place).state.step == 400
+    assert read_run(place).state.step == kept
     assert_same_bits(whole, bd.resume(place))
     with h5py.File(tmp_path / "whole.h5") as one, h5py.File(place) as other:
         names = []
@@ -130,7 +133,7 @@ def test_a_run_that_goes_on_has_the_same_snapshots(tmp_path: Path) -> None:
         for name in names:
             if isinstance(one["VTKHDF"][name], h5py.Dataset):
                 np.testing.assert_array_equal(one["VTKHDF"][name], other["VTKHDF"][name], err_msg=name)
-        assert one["VTKHDF/elements/Steps"].attrs["NSteps"] == 7
+        assert one["VTKHDF/elements/Steps"].attrs["NSteps"] == 1 + 900 // snapshot_every
 
 
 def test_a_full_disk_leaves_the_checkpoint_before(tmp_path: Path) -> None:

@@ -42,7 +42,11 @@ class GrowingCracks:
         """The outlines of a state."""
         whole = state.bond_integrity
         chosen = np.flatnonzero(whole < 1.0)
-        if len(chosen) and self._solid is None and self._lattice.facets is not None:
+        if not len(chosen):
+            none = np.zeros(0)
+            fields = dict.fromkeys(("integrity", "area", "opening", "sliding"), none) | {"facet": chosen}
+            return CrackOutlines(np.zeros((0, 3)), np.zeros(1, dtype=np.int64), fields)
+        if self._solid is None and self._lattice.facets is not None:
             self._solid = polyhedra(self._lattice)
         faces = faces_of(self._lattice, state, chosen)
         found = crack_polygons(self._lattice, state, chosen, faces, self._solid)

@@ -132,7 +132,7 @@ class RunFile:
             assert goes_on is not None
             self._file = h5py.File(self._raw, "r+", libver=("v108", "v108"))
             if "VTKHDF" in self._file:
-                self._snapshots = Snapshots.of(self._file, self._cracks)
+                self._snapshots = Snapshots.of(self._file, model, self._cracks)
                 self._snapshots.cut(goes_on.state.time)
 
     def __enter__(self) -> Self:

@@ -49,24 +49,25 @@ class Snapshots:
     Attributes:
         pieces: by name.
         cracks: finds the outlines of cracks in a state, None where nothing breaks.
+        drawn: bonds that are shown, by number: those that do not cross the border of a periodic cell.
     """
 
     pieces: Mapping[str, Piece]
     cracks: Callable[[State], Outlined] | None
+    drawn: np.ndarray
 
     @classmethod
     def begin(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
         """Write what does not change."""
         root = begin_collection(file)
-        lattice, n = model.lattice, len(model.lattice.particles)
+        lattice, n, drawn = model.lattice, len(model.lattice.particles), _drawn(model)
         pieces = {"elements": Piece.begin(root, "elements", "PolyData")}
         vertices = {"NumberOfPoints": np.array([n])} | static_lines(np.arange(n)[:, None])
         pieces["elements"].set_static(vertices | {"PointData/radius": _single(lattice.particles.radius)})
         if lattice.cells is None:
             pieces["bonds"] = Piece.begin(root, "bonds", "PolyData")
-            pairs = lattice.pairs[_drawn(model)]
-            static = {"NumberOfPoints": np.array([n])} | static_lines(pairs)
-            pieces["bonds"].set_static(static | {"CellData/length": _single(lattice.length[_drawn(model)])})
+            static = {"NumberOfPoints": np.array([n])} | static_lines(lattice.pairs[drawn])
+            pieces["bonds"].set_static(static | {"CellData/length": _single(lattice.length[drawn])})
         else:
             pieces["cells"] = Piece.begin(root, "cells", "UnstructuredGrid")
             c = Corners(lattice)
@@ -74,14 +75,14 @@ class Snapshots:
             pieces["cells"].set_static(static | {"CellData/volume": _single(lattice.cells.volume)})
         if cracks is not None:
             pieces["cracks"] = Piece.begin(root, "cracks", "PolyData")
-        return cls(pieces, cracks)
+        return cls(pieces, cracks, drawn)
 
     @classmethod
-    def of(cls, file: h5py.File, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
+    def of(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
         """Those of a file that has them."""
         root: Any = file["VTKHDF"]
         pieces = {name: Piece(root[name]) for name in root if name != "Assembly"}
-        return cls(pieces, cracks if "cracks" in pieces else None)
+        return cls(pieces, cracks if "cracks" in pieces else None, _drawn(model))
 
     def take(self, model: Model, state: State) -> None:
         """Add one, unless there is one of this time already."""
@@ -100,8 +101,7 @@ class Snapshots:
             state.time, points=place, point_data={"radius": None} | own, cell_data={}
         )
         if "bonds" in self.pieces:
-            drawn = _drawn(model)
-            fields = {name: values[drawn] for name, values in _of_bonds(model, state).items()}
+            fields = {name: values[self.drawn] for name, values in _of_bonds(model, state, place).items()}
             self.pieces["bonds"].add_step(
                 state.time, points=place, point_data={}, cell_data={"length": None} | fields
             )
@@ -125,10 +125,13 @@ def _single(values: Any) -> Any:
 
 
 def _drawn(model: Model) -> np.ndarray:
-    """Bonds that do not cross the border of a periodic cell, (m,)."""
+    """Numbers of the bonds that do not cross the border of a periodic cell."""
+    if model.lattice.particles.period is None:
+        return np.arange(len(model.lattice.pairs))
     position, pairs = model.lattice.particles.position, model.lattice.pairs
     plain = position[pairs[:, 1]] - position[pairs[:, 0]]
-    return np.abs(plain - model.lattice.branch).max(axis=1) < 1e-6 * model.lattice.particles.mean_radius
+    across = np.abs(plain - model.lattice.branch).max(axis=1)
+    return np.flatnonzero(across < 1e-6 * model.lattice.particles.mean_radius)
 
 
 def _stress(model: Model, state: State) -> Floats | None:
@@ -140,13 +143,13 @@ def _stress(model: Model, state: State) -> Floats | None:
     return None
 
 
-def _of_bonds(model: Model, state: State) -> dict[str, Floats]:
+def _of_bonds(model: Model, state: State, position: Floats) -> dict[str, Floats]:
     whole = state.bond_integrity
     if not isinstance(model.bond, BondLaw | Mapping) or model.formulation != "total":
         return {"integrity": whole}
     lattice, strain = model.lattice, state.stress_free_strain
     i, j = lattice.pairs.T
-    length = np.linalg.norm(lattice.particles.nearest(state.position[j] - state.position[i]), axis=1)
+    length = np.linalg.norm(lattice.particles.nearest(position[j] - position[i]), axis=1)
     rest = lattice.length * (1.0 + _by_user(model, strain)) if strain.size else lattice.length
     return {"integrity": whole, "normal_force": whole * model.stiffness.kn * (length - rest)}
 

@@ -38,13 +38,20 @@ def mean_stress(model: Model, forces: CellForces) -> Floats:
         (grips.cell, forces.held_arm, forces.held), (cells.free.cell, forces.load_arm, forces.load),
     ):  # fmt: skip
         _add(moment, owner, arm, force)
-    return 0.5 * (moment + np.swapaxes(moment, 1, 2)) / cells.volume[:, None, None]
+    return moment / cells.volume[:, None, None]
 
 
 def _add(moment: Floats, owner: Ints, arm: Floats, force: Floats) -> None:
+    """Add sym Σ b⊗f."""
     for a in range(3):
-        for b in range(3):
-            moment[:, a, b] += np.bincount(owner, weights=arm[:, a] * force[:, b], minlength=len(moment))
+        for b in range(a, 3):
+            part = arm[:, a] * force[:, b]
+            if a != b:
+                part = 0.5 * (part + arm[:, b] * force[:, a])
+            total = np.bincount(owner, weights=part, minlength=len(moment))
+            moment[:, a, b] += total
+            if a != b:
+                moment[:, b, a] += total
 
 
 def dilatation(model: Model, stress: Floats) -> PerElement:

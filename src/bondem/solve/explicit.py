@@ -102,12 +102,13 @@ def integrate(
             turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {beyond}"
         if progress is not None:
             progress(state.step / total)
+        if plan.snapshot_every and state.step % plan.snapshot_every == 0 and sink is not None:
+            # before the checkpoint: a run that goes on from there does not take it again
+            sink.snapshot(state)
         if plan.save_every and state.step % plan.save_every == 0 and sink is not None:
             history = history.extended(*fresh)
             fresh.clear()
             sink.checkpoint(state, history)
-        if plan.snapshot_every and state.step % plan.snapshot_every == 0 and sink is not None:
-            sink.snapshot(state)
         if state.step - kept[-1].step >= _CHUNK:
             kept = (kept[-1], state.copy())
         if callback is not None and len(records) and callback(state, History(records, names)):
