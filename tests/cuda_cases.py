@@ -20,10 +20,9 @@ from bondem.kernels.cell_pass import STRESS
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
-from cuda_in_turn import simulate_in_turn
 
 if "NUMBA_ENABLE_CUDASIM" in os.environ:
-    simulate_in_turn()
+    importlib.import_module("cuda_in_turn").simulate_in_turn()
 
 #: Whether to carry out variants, too, that differ from others by how a run is paused alone.
 EVERY = "BONDEM_EVERY_CASE" in os.environ
