@@ -21,6 +21,9 @@ from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
 
+if "NUMBA_ENABLE_CUDASIM" in os.environ:
+    importlib.import_module("cuda_in_turn").simulate_in_turn()
+
 #: Whether to carry out variants, too, that differ from others by how a run is paused alone.
 EVERY = "BONDEM_EVERY_CASE" in os.environ
 

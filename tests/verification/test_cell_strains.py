@@ -42,7 +42,7 @@ def test_a_slow_run_ends_in_the_static_solution(body: bd.Lattice) -> None:
     """Heated in the middle between walls, and all around free: displacements, and stresses of the cells."""
     model = bd.Model(body, LAW, RHO, boundary=[*ENDS, heated(1e-3, 0.1, WARM)])
     static = bd.solve_static(model)
-    run = bd.solve_explicit(model, duration=0.3, damping=bd.MassDamping(100.0), every=1000)
+    run = bd.solve_explicit(model, duration=0.3, damping=bd.LocalDamping(0.3), every=1000)
     # of the order of the strain, as the run is of large displacements
     far = np.abs((run.state.displacement - static.displacement)[:, 0]).max()
     assert far < 2e-3 * np.abs(static.displacement).max()
@@ -64,9 +64,11 @@ def test_energy_is_kept_to_second_order(body: bd.Lattice) -> None:
 
 def test_a_free_body_grows_without_stress(body: bd.Lattice) -> None:
     model = bd.Model(body, LAW, RHO, boundary=[heated(1e-2, 0.1)])
-    run = bd.solve_explicit(model, duration=0.4, damping=bd.MassDamping(100.0))
-    gradient = np.polyfit(body.centre[:, 0], run.state.displacement[:, 0], 1)[0]
-    assert gradient == pytest.approx(1e-2, rel=1e-6)
+    run = bd.solve_explicit(model, duration=0.4, damping=bd.LocalDamping(0.7))
+    # local damping may turn it as a whole: what it has been stretched by, along its three main axes
+    before, after = (one - one.mean(axis=0) for one in (body.centre, body.centre + run.state.displacement))
+    stretch = np.linalg.svd(np.linalg.lstsq(before, after, rcond=None)[0], compute_uv=False)
+    np.testing.assert_allclose(stretch - 1.0, 1e-2, rtol=1e-6)
     assert np.abs(bd.cell_stress(model, run.state)).max() < 1e-6 * E * 1e-2
 
 
@@ -75,7 +77,7 @@ def test_shrinkage_cracks_a_bar_between_walls(body: bd.Lattice) -> None:
     strength, energy = 1e6, 900.0
     failure = bd.Rankine(tension=strength, fracture_energy=energy)
     model = bd.Model(body, LAW, RHO, failure=failure, boundary=[*ENDS, heated(-5e-3, 1.0)])
-    run = bd.solve_explicit(model, duration=1.0, gauges=NEAR, damping=bd.MassDamping(30.0), every=20)
+    run = bd.solve_explicit(model, duration=1.0, gauges=NEAR, damping=bd.LocalDamping(0.3), every=20)
     pull = np.abs(run.history["near"][:, 0])
     assert pull.max() == pytest.approx(strength, rel=0.03)
     assert run.history.time[np.argmax(pull)] == pytest.approx(strength / E / 5e-3, rel=0.05)
@@ -89,7 +91,7 @@ def test_heat_makes_cells_yield_between_walls(body: bd.Lattice) -> None:
     failure = bd.MohrCoulomb(tension=1e6, cohesion=1e6, friction_angle=0.5, fracture_energy=900.0,
                              fracture_energy_shear=1e9)  # fmt: skip
     model = bd.Model(body, LAW, RHO, failure=failure, boundary=[*ENDS, heated(6e-3, 0.5)])
-    run = bd.solve_explicit(model, duration=0.6, gauges=NEAR, damping=bd.MassDamping(100.0), every=20)
+    run = bd.solve_explicit(model, duration=0.6, gauges=NEAR, damping=bd.LocalDamping(0.3), every=20)
     push = np.abs(run.history["near"][:, 0])
     assert push.max() == pytest.approx(2e6 * np.cos(0.5) / (1.0 - np.sin(0.5)), rel=0.02)
     assert run.state.slipped.max() > 1e-3
