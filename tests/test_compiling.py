@@ -1,5 +1,8 @@
 """What the decorators of compiled code promise: branches decided, no entry for Python, no variant for a constant."""
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from numba import typeof, types
@@ -66,3 +69,24 @@ def test_constants_make_no_variants():
         between.get_call_template([typeof(x), pair], {})
     assert len(shifted.signatures) == 1
     assert len(between.signatures) == 1
+
+
+def test_a_fork_after_threads_is_told_of():
+    """Before anything was compiled it is not; a subprocess is no fork."""
+    code = (
+        "import os, subprocess, sys, warnings, bondem as bd\n"
+        "warnings.simplefilter('always')\n"
+        "def fork():\n"
+        "    with warnings.catch_warnings(record=True) as told:\n"
+        "        warnings.simplefilter('always')\n"
+        "        if not os.fork():\n"
+        "            os._exit(0)\n"
+        "        os.wait()\n"
+        "    return [str(one.message) for one in told if 'forks after bondem' in str(one.message)]\n"
+        "first = fork()\n"
+        "bd.connect(bd.pack(bd.Box((1.0,) * 3), count=100, seed=1))\n"
+        "subprocess.run([sys.executable, '-c', 'pass'])\n"
+        "print(len(first), len(fork()))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert done.stdout.split() == ["0", "1"], done.stderr
