@@ -84,7 +84,7 @@ def test_a_fork_after_threads_is_told_of():
         "        os.wait()\n"
         "    return [str(one.message) for one in told if 'forks after bondem' in str(one.message)]\n"
         "first = fork()\n"
-        "bd.connect(bd.pack(bd.Box((1.0,) * 3), count=100, seed=1))\n"
+        "bd.connect(bd.pack(bd.Box((1.0,) * 3), count=400, seed=1))\n"
         "subprocess.run([sys.executable, '-c', 'pass'])\n"
         "print(len(first), len(fork()))\n"
     )
