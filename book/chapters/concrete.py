@@ -13,7 +13,8 @@ CONCRETE = Measurement("concrete", "python benchmarks/concrete.py && python benc
 BENDING = Measurement(
     "bending_energy",
     "python benchmarks/bending_energy.py --together 0.01 && python benchmarks/bending_energy.py --ripples 0.02"
-    " --together 0.005 && python benchmarks/bending_energy.py --counts 10000 --seeds 1 --ripples 0.02 --together 0.005",
+    " --together 0.005 && python benchmarks/bending_energy.py --counts 10000 --seeds 1 --ripples 0.02"
+    " --together 0.005",
     "15 min",
 )
 MEASUREMENTS = CONCRETE, BENDING

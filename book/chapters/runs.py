@@ -29,13 +29,13 @@ def _of(key: str) -> int:
 
 def _killed() -> Section:
     kills = _of("kills")
-    told = f"{_of('cells')} cells, {_of('steps')} steps, {_of('broken')} facets break, kept every {_of('every')} steps"
+    told = f"{_of('cells')} cells, {_of('steps')} steps, {_of('broken')} facets break, kept every {_of('every')}"
     every = Near(relative=0.0)
     return Section(
         title="Killed while they run and write",
         before=(
-            "Each run is a process of its own that writes a checkpoint and a snapshot every few steps; SIGKILL comes at"
-            " a random moment after the first."
+            "Each run is a process of its own that writes a checkpoint and a snapshot every few steps; SIGKILL comes"
+            " at a random moment after the first."
         ),
         rows=(
             Row(case=f"{told}: runs killed whose file bondem and VTK's own reader open", paper=float(kills),
@@ -72,15 +72,16 @@ def _output() -> Section:
         rows += [
             Row(case=f"{told}: a step", ours=OUTPUT.of(one["step"]["median"]), form=SECONDS),
             Row(case=f"{told}: a snapshot", ours=OUTPUT.of(one["snapshot"]["median"]), form=SECONDS),
-            Row(case=f"{told}: its size", ours=OUTPUT.of(one["bytes a snapshot"] / 1e6), form=Form("MB", style=".1f")),
+            Row(case=f"{told}: its size", form=Form("MB", style=".1f"),
+                ours=OUTPUT.of(one["bytes a snapshot"] / 1e6)),
             Row(case=f"{told}: a hundred snapshots over a run of {OUTPUT.at('long')} steps", form=PERCENT,
                 ours=OUTPUT.of(one["cost"]), tolerance=AtMost(0.05)),
         ]  # fmt: skip
     return Section(
         title="Output",
         before=(
-            "Snapshots every hundredth of a run; the compression test of 12 000 elements takes 55 000 steps, and finer"
-            " bodies take more."
+            "Snapshots every hundredth of a run; the compression test of 12 000 elements takes 55 000 steps, and"
+            " finer bodies take more."
         ),
         rows=tuple(rows),
     )
