@@ -73,8 +73,8 @@ def _scorecard() -> Section:
             " beyond, P δ of that event (Elices, Guinea and Planas 1992). What the path itself dissipates until its"
             " end is 0.012 to 0.020 J less (0.045 J for the finest body): part of the miss is this tail. The rest is"
             " the path's own: facets beside the crack, and which of nearly equal facets fails first. Seed 1 gave"
-            " 0.633, 0.741 and 0.668 J in three editions of the solver, whose equilibria differ by less than 1e-4: the"
-            " work of one packing is not known to better than a tenth, its peak to half a per cent. In the run of"
+            " 0.633, 0.741 and 0.668 J in three editions of the solver, whose equilibria differ by less than 1e-4:"
+            " the work of one packing is not known to better than a tenth, its peak to half a per cent. In the run of"
             " 0.741 J the tail alone was 0.075 J, where the path went on to dissipate 0.014 J."
         ),
     )  # fmt: skip
