@@ -156,6 +156,16 @@ def test_names_of_the_user_are_no_markup(tmp_path: Path) -> None:
     assert "out [/b]" in done.stdout
 
 
+def test_a_shell_completes_commands(tmp_path: Path) -> None:
+    done = command("completion", "fish", cwd=tmp_path)
+    assert done.returncode == 0
+    assert "_BONDEM_COMPLETE=fish_complete" in done.stdout
+    asked = os.environ | {"_BONDEM_COMPLETE": "bash_complete", "COMP_WORDS": "bondem re", "COMP_CWORD": "1"}
+    code = "import sys; sys.argv = ['bondem']; from bondem.cli import main; main()"
+    told = subprocess.run([sys.executable, "-c", code], env=asked, capture_output=True, text=True, timeout=60).stdout
+    assert told.split() == ["plain,render", "plain,resume"]
+
+
 @pytest.mark.parametrize("options", [{}, {"field": "velocity", "show": "bonds"}, {"field": "fragment"}], ids=str)
 def test_a_picture_of_a_run(tmp_path: Path, options: dict[str, str]) -> None:
     scenes = pytest.importorskip("bondem.report.scenes")

@@ -102,7 +102,7 @@ def _seeds(one: dict[str, Any]) -> str:
 def _full() -> Section:
     """The paper's sizes."""
     rows, seconds = [], []
-    for kept, one in ((kept, one) for kept in (FULL, OTHERS) for one in kept.at("cases")):
+    for kept, one in ((source, case) for source in (FULL, OTHERS) for case in source.at("cases")):
         words = f"{one['test']}, {one['failure']}, {one['count'][0]} elements, {_seeds(one)}"
         rows.append(Row(case=f"{words}: peak", source="§4", paper=one["measured"], form=STRESS,
                         ours=kept.of(*one["peak"]), tolerance=Near(relative=kept.at("limit"))))  # fmt: skip

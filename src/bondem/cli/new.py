@@ -1,4 +1,4 @@
-"""`bondem new silica`, `bondem new cells` or `bondem new concrete`: a commented study to begin from."""
+"""`bondem new silica`, `bondem new ucs` …: a commented study to begin from."""
 
 from pathlib import Path
 
@@ -13,9 +13,10 @@ from bondem.study.beginnings import TEMPLATES, template
 @click.argument("kind", metavar="|".join(TEMPLATES), type=click.Choice(tuple(TEMPLATES)))
 @click.argument("file", metavar="[FILE]", type=click.Path(path_type=Path), required=False)
 def command(kind: str, file: Path | None) -> None:
-    """Write a commented study file: beam bonds (silica), cells (cells), or cells to failure (concrete).
+    """Write a commented study file to begin from.
 
-    Beam bonds are calibrated, cells need no calibration; concrete is a test programme of several specimens.
+    silica has beam bonds, which are calibrated; all others have cells, which need no calibration. concrete is a test
+    programme of several specimens; ucs, brazilian, shear, crushing and impact are single tests to failure.
     """
     path = file or Path(TEMPLATES[kind])
     if path.exists():

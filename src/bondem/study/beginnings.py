@@ -3,7 +3,11 @@
 from importlib.resources import files
 
 #: The files in `templates/`, by what one calls them; copies of the repository's examples/.
-TEMPLATES = {"silica": "silica.toml", "cells": "silica_cells.toml", "concrete": "concrete.toml"}
+TEMPLATES = {
+    "silica": "silica.toml", "cells": "silica_cells.toml", "concrete": "concrete.toml", "ucs": "ucs.toml",
+    "brazilian": "brazilian.toml", "shear": "shear.toml", "crushing": "sphere_crushing.toml",
+    "impact": "sphere_impact.toml",
+}  # fmt: skip
 
 
 def template(name: str, file: str) -> str:
