@@ -243,7 +243,7 @@ def test_every_option_is_known_to_the_device() -> None:
         "lattice", "bond", "density", "boundary", "contact", "walls", "failure",
     }  # fmt: skip
     assert {f.name for f in dataclasses.fields(Plan)} == {
-        "duration", "dt", "scheme", "damping", "gauges", "every", "save_every", "until", "safety",
+        "duration", "dt", "scheme", "damping", "gauges", "every", "save_every", "snapshot_every", "until", "safety",
     }  # fmt: skip
 
 

@@ -144,6 +144,7 @@ def alive(process):
     return state != "Z"
 
 
+@pytest.mark.filterwarnings("ignore:this process forks")  # as it does for preexec_fn
 def test_an_interrupted_run_ends_at_once(tmp_path):
     arguments = ["refinement", "--out", "out", "--counts", "60,30000", "--packings", "1", "--targets", "jamming",
                  "--periodic", "0"]  # fmt: skip

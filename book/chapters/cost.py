@@ -10,13 +10,19 @@ from book.row import Row
 from book.tolerances import AtLeast, AtMost
 
 PEERS = Measurement("peers", "python benchmarks/peers/compare.py --elements 10000 100000", "20 min")
+KRATOS = Measurement(
+    "peers_kratos",
+    "python benchmarks/peers/compare.py --elements 12000 --codes bondem lammps kratos"
+    " --output benchmarks/results/peers_kratos.json",
+    "5 min",
+)
 AGAINST = Measurement("against", "python benchmarks/against.py speed", "20 min")
 STEPS = Measurement("bond_steps", "python benchmarks/bond_steps.py --threads 1 --repeat 3 --largest 20000", "1 min")
 CALLBACK = Measurement("callback", "python benchmarks/callback.py", "1 min")
 FAILING = Measurement("breaking_cells", "python benchmarks/breaking.py --cells", "2 min")
 TOUCHING = Measurement("breaking_contact", "python benchmarks/breaking.py --contact", "2 min")
 TOUCHING_CELLS = Measurement("breaking_cells_contact", "python benchmarks/breaking.py --cells --contact", "4 min")
-MEASUREMENTS = (PEERS, AGAINST, STEPS, CALLBACK, TIMES, FAILING, TOUCHING, TOUCHING_CELLS)
+MEASUREMENTS = (PEERS, KRATOS, AGAINST, STEPS, CALLBACK, TIMES, FAILING, TOUCHING, TOUCHING_CELLS)
 
 RATE = Form("M/s", 1e6, ".0f")
 FINE_RATE = Form("M/s", 1e6, ".1f")
@@ -161,10 +167,22 @@ def _peers() -> Section:
                 Row(case=f"{NAMES[code]}, bond-steps, {many} elements", form=FINE_RATE,
                     ours=PEERS.of(1e6 * found["Mbond_steps_per_s_median"])),
             ]  # fmt: skip
+    found = KRATOS.at("specimens", 0, "codes", "kratos")
+    rows += [
+        Row(case="bondem over Kratos DEM_KDEM, one thread each, 12 000 elements", form=RATIO, tolerance=AtLeast(20.0),
+            ours=KRATOS.of(found["ratio_median"])),
+        Row(case="Kratos DEM_KDEM, bond-steps, 12 000 elements", form=FINE_RATE,
+            ours=KRATOS.of(1e6 * found["Mbond_steps_per_s_median"])),
+        Row(case=f"bondem over {NAMES['lammps']}, the same run", form=RATIO,
+            ours=KRATOS.of(KRATOS.at("specimens", 0, "codes", "lammps")["ratio_median"])),
+    ]  # fmt: skip
     return Section(
         title="Peers",
         rows=tuple(rows),
-        after="Medians. The motion of all codes is compared before any ratio.",
+        after=(
+            "Medians. The motion of all codes is compared before any ratio; that of Kratos is not, as its bonds are"
+            " others (normal and tangential springs; stresses and the effect of ν are switched off)."
+        ),
     )
 
 
