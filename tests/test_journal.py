@@ -7,6 +7,7 @@ import h5py
 import numpy as np
 import pytest
 
+import bondem as bd
 from bondem.errors import RunFileError
 from bondem.io import journal
 from bondem.io.journal import JournaledFile, committed
@@ -129,3 +130,20 @@ def test_what_cannot_be_opened_says_so(tmp_path: Path) -> None:
         JournaledFile(tmp_path / "none.h5")
     with pytest.raises(RunFileError, match="could not be written"):
         JournaledFile(tmp_path / "a.h5", aside=tmp_path / "no folder" / "a.part")
+
+
+def test_contents_carry_out_a_commit_that_was_cut_off(tmp_path: Path) -> None:
+    """Some of its pages are in the file, all of them in the journal: the file is whole afterwards, for all."""
+    model = bd.Model(
+        bd.connect(bd.Particles(np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]), 0.5)),
+        bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 1000.0, boundary=[bd.Fix(bd.Index([0]))],
+    )  # fmt: skip
+    bd.solve_explicit(model, duration=1e-3, out=tmp_path / "run.h5")
+    path = tmp_path / "run.h5"
+    whole = path.read_bytes()
+    pages = {k: bytearray(whole[4096 * k : 4096 * (k + 1)]) for k in range(-(-len(whole) // 4096))}
+    journal._write_journal(journal.journal_of(path), len(whole), pages)
+    path.write_bytes(whole[:4096] + bytes(4096) + whole[8192:])
+    assert bd.read_contents(path).elements == 2
+    assert path.read_bytes() == whole
+    assert os.listdir(tmp_path) == ["run.h5"]

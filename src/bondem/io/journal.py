@@ -133,7 +133,7 @@ class JournaledFile(io.RawIOBase):
             if self._error is not None:
                 raise self._error
             os.fsync(self._file.fileno())
-            journal = _journal_of(self._path)
+            journal = journal_of(self._path)
             if self._pages:
                 _write_journal(journal, self._end, self._pages)
             if self._aside is not None:
@@ -157,7 +157,7 @@ class JournaledFile(io.RawIOBase):
         with suppress(OSError):
             self._file.truncate(self._committed)
         with suppress(OSError):
-            _journal_of(self._path).unlink(missing_ok=True)
+            journal_of(self._path).unlink(missing_ok=True)
 
     def close(self) -> None:
         """Close without a commit; a file that never had one goes."""
@@ -197,7 +197,7 @@ class RecoveredFile(io.BytesIO):
 
 def committed(path: Path) -> Path | RecoveredFile:
     """What to read a file from: itself, or where a whole journal lies beside it what this makes of it."""
-    found = _read_journal(_journal_of(path))
+    found = _read_journal(journal_of(path))
     if found is None:
         return path
     length, pages = found
@@ -210,7 +210,7 @@ def committed(path: Path) -> Path | RecoveredFile:
 
 def recover(path: Path, file: Any) -> None:
     """Carry out a journal that was left beside a file, or throw it away where it is not whole."""
-    journal = _journal_of(path)
+    journal = journal_of(path)
     found = _read_journal(journal)
     if found is not None:
         length, pages = found
@@ -225,7 +225,8 @@ def failed(path: Path, error: OSError) -> RunFileError:
     )
 
 
-def _journal_of(path: Path) -> Path:
+def journal_of(path: Path) -> Path:
+    """Where the journal of a file lies."""
     return path.with_name(f".{path.name}.journal")
 
 

@@ -2,6 +2,7 @@
 
 import json
 import os
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ import numpy as np
 from bondem._checks import place
 from bondem._lock import claim
 from bondem.errors import RunFileError
+from bondem.io.journal import JournaledFile, journal_of
 from bondem.io.runfile import FORMAT, reading
 from bondem.solve.history import History
 
@@ -74,6 +76,8 @@ class RunContents:
 def read_contents(path: str | Path) -> RunContents:
     """What is in a run file, also while it is written.
 
+    Where a process was killed while it carried out a commit, that is done first, so that VTK can read the file again.
+
     Args:
         path: of the file.
 
@@ -83,17 +87,21 @@ def read_contents(path: str | Path) -> RunContents:
     path = place("read_contents: path", path)
     if not path.is_file():
         raise RunFileError(f"there is no run file '{path}'; check the path")
+    written = _written(path)
+    if not written and journal_of(path).exists():
+        with suppress(RunFileError):  # where nobody may write, the journal is read beside the file
+            JournaledFile(path).close()
     with reading(path) as file:
         head: Any = file.attrs
         if head.get("format") != FORMAT:
             raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote")
         try:
-            return _contents(path, file, head)
+            return _contents(path, file, head, written)
         except Exception as error:  # damage shows in more ways than a list could hold
             raise RunFileError(f"'{path}' is damaged ({error}); start the run again") from error
 
 
-def _contents(path: Path, file: Any, head: Any) -> RunContents:
+def _contents(path: Path, file: Any, head: Any, written: bool) -> RunContents:
     plan, kept = json.loads(file["plan"][()]), file.get("state")
     gauges = json.loads(file["history"].attrs["gauges"]) if "history" in file else []
     history = History(np.asarray(file["history/records"][()]), tuple(gauges)) if "history" in file else None
@@ -109,7 +117,7 @@ def _contents(path: Path, file: Any, head: Any) -> RunContents:
         seconds=float(stands.get("seconds", 0.0)), records=0 if history is None else len(history),
         snapshots=0 if steps is None else int(steps.attrs["NSteps"]),
         broken=len(file["state/broken"]) if kept is not None and "broken" in kept else 0,
-        imbalance=None if missed is None or not np.isfinite(missed) else missed, written=_written(path),
+        imbalance=None if missed is None or not np.isfinite(missed) else missed, written=written,
         provenance={str(key): str(value) for key, value in told.items()}, schema=int(head["schema"]),
     )  # fmt: skip
 
