@@ -106,7 +106,7 @@ def test_vtk_reads_what_the_run_had(tmp_path: Path, make) -> None:
             )  # fmt: skip
 
 
-@pytest.mark.parametrize(("snapshot_every", "killed", "kept"), [(150, 450, 400), (200, 400, 200)])
+@pytest.mark.parametrize(("snapshot_every", "killed", "kept"), [(150, 450, 400), (200, 400, 200), (200, 0, 0)])
 def test_a_run_that_goes_on_has_the_same_snapshots(
     tmp_path: Path, snapshot_every: int, killed: int, kept: int
 ) -> None:

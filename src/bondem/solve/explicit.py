@@ -76,6 +76,7 @@ def integrate(
     warning = f"; {remark}" if remark else ""
     turned = ""
     if sink is not None and plan.snapshot_every and state.step == 0:
+        sink.checkpoint(state, history)  # a file that can be seen can be gone on from
         sink.snapshot(state)
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop:
