@@ -23,6 +23,7 @@ from book.chapters import (
     predictions,
     protocol,
     rapid_fracture,
+    runs,
     strength,
     surface,
 )
@@ -32,7 +33,7 @@ from book.small import PACKINGS
 _FILES = (
     andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, concrete,
     celigueta, laws, predictions, fracture, rapid_fracture, packings, parameters, dynamic_tests, surface,
-    formulations, dynamics, cost,
+    formulations, dynamics, cost, runs,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}
