@@ -18,7 +18,7 @@ def chapter() -> Chapter:
     return Chapter(
         name="runs",
         title="Runs that are killed, and what output costs",
-        summary="SIGKILL at random moments, single bits flipped, and the cost of snapshots: [runs](../runs.md).",
+        summary="SIGKILL at random moments, single bits flipped, and the cost of snapshots: [runs](runs.md).",
         sections=(_killed(), _flipped(), _output()),
     )
 
