@@ -32,6 +32,8 @@ def grains(position, *, law, walls=()) -> bd.Model:
         (lambda: bd.PlaneWall((0, 0, 0), (0, 0, 0)), "normal"),
         (lambda: bd.PlaneWall((0, 0), (0, 0, 1)), "point"),
         (lambda: bd.PlaneWall((0, 0, 0), (0, 0, 1), motion=bd.Driven(growth=1.0)), "radius"),
+        (lambda: bd.PlaneWall((0, 0, 0), (0, 0, 1), outer=1.0, inner=1.0), "outer"),
+        (lambda: bd.PlaneWall((0, 0, 0), (0, 0, 1), inner=-1.0), "inner"),
         (lambda: bd.CylinderWall(-1.0), "radius"),
         (lambda: bd.CylinderWall(1.0, friction=-1.0), "friction"),
         (lambda: bd.Servo(-1.0, speed=1.0), "force"),

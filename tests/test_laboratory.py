@@ -120,6 +120,9 @@ def test_a_specimen_with_borings_has_their_volume() -> None:
     ring = math.pi * 0.04 * 0.006
     assert shape.volume == pytest.approx(math.pi * 0.05**2 * 0.05 - 2.0 * ring * 0.01, rel=2e-3)
     assert "boring" in shape.faces
+    # nothing but its own surface is near: no wall within the core at the height of the borings' ends
+    along = np.array([[x, 0.0, 0.0] for x in (0.001, 0.009, 0.0101, 0.0399, 0.0401, 0.045)])
+    np.testing.assert_allclose(shape.depth(along), np.minimum(along[:, 0], 0.05 - along[:, 0]), atol=1e-12)
 
 
 def test_bending_takes_the_tension_of_mohr_and_coulomb() -> None:

@@ -50,6 +50,37 @@ def test_a_spherical_wall_presses_along_the_line_of_centres(inside: bool) -> Non
     np.testing.assert_allclose(run.history["wall"][0], push * way, rtol=1e-9)
 
 
+@pytest.mark.parametrize(("place", "nearest"), [
+    ((0.3, 0.0, 0.999), None),  # over the hole's middle parts nothing is touched
+    ((2.0, 1.0, 0.999), (2.0, 1.0, 0.0)),  # over the disc itself
+    ((3.6, 0.0, 0.79), (3.0, 0.0, 0.0)),  # beside the outer rim
+    ((0.0, 1.4, 0.79), (0.0, 2.0, 0.0)),  # beside the rim of the hole
+])  # fmt: skip
+def test_a_disc_with_a_hole_presses_from_its_nearest_place(place, nearest) -> None:
+    """Along the line from there to the centre of the sphere; infinitely stiff sideways as little as along."""
+    law = bd.LinearContact(E=E, stress_free=False)
+    disc = bd.PlaneWall((0, 0, 0), (0, 0, 2.0), outer=3.0, inner=2.0)
+    model = grains([list(place)], [1.0], law=law, walls=[disc])
+    run = bd.solve_explicit(model, duration=3e-9, dt=1e-9, every=1, gauges={"wall": bd.WallGauge(0, "force")})
+    way = np.zeros(3) if nearest is None else np.array(place) - nearest
+    overlap = 0.0 if nearest is None else 1.0 - np.linalg.norm(way)
+    push = -math.pi * E * overlap * way / max(float(np.linalg.norm(way)), 1e-300)
+    np.testing.assert_allclose(run.history["wall"][0], push, rtol=1e-6, atol=1e-6 * math.pi * E * 1e-3)
+
+
+def test_a_piston_of_finite_mass_gives_back_what_a_sphere_gives_its_rim() -> None:
+    """A sphere that meets the rim of a free disc: momentum to rounding, energy to the order of the scheme."""
+    piston = bd.PlaneWall((0, 0, -1.3), (0, 0, 1), motion=bd.Free(2000.0, velocity=(0.0, 0.0, 3.0)), outer=0.6)
+    model = grains([[1.0, 0, 0]], [1.0], law=bd.LinearContact(E=E), walls=[piston])
+    gauges = {"v": bd.WallGauge(0, "velocity")}
+    run = bd.solve_explicit(model, duration=0.5, dt=step(model, 0.01), every=1, gauges=gauges, state=model.state())
+    m, u, v = float(model.mass[0]), run.state.velocity[0], run.history["v"][-1]
+    np.testing.assert_allclose(m * u + 2000.0 * v, [0.0, 0.0, 6000.0], atol=1e-9 * 6000.0)
+    assert u[0] > 0.1
+    assert u[2] > 0.1
+    assert 0.5 * m * u @ u + 1000.0 * v @ v == pytest.approx(9000.0, rel=1e-4)
+
+
 def test_a_wall_that_is_held_from_now_on_stands_still() -> None:
     """Before, a wall that had been driven went on by itself in a stage that holds it."""
     law = bd.LinearContact(E=E)

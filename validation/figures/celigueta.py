@@ -15,7 +15,7 @@ _SLICE = 1.0  # half the thickness of a slice, over the mean radius
 _MOST = 5e-5  # displacement from which on colours are those of the end [m]
 
 
-def draw_curves(path: Path, test: str, measured: float, rows: Sequence[Mapping[str, Any]]) -> None:
+def draw_curves(path: Path, test: str, measured: float | None, rows: Sequence[Mapping[str, Any]]) -> None:
     """Stress over strain, or over time in splitting; a box for each criterion."""
     failures = list(dict.fromkeys(row["failure"] for row in rows))
     with sheet(path, 4.6 * len(failures), 3.8, 1, len(failures), squeeze=False) as (_, boxes):
@@ -24,13 +24,14 @@ def draw_curves(path: Path, test: str, measured: float, rows: Sequence[Mapping[s
             for row in rows:
                 if row["failure"] != failure:
                     continue
-                along, unit = ("strain", 1e2) if test == "compression" else ("time", 1e3)
+                along, unit = ("time", 1e3) if test == "splitting" else ("strain", 1e2)
                 x, y = unit * np.array(row["curve"][along]), 1e-6 * np.array(row["curve"]["stress"])
                 label = "" if row["areas"] in seen else f"{row['areas']} areas"
                 seen.add(row["areas"])
                 ax.plot(x, y, color=_COLOURS[row["areas"]], linewidth=0.9, alpha=0.8, label=label)
-            ax.axhline(1e-6 * measured, color=GREY, linestyle="--", linewidth=1.0, label="measured")
-            name = "strain between the plates [%]" if test == "compression" else "time [ms]"
+            if measured:
+                ax.axhline(1e-6 * measured, color=GREY, linestyle="--", linewidth=1.0, label="measured")
+            name = "time [ms]" if test == "splitting" else "strain between the plates [%]"
             ax.set(title=f"{test}, {failure}", xlabel=name, ylabel="stress [MPa]", xlim=(0.0, None), ylim=(0.0, None))
             ax.legend(frameon=False)
 
@@ -43,8 +44,8 @@ def draw_broken(path: Path, runs: Sequence[tuple[Mapping[str, Any], Mapping[str,
             ax.set_axis_off()
         for ax, (run, kept) in zip(boxes.T.flat, runs, strict=False):
             position, moved, radius = kept["position"], kept["displacement"], kept["radius"]
-            # seen along the axis in splitting, across it in compression
-            middle, across, up = (1, 2, 0) if run["test"] == "compression" else (0, 1, 2)
+            # seen along the axis in splitting, across it in the other tests
+            middle, across, up = (0, 1, 2) if run["test"] == "splitting" else (1, 2, 0)
             level = 0.5 * (position[:, middle].min() + position[:, middle].max())
             inside = np.flatnonzero(np.abs(position[:, middle] - level) < _SLICE * radius.mean())
             place = position[inside] + 20.0 * np.clip(moved[inside], -5e-4, 5e-4)

@@ -1,6 +1,7 @@
 """The command of a study, made from its fields: `python -m validation NAME --out DIR`."""
 
 import inspect
+import os
 import re
 import sys
 from collections.abc import Callable
@@ -23,7 +24,11 @@ def command_of(kind: type[Study]) -> click.Command:
         click.Option(
             ["--processes"], type=click.IntRange(min=1), help="How many work at once; one a core unless given."
         ),
-    ]
+        click.Option(
+            ["--threads"], type=click.IntRange(min=1, max=os.cpu_count()), default=1, show_default=True,
+            help="Threads of each.",
+        ),
+    ]  # fmt: skip
     told = explained(kind)
     for field in fields(kind):
         default = field.default
@@ -35,10 +40,12 @@ def command_of(kind: type[Study]) -> click.Command:
             type=str if isinstance(default, tuple) else type(default), callback=_read(field),
         ))  # fmt: skip
 
-    def carry_out(out: Path, processes: int | None, **options: Any) -> None:
+    def carry_out(out: Path, processes: int | None, threads: int, **options: Any) -> None:
         words = f"python -m validation {' '.join(sys.argv[1:])}"
         with progress_bars() as progress:
-            run(kind(**options), out, processes=processes, command=words, progress=progress)
+            run(
+                kind(**options), out, processes=processes, thread_count=threads, command=words, progress=progress
+            )
         click.echo(f"\n{(out / 'table.md').read_text(encoding='utf-8')}")
         click.echo(f"{out / 'report.html'}\n{out / 'results.json'}")
 

@@ -1,7 +1,7 @@
 """Carry out a study: rows over several processes, each kept as soon as it is there, and only what is missing.
 
-Processes are spawned, since OpenMP does not survive a fork, and work on one thread each: many packings at once use
-cores better than threads within one do.
+Processes are spawned, since OpenMP does not survive a fork, and work on one thread each unless told otherwise: many
+packings at once use cores better than threads within one do.
 """
 
 import multiprocessing
@@ -33,6 +33,7 @@ def run(
     out: str | Path,
     *,
     processes: int | None = None,
+    thread_count: int = 1,
     command: str = "",
     progress: Callable[[str, float], None] | None = None,
 ) -> dict[str, Any]:
@@ -42,6 +43,7 @@ def run(
         study: what to make.
         out: folder for the results, of an earlier run or new.
         processes: how many work at once; one a core unless given.
+        thread_count: threads of each.
         command: that the results are to name.
         progress: told the stage and the share of it that is done.
 
@@ -63,7 +65,9 @@ def run(
         while True:
             number += 1
             possible = [request for request in requests if request.needs not in failed]
-            rows = gather(possible, out, processes=processes, progress=partial(tell, stage))
+            rows = gather(
+                possible, out, processes=processes, thread_count=thread_count, progress=partial(tell, stage)
+            )
             failed |= {request: row for request, row in zip(possible, rows, strict=True) if row["error"]}
             stage, requests = stages.send(rows)
     good = [row for row in rows if not row["error"]]
@@ -85,6 +89,7 @@ def gather(
     folder: Path,
     *,
     processes: int | None = None,
+    thread_count: int = 1,
     progress: Callable[[float], None] | None = None,
 ) -> list[dict[str, Any]]:
     """The rows of all requests, in their order; those not in the folder yet are made now, largest first.
@@ -93,6 +98,7 @@ def gather(
         requests: what is asked for, of one kind.
         folder: where rows and packings are kept; made if it is not there.
         processes: how many work at once; one a core unless given.
+        thread_count: threads of each; rows are the same to the bit.
         progress: told the share of the work that is done, 0 … 1.
 
     Returns:
@@ -109,7 +115,8 @@ def gather(
     rows = {request: kept_row(request, folder) for request in requests}
     missing = sorted((request for request, row in rows.items() if row is None), key=lambda one: -one.weight)
     done, whole = 0.0, sum(request.weight for request in missing)
-    for request, row in _made(missing, folder, min(processes or os.cpu_count() or 1, max(len(missing), 1))):
+    workers = min(processes or os.cpu_count() or 1, max(len(missing), 1))
+    for request, row in _made(missing, folder, workers, thread_count):
         rows[request] = row
         done += request.weight
         if progress is not None:
@@ -118,7 +125,7 @@ def gather(
 
 
 def _made(
-    missing: Sequence[Request], folder: Path, processes: int
+    missing: Sequence[Request], folder: Path, processes: int, thread_count: int
 ) -> Iterator[tuple[Request, dict[str, Any]]]:
     """Each request and its row, as they come."""
     if not missing:
@@ -126,7 +133,7 @@ def _made(
     pool = ProcessPoolExecutor(processes, multiprocessing.get_context("spawn"), initializer=_settle)
     try:
         jobs: dict[Future[dict[str, Any]], Request] = {
-            pool.submit(_on_one_thread, request, folder): request for request in missing
+            pool.submit(_on_threads, request, folder, thread_count): request for request in missing
         }
         for job in as_completed(jobs):
             yield jobs[job], _outcome(job, jobs[job])
@@ -153,8 +160,8 @@ def _outcome(job: Future[dict[str, Any]], request: Request) -> dict[str, Any]:
     return request.asked | {"error": reason, "unstable": False, "seconds": None}
 
 
-def _on_one_thread(request: Request, folder: Path) -> dict[str, Any]:
-    with threads(1):
+def _on_threads(request: Request, folder: Path, count: int) -> dict[str, Any]:
+    with threads(count):
         return made_row(request, folder)
 
 

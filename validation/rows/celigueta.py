@@ -1,9 +1,12 @@
 """Tests with plates of Celigueta et al. (2020), each run a row: stress over strain, and what broke.
 
-A cylinder between two rigid plates, one of which stands still. Stresses are those of the force on the moving plate,
-over the section, or by eq (7) over π R L; a run ends when that has fallen to `FALLEN` of its peak.
+A cylinder between two rigid plates, one of which stands still; in shear the moving plate is a piston, which pushes
+the core out of a cylinder with ring borings, and the other one has a hole. Stresses are those of the force on the
+moving plate, over the section, by eq (7) over π R L, or over the surface between both borings; a run ends when that
+has fallen to `FALLEN` of its peak.
 """
 
+import functools
 import math
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
+from bondem.labtests.punching import punch_specimen
 from bondem.laws.contact import LinearContact
 from bondem.laws.damping import LocalDamping
 from bondem.laws.failure.criterion import Criterion
@@ -32,6 +36,7 @@ from bondem.specimen.bonding import connect
 from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Index
+from bondem.specimen.shape import Shape
 from validation.frame.files import plain
 from validation.frame.request import Request
 
@@ -39,11 +44,16 @@ from validation.frame.request import Request
 RADIUS, LENGTH = 0.05, 0.2
 E, NU, RHO = 40e9, 0.2, 2400.0
 #: Relative speed of the plates [m/s], and elements of the paper.
-SPEED = {"compression": 0.05, "splitting": 0.1}
-COUNT = {"compression": 12_000, "splitting": 9_000}
+SPEED = {"compression": 0.05, "splitting": 0.1, "shear": 0.1}
+COUNT = {"compression": 12_000, "splitting": 9_000, "shear": 161_000}
+#: The core of the shear test [m]: height of the specimen, mean diameter and depth of its borings, radii of the piston
+#: and of the hole, which the paper does not print: the inner and the outer edge of a boring.
+HEIGHT, RING, DEPTH, PISTON, HOLE = 0.08, 45e-3, 10e-3, 20.5e-3, 24.5e-3
 #: A run ends at this share of its peak, or when the plates have come nearer by these lengths [m].
 FALLEN = 0.5
-_FARTHEST = {"compression": 0.8e-3, "splitting": 0.25e-3}
+_FARTHEST = {"compression": 0.8e-3, "splitting": 0.25e-3, "shear": 0.8e-3}
+#: Friction between elements, and of plates unless given [-].
+FRICTION = 0.1
 #: What the paper leaves open: damping of elements, dashpots of contacts, reach of the authors' bonds.
 DAMPING, DASHPOT, REACH = 0.3, 0.1, 1.3
 # The plates get going in this time [s].
@@ -86,13 +96,14 @@ class CeliguetaRun(Request):
     """A test on one packing.
 
     Attributes:
-        test: "compression" or "splitting".
+        test: "compression", "splitting" or "shear".
         failure: "Rankine" or "Mohr-Coulomb".
         areas: "weighted", the authors' construction, or "facet".
         count: elements.
         seed: of the packing.
         slower: by how much plates are slower than the paper's.
         dashpot: share of critical damping of the contacts.
+        friction: of the plates; that between elements is 0.1.
     """
 
     test: str
@@ -102,11 +113,13 @@ class CeliguetaRun(Request):
     seed: int
     slower: float = 1.0
     dashpot: float = DASHPOT
+    friction: float = FRICTION
 
     @property
     def readable(self) -> str:
         """See `Request`."""
-        return f"{self.test}_{self.failure}_{self.areas}_{self.count}_slower{self.slower:g}_seed{self.seed}"
+        plates = "" if self.friction == FRICTION else f"_plates{self.friction:g}"
+        return f"{self.test}_{self.failure}_{self.areas}_{self.count}_slower{self.slower:g}{plates}_seed{self.seed}"
 
     @property
     def weight(self) -> float:
@@ -116,50 +129,64 @@ class CeliguetaRun(Request):
     @property
     def asked(self) -> dict[str, Any]:
         """See `Request`."""
-        names = ("test", "failure", "areas", "count", "seed", "slower", "dashpot")
+        names = ("test", "failure", "areas", "count", "seed", "slower", "dashpot", "friction")
         return {name: getattr(self, name) for name in names} | {"spread": 0.25}
 
     def body(self) -> Lattice:
         """The specimen, bonded."""
-        particles = pack(Cylinder(radius=RADIUS, length=LENGTH), count=self.count, spread=0.25, seed=self.seed)
+        particles = pack(self.shape, count=self.count, spread=0.25, seed=self.seed)
         return connect(particles, method="laguerre") if self.areas == "facet" else connect(particles, reach=REACH)
 
     def model(self, body: Lattice) -> Model:
         """Between its plates; spheres are as heavy as the concrete that they stand for."""
         speed, axis = SPEED[self.test] / self.slower, self.axis
-        low = -RADIUS if axis else 0.0
-        high = RADIUS if axis else LENGTH
+        low, high = (float(bound[axis]) for bound in self.shape.bounds)
         law = NonLocal(E=E, nu=NU)
         density = RHO
         if self.areas == "weighted":
             law = NonLocal(E=E, nu=NU, areas="weighted", lever="contact")
-            density = RHO * math.pi * RADIUS**2 * LENGTH / float(body.particles.volume.sum())
+            density = RHO * self.shape.volume / float(body.particles.volume.sum())
         direction = np.eye(3)[axis]
         motion = Driven(**{"v" + "xyz"[axis]: Ramp(0.0, -speed, _START)})
+        hole, piston = (HOLE, PISTON) if self.test == "shear" else (0.0, None)
         walls = [
-            PlaneWall(point=tuple(low * direction), normal=tuple(direction)),
-            PlaneWall(point=tuple(high * direction), normal=tuple(-direction), motion=motion),
+            PlaneWall(tuple(low * direction), tuple(direction), friction=self.friction, inner=hole),
+            PlaneWall(tuple(high * direction), tuple(-direction), motion, self.friction, piston),
         ]
-        contact = LinearContact(E=E, friction=0.1, kappa=2.0 * (1.0 + NU), damping=self.dashpot)
+        contact = LinearContact(E=E, friction=FRICTION, kappa=2.0 * (1.0 + NU), damping=self.dashpot)
         return Model(body, law, density, failure=criterion(self.failure), contact=contact, walls=walls)
+
+    @property
+    def shape(self) -> Shape:
+        """Of the specimen."""
+        return _specimen(self.test)
 
     @property
     def axis(self) -> int:
         """Along which the plates press."""
-        return 0 if self.test == "compression" else 2
+        return 2 if self.test == "splitting" else 0
 
     @property
     def section(self) -> float:
-        """What a force is divided by [m²]: π R², or π R L of eq (7)."""
+        """What a force is divided by [m²]: π R², π R L of eq (7), or π D h between the borings."""
+        if self.test == "shear":
+            return math.pi * RING * (HEIGHT - 2.0 * DEPTH)
         return math.pi * RADIUS * (RADIUS if self.test == "compression" else LENGTH)
+
+    @property
+    def length(self) -> float:
+        """Between the plates [m]."""
+        lower, upper = self.shape.bounds
+        return float((upper - lower)[self.axis])
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units."""
         body = self.body()
         x, thick = body.centre[:, 0], body.particles.mean_radius
+        length = float((self.shape.bounds[1] - self.shape.bounds[0])[0])
         gauges: dict[str, Any] = {"still": WallGauge(0, "force"), "moving": WallGauge(1, "force"),
                                   "way": WallGauge(1, "displacement")}  # fmt: skip
-        for name, at in (("near", 0.25 * LENGTH), ("far", 0.75 * LENGTH)):
+        for name, at in (("near", 0.25 * length), ("far", 0.75 * length)):
             gauges[name] = Gauge(Index(np.flatnonzero(np.abs(x - at) < thick)), "displacement")
         speed = SPEED[self.test] / self.slower
         begun = perf_counter()
@@ -181,8 +208,9 @@ class CeliguetaRun(Request):
         history, axis = run.history, self.axis
         stress = np.abs(history["moving"][:, axis]) / self.section
         still = np.abs(history["still"][:, axis]) / self.section
-        strain = np.abs(history["way"][:, axis]) / (LENGTH if axis == 0 else 2.0 * RADIUS)
-        inside = (history["near"][:, 0] - history["far"][:, 0]) / (0.5 * LENGTH)
+        strain = np.abs(history["way"][:, axis]) / self.length
+        low, high = self.shape.bounds
+        inside = (history["near"][:, 0] - history["far"][:, 0]) / (0.5 * float(high[0] - low[0]))
         peak = int(np.argmax(stress))
         energy = history.energy
         found = {
@@ -195,9 +223,14 @@ class CeliguetaRun(Request):
             "curve": {"strain": _rounded(strain), "stress": _rounded(stress), "still": _rounded(still),
                       "inside": _rounded(inside), "time": _rounded(history.time)},
         }  # fmt: skip
-        if axis == 0:
+        if self.test == "compression":
             found |= {"E_plates": _slope(strain, stress, peak), "E_inside": _slope(inside, stress, peak)}
         return found
+
+
+@functools.cache
+def _specimen(test: str) -> Shape:
+    return punch_specimen() if test == "shear" else Cylinder(radius=RADIUS, length=LENGTH)
 
 
 def _slope(strain: Floats, stress: Floats, peak: int) -> float | None:

@@ -11,16 +11,23 @@ from bondem.kernels.boundary import interpolate
 
 COLUMNS = 14
 GROWTH, RATE, FORCE, WORK, NORMAL = 3, 4, 8, 12, 13
-# A row of their shapes is a point (3), the normal or the axis (3), the radius [m] and the kind.
-AXIS, RADIUS, KIND = 3, 6, 7
-# Kinds: a plane, a cylinder around the elements, a cylinder among them, a sphere around them, a sphere among them.
-PLANE, INSIDE, OUTSIDE, SHELL, BALL = 0.0, 1.0, 2.0, 3.0, 4.0
+# A row of their shapes is a point (3), the normal or the axis (3), the radius [m], the kind, and that of a hole [m].
+AXIS, RADIUS, KIND, HOLE = 3, 6, 7, 8
+# Kinds: a plane, a cylinder around the elements, a cylinder among them, a sphere around them, a sphere among them, a
+# disc, which may have a hole.
+PLANE, INSIDE, OUTSIDE, SHELL, BALL, DISC = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
 
 
 @device
 def among(kind):
     """Whether elements are outside of a round wall."""
     return kind in (OUTSIDE, BALL)
+
+
+@device
+def flat(kind):
+    """Whether a wall is a plane or a part of one."""
+    return kind in (PLANE, DISC)
 
 
 @device
@@ -35,6 +42,15 @@ def wall_gap(x, y, z, radius, shape, walls, w):
         return along - radius, nx, ny, nz
     dx, dy, dz = dx - along * nx, dy - along * ny, dz - along * nz
     distance = math.sqrt(dx * dx + dy * dy + dz * dz)
+    if shape[w, KIND] == DISC:
+        past = max(distance - shape[w, RADIUS], 0.0) - max(shape[w, HOLE] - distance, 0.0)
+        if past == 0.0:
+            return along - radius, nx, ny, nz
+        # beside the disc the nearest place is its rim
+        away = math.sqrt(along * along + past * past)
+        out = past / (distance * away) if distance > 0.0 else 0.0
+        up = along / away
+        return away - radius, up * nx + out * dx, up * ny + out * dy, up * nz + out * dz
     sign = 1.0 if among(shape[w, KIND]) else -1.0
     scale = sign / distance if distance > 0.0 else 0.0
     return sign * (distance - shape[w, RADIUS] - walls[w, GROWTH]) - radius, scale * dx, scale * dy, scale * dz
@@ -71,7 +87,7 @@ def move_walls(t, dt, contacts):
         missing = _wanted(c, c.servo_schedule[e], t + dt) - walls[w, NORMAL]
         inward = _inward(shape, walls, w) + dt * missing / c.servo_mass[e]
         inward = min(max(inward, -c.servo_speed[e]), c.servo_speed[e])
-        if shape[w, KIND] == PLANE:
+        if flat(shape[w, KIND]):
             for d in range(3):
                 walls[w, RATE + d] = inward * shape[w, AXIS + d]
         else:
@@ -97,7 +113,7 @@ def load_walls(dt, contacts):
             walls[w, FORCE + d] += output[e, d]
         walls[w, NORMAL] += output[e, 3]
     for w in range(len(walls)):
-        if shape[w, KIND] != PLANE:
+        if not flat(shape[w, KIND]):
             walls[w, FORCE + 3] = -walls[w, NORMAL] if among(shape[w, KIND]) else walls[w, NORMAL]
         walls[w, WORK] -= 0.5 * dt * _power(walls, w)
     _kick(contacts, walls, 0.5 * dt)
@@ -106,7 +122,7 @@ def load_walls(dt, contacts):
 @device
 def _inward(shape, walls, w):
     """Speed of a wall towards the elements [m/s]."""
-    if shape[w, KIND] == PLANE:
+    if flat(shape[w, KIND]):
         return (
             walls[w, RATE] * shape[w, AXIS]
             + walls[w, RATE + 1] * shape[w, AXIS + 1]

@@ -69,10 +69,11 @@ def punch_specimen(
             f" do not fit into a cylinder of {size:.4g} × {length:.4g} m; take smaller ones"
         )
     shape: Shape = Cylinder(radius=0.5 * size, length=length)
+    rod = Cylinder(radius=0.5 * (mean + wide), length=2.0 * deep)
+    # The core goes on beyond the rod: were their ends in one plane, depths in the core would be those under a wall.
+    core = Cylinder(radius=0.5 * (mean - wide), length=4.0 * length).moved((-2.0 * length, 0.0, 0.0))
     for start in (-deep, length - deep):
-        rod, core = (Cylinder(radius=0.5 * (mean + side), length=2.0 * deep) for side in (wide, -wide))
-        tube = Cut(rod, core)
-        shape = shape.cut(tube.moved((start, 0.0, 0.0)), name="boring")
+        shape = shape.cut(Cut(rod, core).moved((start, 0.0, 0.0)), name="boring")
     return shape
 
 

@@ -11,7 +11,7 @@ from bondem.errors import InputError
 from bondem.model.schedules import Schedule, as_schedule
 
 # What a row of `WallTable.shape` ends with.
-PLANE, INSIDE, OUTSIDE, SHELL, BALL = range(5)
+PLANE, INSIDE, OUTSIDE, SHELL, BALL, DISC = range(6)
 _COMPONENTS = ("x", "y", "z", "growth")
 
 
@@ -124,19 +124,25 @@ def _check_motion(owner: str, motion: object, friction: object) -> None:
 
 @dataclass(frozen=True)
 class PlaneWall:
-    """An infinite plane; elements are on the side its normal points to.
+    """A plane, infinite or a disc, with a hole or without; elements are on the side its normal points to.
+
+    A disc is a piston, one with a hole the plate around it; elements beside it touch its rim.
 
     Attributes:
-        point: a point of it [m], (3,).
+        point: a point of it, the centre of a disc [m], (3,).
         normal: towards the elements, of any length, (3,).
         motion: how it moves; None stands still.
         friction: μ against the elements [-]; None for that of the contact law.
+        outer: radius of a disc [m]; None for an infinite plane.
+        inner: radius of its hole [m].
     """
 
     point: tuple[float, float, float]
     normal: tuple[float, float, float]
     motion: Driven | Servo | Free | None = None
     friction: float | None = None
+    outer: float | None = None
+    inner: float = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "point", _point("PlaneWall: point", self.point))
@@ -144,11 +150,17 @@ class PlaneWall:
         _check_motion("PlaneWall", self.motion, self.friction)
         if isinstance(self.motion, Driven) and any(k == 3 for k, _, _ in self.motion.motion):
             raise InputError("PlaneWall: a plane has no radius to grow; name x, y or z")
+        number("PlaneWall", "inner", self.inner, unit="m", least=0.0, advice="the radius of the hole, zero or more")
+        if self.outer is not None:
+            number("PlaneWall", "outer", self.outer, unit="m", above=self.inner, advice="more than inner, or None")
 
     @property
     def row(self) -> Floats:
-        """Point, normal, 0 and its kind, (8,)."""
-        return np.array([*self.point, *self.normal, 0.0, PLANE])
+        """Point, normal, outer radius, its kind and inner radius, (9,)."""
+        if self.outer is None and not self.inner:
+            return np.array([*self.point, *self.normal, 0.0, PLANE, 0.0])
+        outer = np.inf if self.outer is None else self.outer
+        return np.array([*self.point, *self.normal, outer, DISC, self.inner])
 
 
 @dataclass(frozen=True)
@@ -180,8 +192,8 @@ class CylinderWall:
 
     @property
     def row(self) -> Floats:
-        """Point, axis, radius and its kind, (8,)."""
-        return np.array([*self.point, *self.axis, self.radius, OUTSIDE if self.outside else INSIDE])
+        """Point, axis, radius, its kind and 0, (9,)."""
+        return np.array([*self.point, *self.axis, self.radius, OUTSIDE if self.outside else INSIDE, 0.0])
 
 
 @dataclass(frozen=True)
@@ -210,8 +222,8 @@ class SphereWall:
 
     @property
     def row(self) -> Floats:
-        """Centre, zeros, radius and its kind, (8,)."""
-        return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, SHELL if self.inside else BALL])
+        """Centre, zeros, radius, its kind and 0, (9,)."""
+        return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, SHELL if self.inside else BALL, 0.0])
 
 
 Wall = PlaneWall | CylinderWall | SphereWall
@@ -232,7 +244,7 @@ class WallTable:
     """Walls as the kernels take them.
 
     Attributes:
-        shape: point, normal or axis, radius, kind; shape (w, 8).
+        shape: point, normal or axis, radius, kind, radius of a hole; shape (w, 9).
         friction: μ, (w,).
         start, times, values: schedules one after the other.
         drive_wall, drive_component, drive_schedule, drive_rate: what is prescribed, (d,).
@@ -281,7 +293,7 @@ class WallTable:
         lengths = [len(times) for times, _ in tables]
         drive = np.array(drives, dtype=np.int64).reshape(-1, 4)
         return cls(
-            shape=np.array([wall.row for wall in walls]).reshape(-1, 8),
+            shape=np.array([wall.row for wall in walls]).reshape(-1, 9),
             friction=np.array([friction if wall.friction is None else wall.friction for wall in walls], dtype=float),
             start=np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64),
             times=np.concatenate([np.zeros(0), *(times for times, _ in tables)]),
