@@ -170,7 +170,7 @@ def main() -> None:
         "same bits": sum(one["same"] for one in good),
         "lost at most": max((one["reached"] - one["kept"] for one in good), default=None),
         "with a journal": sum(one["journal"] for one in kills),
-        "not read by VTK as left": sum(not one.get("vtk as left") for one in kills),
+        "not read by VTK as left": sum("vtk as left" in one and not one["vtk as left"] for one in kills),
         "errors": [one["error"] for one in kills if "error" in one], "flipped": flips,
     }  # fmt: skip
     keep(options.out, begun | result)

@@ -216,6 +216,8 @@ USUAL: dict[str, dict[str, Any]] = {
 # Read and write files (`test_hostile_specimens`, `test_runfile`), have no arguments, or are made by the package.
 ELSEWHERE = {
     "load_particles", "read_lattice", "read_particles", "read_contents", "read_provenance", "read_run", "resume",
+    # likewise (`test_campaign`)
+    "read_campaign", "run_campaign", "campaign_table", "campaign_dataset", "Campaign",
     "save_particles", "write_vtkhdf", "Everything", "VelocityVerlet", "BondLaw", "Event", "Region", "Schedule",
     "RunContents", "Scheme", "Shape", "SizeLaw",
     "BondGeometry", "BondStiffness", "BondStrain", "BulkModuli", "Calibration", "Callback", "Checkpoint",

@@ -10,6 +10,9 @@ from typing import Any
 __version__ = "0.1.0"
 
 _PUBLIC = {
+    "bondem.campaign.coordinator": ("run_campaign",),
+    "bondem.campaign.sweep": ("Campaign", "read_campaign"),
+    "bondem.campaign.table": ("campaign_dataset", "campaign_table"),
     "bondem.specimen.material": ("Material",),
     "bondem.specimen.shape": ("Shape",),
     "bondem.specimen.geometry": ("Ball", "Box", "Cell", "Cylinder"),

@@ -9,6 +9,11 @@ from bondem.calibration.strength import StrengthCalibration as StrengthCalibrati
 from bondem.calibration.strength import calibrate_strength as calibrate_strength
 from bondem.calibration.strength_runs import StrengthRun as StrengthRun
 from bondem.calibration.uncertainty import Sample as Sample
+from bondem.campaign.coordinator import run_campaign as run_campaign
+from bondem.campaign.sweep import Campaign as Campaign
+from bondem.campaign.sweep import read_campaign as read_campaign
+from bondem.campaign.table import campaign_dataset as campaign_dataset
+from bondem.campaign.table import campaign_table as campaign_table
 from bondem.fracture.crack_growth import CrackGrowth as CrackGrowth
 from bondem.fracture.crack_growth import crack_speed as crack_speed
 from bondem.fracture.crack_polygons import CrackPolygons as CrackPolygons

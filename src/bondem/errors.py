@@ -67,3 +67,7 @@ class StudyError(InputError):
 
 class RunFileError(BondemError):
     """A run file cannot be written, read or resumed."""
+
+
+class MissingDependencyError(BondemError, ImportError):
+    """A library that only some commands need is not installed; the message says how to get it."""

@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from bondem._compile import threads
+from bondem.campaign.cluster import connected, submitted
 from bondem.errors import BondemError, InputError
 from bondem.io.atomic import require_folder
 from validation.frame.failures import complain
@@ -34,6 +35,7 @@ def run(
     *,
     processes: int | None = None,
     thread_count: int = 1,
+    address: str | None = None,
     command: str = "",
     progress: Callable[[str, float], None] | None = None,
 ) -> dict[str, Any]:
@@ -44,6 +46,7 @@ def run(
         out: folder for the results, of an earlier run or new.
         processes: how many work at once; one a core unless given.
         thread_count: threads of each.
+        address: of the scheduler of a Dask cluster, which works in place of processes of this machine.
         command: that the results are to name.
         progress: told the stage and the share of it that is done.
 
@@ -66,8 +69,9 @@ def run(
             number += 1
             possible = [request for request in requests if request.needs not in failed]
             rows = gather(
-                possible, out, processes=processes, thread_count=thread_count, progress=partial(tell, stage)
-            )
+                possible, out, processes=processes, thread_count=thread_count, address=address,
+                progress=partial(tell, stage),
+            )  # fmt: skip
             failed |= {request: row for request, row in zip(possible, rows, strict=True) if row["error"]}
             stage, requests = stages.send(rows)
     good = [row for row in rows if not row["error"]]
@@ -90,6 +94,7 @@ def gather(
     *,
     processes: int | None = None,
     thread_count: int = 1,
+    address: str | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> list[dict[str, Any]]:
     """The rows of all requests, in their order; those not in the folder yet are made now, largest first.
@@ -99,6 +104,7 @@ def gather(
         folder: where rows and packings are kept; made if it is not there.
         processes: how many work at once; one a core unless given.
         thread_count: threads of each; rows are the same to the bit.
+        address: of the scheduler of a Dask cluster, whose workers share the folder.
         progress: told the share of the work that is done, 0 … 1.
 
     Returns:
@@ -116,7 +122,11 @@ def gather(
     missing = sorted((request for request, row in rows.items() if row is None), key=lambda one: -one.weight)
     done, whole = 0.0, sum(request.weight for request in missing)
     workers = min(processes or os.cpu_count() or 1, max(len(missing), 1))
-    for request, row in _made(missing, folder, workers, thread_count):
+    made = (
+        _made(missing, folder, workers, thread_count)
+        if address is None else _made_on_cluster(missing, folder, address, thread_count)
+    )  # fmt: skip
+    for request, row in made:
         rows[request] = row
         done += request.weight
         if progress is not None:
@@ -146,7 +156,18 @@ def _made(
     pool.shutdown()
 
 
-def _outcome(job: Future[dict[str, Any]], request: Request) -> dict[str, Any]:
+def _made_on_cluster(
+    missing: Sequence[Request], folder: Path, address: str, thread_count: int
+) -> Iterator[tuple[Request, dict[str, Any]]]:
+    """The same by the workers of a cluster."""
+    if not missing:
+        return
+    with connected(address=address) as client:
+        for job, request in submitted(client, partial(_on_threads, count=thread_count), missing, folder.resolve()):
+            yield request, _outcome(job, request)
+
+
+def _outcome(job: Any, request: Request) -> dict[str, Any]:
     # A death by signal or for want of memory is no property of the request: its row is not kept, so that the next
     # run tries again.
     try:

@@ -82,8 +82,14 @@ def _results(series: Series, folder: Path, fresh: bool, progress: Progress | Non
 def _inputs(series: Series) -> str:
     """A hash of all that decides what a specimen leaves: the file, the command line and the code."""
     digest = hashlib.sha256(f"{series.inputs} {series.study.packings} {series.study.seed}".encode())
-    package = Path(bondem.__file__).parent
-    for source in sorted(package.rglob("*.py")):
+    digest.update(code_hash().encode())
+    return digest.hexdigest()
+
+
+def code_hash() -> str:
+    """Of all of bondem: results of other code are not taken for those of this one."""
+    digest = hashlib.sha256()
+    for source in sorted(Path(bondem.__file__).parent.rglob("*.py")):
         digest.update(source.read_bytes())
     return digest.hexdigest()
 

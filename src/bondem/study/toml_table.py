@@ -158,6 +158,29 @@ class TomlTable:
             self._number(f"{self.name(key)}[{k}]", value, unit, wanted) for k, value in enumerate(values)
         )
 
+    def whole_numbers(self, key: str) -> int | tuple[int, ...]:
+        """How many, or a list of whole numbers of zero or more."""
+        wanted = "how many, or a list of whole numbers of zero or more"
+        value = self._get(key, _NEEDED, wanted)
+        values = value if isinstance(value, list) else [value]
+        least = 0 if isinstance(value, list) else 1
+        right = [isinstance(one, int) and not isinstance(one, bool) and least <= one < 1 << 62 for one in values]
+        if not values or not all(right):
+            raise StudyError(f"'{self.name(key)}' = {shown(value)}; give {wanted}")
+        return tuple(values) if isinstance(value, list) else value
+
+    def lines(self, key: str) -> tuple[str, ...]:
+        """A list of texts of one line each; empty where it is not given."""
+        values = self._get(key, [], "a list of texts")
+        if not isinstance(values, list) or not all(isinstance(one, str) and one.isprintable() for one in values):
+            raise StudyError(f"'{self.name(key)}' = {shown(values)}; give a list of texts of one line each")
+        return tuple(values)
+
+    def all(self) -> Mapping[str, Any]:
+        """Everything in it, whatever its names."""
+        self._asked.extend(self._data)
+        return self._data
+
     def lengths(self, key: str) -> tuple[float, float, float]:
         """Three positive lengths [m]."""
         wanted = 'three positive lengths [m], such as [0.01, 0.01, 0.04] or ["10 mm", "10 mm", "40 mm"]'

@@ -1,0 +1,132 @@
+"""A hundred specimens on a local cluster: workers are killed in the middle, and the coordinator; and the speed-up.
+
+The specimens are bars of cells torn apart (examples/campaign.toml in small). First on one worker and on two, for the
+speed-up; then all on two workers, one of which is killed by its process id every few seconds, and halfway the
+coordinator itself, with SIGKILL; it is started again, and its workers are killed again.
+
+Run: python benchmarks/campaign.py [--specimens 100] [--few 24] [--every 8]
+It writes benchmarks/results/campaign.json.
+"""
+
+import argparse
+import contextlib
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import bondem as bd
+from kept import RESULTS, keep, origin
+
+STUDY = """
+name = "bars"
+seed = 1
+tests = ["direct_tension"]
+[material]
+name = "concrete"
+E = "40 GPa"
+nu = 0.2
+rho = 2400.0
+[failure]
+criterion = "Rankine"
+tension = "4 MPa"
+fracture_energy = 100.0
+[specimen]
+shape = "box"
+size = ["60 mm", "30 mm", "30 mm"]
+count = 200
+method = "even"
+[bond]
+law = "CellBond"
+[output]
+figures = false
+[campaign]
+seeds = {seeds}
+"""
+
+
+def started(study: Path, out: Path, workers: int) -> subprocess.Popen[bytes]:
+    """The coordinator, in a process of its own."""
+    command = [sys.executable, "-m", "bondem", "campaign", str(study), "--out", str(out), "--workers", str(workers)]
+    return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+def finished(out: Path) -> dict[str, float]:
+    """When each specimen that is there was finished."""
+    return {path.parent.name: path.stat().st_mtime for path in out.glob("specimens/*/specimen.json")}
+
+
+def busy(out: Path) -> list[int]:
+    """Process ids of the workers that are at a specimen, by the names of what is unfinished."""
+    names = [path.name for path in out.glob("specimens/.*.unfinished.lock")]
+    pids = [int(name.split("-")[-2]) for name in names]
+    return [pid for pid in pids if Path(f"/proc/{pid}").exists()]
+
+
+def timed(folder: Path, specimens: int, workers: int) -> float:
+    """Seconds of a whole campaign, start of the cluster and all."""
+    study, out = folder / "study.toml", folder / f"{workers}"
+    study.write_text(STUDY.format(seeds=specimens))
+    begun = time.perf_counter()
+    assert started(study, out, workers).wait() == 0
+    return time.perf_counter() - begun
+
+
+def killed(folder: Path, specimens: int, every: float) -> dict[str, object]:
+    """Workers killed every few seconds, the coordinator once."""
+    study, out, chance = folder / "study.toml", folder / "killed", random.Random(1)
+    study.write_text(STUDY.format(seeds=specimens))
+    deaths, coordinators = 0, 0
+    before: dict[str, float] = {}
+    process = started(study, out, 2)
+    while process.poll() is None:
+        time.sleep(every * chance.uniform(0.5, 1.5))
+        done = finished(out)
+        if coordinators == 0 and len(done) >= specimens // 2:
+            process.kill()
+            process.wait()
+            time.sleep(3.0)  # its workers follow it
+            before, coordinators = finished(out), 1
+            process = started(study, out, 2)
+        elif pids := busy(out):
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(chance.choice(pids), signal.SIGKILL)
+                deaths += 1
+    after, table = finished(out), bd.campaign_table(out)
+    results = json.loads((out / "results.json").read_text())
+    left = [path.name for path in (out / "specimens").iterdir() if path.name not in after]
+    return {
+        "specimens": specimens, "arrived": len(after), "rows": len(table),
+        "twice": len(table) - table["seed"].nunique(), "failed": len(results["failed"]), "workers killed": deaths,
+        "coordinators killed": coordinators, "finished before": len(before),
+        "done again": sum(after[name] != when for name, when in before.items()), "unfinished folders": len(left),
+    }  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--specimens", type=int, default=100)
+    parser.add_argument("--few", type=int, default=24)
+    parser.add_argument("--every", type=float, default=8.0)
+    parser.add_argument("--out", type=Path, default=RESULTS / "campaign.json")
+    options = parser.parse_args()
+    begun = origin()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "warm").mkdir()
+        timed(folder / "warm", 2, 1)  # compiled once
+        one, two = (timed(folder, options.few, workers) for workers in (1, 2))
+        print(f"{options.few} specimens: {one:.1f} s on one worker, {two:.1f} s on two", flush=True)
+        found = killed(folder, options.specimens, options.every)
+    result = {"few": options.few, "one worker": one, "two workers": two, "speed-up": one / two, "killed": found}
+    keep(options.out, begun | result)
+    print(json.dumps(result, indent=1))
+
+
+if __name__ == "__main__":
+    main()

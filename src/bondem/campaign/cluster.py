@@ -1,0 +1,117 @@
+"""Where the specimens of a campaign are worked on: processes of this machine, SLURM jobs, or any Dask cluster."""
+
+import logging
+import os
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+
+from bondem._checks import count
+from bondem.campaign.sweep import Slurm
+from bondem.errors import InputError, MissingDependencyError
+
+if TYPE_CHECKING:
+    from dask.distributed import Client
+
+# A task is given up when so many workers have died over it.
+_DEATHS = 5
+# How long to wait for a scheduler [s].
+_PATIENCE = "10s"
+_EXTRA = 'install it with: pip install "bondem[campaign]"'
+
+
+class _Named(Protocol):
+    @property
+    def name(self) -> str: ...
+
+
+Named = TypeVar("Named", bound=_Named)
+
+
+@contextmanager
+def connected(
+    *, workers: int | None = None, address: str | None = None, slurm: Slurm | None = None
+) -> Iterator["Client"]:
+    """A client of a cluster, which is ended with the block unless it is somebody else's.
+
+    Args:
+        workers: processes of this machine, one a core unless given; each works on one thread.
+        address: of the scheduler of a cluster that is there, such as "tcp://host:8786".
+        slurm: jobs to ask for.
+
+    Raises:
+        InputError: no such scheduler, or fewer than one worker.
+        MissingDependencyError: Dask is not installed.
+    """
+    try:
+        from dask import config  # pyright: ignore[reportPrivateImportUsage]
+        from dask.distributed import Client, LocalCluster
+    except ImportError:
+        raise MissingDependencyError(f"a campaign needs Dask; {_EXTRA}") from None
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what fails is told by rows
+    settings = {
+        "distributed.scheduler.allowed-failures": _DEATHS,
+        "distributed.comm.timeouts.connect": _PATIENCE,
+        "distributed.worker.daemon": False,
+    }
+    with config.set(settings):
+        if address is not None:
+            try:
+                client = Client(address, timeout=_PATIENCE)
+            except (OSError, ValueError) as error:
+                reason = str(error) or type(error).__name__
+                raise InputError(
+                    f"there is no Dask scheduler at '{address}' ({reason}); start one with: dask scheduler"
+                ) from None
+            with client:
+                yield client
+            return
+        if slurm is not None:
+            cluster: Any = slurm_cluster(slurm)
+            cluster.scale(jobs=slurm.jobs)
+        else:
+            number = count("campaign", "workers", workers or os.cpu_count() or 1, least=1)
+            cluster = LocalCluster(
+                n_workers=number, threads_per_worker=1, dashboard_address=":0", silence_logs=logging.CRITICAL
+            )
+        with cluster, Client(cluster) as client:
+            yield client
+
+
+def submitted(
+    client: "Client", work: Callable[[Named, Path], Any], asked: Iterable[Named], out: Path
+) -> Iterator[tuple[Any, Named]]:
+    """Hand out work and yield each finished task with what it was asked for, as they come.
+
+    Args:
+        client: of a cluster.
+        work: what a worker does with one and the folder.
+        asked: what is to be done, each with a name of its own.
+        out: the folder, which all workers share.
+    """
+    from dask.distributed import as_completed
+
+    jobs = {client.submit(work, one, out, key=f"bondem-{one.name}", pure=False): one for one in asked}
+    for job in as_completed(list(jobs)):
+        yield job, jobs.pop(job)
+        job.release()
+
+
+def slurm_cluster(slurm: Slurm) -> Any:
+    """The cluster of dask-jobqueue, no job of which is asked for yet; `.job_script()` is the text of one.
+
+    Args:
+        slurm: what a job is.
+
+    Raises:
+        MissingDependencyError: dask-jobqueue is not installed.
+    """
+    try:
+        from dask_jobqueue.slurm import SLURMCluster
+    except ImportError:
+        raise MissingDependencyError(f"[campaign.slurm] needs dask-jobqueue; {_EXTRA}") from None
+    return SLURMCluster(
+        queue=slurm.queue, account=slurm.account, cores=slurm.cores, processes=slurm.cores, memory=slurm.memory,
+        walltime=slurm.walltime, job_extra_directives=list(slurm.directives), scheduler_options={"dashboard": False},
+    )  # fmt: skip

@@ -1,0 +1,216 @@
+"""What a campaign varies: a study file with a table [campaign], and the specimens it stands for."""
+
+import copy
+import hashlib
+import json
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+from bondem._checks import place, shown
+from bondem.errors import StudyError
+from bondem.study.programme_run import code_hash
+from bondem.study.study import Study, parse_study, read_toml
+from bondem.study.toml_table import TomlTable
+
+# Specimens of one campaign; more are a mistake in [campaign] more often than a wish.
+_MOST = 1_000_000
+
+
+@dataclass(frozen=True)
+class Specimen:
+    """One study of a campaign.
+
+    Attributes:
+        name: of its folder.
+        varied: what makes it what it is, by dotted key; its seed among them.
+        document: the study, as a TOML document.
+        folder: where the files it names are looked for.
+        inputs: a hash of the study, of the files it names and of the code.
+    """
+
+    name: str
+    varied: Mapping[str, Any]
+    document: Mapping[str, Any]
+    folder: Path
+    inputs: str
+
+    @property
+    def study(self) -> Study:
+        """What `bondem run` would do."""
+        return parse_study(self.document, folder=self.folder)
+
+
+@dataclass(frozen=True)
+class Slurm:
+    """How jobs are asked of SLURM, by dask-jobqueue; None is its own default.
+
+    Attributes:
+        queue: partition.
+        account: to charge.
+        cores: of a job, each a worker.
+        memory: of a job, as SLURM takes it: "16GB".
+        walltime: of a job, "HH:MM:SS".
+        jobs: how many.
+        directives: further lines of the script after #SBATCH.
+    """
+
+    queue: str | None = None
+    account: str | None = None
+    cores: int = 1
+    memory: str = "4GB"
+    walltime: str = "01:00:00"
+    jobs: int = 1
+    directives: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Campaign:
+    """Specimens, each a study of one packing.
+
+    Attributes:
+        name: of the study.
+        keys: what is varied, in the order of the columns; "seed" last.
+        specimens: in the order of the file.
+        slurm: jobs to ask for; None for a local cluster, or one by its address.
+    """
+
+    name: str
+    keys: tuple[str, ...]
+    specimens: tuple[Specimen, ...]
+    slurm: Slurm | None = None
+
+
+def read_campaign(path: str | Path) -> Campaign:
+    """Read a study file with a table [campaign].
+
+    Every specimen is read as `bondem run` would read it, so that a wrong value is found before any work.
+
+    Raises:
+        StudyError: no such file, not TOML, or a key that is unknown, missing or out of range, of any specimen.
+    """
+    path = place("path", path)
+    return read_toml(path, lambda data: parse_campaign(data, folder=path.parent))
+
+
+def parse_campaign(data: Mapping[str, Any], *, folder: Path = Path()) -> Campaign:
+    """The campaign a TOML document describes.
+
+    Args:
+        data: the document.
+        folder: where the files it names are looked for.
+
+    Raises:
+        StudyError: a key that is unknown, missing or out of range.
+    """
+    if "campaign" not in data:
+        raise StudyError("there is no [campaign]; give one with 'seeds' or [campaign.vary], or use bondem run")
+    if "specimens" in data:
+        raise StudyError("[[specimens]] are a test programme; a campaign varies one [specimen]")
+    if "packings" in data:
+        raise StudyError("'packings' does not go with [campaign], of one packing each; give 'campaign.seeds'")
+    shared = {key: value for key, value in data.items() if key != "campaign"}
+    first = TomlTable(shared).count("seed", default=Study.seed, least=0)
+    with TomlTable(data).section("campaign") as table:
+        seeds, vary = _seeds(table, first), _vary(table)
+        slurm = _slurm(table.section("slurm")) if table.has("slurm") else None
+    total = len(seeds)
+    for _, values in vary:
+        total *= len(values)
+    if total > _MOST:
+        raise StudyError(f"'campaign' asks for {total} specimens; give {_MOST} at most")
+    code, made = code_hash(), []
+    for varied in _combinations(vary, seeds):
+        made.append(_specimen(shared, varied, folder, code))
+    name = made[0].study.name
+    return Campaign(name, (*(key for key, _ in vary), "seed"), tuple(made), slurm)
+
+
+def _combinations(vary: list[tuple[str, list[Any]]], seeds: list[int]) -> Iterator[dict[str, Any]]:
+    keys = [key for key, _ in vary]
+    for chosen in product(*(values for _, values in vary), seeds):
+        yield dict(zip((*keys, "seed"), chosen, strict=True))
+
+
+def _seeds(table: TomlTable, first: int) -> list[int]:
+    if not table.has("seeds"):
+        return [first]
+    given = table.whole_numbers("seeds")
+    if isinstance(given, int):
+        return list(range(first, first + given))
+    if len(set(given)) < len(given):
+        raise StudyError("'campaign.seeds' names a seed twice; take one out")
+    return list(given)
+
+
+def _vary(table: TomlTable) -> list[tuple[str, list[Any]]]:
+    found = []
+    for key, values in _flat(table.section("vary").all()):
+        where = f"campaign.vary.{key}"
+        if key in ("seed", "packings", "name") or key.partition(".")[0] == "campaign":
+            raise StudyError(f"'{where}': this cannot be varied; seeds are 'campaign.seeds'")
+        if not isinstance(values, list) or not values:
+            raise StudyError(f"'{where}' = {shown(values)}; give a list of the values that '{key}' takes")
+        if any(values.count(value) > 1 for value in values):
+            raise StudyError(f"'{where}' names a value twice; take one out")
+        found.append((key, values))
+    return found
+
+
+def _flat(table: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
+    """Dotted keys of all lists: `"material.E" = […]` and `material.E = […]` are one."""
+    for key, value in table.items():
+        name = f"{path}.{key}" if path else key
+        if isinstance(value, Mapping):
+            yield from _flat(value, name)
+        else:
+            yield name, value
+
+
+def _slurm(table: TomlTable) -> Slurm:
+    with table:
+        return Slurm(
+            queue=table.text("queue", default="") or None,
+            account=table.text("account", default="") or None,
+            cores=table.count("cores", default=Slurm.cores),
+            memory=table.text("memory", default=Slurm.memory),
+            walltime=table.text("walltime", default=Slurm.walltime),
+            jobs=table.count("jobs", default=Slurm.jobs),
+            directives=table.lines("directives"),
+        )
+
+
+def _specimen(shared: Mapping[str, Any], varied: Mapping[str, Any], folder: Path, code: str) -> Specimen:
+    document: dict[str, Any] = copy.deepcopy(dict(shared)) | {"packings": 1}
+    for key, value in varied.items():
+        _put(document, key, copy.deepcopy(value))
+    told = ", ".join(f"{key} = {shown(value)}" for key, value in varied.items())
+    try:
+        parse_study(document, folder=folder)
+    except StudyError as error:
+        raise StudyError(f"{error} (specimen of {told})") from None
+    digest = hashlib.sha256(code.encode())
+    digest.update(json.dumps(document, sort_keys=True, default=str).encode())
+    for key in ("particles", "file"):
+        if key in document["specimen"]:
+            digest.update((folder / document["specimen"][key]).read_bytes())
+    inputs = digest.hexdigest()
+    words = "_".join(f"{key.rpartition('.')[2]}-{_slug(value)}" for key, value in varied.items())
+    return Specimen(f"{words[:80]}_{inputs[:10]}", dict(varied), document, folder, inputs)
+
+
+def _put(document: dict[str, Any], key: str, value: Any) -> None:
+    *tables, last = key.split(".")
+    inner = document
+    for name in tables:
+        inner = inner.setdefault(name, {})
+        if not isinstance(inner, dict):
+            raise StudyError(f"'campaign.vary.{key}': '{name}' is no table of the study")
+    inner[last] = value
+
+
+def _slug(value: Any) -> str:
+    return re.sub(r"[^A-Za-z0-9.+-]+", "", str(value))[:20] or "x"

@@ -1,0 +1,107 @@
+"""The table of a campaign: a row a specimen, a column for each thing varied and each number found."""
+
+import json
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from bondem._checks import place
+from bondem.errors import InputError, MissingDependencyError
+from bondem.io.atomic import replacing
+
+TABLE = "table.parquet"
+_EXTRA = 'install it with: pip install "bondem[campaign]"'
+
+
+def require_tables() -> None:
+    """Make sure that tables can be written, before any work.
+
+    Raises:
+        MissingDependencyError: pandas or pyarrow is not installed.
+    """
+    try:
+        import pandas  # noqa: F401
+        import pyarrow  # noqa: F401
+    except ImportError:
+        raise MissingDependencyError(f"the table of a campaign needs pandas and pyarrow; {_EXTRA}") from None
+
+
+def write_tables(rows: Iterable[dict[str, Any]], keys: Sequence[str], out: Path) -> None:
+    """Write `table.parquet` and `table.csv`, each in one move.
+
+    Args:
+        rows: of finished specimens.
+        keys: what is varied; the first columns after the name.
+        out: folder of the campaign.
+    """
+    import pandas as pd
+
+    flat = [
+        {"name": row["name"], **{key: _plain(row["varied"][key]) for key in keys}, **row["values"]} for row in rows
+    ]
+    frame = pd.DataFrame(flat)
+    frame = frame.loc[:, ~frame.columns.duplicated()]
+    frame.attrs["varied"] = list(keys)
+    with replacing(out / TABLE) as path:
+        frame.to_parquet(path)
+    with replacing(out / "table.csv") as path:
+        frame.to_csv(path, index=False)
+
+
+def campaign_table(out: str | Path) -> Any:
+    """The table of a campaign, finished or running.
+
+    Args:
+        out: its folder.
+
+    Returns:
+        A pandas.DataFrame, a row a specimen; columns are its name, what was varied, and the numbers of its `results.json` by dotted
+        names such as "macro.E" [Pa] and "tests.ucs.measured" [Pa].
+
+    Raises:
+        InputError: there is no table.
+        MissingDependencyError: pandas or pyarrow is not installed.
+    """
+    require_tables()
+    import pandas as pd
+
+    path = place("out", out) / TABLE
+    try:
+        return pd.read_parquet(path)
+    except (OSError, ValueError) as error:
+        raise InputError(f"'{path}' cannot be read ({error}); give the folder of a campaign") from None
+
+
+def campaign_dataset(out: str | Path) -> Any:
+    """The same table as arrays over what was varied: `dataset["macro.E"].mean("seed")`.
+
+    Args:
+        out: folder of the campaign.
+
+    Returns:
+        An xarray.Dataset with a dimension for each thing that was varied; not-a-number where a specimen has not arrived or failed.
+
+    Raises:
+        InputError: there is no table, or it has no row yet.
+        MissingDependencyError: pandas, pyarrow or xarray is not installed.
+    """
+    frame = campaign_table(out)
+    try:
+        import xarray  # noqa: F401
+    except ImportError:
+        raise MissingDependencyError(f"campaign_dataset needs xarray; {_EXTRA}") from None
+    if frame.empty:
+        raise InputError(f"'{out}/{TABLE}' has no row yet; wait for a specimen to arrive")
+    keys = list(frame.attrs["varied"])
+    dataset = frame.set_index(keys).to_xarray()
+    return dataset.rename({key: key.rpartition(".")[2] for key in keys if _alone(key, keys)})
+
+
+def _alone(key: str, keys: Sequence[str]) -> bool:
+    last = key.rpartition(".")[2]
+    return last != key and sum(other.rpartition(".")[2] == last for other in keys) == 1
+
+
+def _plain(value: Any) -> Any:
+    """A value that a column can hold: tables and lists as text."""
+    return value if isinstance(value, str | int | float | bool) else json.dumps(value, default=str)

@@ -1,0 +1,96 @@
+"""What a worker does: one specimen, in a folder that gets its name when all is in it."""
+
+import contextlib
+import json
+import os
+import shutil
+import socket
+import time
+import uuid
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from bondem._compile import threads
+from bondem.campaign.sweep import Specimen
+from bondem.errors import BondemError
+from bondem.io.atomic import write_text
+from bondem.study.pipeline import run_study
+
+#: Folder of the specimens within that of a campaign, and what each of them leaves.
+SPECIMENS, RECORD = "specimens", "specimen.json"
+# What an unfinished one is called: with a dot in front, and whose it is.
+_UNFINISHED = ".unfinished"
+
+
+def carry_out(specimen: Specimen, out: Path) -> dict[str, Any]:
+    """Do one specimen, on one thread.
+
+    Args:
+        specimen: what to do.
+        out: folder of the campaign, on a file system that all workers share.
+
+    Returns:
+        Its row: "name", "varied" and "values"; or "error" in place of values, where the specimen itself is at fault.
+    """
+    final = out / SPECIMENS / specimen.name
+    known = finished(specimen, out)
+    if known is not None:  # by a worker that was taken for dead
+        return known
+    own = final.parent / f".{specimen.name}.{socket.gethostname()}-{os.getpid()}-{uuid.uuid4().hex[:8]}{_UNFINISHED}"
+    begun = time.perf_counter()
+    try:
+        with threads(1):
+            results = run_study(specimen.study, own)
+    except BondemError as error:
+        shutil.rmtree(own, ignore_errors=True)
+        return _row(specimen) | {"error": " ".join(str(error).split())}
+    worker = f"{socket.gethostname()}:{os.getpid()}"
+    row = _row(specimen) | {"values": {**scalars(results), "seconds": round(time.perf_counter() - begun, 3)}}
+    write_text(own / RECORD, json.dumps(row | {"inputs": specimen.inputs, "worker": worker}, indent=1) + "\n")
+    try:
+        own.rename(final)
+    except OSError:
+        if finished(specimen, out) is None:
+            raise
+        shutil.rmtree(own, ignore_errors=True)  # another worker was faster
+    return row
+
+
+def finished(specimen: Specimen, out: Path) -> dict[str, Any] | None:
+    """The row of a specimen that is finished in `out` by the same study and code, or None."""
+    record = _record(out / SPECIMENS / specimen.name)
+    if record is None or record.get("inputs") != specimen.inputs:
+        return None
+    return {key: record[key] for key in ("name", "varied", "values")}
+
+
+def _record(folder: Path) -> dict[str, Any] | None:
+    """What a finished specimen left of itself; None where none is."""
+    try:
+        return json.loads((folder / RECORD).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+
+
+def clear(out: Path) -> None:
+    """Remove what workers left unfinished that are no more, and their locks."""
+    for left in (out / SPECIMENS).glob(f".*{_UNFINISHED}*"):
+        with contextlib.suppress(OSError):
+            shutil.rmtree(left) if left.is_dir() else left.unlink()
+
+
+def scalars(results: Mapping[str, Any], path: str = "") -> dict[str, Any]:
+    """Numbers and texts of results by dotted names; lists, such as those of each packing, are left out."""
+    found: dict[str, Any] = {}
+    for key, value in results.items():
+        name = f"{path}.{key}" if path else key
+        if isinstance(value, Mapping):
+            found |= scalars(value, name)
+        elif not isinstance(value, list):
+            found[name] = value
+    return found
+
+
+def _row(specimen: Specimen) -> dict[str, Any]:
+    return {"name": specimen.name, "varied": dict(specimen.varied)}

@@ -1,0 +1,155 @@
+"""Campaigns: what they vary, on a local cluster whose workers die, run again, in a table."""
+
+import json
+import os
+import signal
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import bondem as bd
+from bondem.campaign.cluster import slurm_cluster
+from bondem.campaign.coordinator import run_campaign
+from bondem.campaign.sweep import Campaign, Slurm, parse_campaign, read_campaign
+from bondem.campaign.work import carry_out, scalars
+from bondem.cli.campaign import command
+from bondem.errors import InputError, StudyError
+from bondem.study.pipeline import run_study
+
+EXAMPLE = Path("examples/campaign.toml")
+# Packed and checked only: a fraction of a second each.
+PACKED: dict[str, Any] = {
+    "name": "packings", "seed": 3, "output": {"figures": False},
+    "specimen": {"shape": "cell", "size": [0.01, 0.01, 0.01], "count": 100},
+    "campaign": {"seeds": 2, "vary": {"specimen.count": [100, 120]}},
+}  # fmt: skip
+
+
+def campaign(**changed: Any) -> Campaign:
+    return parse_campaign(PACKED | {"campaign": PACKED["campaign"] | changed})
+
+
+def test_every_value_goes_with_every_other_and_every_seed() -> None:
+    asked = read_campaign(EXAMPLE)
+    assert asked.keys == ("specimen.count", "failure.tension", "seed")
+    assert len({one.name for one in asked.specimens}) == 2 * 2 * 5
+    one = asked.specimens[7]
+    assert dict(one.varied) == {"specimen.count": 200, "failure.tension": "4 MPa", "seed": 3}
+    study = one.study
+    assert (study.packings, study.seed, study.specimen.count) == (1, 3, 200)  # type: ignore[union-attr]
+    assert isinstance(study.failure, bd.Rankine)
+    assert study.failure.tension == 4e6
+
+
+def test_names_follow_the_input_and_the_code() -> None:
+    """Another value of what is not varied makes other specimens, that of the others does not."""
+    names = [one.name for one in campaign().specimens]
+    assert [one.name for one in campaign(seeds=[3, 4]).specimens] == names
+    assert [one.name for one in campaign(seeds=[3]).specimens] == names[::2]
+    other = parse_campaign(PACKED | {"specimen": PACKED["specimen"] | {"spread": 0.1}})
+    assert not set(names) & {one.name for one in other.specimens}
+
+
+@pytest.mark.parametrize(("changed", "words"), [
+    ({"seeds": 0}, "'campaign.seeds' = 0; give how many, or a list"),
+    ({"seeds": [1, 1]}, "names a seed twice"),
+    ({"seeds": [1, True]}, "give how many"),
+    ({"seed": 3}, "did you mean 'campaign.seeds'"),
+    ({"vary": {"specimen.count": 3}}, "give a list of the values that 'specimen.count' takes"),
+    ({"vary": {"specimen": {"count": [100, 100]}}}, "names a value twice"),
+    ({"vary": {"specimen.cuont": [100]}}, "did you mean 'specimen.count'"),
+    ({"vary": {"specimen.count": [100, -1]}}, r"= -1.*\(specimen of specimen.count = -1, seed = 3\)"),
+    ({"vary": {"seed": [1]}}, "seeds are 'campaign.seeds'"),
+    ({"vary": {"name.x": [1]}}, "'name' is no table"),
+    ({"slurm": {"cores": 0}}, "'campaign.slurm.cores' = 0"),
+    ({"slurm": {"directives": ["a\nb"]}}, "a list of texts of one line each"),
+    ({"seeds": 10_000_000}, "give 1000000 at most"),
+])  # fmt: skip
+def test_a_wrong_campaign_is_refused_before_any_work(changed: dict[str, Any], words: str) -> None:
+    with pytest.raises(StudyError, match=words):
+        campaign(**changed)
+
+
+def test_other_files_are_no_campaigns() -> None:
+    for data, words in (
+        ({key: PACKED[key] for key in ("name", "specimen")}, "there is no .campaign."),
+        (PACKED | {"packings": 2}, "'packings' does not go with"),
+        (PACKED | {"specimens": []}, "are a test programme"),
+    ):
+        with pytest.raises(StudyError, match=words):
+            parse_campaign(data)
+
+
+def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:
+    """Then with more seeds only those are done; one that cannot be done is told with its input."""
+    killed: list[int] = []
+
+    def kill(stage: str, share: float) -> None:
+        if not killed and share < 1.0:
+            (record, *_) = tmp_path.glob("specimens/*/specimen.json")
+            killed.append(int(json.loads(record.read_text())["worker"].rpartition(":")[2]))
+            os.kill(killed[0], signal.SIGKILL)
+
+    found = run_campaign(campaign(seeds=3), tmp_path, workers=1, progress=kill)
+    assert len(killed) == 1
+    assert (found["specimens"], found["finished"], found["failed"]) == (6, 6, [])
+    folders = sorted(path.name for path in (tmp_path / "specimens").iterdir())
+    assert folders == sorted(one.name for one in campaign(seeds=3).specimens)
+    # no packing of spheres has as many contacts
+    more = campaign(seeds=[4, 5], vary={"specimen.coordination_number": [6.0, 11.5]})
+    table = bd.campaign_table(tmp_path)
+    assert list(table["seed"]) == [3, 4, 5, 3, 4, 5]
+    again = run_campaign(campaign(seeds=4), tmp_path, workers=1)
+    assert (again["finished"], again["before"]) == (8, 6)
+    data = bd.campaign_dataset(tmp_path)
+    assert data["specimen.coordination_number"].dims == ("count", "seed")
+    assert data.sizes == {"count": 2, "seed": 4}
+    np.testing.assert_array_equal(data["specimen.elements"].sel(count=120), 120)
+    failed = run_campaign(more, tmp_path / "more", workers=1)
+    assert failed["finished"] == 2
+    assert [row["varied"] for row in failed["failed"]] == [
+        {"specimen.coordination_number": 11.5, "seed": seed} for seed in (4, 5)
+    ]
+    assert all("11.5" in row["error"] for row in failed["failed"])
+
+
+def test_a_specimen_is_what_bondem_run_makes(tmp_path: Path) -> None:
+    one = campaign().specimens[1]
+    (tmp_path / "specimens").mkdir()
+    row = carry_out(one, tmp_path)
+    left = scalars(json.loads((tmp_path / "specimens" / one.name / "results.json").read_text()))
+    alone = scalars(run_study(one.study, tmp_path / "alone"))
+    for values in (left, alone, row["values"]):
+        assert values["specimen.coordination_number"] == alone["specimen.coordination_number"]
+        assert values["seed"] == 4
+    assert carry_out(one, tmp_path) == row  # as it is there
+    assert len(list((tmp_path / "specimens").iterdir())) == 1
+
+
+def test_a_job_of_slurm_is_what_the_file_asks_for() -> None:
+    asked = Slurm("long", "glass", cores=16, memory="32GB", walltime="04:00:00", directives=("--exclusive",))
+    with slurm_cluster(asked) as cluster:
+        script = cluster.job_script()
+    for line in ("#SBATCH -p long", "#SBATCH -A glass", "#SBATCH --cpus-per-task=16", "#SBATCH --mem=30G",
+                 "#SBATCH -t 04:00:00", "#SBATCH --exclusive"):  # fmt: skip
+        assert line in script.splitlines()
+    for option in ("--nworkers 16", "--nthreads 1", "--memory-limit 1.86GiB"):
+        assert option in script
+
+
+def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="there is no Dask scheduler at 'nonsense://x'"):
+        run_campaign(campaign(), tmp_path, address="nonsense://x")
+    with pytest.raises(InputError, match="give the folder of a campaign"):
+        bd.campaign_table(tmp_path / "none")
+    for wrong in (3, None, "a\0b"):
+        for read in (bd.campaign_table, bd.campaign_dataset, bd.read_campaign):
+            with pytest.raises(InputError, match="give a path"):
+                read(wrong)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match=r"what bd.read_campaign"):
+        bd.run_campaign(PACKED, tmp_path)  # type: ignore[arg-type]
+    both = CliRunner().invoke(command, [str(EXAMPLE), "--out", str(tmp_path), "--workers", "1", "--address", "tcp://x:1"])
+    assert isinstance(both.exception, InputError)
