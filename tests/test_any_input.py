@@ -218,6 +218,7 @@ ELSEWHERE = {
     "load_particles", "read_lattice", "read_particles", "read_contents", "read_provenance", "read_run", "resume",
     # likewise (`test_campaign`)
     "read_campaign", "run_campaign", "campaign_table", "campaign_dataset", "Campaign",
+    "CampaignSpecimen", "Slurm",
     "save_particles", "write_vtkhdf", "Everything", "VelocityVerlet", "BondLaw", "Event", "Region", "Schedule",
     "RunContents", "Scheme", "Shape", "SizeLaw",
     "BondGeometry", "BondStiffness", "BondStrain", "BulkModuli", "Calibration", "Callback", "Checkpoint",

@@ -13,11 +13,13 @@ from click.testing import CliRunner
 import bondem as bd
 from bondem.campaign.cluster import slurm_cluster
 from bondem.campaign.coordinator import run_campaign
+from bondem.campaign.extra import needed
 from bondem.campaign.sweep import Campaign, Slurm, parse_campaign, read_campaign
 from bondem.campaign.work import carry_out, scalars
 from bondem.cli.campaign import command
-from bondem.errors import InputError, StudyError
+from bondem.errors import InputError, MissingDependencyError, StudyError
 from bondem.study.pipeline import run_study
+from bondem.study.study import parse_study
 
 EXAMPLE = Path("examples/campaign.toml")
 # Packed and checked only: a fraction of a second each.
@@ -38,7 +40,7 @@ def test_every_value_goes_with_every_other_and_every_seed() -> None:
     assert len({one.name for one in asked.specimens}) == 2 * 2 * 5
     one = asked.specimens[7]
     assert dict(one.varied) == {"specimen.count": 200, "failure.tension": "4 MPa", "seed": 3}
-    study = one.study
+    study = parse_study(one.document)
     assert (study.packings, study.seed, study.specimen.count) == (1, 3, 200)  # type: ignore[union-attr]
     assert isinstance(study.failure, bd.Rankine)
     assert study.failure.tension == 4e6
@@ -121,7 +123,7 @@ def test_a_specimen_is_what_bondem_run_makes(tmp_path: Path) -> None:
     (tmp_path / "specimens").mkdir()
     row = carry_out(one, tmp_path)
     left = scalars(json.loads((tmp_path / "specimens" / one.name / "results.json").read_text()))
-    alone = scalars(run_study(one.study, tmp_path / "alone"))
+    alone = scalars(run_study(parse_study(one.document), tmp_path / "alone"))
     for values in (left, alone, row["values"]):
         assert values["specimen.coordination_number"] == alone["specimen.coordination_number"]
         assert values["seed"] == 4
@@ -151,5 +153,7 @@ def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path
                 read(wrong)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"what bd.read_campaign"):
         bd.run_campaign(PACKED, tmp_path)  # type: ignore[arg-type]
+    with pytest.raises(MissingDependencyError, match=r'pip install "bondem\[campaign\]"'):
+        needed("a_library_nobody_has")
     both = CliRunner().invoke(command, [str(EXAMPLE), "--out", str(tmp_path), "--workers", "1", "--address", "tcp://x:1"])
     assert isinstance(both.exception, InputError)

@@ -11,7 +11,7 @@ __version__ = "0.1.0"
 
 _PUBLIC = {
     "bondem.campaign.coordinator": ("run_campaign",),
-    "bondem.campaign.sweep": ("Campaign", "read_campaign"),
+    "bondem.campaign.sweep": ("Campaign", "CampaignSpecimen", "Slurm", "read_campaign"),
     "bondem.campaign.table": ("campaign_dataset", "campaign_table"),
     "bondem.specimen.material": ("Material",),
     "bondem.specimen.shape": ("Shape",),

@@ -11,6 +11,8 @@ from bondem.calibration.strength_runs import StrengthRun as StrengthRun
 from bondem.calibration.uncertainty import Sample as Sample
 from bondem.campaign.coordinator import run_campaign as run_campaign
 from bondem.campaign.sweep import Campaign as Campaign
+from bondem.campaign.sweep import CampaignSpecimen as CampaignSpecimen
+from bondem.campaign.sweep import Slurm as Slurm
 from bondem.campaign.sweep import read_campaign as read_campaign
 from bondem.campaign.table import campaign_dataset as campaign_dataset
 from bondem.campaign.table import campaign_table as campaign_table

@@ -5,20 +5,17 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import Any, Protocol, TypeVar
 
 from bondem._checks import count
+from bondem.campaign.extra import needed
 from bondem.campaign.sweep import Slurm
-from bondem.errors import InputError, MissingDependencyError
-
-if TYPE_CHECKING:
-    from dask.distributed import Client
+from bondem.errors import InputError
 
 # A task is given up when so many workers have died over it.
 _DEATHS = 5
 # How long to wait for a scheduler [s].
 _PATIENCE = "10s"
-_EXTRA = 'install it with: pip install "bondem[campaign]"'
 
 
 class _Named(Protocol):
@@ -32,7 +29,7 @@ Named = TypeVar("Named", bound=_Named)
 @contextmanager
 def connected(
     *, workers: int | None = None, address: str | None = None, slurm: Slurm | None = None
-) -> Iterator["Client"]:
+) -> Iterator[Any]:
     """A client of a cluster, which is ended with the block unless it is somebody else's.
 
     Args:
@@ -44,11 +41,7 @@ def connected(
         InputError: no such scheduler, or fewer than one worker.
         MissingDependencyError: Dask is not installed.
     """
-    try:
-        from dask import config  # pyright: ignore[reportPrivateImportUsage]
-        from dask.distributed import Client, LocalCluster
-    except ImportError:
-        raise MissingDependencyError(f"a campaign needs Dask; {_EXTRA}") from None
+    distributed, config = needed("dask.distributed"), needed("dask").config
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what fails is told by rows
     settings = {
         "distributed.scheduler.allowed-failures": _DEATHS,
@@ -58,7 +51,7 @@ def connected(
     with config.set(settings):
         if address is not None:
             try:
-                client = Client(address, timeout=_PATIENCE)
+                client = distributed.Client(address, timeout=_PATIENCE)
             except (OSError, ValueError) as error:
                 reason = str(error) or type(error).__name__
                 raise InputError(
@@ -72,15 +65,15 @@ def connected(
             cluster.scale(jobs=slurm.jobs)
         else:
             number = count("campaign", "workers", workers or os.cpu_count() or 1, least=1)
-            cluster = LocalCluster(
+            cluster = distributed.LocalCluster(
                 n_workers=number, threads_per_worker=1, dashboard_address=":0", silence_logs=logging.CRITICAL
             )
-        with cluster, Client(cluster) as client:
+        with cluster, distributed.Client(cluster) as client:
             yield client
 
 
 def submitted(
-    client: "Client", work: Callable[[Named, Path], Any], asked: Iterable[Named], out: Path
+    client: Any, work: Callable[[Named, Path], Any], asked: Iterable[Named], out: Path
 ) -> Iterator[tuple[Any, Named]]:
     """Hand out work and yield each finished task with what it was asked for, as they come.
 
@@ -90,10 +83,8 @@ def submitted(
         asked: what is to be done, each with a name of its own.
         out: the folder, which all workers share.
     """
-    from dask.distributed import as_completed
-
     jobs = {client.submit(work, one, out, key=f"bondem-{one.name}", pure=False): one for one in asked}
-    for job in as_completed(list(jobs)):
+    for job in needed("dask.distributed").as_completed(list(jobs)):
         yield job, jobs.pop(job)
         job.release()
 
@@ -107,11 +98,7 @@ def slurm_cluster(slurm: Slurm) -> Any:
     Raises:
         MissingDependencyError: dask-jobqueue is not installed.
     """
-    try:
-        from dask_jobqueue.slurm import SLURMCluster
-    except ImportError:
-        raise MissingDependencyError(f"[campaign.slurm] needs dask-jobqueue; {_EXTRA}") from None
-    return SLURMCluster(
+    return needed("dask_jobqueue.slurm").SLURMCluster(
         queue=slurm.queue, account=slurm.account, cores=slurm.cores, processes=slurm.cores, memory=slurm.memory,
         walltime=slurm.walltime, job_extra_directives=list(slurm.directives), scheduler_options={"dashboard": False},
     )  # fmt: skip

@@ -9,7 +9,7 @@ from typing import Any
 import bondem
 from bondem._checks import instance, place
 from bondem.campaign.cluster import connected, submitted
-from bondem.campaign.sweep import Campaign, Specimen
+from bondem.campaign.sweep import Campaign, CampaignSpecimen
 from bondem.campaign.table import require_tables, write_tables
 from bondem.campaign.work import SPECIMENS, carry_out, clear, finished
 from bondem.io.atomic import write_text
@@ -94,7 +94,7 @@ def _carry_out(
     return results
 
 
-def _arriving(client: Any, missing: Iterable[Specimen], out: Path) -> Iterator[dict[str, Any]]:
+def _arriving(client: Any, missing: Iterable[CampaignSpecimen], out: Path) -> Iterator[dict[str, Any]]:
     """Rows as they come; a specimen over which worker after worker died has its row, too."""
     for job, one in submitted(client, carry_out, missing, out):
         if job.status == "finished":

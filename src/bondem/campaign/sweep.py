@@ -21,7 +21,7 @@ _MOST = 1_000_000
 
 
 @dataclass(frozen=True)
-class Specimen:
+class CampaignSpecimen:
     """One study of a campaign.
 
     Attributes:
@@ -37,11 +37,6 @@ class Specimen:
     document: Mapping[str, Any]
     folder: Path
     inputs: str
-
-    @property
-    def study(self) -> Study:
-        """What `bondem run` would do."""
-        return parse_study(self.document, folder=self.folder)
 
 
 @dataclass(frozen=True)
@@ -80,7 +75,7 @@ class Campaign:
 
     name: str
     keys: tuple[str, ...]
-    specimens: tuple[Specimen, ...]
+    specimens: tuple[CampaignSpecimen, ...]
     slurm: Slurm | None = None
 
 
@@ -183,7 +178,7 @@ def _slurm(table: TomlTable) -> Slurm:
         )
 
 
-def _specimen(shared: Mapping[str, Any], varied: Mapping[str, Any], folder: Path, code: str) -> Specimen:
+def _specimen(shared: Mapping[str, Any], varied: Mapping[str, Any], folder: Path, code: str) -> CampaignSpecimen:
     document: dict[str, Any] = copy.deepcopy(dict(shared)) | {"packings": 1}
     for key, value in varied.items():
         _put(document, key, copy.deepcopy(value))
@@ -199,7 +194,7 @@ def _specimen(shared: Mapping[str, Any], varied: Mapping[str, Any], folder: Path
             digest.update((folder / document["specimen"][key]).read_bytes())
     inputs = digest.hexdigest()
     words = "_".join(f"{key.rpartition('.')[2]}-{_slug(value)}" for key, value in varied.items())
-    return Specimen(f"{words[:80]}_{inputs[:10]}", dict(varied), document, folder, inputs)
+    return CampaignSpecimen(f"{words[:80]}_{inputs[:10]}", dict(varied), document, folder, inputs)
 
 
 def _put(document: dict[str, Any], key: str, value: Any) -> None:

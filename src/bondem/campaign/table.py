@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from bondem._checks import place
-from bondem.errors import InputError, MissingDependencyError
+from bondem.campaign.extra import needed
+from bondem.errors import InputError
 from bondem.io.atomic import replacing
 
 TABLE = "table.parquet"
-_EXTRA = 'install it with: pip install "bondem[campaign]"'
 
 
 def require_tables() -> None:
@@ -19,11 +19,8 @@ def require_tables() -> None:
     Raises:
         MissingDependencyError: pandas or pyarrow is not installed.
     """
-    try:
-        import pandas  # noqa: F401
-        import pyarrow  # noqa: F401
-    except ImportError:
-        raise MissingDependencyError(f"the table of a campaign needs pandas and pyarrow; {_EXTRA}") from None
+    for module in ("pandas", "pyarrow"):
+        needed(module)
 
 
 def write_tables(rows: Iterable[dict[str, Any]], keys: Sequence[str], out: Path) -> None:
@@ -34,12 +31,10 @@ def write_tables(rows: Iterable[dict[str, Any]], keys: Sequence[str], out: Path)
         keys: what is varied; the first columns after the name.
         out: folder of the campaign.
     """
-    import pandas as pd
-
     flat = [
         {"name": row["name"], **{key: _plain(row["varied"][key]) for key in keys}, **row["values"]} for row in rows
     ]
-    frame = pd.DataFrame(flat)
+    frame = needed("pandas").DataFrame(flat)
     frame = frame.loc[:, ~frame.columns.duplicated()]
     frame.attrs["varied"] = list(keys)
     with replacing(out / TABLE) as path:
@@ -55,19 +50,17 @@ def campaign_table(out: str | Path) -> Any:
         out: its folder.
 
     Returns:
-        A pandas.DataFrame, a row a specimen; columns are its name, what was varied, and the numbers of its `results.json` by dotted
-        names such as "macro.E" [Pa] and "tests.ucs.measured" [Pa].
+        A pandas.DataFrame, a row a specimen; columns are its name, what was varied, and numbers of its
+        `results.json` by dotted names such as "macro.E" [Pa] and "tests.ucs.measured" [Pa].
 
     Raises:
         InputError: there is no table.
         MissingDependencyError: pandas or pyarrow is not installed.
     """
     require_tables()
-    import pandas as pd
-
     path = place("out", out) / TABLE
     try:
-        return pd.read_parquet(path)
+        return needed("pandas").read_parquet(path)
     except (OSError, ValueError) as error:
         raise InputError(f"'{path}' cannot be read ({error}); give the folder of a campaign") from None
 
@@ -79,17 +72,15 @@ def campaign_dataset(out: str | Path) -> Any:
         out: folder of the campaign.
 
     Returns:
-        An xarray.Dataset with a dimension for each thing that was varied; not-a-number where a specimen has not arrived or failed.
+        An xarray.Dataset with a dimension for each thing that was varied; not-a-number where a specimen has not
+        arrived or failed.
 
     Raises:
         InputError: there is no table, or it has no row yet.
         MissingDependencyError: pandas, pyarrow or xarray is not installed.
     """
     frame = campaign_table(out)
-    try:
-        import xarray  # noqa: F401
-    except ImportError:
-        raise MissingDependencyError(f"campaign_dataset needs xarray; {_EXTRA}") from None
+    needed("xarray")  # to_xarray takes it
     if frame.empty:
         raise InputError(f"'{out}/{TABLE}' has no row yet; wait for a specimen to arrive")
     keys = list(frame.attrs["varied"])

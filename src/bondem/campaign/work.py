@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import Any
 
 from bondem._compile import threads
-from bondem.campaign.sweep import Specimen
+from bondem.campaign.sweep import CampaignSpecimen
 from bondem.errors import BondemError
 from bondem.io.atomic import write_text
 from bondem.study.pipeline import run_study
+from bondem.study.study import parse_study
 
 #: Folder of the specimens within that of a campaign, and what each of them leaves.
 SPECIMENS, RECORD = "specimens", "specimen.json"
@@ -23,7 +24,7 @@ SPECIMENS, RECORD = "specimens", "specimen.json"
 _UNFINISHED = ".unfinished"
 
 
-def carry_out(specimen: Specimen, out: Path) -> dict[str, Any]:
+def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
     """Do one specimen, on one thread.
 
     Args:
@@ -41,7 +42,7 @@ def carry_out(specimen: Specimen, out: Path) -> dict[str, Any]:
     begun = time.perf_counter()
     try:
         with threads(1):
-            results = run_study(specimen.study, own)
+            results = run_study(parse_study(specimen.document, folder=specimen.folder), own)
     except BondemError as error:
         shutil.rmtree(own, ignore_errors=True)
         return _row(specimen) | {"error": " ".join(str(error).split())}
@@ -57,7 +58,7 @@ def carry_out(specimen: Specimen, out: Path) -> dict[str, Any]:
     return row
 
 
-def finished(specimen: Specimen, out: Path) -> dict[str, Any] | None:
+def finished(specimen: CampaignSpecimen, out: Path) -> dict[str, Any] | None:
     """The row of a specimen that is finished in `out` by the same study and code, or None."""
     record = _record(out / SPECIMENS / specimen.name)
     if record is None or record.get("inputs") != specimen.inputs:
@@ -92,5 +93,5 @@ def scalars(results: Mapping[str, Any], path: str = "") -> dict[str, Any]:
     return found
 
 
-def _row(specimen: Specimen) -> dict[str, Any]:
+def _row(specimen: CampaignSpecimen) -> dict[str, Any]:
     return {"name": specimen.name, "varied": dict(specimen.varied)}
