@@ -120,8 +120,7 @@ def parse_campaign(data: Mapping[str, Any], *, folder: Path = Path()) -> Campaig
     code, made = code_hash(), []
     for varied in _combinations(vary, seeds):
         made.append(_specimen(shared, varied, folder, code))
-    name = made[0].study.name
-    return Campaign(name, (*(key for key, _ in vary), "seed"), tuple(made), slurm)
+    return Campaign(str(data["name"]), (*(key for key, _ in vary), "seed"), tuple(made), slurm)
 
 
 def _combinations(vary: list[tuple[str, list[Any]]], seeds: list[int]) -> Iterator[dict[str, Any]]:
