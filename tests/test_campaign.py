@@ -11,9 +11,9 @@ import pytest
 from click.testing import CliRunner
 
 import bondem as bd
+from bondem._extras import needed
 from bondem.campaign.cluster import slurm_cluster
 from bondem.campaign.coordinator import run_campaign
-from bondem.campaign.extra import needed
 from bondem.campaign.sweep import Campaign, Slurm, parse_campaign, read_campaign
 from bondem.campaign.work import carry_out, scalars
 from bondem.cli.campaign import command
@@ -154,6 +154,6 @@ def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path
     with pytest.raises(InputError, match=r"what bd.read_campaign"):
         bd.run_campaign(PACKED, tmp_path)  # type: ignore[arg-type]
     with pytest.raises(MissingDependencyError, match=r'pip install "bondem\[campaign\]"'):
-        needed("a_library_nobody_has")
+        needed("a_library_nobody_has", "campaign")
     both = CliRunner().invoke(command, [str(EXAMPLE), "--out", str(tmp_path), "--workers", "1", "--address", "tcp://x:1"])
     assert isinstance(both.exception, InputError)

@@ -85,6 +85,7 @@ _PUBLIC = {
     "bondem.solve.plan": ("Callback", "ExplicitResult", "Plan"),
     "bondem.solve.static": ("StaticResult",),
     "bondem.solve.modal": ("ModesResult",),
+    "bondem.io.exporting": ("export",),
     "bondem.io.importing": ("read_lattice", "read_particles"),
     "bondem.io.particles_file": ("load_particles", "read_provenance", "save_particles"),
     "bondem.io.run_contents": ("RunContents", "read_contents"),

@@ -29,6 +29,7 @@ from bondem.fracture.explain import explain as explain
 from bondem.fracture.fragments import Fragments as Fragments
 from bondem.fracture.fragments import fragments as fragments
 from bondem.fracture.magnitudes import BValue as BValue
+from bondem.io.exporting import export as export
 from bondem.io.importing import read_lattice as read_lattice
 from bondem.io.importing import read_particles as read_particles
 from bondem.io.particles_file import load_particles as load_particles

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
 from bondem._checks import count
-from bondem.campaign.extra import needed
+from bondem._extras import needed
 from bondem.campaign.sweep import Slurm
 from bondem.errors import InputError
 
@@ -41,7 +41,7 @@ def connected(
         InputError: no such scheduler, or fewer than one worker.
         MissingDependencyError: Dask is not installed.
     """
-    distributed, config = needed("dask.distributed"), needed("dask").config
+    distributed, config = needed("dask.distributed", "campaign"), needed("dask", "campaign").config
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what fails is told by rows
     settings = {
         "distributed.scheduler.allowed-failures": _DEATHS,
@@ -84,7 +84,7 @@ def submitted(
         out: the folder, which all workers share.
     """
     jobs = {client.submit(work, one, out, key=f"bondem-{one.name}", pure=False): one for one in asked}
-    for job in needed("dask.distributed").as_completed(list(jobs)):
+    for job in needed("dask.distributed", "campaign").as_completed(list(jobs)):
         yield job, jobs.pop(job)
         job.release()
 
@@ -98,7 +98,7 @@ def slurm_cluster(slurm: Slurm) -> Any:
     Raises:
         MissingDependencyError: dask-jobqueue is not installed.
     """
-    return needed("dask_jobqueue.slurm").SLURMCluster(
+    return needed("dask_jobqueue.slurm", "campaign").SLURMCluster(
         queue=slurm.queue, account=slurm.account, cores=slurm.cores, processes=slurm.cores, memory=slurm.memory,
         walltime=slurm.walltime, job_extra_directives=list(slurm.directives), scheduler_options={"dashboard": False},
     )  # fmt: skip

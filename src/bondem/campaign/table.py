@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from bondem._checks import place
-from bondem.campaign.extra import needed
+from bondem._extras import needed
 from bondem.errors import InputError
 from bondem.io.atomic import replacing
 
@@ -20,7 +20,7 @@ def require_tables() -> None:
         MissingDependencyError: pandas or pyarrow is not installed.
     """
     for module in ("pandas", "pyarrow"):
-        needed(module)
+        needed(module, "campaign")
 
 
 def write_tables(rows: Iterable[dict[str, Any]], keys: Sequence[str], out: Path) -> None:
@@ -34,7 +34,7 @@ def write_tables(rows: Iterable[dict[str, Any]], keys: Sequence[str], out: Path)
     flat = [
         {"name": row["name"], **{key: _plain(row["varied"][key]) for key in keys}, **row["values"]} for row in rows
     ]
-    frame = needed("pandas").DataFrame(flat)
+    frame = needed("pandas", "campaign").DataFrame(flat)
     frame = frame.loc[:, ~frame.columns.duplicated()]
     frame.attrs["varied"] = list(keys)
     with replacing(out / TABLE) as path:
@@ -60,7 +60,7 @@ def campaign_table(out: str | Path) -> Any:
     require_tables()
     path = place("out", out) / TABLE
     try:
-        return needed("pandas").read_parquet(path)
+        return needed("pandas", "campaign").read_parquet(path)
     except (OSError, ValueError) as error:
         raise InputError(f"'{path}' cannot be read ({error}); give the folder of a campaign") from None
 
@@ -80,7 +80,7 @@ def campaign_dataset(out: str | Path) -> Any:
         MissingDependencyError: pandas, pyarrow or xarray is not installed.
     """
     frame = campaign_table(out)
-    needed("xarray")  # to_xarray takes it
+    needed("xarray", "campaign")  # to_xarray takes it
     if frame.empty:
         raise InputError(f"'{out}/{TABLE}' has no row yet; wait for a specimen to arrive")
     keys = list(frame.attrs["varied"])

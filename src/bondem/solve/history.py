@@ -1,9 +1,11 @@
 """What was recorded while a run went on."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from bondem._extras import needed
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.kernels.tables import FIXED_COLUMNS
@@ -63,6 +65,27 @@ class History:
         held = held + ledger["loss"] + ledger["friction"] + ledger["non-local work"] + ledger["fracture"]
         held = held + ledger["plastic"]
         return ledger | {"balance": held - held[:1]}
+
+    def to_pandas(self) -> Any:
+        """The records as a pandas.DataFrame over time [s]: energies [J] by name, gauges as name_x, name_y, name_z.
+
+        Raises:
+            MissingDependencyError: pandas is not installed.
+        """
+        pandas = needed("pandas", "exchange")
+        gauges = {f"{name}_{end}": self[name][:, k] for name in self.gauges for k, end in enumerate("xyz")}
+        return pandas.DataFrame(self.energy | gauges, index=pandas.Index(self.time, name="time"))
+
+    def to_xarray(self) -> Any:
+        """The records as an xarray.Dataset over time [s]: energies [J], and gauges with a dimension "component".
+
+        Raises:
+            MissingDependencyError: xarray is not installed.
+        """
+        energies = {name: ("time", values) for name, values in self.energy.items()}
+        gauges = {name: (("time", "component"), self[name]) for name in self.gauges}
+        place = {"time": self.time, "component": list("xyz")}
+        return needed("xarray", "exchange").Dataset(energies | gauges, coords=place)
 
     @property
     def imbalance(self) -> float:

@@ -1,0 +1,36 @@
+"""`bondem export FILE.h5 OTHER`."""
+
+from pathlib import Path
+
+import click
+import numpy as np
+
+from bondem.errors import InputError, RunFileError
+from bondem.io.exporting import export
+from bondem.io.importing import read_lattice
+from bondem.io.run_contents import read_contents
+from bondem.io.runfile import read_run
+
+
+@click.command("export")
+@click.argument("file", metavar="FILE.h5", type=click.Path(path_type=Path))
+@click.argument("other", metavar="OTHER", type=click.Path(path_type=Path))
+@click.option("--density", type=float, metavar="RHO", help="Of a packing [kg/m³], for LAMMPS; a run has its own.")
+def command(file: Path, other: Path, density: float | None) -> None:
+    """Write the last checkpoint of a run file, or a packing with its bonds, for another program.
+
+    OTHER is .csv, .data (LAMMPS), .dump (OVITO), .vtu, .vtk, .xdmf or .msh.
+    """
+    try:
+        read_contents(file)
+    except RunFileError as reason:
+        if "not a run file" not in str(reason):
+            raise
+        export(other, read_lattice(file), density=density)
+        return
+    if density is not None:
+        raise InputError("a run file has the density of its model; leave out --density")
+    run = read_run(file)
+    lattice = run.model.lattice
+    volume = lattice.particles.volume if lattice.cells is None else lattice.cells.volume
+    export(other, lattice, state=run.state, density=float(np.median(run.model.mass / volume)))

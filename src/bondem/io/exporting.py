@@ -1,0 +1,242 @@
+"""Elements, bonds and cells for other programs: LAMMPS, CSV, and the formats of meshio."""
+
+import csv
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TextIO
+
+import numpy as np
+
+from bondem._checks import array, instance, number, place
+from bondem._extras import needed
+from bondem._types import ArrayLike, Floats, Ints, Pairs, PerElement3
+from bondem.errors import InputError
+from bondem.io.atomic import replacing, require_writable
+from bondem.io.vtk_cells import Corners
+from bondem.model.state import State
+from bondem.specimen.lattice import Lattice
+
+_TABLE, _DATA, _DUMP = (".csv",), (".data", ".lmp", ".lammps"), (".dump", ".lammpstrj")
+# Of spheres: formats of meshio that have points and lines; of cells those that have polyhedra.
+_MESH, _POLYHEDRA = (".vtu", ".vtk", ".xdmf", ".msh"), (".vtu",)
+_MIXED = (".vtu", ".vtk")
+_FORMATS = ".csv; .data or .lmp (LAMMPS read_data); .dump or .lammpstrj (LAMMPS, OVITO); " + ", ".join(_MESH)
+
+
+def export(
+    path: str | Path,
+    lattice: Lattice,
+    *,
+    state: State | None = None,
+    density: float | None = None,
+    elements: Mapping[str, ArrayLike] | None = None,
+) -> None:
+    """Write elements and bonds for another program, in the format the suffix stands for.
+
+    `.csv` is a table with a header: x, y, z, radius (of cells: volume), and fields by column. `.data` and `.lmp` are
+    LAMMPS data files of atom_style bpm/sphere with bonds, which `bd.read_lattice` reads, too; `.dump` is a snapshot
+    of a LAMMPS dump, for OVITO. `.vtu`, `.vtk`, `.xdmf` and `.msh` (gmsh) go by meshio (`pip install
+    bondem[exchange]`): points and lines, of cells polyhedra (`.vtu`).
+
+    Units are SI throughout (LAMMPS: `units si`). For ParaView, and for what grows, see `bd.write_vtkhdf` and `out=`.
+
+    Args:
+        path: file to write; what is there is replaced when all is written.
+        lattice: elements and bonds, or cells.
+        state: where they are; adds displacement and velocity, and leaves out bonds that are broken.
+        density: of the elements [kg/m³]; LAMMPS data files need it.
+        elements: more fields by name, each (n,) or (n, k); CSV, dumps and meshio take them.
+
+    Raises:
+        InputError: an unknown format, one that cannot hold these elements, a field of the wrong length, or a file
+            that cannot be written.
+        MissingDependencyError: meshio is not installed.
+    """
+    path = place("export: path", path)
+    instance("export", "lattice", lattice, Lattice, "a lattice")
+    suffix = path.suffix.lower()
+    writer = _WRITERS.get(suffix)
+    if writer is None:
+        raise InputError(f"export: '{path}' has a suffix we do not write; give one of {_FORMATS}")
+    if lattice.cells is not None and suffix not in (*_TABLE, *_DUMP, *_POLYHEDRA):
+        raise InputError(f"export: cells are no spheres, which '{suffix}' is for; give .csv, .dump or .vtu")
+    if suffix in _DATA and density is None:
+        raise InputError("export: LAMMPS data files have a density; give density= [kg/m³]")
+    if density is not None:
+        number("export", "density", density, unit="kg/m³", above=0.0, advice="a positive density")
+    if state is not None:
+        instance("export", "state", state, State, "a state of a model of this lattice")
+        if len(state.displacement) != len(lattice.particles):
+            raise InputError(
+                f"export: the state has {len(state.displacement)} elements, the lattice {len(lattice.particles)};"
+                " give the lattice of its model"
+            )
+    frame = _Frame.of(lattice, state, density, elements)
+    require_writable(path, "file")
+    with replacing(path) as new:
+        writer(new, frame, suffix)
+
+
+@dataclass(frozen=True, eq=False)
+class _Frame:
+    """What is written.
+
+    Attributes:
+        lattice: elements and bonds.
+        state: of them, or None.
+        position: centres [m], of cells their centroids, (n, 3).
+        density: [kg/m³], or None.
+        fields: of the elements, each (n,) or (n, k).
+    """
+
+    lattice: Lattice
+    state: State | None
+    position: PerElement3
+    density: float | None
+    fields: Mapping[str, Floats]
+
+    @classmethod
+    def of(
+        cls, lattice: Lattice, state: State | None, density: float | None, elements: Mapping[str, ArrayLike] | None
+    ) -> "_Frame":
+        instance("export", "elements", elements or {}, Mapping, "fields by name")
+        fields: dict[str, Floats] = {}
+        if state is not None:
+            fields |= {"displacement": state.displacement, "velocity": state.velocity}
+        for name, values in (elements or {}).items():
+            found = array("export", f"elements['{name}']", values, wanted="numbers of the elements")
+            if found.ndim not in (1, 2) or len(found) != len(lattice.particles):
+                raise InputError(
+                    f"export: elements['{name}'] has shape {found.shape}; give ({len(lattice.particles)},) or"
+                    f" ({len(lattice.particles)}, k)"
+                )
+            fields[name] = found
+        position = lattice.centre if state is None else lattice.centre + state.displacement
+        return cls(lattice, state, position, density, fields)
+
+    @property
+    def pairs(self) -> Pairs:
+        """Bonds that hold, (m, 2)."""
+        pairs = self.lattice.pairs
+        return pairs if self.state is None else pairs[self.state.bond_integrity > 0.0]
+
+    @property
+    def size(self) -> tuple[str, Floats]:
+        """Radii [m], of cells volumes [m³]."""
+        cells = self.lattice.cells
+        return ("radius", self.lattice.particles.radius) if cells is None else ("volume", cells.volume)
+
+    @property
+    def columns(self) -> dict[str, Floats]:
+        """Fields by column: components have numbers, vectors letters."""
+        found: dict[str, Floats] = {}
+        for name, values in self.fields.items():
+            if values.ndim == 1:
+                found[name] = values
+                continue
+            ends = "xyz" if values.shape[1] == 3 else range(values.shape[1])
+            found |= {f"{name}_{end}": values[:, k] for k, end in enumerate(ends)}
+        return found
+
+    @property
+    def bounds(self) -> tuple[Floats, Floats]:
+        """Of the periodic cell, or of the elements with a margin of a hundredth [m]."""
+        period = self.lattice.particles.period
+        if period is not None:
+            return np.zeros(3), np.asarray(period, dtype=float)
+        radius = self.lattice.particles.radius[:, None]
+        lower, upper = (self.position - radius).min(axis=0), (self.position + radius).max(axis=0)
+        margin = 0.01 * float((upper - lower).max())
+        return lower - margin, upper + margin
+
+
+def _write_csv(path: Path, frame: _Frame, suffix: str) -> None:
+    name, size = frame.size
+    columns = {"x": frame.position[:, 0], "y": frame.position[:, 1], "z": frame.position[:, 2], name: size}
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow([*columns, *frame.columns])
+        for row in zip(*columns.values(), *frame.columns.values(), strict=True):
+            table.writerow([repr(float(value)) for value in row])
+
+
+def _write_data(path: Path, frame: _Frame, suffix: str) -> None:
+    """Atoms of style bpm/sphere: id, molecule, type, diameter, density, x, y, z."""
+    diameter, pairs = 2.0 * frame.lattice.particles.radius, frame.pairs
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("LAMMPS data file of bondem: units si, atom_style bpm/sphere\n\n")
+        file.write(f"{len(diameter)} atoms\n{len(pairs)} bonds\n1 atom types\n1 bond types\n")
+        # room for bonds: as many as the best bonded element has, and those that LAMMPS makes of both ends
+        most = int(np.bincount(pairs.ravel(), minlength=1).max()) if len(pairs) else 0
+        file.write(f"{most} extra bond per atom\n{most + 1} extra special per atom\n\n")
+        for axis, low, high in zip("xyz", *frame.bounds, strict=True):
+            file.write(f"{float(low)!r} {float(high)!r} {axis}lo {axis}hi\n")
+        file.write("\nAtoms # bpm/sphere\n\n")
+        for k, (size, place) in enumerate(zip(diameter.tolist(), frame.position.tolist(), strict=True), start=1):
+            file.write(f"{k} 1 1 {size!r} {frame.density!r} {' '.join(map(repr, place))}\n")
+        if frame.state is not None:
+            file.write("\nVelocities\n\n")
+            both = np.hstack([frame.state.velocity, frame.state.angular_velocity]).tolist()
+            file.writelines(f"{k} {' '.join(map(repr, row))}\n" for k, row in enumerate(both, start=1))
+        if len(pairs):
+            file.write("\nBonds\n\n")
+            file.writelines(f"{k} 1 {i + 1} {j + 1}\n" for k, (i, j) in enumerate(pairs.tolist(), start=1))
+
+
+def _write_dump(path: Path, frame: _Frame, suffix: str) -> None:
+    step = 0 if frame.state is None else frame.state.step
+    edge = "ff ff ff" if frame.lattice.particles.period is None else "pp pp pp"
+    name, size = frame.size
+    velocity = {} if frame.state is None else dict(zip(("vx", "vy", "vz"), frame.state.velocity.T, strict=True))
+    others = {key: values for key, values in frame.columns.items() if not key.startswith("velocity_")}
+    columns = velocity | others
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n{len(size)}\nITEM: BOX BOUNDS {edge}\n")
+        file.writelines(f"{float(low)!r} {float(high)!r}\n" for low, high in zip(*frame.bounds, strict=True))
+        file.write(f"ITEM: ATOMS id type x y z {' '.join([name, *columns])}\n")
+        _write_rows(file, [*frame.position.T, size, *columns.values()])
+
+
+def _write_rows(file: TextIO, columns: list[Floats]) -> None:
+    for k, row in enumerate(zip(*(column.tolist() for column in columns), strict=True), start=1):
+        file.write(f"{k} 1 {' '.join(map(repr, row))}\n")
+
+
+def _write_mesh(path: Path, frame: _Frame, suffix: str) -> None:
+    meshio = needed("meshio", "exchange")
+    name, size = frame.size
+    fields = {name: size, **frame.fields}
+    if frame.lattice.cells is not None:
+        points, blocks, order = _polyhedra(frame)
+        data = {key: [values[chosen] for chosen in order] for key, values in fields.items()}
+        mesh = meshio.Mesh(points, blocks, cell_data=data)
+    else:
+        lines, vertices = [("line", frame.pairs)], [("vertex", np.arange(len(size))[:, None])]
+        # the other two hold one kind of cell, and points without one all the same
+        mesh = meshio.Mesh(frame.position, vertices + lines if suffix in _MIXED else lines, point_data=fields)
+    meshio.write(path, mesh, file_format=_meshio_format(suffix))
+
+
+def _meshio_format(suffix: str) -> str:
+    return {".msh": "gmsh"}.get(suffix, suffix[1:])
+
+
+def _polyhedra(frame: _Frame) -> tuple[Floats, list[tuple[str, Any]], list[Ints]]:
+    """Points, and cells in blocks of equally many corners as meshio wants them, with the numbers of those in each."""
+    corners = Corners(frame.lattice)
+    points = corners.place if frame.state is None else corners.place + frame.state.displacement[corners.cell]
+    faces: list[list[Ints]] = [[] for _ in frame.position]
+    for polygon, cell in enumerate(corners.polygon_cell.tolist()):
+        faces[cell].append(corners.number[corners.start[polygon] : corners.start[polygon + 1]])
+    count = np.bincount(corners.cell, minlength=len(faces))
+    order = [np.flatnonzero(count == kind) for kind in np.unique(count)]
+    blocks = [(f"polyhedron{count[chosen[0]]}", [faces[k] for k in chosen]) for chosen in order]
+    return points, blocks, order
+
+
+_Writer = Callable[[Path, _Frame, str], None]
+_WRITERS: dict[str, _Writer] = {
+    **dict.fromkeys(_TABLE, _write_csv), **dict.fromkeys(_DATA, _write_data), **dict.fromkeys(_DUMP, _write_dump),
+    **dict.fromkeys(_MESH, _write_mesh),
+}  # fmt: skip
