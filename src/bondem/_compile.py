@@ -37,6 +37,7 @@ from numba.extending import intrinsic
 from numba.np.numpy_support import carray
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
+from bondem._linking import InlinedOnly, LinkedOnly
 from bondem._lock import alone
 from bondem._pruning import Pruned
 
@@ -72,7 +73,7 @@ LANES = _lanes()
 def _source_hash() -> str:
     digest = hashlib.sha256(f"{numba.__version__} {LANES}".encode())
     cells = "specimen/triangles.py", "specimen/cells/*.py"
-    for pattern in ("_compile.py", "_pruning.py", "laws/**/*.py", "kernels/*.py", *cells):
+    for pattern in ("_compile.py", "_linking.py", "_pruning.py", "laws/**/*.py", "kernels/*.py", *cells):
         for source in sorted(_PACKAGE.glob(pattern)):
             digest.update(source.read_bytes())
     return digest.hexdigest()[:16]
@@ -167,7 +168,7 @@ def say_nothing() -> None:
     _notice.said = True
 
 
-_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
+_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True}
 
 
 def _alone(what: str) -> AbstractContextManager[None]:
@@ -231,7 +232,7 @@ def device(function: F) -> F:
     if config.DISABLE_JIT:
         return function
     options = {"nopython": True, "forceinline": True, "no_cpython_wrapper": True, **_FLAGS}
-    return cast(F, _Inlined(function, targetoptions=options, pipeline_class=Pruned))
+    return cast(F, _Inlined(function, targetoptions=options, pipeline_class=InlinedOnly))
 
 
 class _Within(_Shared):
@@ -250,7 +251,8 @@ def _compiled(function: F, dispatcher: type[_Shared], *, parallel: bool, **more:
         return cast(F, twin)
     options = {"nopython": True, "nogil": True, "parallel": parallel, **_FLAGS, **more}
     with _own_cache():
-        shared = dispatcher(twin, targetoptions=options, pipeline_class=Pruned)
+        linked = dispatcher is _Within and not parallel
+        shared = dispatcher(twin, targetoptions=options, pipeline_class=LinkedOnly if linked else Pruned)
         shared.enable_caching()
     return cast(F, shared)
 

@@ -1,6 +1,7 @@
 """Digests of arrays and texts, by which a file knows that it is damaged."""
 
 import hashlib
+import hmac
 from collections.abc import Iterable
 from typing import Any
 
@@ -19,6 +20,11 @@ def digest_of(items: Iterable[tuple[str, Any]]) -> str:
         found.update(f"{name} {told} ".encode())
         found.update(data)
     return found.hexdigest()
+
+
+def agree(found: str, told: object) -> bool:
+    """Whether a digest is that which a file tells."""
+    return hmac.compare_digest(found.encode(), str(told).encode(errors="replace"))
 
 
 def arrays_of(group: Any, under: str = "") -> list[tuple[str, Any]]:

@@ -13,7 +13,7 @@ from bondem._checks import place
 from bondem._lock import claim
 from bondem.errors import RunFileError
 from bondem.io.journal import JournaledFile, journal_of
-from bondem.io.runfile import FORMAT, reading
+from bondem.io.runfile import head_of, reading
 from bondem.solve.history import History
 
 
@@ -92,13 +92,12 @@ def read_contents(path: str | Path) -> RunContents:
         with suppress(RunFileError):  # where nobody may write, the journal is read beside the file
             JournaledFile(path).close()
     with reading(path) as file:
-        head: Any = file.attrs
-        if head.get("format") != FORMAT:
-            raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote")
+        head = head_of(file, path)
         try:
             return _contents(path, file, head, written)
         except Exception as error:  # damage shows in more ways than a list could hold
-            raise RunFileError(f"'{path}' is damaged ({error}); start the run again") from error
+            told = " ".join(str(error).split())
+            raise RunFileError(f"'{path}' is damaged ({told}); start the run again") from error
 
 
 def _contents(path: Path, file: Any, head: Any, written: bool) -> RunContents:

@@ -34,7 +34,7 @@ from bondem.errors import RunFileError
 from bondem.io.atomic import require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
-from bondem.io.digest import arrays_of, digest_of
+from bondem.io.digest import agree, arrays_of, digest_of
 from bondem.io.journal import JournaledFile, committed
 from bondem.io.snapshots import Outlined, Snapshots
 from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
@@ -258,9 +258,7 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
     if not path.is_file():
         raise RunFileError(f"there is no run file '{path}'; check the path")
     with reading(path) as file:
-        head = _attributes(file)
-        if head.get("format") != FORMAT:
-            raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote")
+        head = head_of(file, path)
         if head["schema"] > SCHEMA:
             raise RunFileError(
                 f"'{path}' was written by bondem {head['bondem_version']}, which is newer than this"
@@ -271,13 +269,13 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
                 f"'{path}' was written by an older bondem, before there were contacts; start the run again"
             )
         try:
-            if head["schema"] >= _DIGESTED and _digest_of_rest(file) != head["digest"]:
+            if head["schema"] >= _DIGESTED and not agree(_digest_of_rest(file), head["digest"]):
                 raise ValueError("its digest is another one")
             return _checkpoint(file, int(head["schema"]), failure)
         except RunFileError:
             raise
         except Exception as error:  # damage shows in more ways than a list could hold
-            raise RunFileError(f"'{path}' is damaged ({error}); start the run again") from error
+            raise RunFileError(f"'{path}' is damaged ({_line(error)}); start the run again") from error
 
 
 @contextmanager
@@ -293,6 +291,28 @@ def reading(path: Path) -> Iterator[h5py.File]:
         raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote") from None
     with file:
         yield file
+
+
+def head_of(file: h5py.File, path: Path) -> dict[str, Any]:
+    """What stands at the head of a run file.
+
+    Raises:
+        RunFileError: another file, or a damaged one.
+    """
+    try:
+        head = dict(_attributes(file))
+        known = head.get("format") == FORMAT
+        if known:
+            head["schema"], head["bondem_version"] = int(head["schema"]), str(head["bondem_version"])
+    except Exception as error:  # damage shows in more ways than a list could hold
+        raise RunFileError(f"'{path}' is damaged ({_line(error)}); start the run again") from error
+    if not known:
+        raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote")
+    return head
+
+
+def _line(error: Exception) -> str:
+    return " ".join(str(error).split())
 
 
 def _array(file: h5py.File, name: str) -> np.ndarray:
@@ -347,7 +367,7 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
     if schema < 5:
         records = np.insert(records, PLASTIC, 0.0, axis=1)
     history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
-    if schema >= _DIGESTED and _digest_of_state(state, history) != kept["digest"]:
+    if schema >= _DIGESTED and not agree(_digest_of_state(state, history), kept["digest"]):
         raise ValueError("the digest of its state is another one")
     return Checkpoint(
         model, decode(_json(file, "plan")), state, history, float(kept.get("seconds", 0.0)), schema

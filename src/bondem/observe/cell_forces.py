@@ -6,7 +6,7 @@ from typing import Protocol
 import numpy as np
 
 from bondem._checks import shown
-from bondem._types import Floats, PerBond3, PerElement, PerElement3
+from bondem._types import Floats, Ints, PerBond3, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.grip_pass import place_walls
@@ -139,19 +139,25 @@ def _failing(model: Model, state: State) -> CellForces:
     q, grips, free = state.orientation, constants.grips, cells.free
     force = np.empty((len(i), 3))
     force[layout.bond_order] = np.where(layout.flipped[:, None], -1.0, 1.0) * state.facet_force.T
-    P = state.plastic_deformation
-    arm = turned_vectors(q[grips.cell], np.einsum("gab,gb->ga", P[grips.cell], grips.arm))
+    arm = turned_vectors(q[grips.cell], _deformed(state, grips.cell, grips.arm))
     opened = grips.axes * (_walls(model, state.time) - (state.displacement[grips.cell] + arm - grips.lever))
     stress = state.pose[layout.rank, STRESS]
     return CellForces(
         force=force,
-        arm_i=turned_vectors(q[i], np.einsum("mab,mb->ma", P[i], constants.lever_i)),
-        arm_j=turned_vectors(q[j], np.einsum("mab,mb->ma", P[j], constants.lever_j)),
+        arm_i=turned_vectors(q[i], _deformed(state, i, constants.lever_i)),
+        arm_j=turned_vectors(q[j], _deformed(state, j, constants.lever_j)),
         held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
         load=loads_on_facets(model, state.time, q),
         load_arm=turned_vectors(q[free.cell], free.centroid - cells.centroid[free.cell]),
         stress=stress,
     )  # fmt: skip
+
+
+def _deformed(state: State, owner: Ints, arm: Floats) -> Floats:
+    """Arms in cells that have yielded."""
+    if not state.plastic.any():
+        return arm
+    return np.einsum("mab,mb->ma", state.plastic_deformation[owner], arm)
 
 
 def _grown(model: Model, state: State) -> CellConstants:

@@ -2,11 +2,15 @@
 
 import numpy as np
 
-from bondem._types import Floats, Ints, PerElement
+from bondem._types import Floats, PerElement
+from bondem.kernels.turning import add_moments
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces, SmallMotion
+
+# Where the components of a tensor are in a row xx, yy, zz, xy, yz, zx.
+_OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
 
 
 def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
@@ -32,26 +36,13 @@ def mean_stress(model: Model, forces: CellForces) -> Floats:
     body, grips = model.lattice, model.cell_constants.grips
     _, cells = body_of(body)
     i, j = body.pairs.T
-    moment = np.zeros((len(cells.volume), 3, 3))
-    for owner, arm, force in (
-        (i, forces.arm_i, forces.force), (j, forces.arm_j, -forces.force),
-        (grips.cell, forces.held_arm, forces.held), (cells.free.cell, forces.load_arm, forces.load),
+    moment = np.zeros((len(cells.volume), 6))
+    for owner, arm, force, sign in (
+        (i, forces.arm_i, forces.force, 1.0), (j, forces.arm_j, forces.force, -1.0),
+        (grips.cell, forces.held_arm, forces.held, 1.0), (cells.free.cell, forces.load_arm, forces.load, 1.0),
     ):  # fmt: skip
-        _add(moment, owner, arm, force)
-    return moment / cells.volume[:, None, None]
-
-
-def _add(moment: Floats, owner: Ints, arm: Floats, force: Floats) -> None:
-    """Add sym Σ b⊗f."""
-    for a in range(3):
-        for b in range(a, 3):
-            part = arm[:, a] * force[:, b]
-            if a != b:
-                part = 0.5 * (part + arm[:, b] * force[:, a])
-            total = np.bincount(owner, weights=part, minlength=len(moment))
-            moment[:, a, b] += total
-            if a != b:
-                moment[:, b, a] += total
+        add_moments(moment, np.ascontiguousarray(owner), arm, force, sign)
+    return (moment / cells.volume[:, None])[:, _OF_TENSOR]
 
 
 def dilatation(model: Model, stress: Floats) -> PerElement:

@@ -3,9 +3,9 @@
 import numpy as np
 
 from bondem._types import Floats
-from bondem.laws.rotations import rotate
+from bondem.kernels.turning import turn_vectors
 
 
 def turned_vectors(quaternion: Floats, vectors: Floats) -> Floats:
     """Vectors (k, 3), each turned by its unit quaternion (w, x, y, z), (k, 4)."""
-    return np.stack(rotate(*quaternion.T, *vectors.T), axis=1)
+    return turn_vectors(np.ascontiguousarray(quaternion), np.ascontiguousarray(vectors))

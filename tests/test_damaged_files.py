@@ -1,0 +1,86 @@
+"""Studies and run files that are damaged anywhere: refused in one line, or what was written. Fuzzing: benchmarks/."""
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import bondem as bd
+from bondem.errors import RunFileError, StudyError
+from bondem.study.programme import read
+
+EXAMPLES = sorted(Path("examples").glob("*.toml"))
+QUIET = settings(
+    max_examples=150, deadline=None, derandomize=True,
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
+)  # fmt: skip
+EDIT = st.tuples(
+    st.sampled_from(["cut", "put", "twice", "turn"]), st.floats(0, 1), st.integers(1, 80),
+    st.sampled_from([b"[", b"]", b'"', b"=", b"nan", b"-", b"0", b"\n", b"\xff", b"specimen", b"1e400", b"{"]),
+)  # fmt: skip
+
+
+def edited(data: bytes, edits: list[tuple[str, float, int, bytes]]) -> bytes:
+    for kind, where, length, new in edits:
+        at = int(where * max(len(data) - 1, 0))
+        part = data[at : at + length]
+        turned = bytes(255 - byte for byte in part)
+        middle = {"cut": b"", "put": new + part, "twice": part + part, "turn": turned}[kind]
+        data = data[:at] + middle + data[at + length :]
+    return data
+
+
+def check_line(error: Exception) -> None:
+    assert "\n" not in str(error)
+
+
+@QUIET
+@given(st.sampled_from(EXAMPLES), st.lists(EDIT, min_size=1, max_size=4))
+def test_a_damaged_study_is_read_or_refused_in_one_line(tmp_path: Path, example: Path, edits: list) -> None:
+    (tmp_path / "study.toml").write_bytes(edited(example.read_bytes(), edits))
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            read(tmp_path / "study.toml")
+    except StudyError as error:
+        check_line(error)
+        assert str(error).startswith((f"{tmp_path}", "study '"))  # noqa: PT017
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    body = bd.connect(bd.pack(bd.Box((4e-3, 2e-3, 2e-3)), count=100, seed=1))
+    model = bd.Model(body, bd.Timoshenko(E=1e9, nu=0.3, radius_ratio=0.5), density=2000.0)
+    path = tmp_path_factory.mktemp("run") / "run.h5"
+    bd.solve_explicit(model, duration=0.0, out=path)
+    return path
+
+
+@QUIET
+@given(st.lists(EDIT, min_size=1, max_size=3))
+def test_a_damaged_run_file_is_what_was_written_or_refused(tmp_path: Path, run: Path, edits: list) -> None:
+    whole = bd.read_run(run)
+    (tmp_path / "run.h5").write_bytes(edited(run.read_bytes(), edits))
+    try:
+        bd.read_contents(tmp_path / "run.h5")
+        found = bd.read_run(tmp_path / "run.h5")
+    except RunFileError as error:
+        check_line(error)
+    else:
+        for name in type(whole.state).ARRAYS:
+            np.testing.assert_array_equal(getattr(found.state, name), getattr(whole.state, name))
+        np.testing.assert_array_equal(found.model.mass, whole.model.mass)
+
+
+def test_a_head_that_cannot_be_read_is_damage(run: Path, tmp_path: Path) -> None:
+    """It was an error of HDF5's: found by fuzzing."""
+    data = bytearray(run.read_bytes())
+    at = data.find(b"bondem_version")
+    data[at] ^= 1  # the checksum of the header is another one now
+    (tmp_path / "run.h5").write_bytes(data)
+    for reader in (bd.read_contents, bd.read_run):
+        with pytest.raises(RunFileError, match=r"damaged|not a run file"):
+            reader(tmp_path / "run.h5")
