@@ -11,6 +11,7 @@ It writes benchmarks/results/fuzzing.json.
 
 import argparse
 import dataclasses
+import importlib
 import json
 import math
 import re
@@ -129,8 +130,7 @@ def corpus(target: str, folder: Path) -> Path:
 
 def fuzz(target: str, seconds: int, folder: Path) -> None:
     """In a process of its own, which libFuzzer ends."""
-    import atheris
-
+    atheris: Any = importlib.import_module("atheris")
     with atheris.instrument_imports(include=["bondem.study", "bondem.io", "bondem.specimen", "bondem._checks"]):
         one = of_study() if target == "study" else of_run(folder / "run_seeds")
     found = folder / f"{target}_found"
