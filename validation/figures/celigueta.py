@@ -38,8 +38,9 @@ def draw_curves(path: Path, test: str, measured: float | None, rows: Sequence[Ma
 
 def draw_broken(path: Path, runs: Sequence[tuple[Mapping[str, Any], Mapping[str, Any]]]) -> None:
     """Slices through the middle, coloured by the displacement across the load; positions magnified twenty times."""
+    rows = min(len(runs), 2)
     columns = (len(runs) + 1) // 2
-    with sheet(path, 2.9 * columns, 6.4, 2, columns, squeeze=False) as (_, boxes):
+    with sheet(path, (4.4 if rows == 1 else 2.9) * columns, 3.2 * rows, rows, columns, squeeze=False) as (_, boxes):
         for ax in boxes.flat:
             ax.set_axis_off()
         for ax, (run, kept) in zip(boxes.T.flat, runs, strict=False):
