@@ -1,5 +1,6 @@
 """What the decorators of compiled code promise: branches decided, no entry for Python, no variant for a constant."""
 
+import errno
 import subprocess
 import sys
 
@@ -7,6 +8,7 @@ import numpy as np
 import pytest
 from numba import typeof, types
 
+from bondem import _compile
 from bondem._compile import device, kernel, loop
 
 
@@ -90,3 +92,35 @@ def test_a_fork_after_threads_is_told_of():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
     assert done.stdout.split() == ["0", "1"], done.stderr
+
+
+def test_a_user_without_a_home_has_a_cache(monkeypatch):
+    def nobody():
+        raise RuntimeError("Could not determine home directory.")
+
+    for name in ("BONDEM_CACHE_DIR", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("pathlib.Path.home", nobody)
+    assert _compile._cache_root().name.startswith("bondem-")
+
+
+@kernel(parallel=False)
+def doubled(x):
+    return 2.0 * x
+
+
+def test_a_full_disk_costs_the_cache_and_nothing_else(monkeypatch):
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(doubled._cache, "_save_overload", full)
+    monkeypatch.setattr(doubled._cache, "_load_overload", lambda *_: None)
+    monkeypatch.setattr(_compile, "_used", set())
+    with pytest.warns(RuntimeWarning, match="No space left on device.*: make room, or set BONDEM_CACHE_DIR"):
+        assert doubled(2.0) == 4.0
+
+
+def test_what_is_only_linked_has_no_machine_code_of_its_own():
+    assert shifted_twice(np.arange(3.0), 2) == 9.0
+    (made,) = (one for one in shifted.overloads.values())
+    assert made.library.get_pointer_to_function(made.fndesc.llvm_func_name) == 0

@@ -19,6 +19,7 @@ class Kratos:
     name = "kratos"
     # Another bond: what it does to positions is printed, but no reason to refuse a ratio.
     alike = False
+    own_law = False
     differs = (
         "stiffnesses are its own, E A / L, G A / L, E I / L and G J / L with the mean radius of the two spheres, "
         "weighted by their neighbours; E makes E A / L ours before weighting; another motion, but the same work",

@@ -18,6 +18,7 @@ class Lammps:
 
     name = "lammps"
     alike = True
+    own_law = False
     differs = (
         f"stiffness by {TYPES} classes of bond length instead of bond by bond",
         "bonds compute their damping, with coefficients of zero, and a measure of breaking that never breaks them;"

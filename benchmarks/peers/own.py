@@ -1,4 +1,4 @@
-"""bondem itself, in a process of its own like any peer: `python own.py FOLDER CHECK STEPS CONTACTS`."""
+"""bondem itself, in a process of its own like any peer: `python own.py FOLDER CHECK STEPS CONTACTS LAW`."""
 
 import os
 import subprocess
@@ -14,8 +14,10 @@ class Bondem:
     """The code that is compared with the others."""
 
     name = "bondem"
-    differs = ()
+    differs: tuple[str, ...] = ()
     alike = True
+    law = "beams"
+    own_law = False
 
     def __init__(self, *, contacts: bool = False) -> None:
         self.contacts = contacts
@@ -25,21 +27,35 @@ class Bondem:
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         specimen.save(folder / "specimen.npz")
-        command = [sys.executable, __file__, str(folder), str(check), str(steps), str(int(self.contacts))]
+        command = [sys.executable, __file__, str(folder), str(check), str(steps), str(int(self.contacts)), self.law]
         subprocess.run(command, check=True, env={**os.environ, "NUMBA_NUM_THREADS": "1"})
         return Outcome.load(folder / "outcome.npz")
 
 
-def _run(specimen: Specimen, check: int, steps: int, contacts: bool) -> Outcome:
+class NonLocalBondem(Bondem):
+    """The law that Kratos' own authors published, with its non-local terms and its criterion."""
+
+    name = "non-local"
+    differs = ("bd.NonLocal with Rankine's criterion, never reached: stresses of all elements in every step",)
+    alike = False
+    law = "non-local"
+    own_law = True  # its motion is another one
+
+
+def _run(specimen: Specimen, check: int, steps: int, contacts: bool, which: str) -> Outcome:
     import bondem as bd
     from bondem.model.state import State
     from bondem.solve.explicit import integrate
     from bondem.solve.plan import Plan
 
     lattice = bd.Lattice(bd.Particles(specimen.position, specimen.radius), specimen.pairs)
-    law = bd.EulerBernoulli(E=YOUNG, nu=POISSON, radius_ratio=RADIUS_RATIO)
     contact = bd.LinearContact(E=RADIUS_RATIO**2 * YOUNG) if contacts else None
-    model = bd.Model(lattice, law, DENSITY, contact=contact)
+    if which == "beams":
+        law = bd.EulerBernoulli(E=YOUNG, nu=POISSON, radius_ratio=RADIUS_RATIO)
+        model = bd.Model(lattice, law, DENSITY, contact=contact)
+    else:
+        law = bd.NonLocal(E=RADIUS_RATIO**2 * YOUNG, nu=POISSON, areas="weighted", lever="contact")
+        model = bd.Model(lattice, law, DENSITY, contact=contact, failure=bd.Rankine(tension=1e20))
     state = State(model)
     state.set_motion(velocity=specimen.velocity)
     dt = float(specimen.dt)
@@ -65,5 +81,5 @@ def _run(specimen: Specimen, check: int, steps: int, contacts: bool) -> Outcome:
 
 if __name__ == "__main__":
     here = Path(sys.argv[1])
-    check, steps, contacts = (int(word) for word in sys.argv[2:])
-    _run(Specimen.load(here / "specimen.npz"), check, steps, bool(contacts)).save(here / "outcome.npz")
+    check, steps, contacts = (int(word) for word in sys.argv[2:5])
+    _run(Specimen.load(here / "specimen.npz"), check, steps, bool(contacts), sys.argv[5]).save(here / "outcome.npz")

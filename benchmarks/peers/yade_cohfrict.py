@@ -15,6 +15,7 @@ class Yade:
 
     name = "yade"
     alike = True
+    own_law = False
     differs = (
         "bonds shear where the spheres touch, not in the middle",
         "bonds compute their strength, which is never reached",

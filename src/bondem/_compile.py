@@ -80,17 +80,17 @@ def _source_hash() -> str:
 
 
 def _cache_root() -> Path:
-    root = Path(os.environ.get("BONDEM_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    asked = os.environ.get("BONDEM_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME")
     try:
+        root = Path(asked) if asked else Path.home() / ".cache"
         (root / "bondem").mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=root / "bondem"):
             return root / "bondem"
-    except OSError:
+    except (OSError, RuntimeError):  # not writable, or nobody's: a user without a home
         return Path(tempfile.gettempdir()) / f"bondem-{os.getuid() if hasattr(os, 'getuid') else 'cache'}"
 
 
 cache_directory = _cache_root() / _source_hash()
-
 
 
 def compiled_before() -> bool:
@@ -114,7 +114,7 @@ _used: set[str] = set()
 
 
 def _warn_of_fork() -> None:
-    if _used:
+    if "threads" in _used:
         warnings.warn(
             "this process forks after bondem has used threads, and its child will end at the first threaded loop:"
             " take multiprocessing.get_context('spawn') or 'forkserver'",
@@ -177,6 +177,17 @@ def _alone(what: str) -> AbstractContextManager[None]:
     return alone(cache_directory / "locks" / name, patience=_PATIENCE)
 
 
+def _warn_of_cache(error: OSError) -> None:
+    if "cache" not in _used:
+        _used.add("cache")
+        warnings.warn(
+            f"compiled code cannot be kept in '{cache_directory}' ({error.strerror}): make room, or set"
+            " BONDEM_CACHE_DIR; every run compiles anew until then",
+            RuntimeWarning,
+            stacklevel=2,
+        )
+
+
 def _any_value(of: Any) -> Any:
     """The type of an argument, whatever its value: numba would compile a function once more for a constant."""
     if isinstance(of, types.BaseTuple) and not isinstance(of, types.BaseNamedTuple):
@@ -201,8 +212,11 @@ class _Shared(CPUDispatcher):
         save = self._cache.save_overload
 
         def save_alone(sig: Any, data: Any) -> None:
-            with _alone(f"{self.py_func.__module__}.{self.py_func.__qualname__}"):
-                save(sig, data)
+            try:
+                with _alone(f"{self.py_func.__module__}.{self.py_func.__qualname__}"):
+                    save(sig, data)
+            except OSError as error:  # a full disk: the code is there for this process
+                _warn_of_cache(error)
 
         self._cache.save_overload = save_alone
 

@@ -24,7 +24,8 @@ _SHOWN = 5
 @click.option("--out", required=True, metavar="DIR", type=click.Path(path_type=Path), help="Where results go.")
 @click.option("--workers", type=click.IntRange(min=1), help="Processes of this machine; one a core unless given.")
 @click.option("--address", metavar="URL", help='Scheduler of a Dask cluster that is there, such as "tcp://host:8786".')
-def command(study_file: Path, out: Path, workers: int | None, address: str | None) -> int:
+@click.option("--log", metavar="FILE", type=click.Path(path_type=Path), help="Where progress is written to, too.")
+def command(study_file: Path, out: Path, workers: int | None, address: str | None, log: Path | None) -> int:
     """Do a study for all seeds and values that its table [campaign] names, several at once.
 
     Run again with the same DIR, it does what is not finished there. Workers that die are replaced and their
@@ -33,7 +34,7 @@ def command(study_file: Path, out: Path, workers: int | None, address: str | Non
     if workers is not None and address is not None:
         raise InputError("give --workers, for processes of this machine, or --address, not both")
     campaign = read_campaign(study_file)
-    with progress_bars() as progress:
+    with progress_bars(log) as progress:
         results = run_campaign(
             campaign, out, workers=workers, address=address, progress=progress, dashboard=_tell_address
         )

@@ -16,9 +16,11 @@ from bondem.study.programme_run import run_programme
 @click.option("--packings", type=click.IntRange(min=1), help="Number of packings, instead of the study's.")
 @click.option("--seed", type=click.IntRange(min=0), help="Seed of the first packing, instead of the study's.")
 @click.option("--threads", "count", type=click.IntRange(min=1), help="Number of threads; all cores unless given.")
+@click.option("--log", metavar="FILE", type=click.Path(path_type=Path), help="Where progress is written to, too.")
 @click.option("--fresh", is_flag=True, help="Of several specimens, run those again too that are finished in DIR.")
 def command(
-    study_file: Path, out: Path, packings: int | None, seed: int | None, count: int | None, fresh: bool
+    study_file: Path, out: Path, packings: int | None, seed: int | None, count: int | None, fresh: bool,
+    log: Path | None,
 ) -> None:
     """Do everything a study names: pack, check, connect, calibrate, test, report.
 
@@ -26,7 +28,7 @@ def command(
     goes on with the specimens that are not finished there.
     """
     asked = read(study_file).changed(packings=packings, seed=seed)
-    with on_threads(count), progress_bars() as progress:
+    with on_threads(count), progress_bars(log) as progress:
         if isinstance(asked, Programme):
             results = run_programme(asked, out, fresh=fresh, progress=progress)
         else:

@@ -1,7 +1,8 @@
 """What the commands share: threads, progress on a terminal, and the table of results."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import closing, contextmanager, nullcontext
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -26,8 +27,15 @@ _EXPLANATION = (
 
 
 @contextmanager
-def progress_bars() -> Iterator[Callable[[str, float], None]]:
-    """A bar a stage on a terminal, nothing in a pipe; yields progress(stage, share done)."""
+def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], None]]:
+    """A bar a stage on a terminal, nothing in a pipe; yields progress(stage, share done).
+
+    Args:
+        log: file that is told the same, a line for each twentieth of a stage.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
     console = Console(stderr=True)
     say_nothing()
     if console.is_terminal and not compiled_before():
@@ -40,8 +48,38 @@ def progress_bars() -> Iterator[Callable[[str, float], None]]:
             if stage not in tasks:
                 tasks[stage] = bars.add_task(escape(stage), total=1.0)
             bars.update(tasks[stage], completed=share)
+            if lines is not None:
+                lines.tell(stage, share)
 
-        yield progress
+        with closing(_Log(log)) if log is not None else nullcontext() as lines:
+            yield progress
+
+
+class _Log:
+    """Lines of time, stage and share."""
+
+    def __init__(self, path: Path) -> None:
+        try:
+            self._file = path.open("a", encoding="utf-8", buffering=1)
+        except OSError as error:
+            raise InputError(f"--log '{path}' cannot be written ({error.strerror}); give another file") from None
+        self._told: dict[str, int] = {}
+        self._write("begun")
+
+    def tell(self, stage: str, share: float) -> None:
+        """A line, where a further twentieth of the stage is done."""
+        step = int(20.0 * share + 1e-9)
+        if step > self._told.get(stage, -1):
+            self._told[stage] = step
+            self._write(f"{stage} {5 * step:3d} %")
+
+    def close(self) -> None:
+        """The last line."""
+        self._write("ended")
+        self._file.close()
+
+    def _write(self, words: str) -> None:
+        self._file.write(f"{datetime.now().astimezone().isoformat(timespec='seconds')} {words}\n")
 
 
 @contextmanager

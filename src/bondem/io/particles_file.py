@@ -8,6 +8,7 @@
 Arrays are kept to the bit, and a file of which one has changed is refused.
 """
 
+import io
 import json
 import os
 from collections.abc import Mapping
@@ -59,7 +60,8 @@ def save_particles(
         "provenance": json.dumps({str(key): encode(value) for key, value in dict(provenance or {}).items()}),
     }
     require_writable(path, "particle file")
-    with replacing(path) as aside, h5py.File(aside, "w") as file:
+    content = io.BytesIO()  # HDF5 does not get over a disk that is full: the bytes are written by Python
+    with h5py.File(content, "w") as file:
         file.attrs["format"] = FORMAT
         file.attrs["schema"] = SCHEMA
         file.attrs["bondem_version"] = __version__
@@ -72,6 +74,8 @@ def save_particles(
         if lattice is not None:
             write_bonds(file, lattice)
         file.attrs["digest"] = digest_of(arrays_of(file))
+    with replacing(path) as aside:
+        aside.write_bytes(content.getbuffer())
 
 
 def load_particles(path: str | Path) -> Particles:
