@@ -1,6 +1,8 @@
 """The report's parts: the renderer, the figures' style and the way numbers are written."""
 
+import base64
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,11 +11,12 @@ from matplotlib import rcParams
 import bondem as bd
 from bondem.report.findings import Examined, Findings
 from bondem.report.numbers import measures, percent, signed, signed_percent, with_unit
-from bondem.report.page import drawings_of, page
+from bondem.report.page import drawings_of, page, templates
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_specimen
 from bondem.report.spheres import View, render, tubes
 from bondem.report.style import sheet
+from bondem.report.turning import turning_of
 
 FRONT = View(azimuth=0.0, elevation=0.0)
 RED, BLUE = [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]
@@ -157,6 +160,35 @@ def test_a_report_without_a_material(examined, tmp_path):
     assert list(drawings) == ["specimen", "geode", "contacts", "distribution"]  # no walls, so no layers at them
     drawings["distribution"](tmp_path / "distribution.png")
     assert (tmp_path / "distribution.png").stat().st_size > 10_000
+
+
+def test_the_specimen_to_turn_is_the_specimen(examined):
+    """Centres to the last of 16 bits, radii to the last of 8; the page asks nobody for anything."""
+    one, lattice = turning_of(examined[0]), examined[0].lattice
+    place = np.frombuffer(base64.b64decode(one.place), dtype="<i2").reshape(-1, 3) / 32_000.0
+    lower, upper = lattice.centre.min(axis=0), lattice.centre.max(axis=0)
+    half = 0.5 * (upper - lower).max()
+    np.testing.assert_allclose(place, (lattice.centre - 0.5 * (lower + upper)) / half, atol=0.6 / 32_000.0)
+    size = one.largest * np.frombuffer(base64.b64decode(one.size), dtype=np.uint8) / 255.0
+    np.testing.assert_allclose(size * half, lattice.particles.radius, atol=one.largest * half / 255.0)
+    colour = np.frombuffer(base64.b64decode(one.colour), dtype=np.uint8)
+    assert colour.max() < len(one.colours)
+    html = templates().get_template("turning.html").render(turning=one)
+    assert one.place in html
+    assert "http" not in html
+    assert "src=" not in html
+
+
+def test_after_a_test_to_failure_elements_have_moved(examined):
+    moved = np.zeros((600, 3))
+    moved[7] = 0.0, 0.0, 1e-3
+    test = SimpleNamespace(curves={"displacement": moved})
+    broken = SimpleNamespace(lattice=examined[0].lattice, outcomes={"ucs": test})
+    one = turning_of(broken)
+    colour = np.frombuffer(base64.b64decode(one.colour), dtype=np.uint8)
+    assert colour[7] == len(one.colours) - 1
+    assert np.delete(colour, 7).max() == 0
+    assert "coloured by how far each has moved" in one.caption
 
 
 def test_bonds_over_the_border_of_a_cell_are_drawn_to_the_nearest_image(examined, tmp_path, monkeypatch):

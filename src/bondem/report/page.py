@@ -25,6 +25,7 @@ from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_speci
 from bondem.report.static_figures import draw_free_parameter, draw_profiles, draw_tension
 from bondem.report.strength_figures import DRAWN, draw_broken, draw_curves
 from bondem.report.summary_figures import draw_errors
+from bondem.report.turning import turning_of
 from bondem.specimen.layering import wall_layering
 from bondem.specimen.radial_distribution import radial_distribution
 
@@ -183,6 +184,7 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         findings=findings,
         results=findings.results,
         pictures=pictures,
+        turning=turning_of(findings.specimens[0]) if pictures else None,
         rows=rows,
         bonds=named(type(law).__name__) if law is not None else None,
         free=findings.fit.law.free if findings.fit is not None else None,

@@ -1,0 +1,87 @@
+"""The specimen of a report that one can turn in the browser: its elements, as few bytes as a screen can show."""
+
+import base64
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.colors import to_hex
+
+from bondem._types import Floats
+from bondem.report.findings import Examined
+from bondem.report.strength_figures import DRAWN
+from bondem.report.style import SEQUENTIAL
+
+# More than these are not drawn smoothly: of larger specimens only those near the surface are.
+_MOST = 6000
+# How far below the surface these reach, over the mean radius.
+_DEEP = 2.2
+# Colours, and the share of the specimen's size that the farthest element is moved by.
+_COLOURS, _MOVED = 24, 0.08
+
+
+@dataclass(frozen=True)
+class Turning:
+    """What the page draws.
+
+    Attributes:
+        place: centres from -1 to 1 as 16-bit integers, three an element, base64.
+        size: radii over the largest as bytes, base64.
+        colour: numbers of the colours as bytes, base64.
+        colours: as HTML has them.
+        largest: radius over half of the longest edge.
+        caption: what is seen.
+    """
+
+    place: str
+    size: str
+    colour: str
+    colours: list[str]
+    largest: float
+    caption: str
+
+
+def turning_of(one: Examined) -> Turning:
+    """Elements at rest, coloured by radius; after a test to failure as they have moved, coloured by how far."""
+    particles = one.lattice.particles
+    centre, radius = one.lattice.centre, particles.radius
+    if one.lattice.cells is not None:
+        radius = np.cbrt(3.0 / (4.0 * np.pi) * one.lattice.cells.volume)
+    chosen = np.arange(len(radius))
+    if len(radius) > _MOST:
+        chosen = np.flatnonzero(particles.envelope.depth(particles.position) < _DEEP * particles.mean_radius)
+    moved = [
+        outcome.curves["displacement"] for name, outcome in one.outcomes.items()
+        if name in DRAWN and "displacement" in outcome.curves
+    ]  # fmt: skip
+    value, caption = radius, "coloured by radius"
+    if moved:
+        value = np.linalg.norm(moved[0], axis=1)
+        size = float(np.ptp(centre, axis=0).max())
+        factor = _MOVED * size / max(float(value.max()), 1e-300)
+        centre = centre + factor * np.asarray(moved[0])
+        caption = f"after the first test, coloured by how far each has moved, drawn {factor:.0f} times as far"
+    below = " Only those near the surface are drawn." if len(chosen) < len(radius) else ""
+    kind = "Elements" if one.lattice.cells is None else "Cells, as spheres of their volume,"
+    lower, upper = centre.min(axis=0), centre.max(axis=0)
+    half = 0.5 * float((upper - lower).max())
+    place = (centre[chosen] - 0.5 * (lower + upper)) / half
+    scale = colormaps[SEQUENTIAL]
+    return Turning(
+        place=_text(np.rint(32_000.0 * np.clip(place, -1.0, 1.0)).astype("<i2")),
+        size=_text(np.rint(255.0 * radius[chosen] / radius.max()).astype(np.uint8)),
+        colour=_text(_shade(value)[chosen]),
+        colours=[to_hex(scale(k / (_COLOURS - 1))) for k in range(_COLOURS)],
+        largest=float(radius.max()) / half,
+        caption=f"{kind} {caption}: drag to turn, pinch or scroll with Ctrl to come nearer.{below}",
+    )
+
+
+def _shade(value: Floats) -> np.ndarray:
+    low, width = float(value.min()), float(np.ptp(value))
+    share = (value - low) / width if width > 0.0 else np.full(len(value), 0.5)
+    return np.minimum((_COLOURS * share).astype(np.uint8), _COLOURS - 1)
+
+
+def _text(values: np.ndarray) -> str:
+    return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode("ascii")
