@@ -15,8 +15,8 @@ from bondem import __version__
 from bondem.errors import BondemError, UnstableRunError
 
 _COMMANDS = (
-    "calibrate", "campaign", "check", "completion", "export", "info", "new", "render", "resume", "run", "strength",
-    "view", "watch",
+    "calibrate", "campaign", "check", "completion", "export", "info", "new", "render", "resume", "run", "schema",
+    "strength", "view", "watch",
 )  # fmt: skip
 
 OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130

@@ -12,7 +12,8 @@ from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.laws.failure.rankine import Rankine
 from bondem.study.toml_table import TomlTable
 
-_KNOWN = (Rankine, Hydrostatic, DruckerPrager, MohrCoulomb)
+#: Criteria by name.
+CRITERIA = (Rankine, Hydrostatic, DruckerPrager, MohrCoulomb)
 
 
 def read_failure(table: TomlTable) -> Criterion:
@@ -22,7 +23,7 @@ def read_failure(table: TomlTable) -> Criterion:
         StudyError: a key that is unknown, missing or out of range.
     """
     with table:
-        name = table.text("criterion", choices=tuple(kind.__name__ for kind in _KNOWN))
+        name = table.text("criterion", choices=tuple(kind.__name__ for kind in CRITERIA))
         if name == DruckerPrager.__name__:
             strengths = ("tension", "compression", "hydrostatic")
             given: dict[str, Any] = {one: table.number(one, "Pa", default=None, above=0.0) for one in strengths}

@@ -1,0 +1,16 @@
+"""`bondem schema`."""
+
+import json
+
+import click
+
+from bondem.study.schema import schema
+
+
+@click.command("schema")
+def command() -> None:
+    """Print the JSON schema of study files, for editors that complete and check TOML.
+
+    Keep it, and name it in the first line of a study: #:schema ./bondem.schema.json
+    """
+    click.echo(json.dumps(schema(), indent=2, ensure_ascii=False))
