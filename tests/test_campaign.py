@@ -17,8 +17,10 @@ from bondem.campaign.coordinator import run_campaign
 from bondem.campaign.sweep import Campaign, Slurm, parse_campaign, read_campaign
 from bondem.campaign.work import carry_out, scalars
 from bondem.cli.campaign import command
+from bondem.cli.check import command as check
 from bondem.errors import InputError, MissingDependencyError, StudyError
 from bondem.study.pipeline import run_study
+from bondem.study.programme import read
 from bondem.study.study import parse_study
 
 EXAMPLE = Path("examples/campaign.toml")
@@ -85,6 +87,15 @@ def test_other_files_are_no_campaigns() -> None:
             parse_campaign(data)
 
 
+def test_other_commands_know_a_campaign(tmp_path: Path) -> None:
+    with pytest.raises(StudyError, match="use bondem campaign"):
+        read(EXAMPLE)
+    told = CliRunner().invoke(check, [str(EXAMPLE)])
+    assert told.exception is None
+    assert "20 specimens, which differ by specimen.count, failure.tension, seed" in told.output
+    assert "200 cells" in told.output
+
+
 def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:
     """Then with more seeds only those are done; one that cannot be done is told with its input."""
     killed: list[int] = []
@@ -148,9 +159,9 @@ def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path
     with pytest.raises(InputError, match="give the folder of a campaign"):
         bd.campaign_table(tmp_path / "none")
     for wrong in (3, None, "a\0b"):
-        for read in (bd.campaign_table, bd.campaign_dataset, bd.read_campaign):
+        for reader in (bd.campaign_table, bd.campaign_dataset, bd.read_campaign):
             with pytest.raises(InputError, match="give a path"):
-                read(wrong)  # type: ignore[arg-type]
+                reader(wrong)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"what bd.read_campaign"):
         bd.run_campaign(PACKED, tmp_path)  # type: ignore[arg-type]
     with pytest.raises(MissingDependencyError, match=r'pip install "bondem\[campaign\]"'):

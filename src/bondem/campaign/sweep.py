@@ -4,6 +4,7 @@ import copy
 import hashlib
 import json
 import re
+import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
@@ -89,6 +90,14 @@ def read_campaign(path: str | Path) -> Campaign:
     """
     path = place("path", path)
     return read_toml(path, lambda data: parse_campaign(data, folder=path.parent))
+
+
+def is_campaign(path: str | Path) -> bool:
+    """Whether a file has a table [campaign]; False of what cannot be read."""
+    try:
+        return "campaign" in tomllib.loads(Path(path).read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return False
 
 
 def parse_campaign(data: Mapping[str, Any], *, folder: Path = Path()) -> Campaign:

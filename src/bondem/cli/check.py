@@ -6,8 +6,10 @@ import click
 from rich.console import Console
 from rich.table import Table
 
+from bondem.campaign.sweep import is_campaign, read_campaign
 from bondem.study.forecast import forecast
 from bondem.study.programme import Programme, read
+from bondem.study.study import parse_study
 
 
 @click.command("check")
@@ -17,12 +19,22 @@ def command(study_file: Path) -> None:
 
     Sizes of elements, time steps and memory are estimates from the volume of the shape.
     """
-    asked = read(study_file)
-    studies = [(one.name, one.study) for one in asked.series] if isinstance(asked, Programme) else [("", asked)]
     console = Console(highlight=False, markup=False)
     if not console.is_terminal:
         console.width = 120
-    console.print(f"{asked.name}: {study_file} is in order", soft_wrap=True)
+    differ = ""
+    if is_campaign(study_file):
+        campaign = read_campaign(study_file)
+        first = campaign.specimens[0]
+        title, studies = campaign.name, [("first specimen", parse_study(first.document, folder=first.folder))]
+        differ = f"{len(campaign.specimens)} specimens, which differ by {', '.join(campaign.keys)}"
+    else:
+        asked = read(study_file)
+        title = asked.name
+        studies = [(one.name, one.study) for one in asked.series] if isinstance(asked, Programme) else [("", asked)]
+    console.print(f"{title}: {study_file} is in order", soft_wrap=True)
+    if differ:
+        console.print(differ, soft_wrap=True)
     for name, study in studies:
         table = Table(box=None, show_header=False, padding=(0, 2, 0, 0), title=name or None, title_justify="left")
         for what, words in forecast(study):

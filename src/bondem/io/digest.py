@@ -1,4 +1,8 @@
-"""Digests of arrays and texts, by which a file knows that it is damaged."""
+"""Digests of arrays and texts, by which a file knows that it is damaged; and texts as files of ours hold them.
+
+Texts have a fixed length: those of any length are in a heap of HDF5 that has no checksum, and in which it may search
+for ever where that is damaged.
+"""
 
 import hashlib
 import hmac
@@ -24,7 +28,17 @@ def digest_of(items: Iterable[tuple[str, Any]]) -> str:
 
 def agree(found: str, told: object) -> bool:
     """Whether a digest is that which a file tells."""
-    return hmac.compare_digest(found.encode(), str(told).encode(errors="replace"))
+    return hmac.compare_digest(found.encode(), text_of(told).encode(errors="replace"))
+
+
+def fixed(text: str) -> np.bytes_:
+    """A text as a file holds it."""
+    return np.bytes_(text.encode())
+
+
+def text_of(value: object) -> str:
+    """A text of a file, also of one with texts of any length."""
+    return value.decode() if isinstance(value, bytes) else str(value)
 
 
 def arrays_of(group: Any, under: str = "") -> list[tuple[str, Any]]:

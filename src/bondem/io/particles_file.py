@@ -24,7 +24,7 @@ from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
-from bondem.io.digest import agree, arrays_of, digest_of
+from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.shape import Shape
@@ -61,19 +61,19 @@ def save_particles(
     }
     require_writable(path, "particle file")
     content = io.BytesIO()  # HDF5 does not get over a disk that is full: the bytes are written by Python
-    with h5py.File(content, "w") as file:
-        file.attrs["format"] = FORMAT
+    with h5py.File(content, "w", libver=("v108", "v108")) as file:
+        file.attrs["format"] = fixed(FORMAT)
         file.attrs["schema"] = SCHEMA
-        file.attrs["bondem_version"] = __version__
+        file.attrs["bondem_version"] = fixed(__version__)
         for name, text in texts.items():
-            file.create_dataset(name, data=text)
+            file.create_dataset(name, data=fixed(text))
         file["elements/position"] = elements.position
         file["elements/radius"] = elements.radius
         if elements.period is not None:
             file["elements/period"] = elements.period
         if lattice is not None:
             write_bonds(file, lattice)
-        file.attrs["digest"] = digest_of(arrays_of(file))
+        file.attrs["digest"] = fixed(digest_of(arrays_of(file)))
     with replacing(path) as aside:
         aside.write_bytes(content.getbuffer())
 
@@ -112,9 +112,9 @@ def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
         raise InputError(f"'{path}' is not a particle file of bondem; give a file of bd.save_particles") from None
     with file:
         head: Any = file.attrs
-        if head.get("format") != FORMAT:
+        if text_of(head.get("format")) != FORMAT:
             raise InputError(f"'{path}' is not a particle file of bondem; give a file of bd.save_particles")
-        version, schema = str(head.get("bondem_version", "")), head.get("schema")
+        version, schema = text_of(head.get("bondem_version", "")), head.get("schema")
         if schema is None or not version:
             raise InputError(f"'{path}' is damaged: it does not say which bondem wrote it; make it again")
         if schema > SCHEMA:

@@ -34,7 +34,7 @@ from bondem.errors import RunFileError
 from bondem.io.atomic import require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
-from bondem.io.digest import agree, arrays_of, digest_of
+from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.io.journal import JournaledFile, committed
 from bondem.io.snapshots import Outlined, Snapshots
 from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
@@ -165,9 +165,9 @@ class RunFile:
             _put(kept, name, getattr(state, name))
         file.require_group("history")
         _put(file["history"], "records", history.records)
-        _attributes(file["history"])["gauges"] = json.dumps(history.gauges)
+        _attributes(file["history"])["gauges"] = fixed(json.dumps(history.gauges))
         kept.attrs.update(step=state.step, time=state.time, stale=state.stale, seconds=self._seconds())
-        kept.attrs["digest"] = _digest_of_state(state, history)
+        kept.attrs["digest"] = fixed(_digest_of_state(state, history))
         self._commit()
 
     def snapshot(self, state: State) -> None:
@@ -194,11 +194,11 @@ class RunFile:
             return self._file
         particles = self._model.lattice.particles
         self._file = file = h5py.File(self._raw, "w", libver=("v108", "v108"))
-        file.attrs["format"] = FORMAT
+        file.attrs["format"] = fixed(FORMAT)
         file.attrs["schema"] = SCHEMA
-        file.attrs["bondem_version"] = __version__
+        file.attrs["bondem_version"] = fixed(__version__)
         for name, text in self._texts.items():
-            file.create_dataset(name, data=text)
+            file.create_dataset(name, data=fixed(text))
         elements = file.create_group("elements")
         elements["position"] = particles.position
         elements["radius"] = particles.radius
@@ -206,7 +206,7 @@ class RunFile:
         if particles.period is not None:
             elements["period"] = particles.period
         write_bonds(file, self._model.lattice)
-        file.attrs["digest"] = _digest_of_rest(file)
+        file.attrs["digest"] = fixed(_digest_of_rest(file))
         return file
 
 
@@ -238,7 +238,7 @@ def _digest_of_state(state: State, history: History) -> str:
 
 def _digest_of_rest(file: h5py.File) -> str:
     kept = {name: file[name] for name in _STATIC if name in file}
-    head = json.dumps([str(file.attrs["format"]), int(_attributes(file)["schema"])])
+    head = json.dumps([text_of(file.attrs["format"]), int(_attributes(file)["schema"])])
     return digest_of([*arrays_of(kept), ("head", head)])
 
 
@@ -301,9 +301,9 @@ def head_of(file: h5py.File, path: Path) -> dict[str, Any]:
     """
     try:
         head = dict(_attributes(file))
-        known = head.get("format") == FORMAT
+        known = text_of(head.get("format")) == FORMAT
         if known:
-            head["schema"], head["bondem_version"] = int(head["schema"]), str(head["bondem_version"])
+            head["schema"], head["bondem_version"] = int(head["schema"]), text_of(head["bondem_version"])
     except Exception as error:  # damage shows in more ways than a list could hold
         raise RunFileError(f"'{path}' is damaged ({_line(error)}); start the run again") from error
     if not known:

@@ -81,6 +81,8 @@ def read(path: str | Path) -> Study | Programme:
     path = Path(path)
 
     def either(data: dict[str, Any]) -> Study | Programme:
+        if "campaign" in data:
+            raise StudyError("'campaign': this is a campaign; use bondem campaign")
         if isinstance(data.get("specimen"), list):
             raise StudyError("'specimen' is a list of tables; several specimens are [[specimens]], one is [specimen]")
         if "specimens" in data:

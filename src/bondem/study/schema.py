@@ -30,7 +30,8 @@ def schema() -> Schema:
         "calibration": _table({"packings": _count("that calibrate")}),
         "output": _table({
             "figures": _flag("draw figures"), "vtk": _flag("the first packing for ParaView"),
-            "run_files": _flag("every specimen as a run file"), "packing_files": _flag("every packing with its bonds"),
+            "run_files": _flag("every specimen as a run file"),
+            "packing_files": _flag("every packing with its bonds"),
         }),
         "reference": _table({
             "citation": _text("what published values are from"), "E_mu": _number("Pa", "published"),
