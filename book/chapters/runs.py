@@ -96,9 +96,10 @@ def _fuzzed() -> Section:
         title="Fuzzing",
         before=(
             f"libFuzzer, guided by the branches of the readers, for {FUZZING.at('study')['seconds']} s each, from the"
-            " examples and from three small runs. It found a run file whose damaged head ended in an error of HDF5's"
-            " own, and one in whose texts HDF5 searched for ever, both mended since; and it learned to put in the digest that a changed file would need, by which the"
-            " comparison of digests no longer tells what it expects."
+            " examples and from three small runs. In earlier editions it found a run file whose damaged head ended in"
+            " an error of HDF5's own, and one in whose texts HDF5 searched for ever; and it learned to put in the"
+            " digest that a changed file would need, by which the comparison of digests no longer tells what it"
+            " expects."
         ),
         rows=tuple(rows),
     )
