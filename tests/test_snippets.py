@@ -20,7 +20,9 @@ from validation.__main__ import study_of
 from validation.frame.command import command_of
 
 ROOT = Path(__file__).parents[1]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+# Pages of Sphinx's own directives, which have no snippets.
+DIRECTIVES = {"api.md", "index.md"}
+PAGES = [ROOT / "README.md", *sorted(page for page in (ROOT / "docs").rglob("*.md") if page.name not in DIRECTIVES)]
 LANGUAGES = {"python", "toml", "sh", "text"}
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PROGRAMS = ("bondem", "python", "python3", "pytest", "pip")

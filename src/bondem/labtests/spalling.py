@@ -27,6 +27,8 @@ from bondem.specimen.regions import Face
 _CRUMB, _BROKEN = 0.01, 0.1
 # The pull-back ends where the velocity has come up by so much of 2 p / ρ c again.
 _REBOUND = 0.04
+# Bins of a profile at most.
+_MOST_BINS = 1_000_000
 # Bins along the bar, over the mean edge of its cells.
 _BIN = 1.0
 _EVERY = 2
@@ -168,6 +170,8 @@ def spall(
     for name, (value, unit) in given.items():
         number(owner, name, value, above=0.0, unit=unit)
     parts = None if bins is None else count(owner, "bins", bins, least=1)
+    if parts is not None and parts > _MOST_BINS:
+        raise InputError(f"{owner}: bins = {parts}; give {_MOST_BINS} at most")
     thin = ThinBar(law.E, density, pressure, rise, fall)
     length, section = _measures(bar)
     way = length / thin.celerity

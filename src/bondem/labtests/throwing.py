@@ -184,7 +184,7 @@ def _velocity(velocity: object, normal: Floats) -> Floats:
         InputError: none, or one that leads away from the plane.
     """
     owner = "labtests.sphere_impact"
-    if np.ndim(velocity) == 0:  # type: ignore[arg-type]
+    if not isinstance(velocity, list | tuple | np.ndarray) or np.ndim(np.array(velocity, dtype=object)) == 0:
         return -number(owner, "velocity", velocity, above=0.0, unit="m/s") * normal
     advice = "a speed towards the plane, or three components [m/s]"
     found = np.array(vector(owner, "velocity", velocity, advice=advice))

@@ -134,7 +134,10 @@ def solve_quasistatic(
     limit = count("solve_quasistatic", "most", most)
     share = number("solve_quasistatic", "until", until, least=0.0, below=1.0)
     body, equilibrium, onset = _begin(model)
-    reading, gauge = Reading(body, drive), RegionGauges(model, gauges or {})
+    pairs = {} if gauges is None else instance(
+        "solve_quasistatic", "gauges", gauges, Mapping, "a mapping of names to pairs of regions"
+    )  # fmt: skip
+    reading, gauge = Reading(body, drive), RegionGauges(model, pairs)
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
     following = np.full(len(body.integrity), np.inf)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from bondem._checks import instance, number, shown
+from bondem._checks import count, instance, number, shown
 from bondem._types import ArrayLike, Ints, Mask, Vector
 from bondem.errors import EmptyRegionError, FaceWarning, InputError
 from bondem.specimen.geometry import Shape
@@ -124,6 +124,8 @@ class Index(Region):
 
     def __init__(self, elements: ArrayLike, size: int | None = None) -> None:
         found = _indices(elements)
+        if size is not None:
+            size = count("Index", "size", size, advice="how many elements there must be, or None")
         if found.dtype == bool:
             size, found = len(found), np.flatnonzero(found)
         if found.size and found.min() < 0:
