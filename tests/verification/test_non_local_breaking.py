@@ -10,6 +10,7 @@ import pytest
 
 import bondem as bd
 from bondem._compile import threads
+from bondem.kernels.lagged_stress import principal_bounds
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
@@ -295,3 +296,28 @@ def test_index_says_how_near_each_bond_is(one_thread: None) -> None:
     assert before[run.events.bond[run.events.step == step]].max() == before.max()
     now = bd.failure_index(run.state.model, run.state)
     assert (now[run.state.bond_integrity == 0.0] == 0.0).all()
+
+
+@numba.njit
+def bounds_of(stresses: np.ndarray, found: np.ndarray) -> None:
+    for k in range(len(stresses)):
+        s = stresses[k]
+        found[k] = principal_bounds((s[0], s[1], s[2], s[3], s[4], s[5]))
+
+
+def test_bounds_of_principal_stresses_are_close_and_never_inside() -> None:
+    """Random stresses of all sizes, and those with two or three equal principal stresses."""
+    rng = np.random.default_rng(1)
+    stresses = rng.standard_normal((20_000, 6)) * 10.0 ** rng.uniform(-3.0, 9.0, (20_000, 1))
+    turned = np.linalg.qr(rng.standard_normal((100, 3, 3)))[0]
+    for diagonal in ([-5.5e7, 0.0, 0.0], [4e6, 0.0, 0.0], [1e6, 1e6, 1e6], [2e6, 2e6, -3e6], [1e6, 0.0, -1e6]):
+        full = turned @ (np.array(diagonal)[:, None] * turned.transpose(0, 2, 1))
+        stresses = np.vstack([stresses, full[:, [0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]])
+    stresses = np.vstack([stresses, np.zeros(6)])
+    found = np.empty((len(stresses), 2))
+    bounds_of(stresses, found)
+    exact = np.linalg.eigvalsh(stresses[:, [0, 3, 4, 3, 1, 5, 4, 5, 2]].reshape(-1, 3, 3))
+    size = np.abs(stresses).max(axis=1)
+    rounding = 1e-14 * size
+    assert (found[:, 0] >= exact[:, 2] - rounding).all() and (found[:, 1] <= exact[:, 0] + rounding).all()
+    assert (found[:, 0] - exact[:, 2] <= 1e-5 * size).all() and (exact[:, 0] - found[:, 1] <= 1e-5 * size).all()

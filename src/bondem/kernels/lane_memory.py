@@ -14,8 +14,8 @@ from bondem._compile import device
 from bondem.kernels.lanes import WIDTH, instruction, lanes, shuffled, vector, zero_of
 
 __all__ = [
-    "add_loads", "add_numbers", "add_rows", "clear_row", "entry", "number_in", "places", "places_below", "places_in",
-    "prefetch", "put_entry", "put_row", "put_side", "row", "side", "widened",
+    "add_loads", "add_numbers", "add_rows", "clear_row", "entry", "number_in", "places", "places_below",
+    "places_from", "places_in", "prefetch", "put_entry", "put_row", "put_side", "row", "side", "widened",
 ]  # fmt: skip
 
 _COLUMNS = 8
@@ -96,6 +96,20 @@ def places_below(typingctx, column, k, end):
         return context.make_tuple(builder, sig.return_type, found)
 
     return place(column, types.uint64, types.uint64), generate
+
+
+@instruction
+def places_from(typingctx, k, end):
+    """k, k + 1 … as places, the last before `end` again where there are no more."""
+
+    def generate(context, builder, sig, args):
+        last, found = builder.sub(args[1], _long(1)), []
+        for n in range(WIDTH):
+            wanted = builder.add(args[0], _long(n))
+            found.append(builder.select(builder.icmp_unsigned("<", wanted, last), wanted, last))
+        return context.make_tuple(builder, sig.return_type, found)
+
+    return place(types.uint64, types.uint64), generate
 
 
 @instruction

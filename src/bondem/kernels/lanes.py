@@ -1,8 +1,8 @@
 """Several numbers in one register: what a loop takes where it says so, instead of hoping that it is vectorised.
 
-`Lanes` is a number to Numba. It knows + - * / and negation, among themselves and with floats, square root, absolute
-value and rounding, each as one packed instruction of LLVM, so that a scalar `@device` function compiles for it
-unchanged, and gives in each lane the bits it gives for one number.
+`Lanes` is a number to Numba. It knows + - * /, min, max and negation, among themselves and with floats, square root,
+absolute value and rounding, each as one or two packed instructions of LLVM, so that a scalar `@device` function
+compiles for it unchanged, and gives in each lane the bits it gives for one number.
 
 How they come from memory and go back is in `bondem.kernels.lane_memory`.
 
@@ -25,8 +25,8 @@ from bondem._compile import LANES as WIDTH
 from bondem._compile import device
 
 __all__ = [
-    "WIDTH", "LanesType", "all_below", "dot", "fused", "instruction", "lane", "lanes", "put_lane", "reached",
-    "shuffled", "sign", "vector", "zero_of",
+    "WIDTH", "LanesType", "all_below", "chosen", "dot", "fused", "instruction", "lane", "lanes", "put_lane",
+    "reached", "shuffled", "sign", "vector", "zero_of",
 ]  # fmt: skip
 
 # type checkers know numba's decorators for something else
@@ -65,7 +65,7 @@ def _splat(builder: Any, value: Any) -> Any:
     return shuffled(builder, one, one, [0] * WIDTH)
 
 
-def _teach_operator(function: Any, instruction: str) -> None:
+def _teach_operator(function: Any, instruction: Callable[[Any, Any, Any], Any]) -> None:
     @infer_global(function)
     class Template(AbstractTemplate):
         def generic(self, args: tuple, kws: dict) -> Any:
@@ -74,7 +74,7 @@ def _teach_operator(function: Any, instruction: str) -> None:
             return signature(lanes, *(arg if arg is lanes else types.float64 for arg in args))
 
     def lower(context: Any, builder: Any, sig: Any, args: tuple) -> Any:
-        return getattr(builder, instruction)(*(_splat(builder, arg) for arg in args))
+        return instruction(builder, *(_splat(builder, arg) for arg in args))
 
     for pair in ((lanes, lanes), (lanes, types.float64), (types.float64, lanes)):
         lower_builtin(function, *pair)(lower)
@@ -99,9 +99,20 @@ def _instruction(name: str) -> Callable[[Any, Any], Any]:
     return lower
 
 
-for _name, _word in (("add", "fadd"), ("sub", "fsub"), ("mul", "fmul"), ("truediv", "fdiv")):
-    _teach_operator(getattr(operator, _name), _word)
-    _teach_operator(getattr(operator, f"i{_name}"), _word)
+def _better(order: str) -> Callable[[Any, Any, Any], Any]:
+    """The second where it stands in this order to the first, else the first, as Python has it."""
+    return lambda builder, a, b: builder.select(builder.fcmp_ordered(order, b, a), b, a)
+
+
+def _word(name: str) -> Callable[[Any, Any, Any], Any]:
+    return lambda builder, a, b: getattr(builder, name)(a, b)
+
+
+for _name, _instruction_name in (("add", "fadd"), ("sub", "fsub"), ("mul", "fmul"), ("truediv", "fdiv")):
+    _teach_operator(getattr(operator, _name), _word(_instruction_name))
+    _teach_operator(getattr(operator, f"i{_name}"), _word(_instruction_name))
+_teach_operator(min, _better("<"))
+_teach_operator(max, _better(">"))
 _teach_function(operator.neg, lambda builder, value: builder.fneg(value))
 _teach_function(math.sqrt, _instruction("llvm.sqrt"))
 _teach_function(math.fabs, _instruction("llvm.fabs"))
@@ -127,6 +138,19 @@ def sign(typingctx, value):
         return builder.select(builder.fcmp_ordered(">", args[0], zero), one, below)
 
     return value(value), generate
+
+
+@instruction
+def chosen(typingctx, value, above, else_):
+    """One number where another is above zero, else a third; or the same in every lane."""
+    if not (value in (lanes, types.float64) and value == above == else_):
+        return None
+
+    def generate(context, builder, sig, args):
+        zero = ir.Constant(args[0].type, [0.0] * WIDTH if sig.args[0] is lanes else 0.0)
+        return builder.select(builder.fcmp_ordered(">", args[0], zero), args[1], args[2])
+
+    return value(value, above, else_), generate
 
 
 @instruction

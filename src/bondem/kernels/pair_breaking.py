@@ -8,13 +8,16 @@ step takes, are then without the bond and with the contact that follows it.
 
 import numpy as np
 
-from bondem._compile import kernel, loop, prange
-from bondem.kernels.bond_pass import branch
+from bondem._compile import device, kernel, loop, prange
+from bondem.kernels.bond_pass import branch, group, groups
 from bondem.kernels.breaking import log_break, take_dashpot, take_off
 from bondem.kernels.cell_yield import principal_stresses
 from bondem.kernels.contact_pairs import begin_contact
-from bondem.kernels.non_local import FORCE, TORQUE_I, TORQUE_J, normal_gap, pair_mean, replace_force, turn_stresses
-from bondem.laws.failure.principal import principal_index
+from bondem.kernels.lagged_stress import LARGEST, LEAST, pair_mean, replace_force, turn_stresses
+from bondem.kernels.lane_memory import entry, places_below, places_from, row, side
+from bondem.kernels.lanes import WIDTH, chosen, reached, zero_of
+from bondem.kernels.non_local import FORCE, OUTPUT_ROWS, TORQUE_I, TORQUE_J, normal_gap
+from bondem.laws.failure.principal import principal_index, principal_size
 
 
 @loop(parallel=False)
@@ -24,21 +27,32 @@ def pair_index(space, coefficient, i, j, a, v):
     return principal_index(high, low, coefficient)
 
 
+@device
+def _near(bonds, space, coefficient, k, m):
+    """Which of the bonds k … reach the criterion by the bounds of both ends, as bits."""
+    u, v = row(space, places_below(bonds.i, k, m)), row(space, places_below(bonds.j, k, m))
+    p, s = places_from(k, m), side(bonds.integrity, k)
+    own = entry(coefficient, p, 0), entry(coefficient, p, 1), entry(coefficient, p, 2)
+    size = principal_size(0.5 * (u[LARGEST] + v[LARGEST]), 0.5 * (u[LEAST] + v[LEAST]), own)
+    none = zero_of(size)
+    return reached(chosen(s, size, none), none + 1.0)
+
+
 @loop(parallel=False)
 def _judge_domain(bonds, table, breaks, cut, d):
     """Mark the bonds of a domain that break."""
-    first, count = breaks.begin[d], 0
-    last = min(cut.bond[cut.domain[d + 1]], bonds.m)
-    bound, coefficient, a, v = table.bound, breaks.coefficient, np.empty((3, 3)), np.empty((3, 3))
-    for k in range(first, last):
-        i, j = bonds.i[k], bonds.j[k]
-        high, low = 0.5 * (bound[i, 0] + bound[j, 0]), 0.5 * (bound[i, 1] + bound[j, 1])
-        s = coefficient[k, 0], coefficient[k, 1], coefficient[k, 2]
-        if bonds.integrity[k] <= 0.0 or principal_index(high, low, s)[0] < 1.0:
-            continue
-        if pair_index(table.space, coefficient[k], i, j, a, v)[0] >= 1.0:
-            breaks.marked[first + count] = k
-            count += 1
+    first, count, last = breaks.begin[d], 0, cut.bond[cut.domain[d + 1]]
+    coefficient, a, v = breaks.coefficient, np.empty((3, 3)), np.empty((3, 3))
+    for g in range(groups(cut.bond[cut.domain[d]], last)):
+        k, known = group(cut.bond[cut.domain[d]], last, g)
+        near = _near(bonds, table.space, coefficient, k, np.uint64(len(coefficient)))
+        if near != 0:
+            for n in range(known, WIDTH):
+                if (near >> n) & 1:
+                    e = np.int64(k) + n
+                    if pair_index(table.space, coefficient[e], bonds.i[e], bonds.j[e], a, v)[0] >= 1.0:
+                        breaks.marked[first + count] = e
+                        count += 1
     breaks.found[d] = count
 
 
@@ -70,9 +84,9 @@ def _break_pair(elements, bonds, table, sums, added, contacts, breaks, k):
     pose, first_row, output = elements.pose, breaks.first_row, table.output
     i, j = bonds.i[k], bonds.j[k]
     _, mode = pair_index(table.space, breaks.coefficient[k], i, j, np.empty((3, 3)), np.empty((3, 3)))
-    force = output[k, FORCE], output[k, FORCE + 1], output[k, FORCE + 2]
-    on_i = output[k, TORQUE_I], output[k, TORQUE_I + 1], output[k, TORQUE_I + 2]
-    on_j = output[k, TORQUE_J], output[k, TORQUE_J + 1], output[k, TORQUE_J + 2]
+    force = output[FORCE, k], output[FORCE + 1, k], output[FORCE + 2, k]
+    on_i = output[TORQUE_I, k], output[TORQUE_I + 1, k], output[TORQUE_I + 2, k]
+    on_j = output[TORQUE_J, k], output[TORQUE_J + 1, k], output[TORQUE_J + 2, k]
     take_off(sums, first_row + i, 1.0, 1.0, force, on_i)
     take_off(sums, first_row + j, -1.0, -1.0, force, on_j)
     if added is not None:
@@ -84,8 +98,8 @@ def _break_pair(elements, bonds, table, sums, added, contacts, breaks, k):
     if contacts is not None:  # decided when compiled
         energy -= begin_contact(elements, bonds, contacts, sums, first_row, k)
     replace_force(pose, bonds.period, table, contacts, k, i, j)
-    for c in range(9):
-        output[k, c] = 0.0
+    for c in range(OUTPUT_ROWS):
+        output[c, k] = 0.0
     log_break(breaks, k, mode, gap, energy, place)
 
 

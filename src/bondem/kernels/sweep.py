@@ -43,7 +43,7 @@ def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, a
             facet_loads(elements.pose, bonds, cells, cells.moment, cut.sums, cut.row_i, cut.row_j, k0, k1)
             take_moments(cells.moment, cells.sums, cut.ready, cut.ready_row, cut.move[b], cut.move[b + 1])
         elif non_local is not None:
-            non_local_loads(non_local, cut.sums, cut.row_i, cut.row_j, k0, min(k1, bonds.m))
+            non_local_loads(non_local, cut.sums, cut.row_i, cut.row_j, k0, k1)
         elif history is None:
             place = bond_loads(elements.pose, bonds, same, cut.sums, cut.row_i, cut.row_j, breaks, k0, k1)
             if breaks is not None:
@@ -168,7 +168,7 @@ def all_forces(run, same, history, body, non_local, scheme, added, contacts, bre
         if soft is not None:
             soften_beams(elements, bonds, contacts, breaks, soft, len(cut.domain) > 2)
         if non_local is not None:
-            non_local_forces(elements, bonds, non_local, scheme.dt, contacts, breaks, cut)
+            non_local_forces(elements, bonds, non_local, scheme.dt, contacts, cut)
             if breaks is not None:
                 judge_pairs(bonds, non_local, breaks, cut)
         sweep_all(elements, bonds, same, history, None, non_local, cut, rows, scheme, added, breaks, go_on)

@@ -132,14 +132,12 @@ class LaggedTable(NamedTuple):
     inverse: np.ndarray  #: 1 / V of each element [1/m³], (n,)
     nu: float  #: ν [-]
     limited: bool  #: whether the extra shear force is limited
-    in_start: np.ndarray  #: bonds of each element, as `Adjacency` has them
-    out_start: np.ndarray
-    out_bond: np.ndarray
+    to_i: np.ndarray  #: where a bond adds to its element i: there, or for the other domain, uint32, (m,)
     history: np.ndarray  #: what bonds store (`bondem.kernels.non_local`), (7, m)
     stress: np.ndarray  #: of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
-    space: np.ndarray  #: the same in space, as the step has it so far [Pa], (n, 6)
-    bound: np.ndarray  #: of the largest and the least principal stress of each [Pa], (n, 2)
-    output: np.ndarray  #: force on i, torque on i, minus torque on j of each bond now [N, N·m], (m, 9)
+    space: np.ndarray  #: the same in space, as the step has it so far, and bounds of σ1 and σ3 [Pa], (n, 8)
+    moment: np.ndarray  #: what bonds and contacts add to V σ of each [N·m], zero between steps, (n + parts, 8)
+    output: np.ndarray  #: force on i, torque on i, minus torque on j of each bond now [N, N·m], (9, m)
 
 
 class GripTable(NamedTuple):

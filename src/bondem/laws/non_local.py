@@ -30,6 +30,8 @@ LEVERS = ("facet", "contact")
 AREAS = ("facet", "weighted")
 #: What V is in eq (1): of the cell, or of the sphere, as printed.
 VOLUMES = ("cell", "sphere")
+# What keeps 0 / 0 away and changes no other number [N²].
+_NOTHING = 1e-200
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -103,7 +105,7 @@ def extra_force(s, n, area, nu, slip, limited):
     x, y, z = tx - slip[0], ty - slip[1], tz - slip[2]
     if limited:
         most, found = tx * tx + ty * ty + tz * tz, x * x + y * y + z * z
-        if found > most:
-            share = math.sqrt(most / found)
-            x, y, z = share * x, share * y, share * z
+        # exactly 1 within the limit; where nothing is asked for, nothing is left
+        share = math.sqrt(most / (max(found, most) + _NOTHING))
+        x, y, z = share * x, share * y, share * z
     return push * n[0] + x, push * n[1] + y, push * n[2] + z

@@ -119,10 +119,10 @@ class Blocks:
             sums=lines(self.rows + more),
         )  # fmt: skip
 
-    def swelling_places(self, layout: Layout) -> np.ndarray:
-        """Where each facet adds to the dilatation of its cell i, uint32, (m,): there, or behind all n cells.
+    def own_places(self, layout: Layout) -> np.ndarray:
+        """Where each bond adds to what its element i alone sums up, uint32, (m,): there, or behind all n elements.
 
-        Behind them stands what facets between domains add, part[e] … part[e + 1] of it for shared element e.
+        Behind them stands what bonds between domains add, part[e] … part[e + 1] of it for shared element e.
         """
         row = self.row_i[: len(layout.i)].astype(np.int64)
         return np.where(row < self.parts, layout.i, len(layout.order) + row - self.parts).astype(np.uint32)

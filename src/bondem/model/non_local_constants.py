@@ -7,11 +7,11 @@ import numpy as np
 
 from bondem._types import Floats, PerBond, PerBond3, PerElement
 from bondem.errors import InputError
-from bondem.kernels.non_local import OUTPUT_COLUMNS
-from bondem.kernels.tables import LaggedTable
+from bondem.kernels.non_local import OUTPUT_ROWS
+from bondem.kernels.tables import LaggedTable, lines
 from bondem.laws.bond import BondStiffness
 from bondem.laws.non_local import NonLocal
-from bondem.model.bond_table import with_zeros
+from bondem.model.bond_table import with_twins, with_zeros
 from bondem.model.contact_areas import weighted_areas
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
@@ -71,15 +71,15 @@ class NonLocalConstants:
             volume=self.volume[layout.order], nu=self.nu, limited=self.limited,
         )  # fmt: skip
 
-    def rows(self, history: Floats, stress: Floats, layout: Layout) -> LaggedTable:
+    def rows(self, history: Floats, stress: Floats, to_i: np.ndarray) -> LaggedTable:
         """The constants as kernels take them, in the kernels' order, with what the law remembers.
 
         Args:
             history: what bonds store, (7, m) or longer; see `bondem.kernels.non_local`.
             stress: of the elements [Pa], (n, 6).
-            layout: order of elements and bonds.
+            to_i: where each bond adds to its element i, uint32, (m,): element i, or a place behind all elements.
         """
-        adjacency = layout.adjacency
+        n = max(len(self.volume), int(to_i.max(initial=0)) + 1)
 
         def columns(each: Floats) -> Floats:
             return np.ascontiguousarray(with_zeros(each.T))
@@ -88,9 +88,8 @@ class NonLocalConstants:
             area=with_zeros(self.area), kn=with_zeros(self.kn), kt=with_zeros(self.kt),
             normal=columns(self.normal), lever_i=columns(self.lever_i), lever_j=columns(self.lever_j),
             inverse=1.0 / self.volume, nu=self.nu, limited=self.limited,
-            in_start=adjacency.in_start, out_start=adjacency.out_start, out_bond=adjacency.out_bond,
-            history=history, stress=stress, space=np.zeros_like(stress), bound=np.zeros((len(stress), 2)),
-            output=np.zeros((len(self.area), OUTPUT_COLUMNS)),
+            to_i=with_twins(to_i), history=history, stress=stress, space=lines(len(stress)), moment=lines(n),
+            output=with_zeros(np.zeros((OUTPUT_ROWS, len(self.area)))),
         )  # fmt: skip
 
     def as_bonds(self, lattice: Lattice) -> BondStiffness:

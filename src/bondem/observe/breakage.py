@@ -101,7 +101,7 @@ def failure_index(model: Model, state: State) -> PerBond:
     bonds = model.bonds.stretched(state.stress_free_strain).rows(layout, model.period, state.integrity)
     if model.non_local is not None:
         found = np.empty(bonds.m)
-        lagged = model.non_local.rows(state.history, state.stress, layout)
+        lagged = model.non_local.rows(state.history, state.stress, layout.i)
         pair_indices(state.pose, bonds, lagged, table.coefficient, found)
         found = found[: len(layout.i)]
     elif model.cells is None:

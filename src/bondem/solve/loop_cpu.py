@@ -118,7 +118,7 @@ class CpuLoop:
                 value=held.press_value, schedule=held.press_schedule, place=held.works[2],
                 factor=np.zeros(len(held.press_schedule)), came=np.zeros(len(held.press_schedule)),
             )  # fmt: skip
-            table = strained.rows(blocks.swelling_places(layout))
+            table = strained.rows(blocks.own_places(layout))
             if model.softening is not None:
                 table = with_forces(table, model, state, blocks.rows)
             self._cracks = crack_table(model, state, table, grips, load, dt)
@@ -134,7 +134,7 @@ class CpuLoop:
         self._history = with_zeros(state.history) if model.formulation == "incremental" else None
         self._non_local = None
         if model.non_local is not None and self._history is not None:
-            self._non_local = model.non_local.rows(self._history, state.stress, layout)
+            self._non_local = model.non_local.rows(self._history, state.stress, blocks.own_places(layout))
 
     @property
     def _touching(self) -> ContactTable | None:

@@ -5,6 +5,12 @@ from bondem.laws.failure.criterion import SHEAR, TENSION
 
 
 @device
+def principal_size(high, low, s):
+    """The index alone, or of many."""
+    return max(s[0] * high, s[1] * high - s[2] * low)
+
+
+@device
 def principal_index(high, low, s):
     """Index and mode of the principal stresses σ1 and σ3: max(a σ1, b σ1 - c σ3) of the coefficients a, b, c.
 
