@@ -173,6 +173,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "crack_speed": {"events": EVENTS, "origin": (0.0, 0.0, 0.0), "direction": (1.0, 0.0, 0.0), "between": (0.0, 9.0),
                     "beyond": 0.0},
     "cracks": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
+    "bond_forces": {"model": BREAKING, "state": BREAKING.state()},
     "explain": {"model": BREAKING, "state": BREAKING.state(), "most": 3},
     "failure_index": {"model": BREAKING, "state": BREAKING.state()},
     "fragments": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
@@ -228,7 +229,7 @@ ELSEWHERE = {
     "QuasistaticResult", "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata",
     "Trial", "StrengthCalibration", "StrengthRun", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
-    "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
+    "BondForces", "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
     "CrackPolygons", "CrackSurfaces", "Cracks", "Explanation", "ImpliedFracture",
     # whole tests to failure (`test_strength`)
     "labtests.direct_tension", "labtests.uniaxial_compression",

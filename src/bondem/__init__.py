@@ -73,6 +73,7 @@ _PUBLIC = {
     "bondem.model.model": ("Model",),
     "bondem.model.state": ("State",),
     "bondem.model.walls": ("CylinderWall", "Driven", "Free", "PlaneWall", "Servo", "SphereWall", "Wall"),
+    "bondem.observe.bond_forces": ("BondForces", "bond_forces"),
     "bondem.observe.bond_strain": ("BondStrain",),
     "bondem.observe.breakage": ("BrokenBonds", "failure_index"),
     "bondem.observe.cell_forces": ("SmallMotion",),

@@ -99,6 +99,8 @@ from bondem.model.walls import PlaneWall as PlaneWall
 from bondem.model.walls import Servo as Servo
 from bondem.model.walls import SphereWall as SphereWall
 from bondem.model.walls import Wall as Wall
+from bondem.observe.bond_forces import BondForces as BondForces
+from bondem.observe.bond_forces import bond_forces as bond_forces
 from bondem.observe.bond_strain import BondStrain as BondStrain
 from bondem.observe.breakage import BrokenBonds as BrokenBonds
 from bondem.observe.breakage import failure_index as failure_index

@@ -2,7 +2,8 @@
 
     /VTKHDF/elements   points that move: radius, displacement, velocity, angular_velocity, orientation (w, x, y, z);
                        under the cell law and the non-local law the stress (xx, yy, zz, xy, yz, xz)
-    /VTKHDF/bonds      lines between elements: length, integrity and, of beams without history, normal_force
+    /VTKHDF/bonds      lines between elements: length, integrity, normal_force (tension positive), shear_force,
+                       bending_moment (of the end that has more of it), twisting_moment
     /VTKHDF/cells      of a body instead of bonds: polyhedra where they were at rest (warp by displacement)
     /VTKHDF/cracks     polygons of facets and beams that have lost integrity: integrity, opening, sliding, facet
 
@@ -19,9 +20,9 @@ import numpy as np
 from bondem._types import Floats, Ints
 from bondem.io.vtk_cells import Corners
 from bondem.io.vtkhdf_series import Piece, begin_collection, static_lines, static_polyhedra
-from bondem.laws.bond import BondLaw
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.observe.bond_forces import bond_forces
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import mean_stress
 
@@ -101,7 +102,7 @@ class Snapshots:
             state.time, points=place, point_data={"radius": None} | own, cell_data={}
         )
         if "bonds" in self.pieces:
-            fields = {name: values[self.drawn] for name, values in _of_bonds(model, state, place).items()}
+            fields = {name: values[self.drawn] for name, values in _of_bonds(model, state).items()}
             self.pieces["bonds"].add_step(
                 state.time, points=place, point_data={}, cell_data={"length": None} | fields
             )
@@ -143,18 +144,9 @@ def _stress(model: Model, state: State) -> Floats | None:
     return None
 
 
-def _of_bonds(model: Model, state: State, position: Floats) -> dict[str, Floats]:
-    whole = state.bond_integrity
-    if not isinstance(model.bond, BondLaw | Mapping) or model.formulation != "total":
-        return {"integrity": whole}
-    lattice, strain = model.lattice, state.stress_free_strain
-    i, j = lattice.pairs.T
-    length = np.linalg.norm(lattice.particles.nearest(position[j] - position[i]), axis=1)
-    rest = lattice.length * (1.0 + _by_user(model, strain)) if strain.size else lattice.length
-    return {"integrity": whole, "normal_force": whole * model.stiffness.kn * (length - rest)}
-
-
-def _by_user(model: Model, values: Floats) -> Floats:
-    own = np.empty_like(values)
-    own[model.layout.bond_order] = values
-    return own
+def _of_bonds(model: Model, state: State) -> dict[str, Floats]:
+    found = bond_forces(model, state)
+    return {
+        "integrity": state.bond_integrity, "normal_force": found.normal, "shear_force": found.shear,
+        "bending_moment": found.bending, "twisting_moment": found.twisting,
+    }  # fmt: skip

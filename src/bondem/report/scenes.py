@@ -22,6 +22,7 @@ _BACKGROUND = "white"
 _LIGHT: dict[str, Any] = {"ambient": 0.35, "diffuse": 0.7}
 _UNITS = {
     "displacement": "m", "velocity": "m/s", "angular_velocity": "rad/s", "stress": "Pa", "normal_force": "N",
+    "shear_force": "N", "bending_moment": "N·m", "twisting_moment": "N·m",
     "radius": "m", "length": "m", "volume": "m³", "opening": "m", "sliding": "m", "area": "m²",
 }  # fmt: skip
 # Sides of the spheres that stand for elements, in a picture of few and of many of them.

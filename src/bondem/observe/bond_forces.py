@@ -1,0 +1,109 @@
+"""Forces and moments of the bonds of a state."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Floats, PerBond, PerBond3
+from bondem.errors import InputError
+from bondem.kernels.bond_report import COLUMNS, ON_J, TURN_I, TURN_J, report_beams, report_non_local, report_stored
+from bondem.kernels.soft_tables import SOFT_BOND
+from bondem.model.bond_table import with_zeros
+from bondem.model.model import Model
+from bondem.model.origin import difference
+from bondem.model.state import State
+
+
+@dataclass(frozen=True, eq=False)
+class BondForces:
+    """What bonds do to their elements, user's order, axes of space; zero of broken bonds.
+
+    The force on element i is the opposite of that on j. Moments act on the elements, at their centres.
+
+    Attributes:
+        force: on element j [N], shape (m, 3).
+        moment_i: on element i [N·m], shape (m, 3).
+        moment_j: on element j [N·m], shape (m, 3).
+        axis: unit vector from centre i to centre j now [-], shape (m, 3).
+    """
+
+    force: PerBond3
+    moment_i: PerBond3
+    moment_j: PerBond3
+    axis: PerBond3
+
+    @property
+    def normal(self) -> PerBond:
+        """Axial force [N], tension positive, shape (m,)."""
+        return -(self.force * self.axis).sum(axis=1)
+
+    @property
+    def shear(self) -> PerBond:
+        """Shear force [N], without sign, shape (m,)."""
+        return np.linalg.norm(np.cross(self.force, self.axis), axis=1)
+
+    @property
+    def bending(self) -> PerBond:
+        """The larger bending moment of both ends [N·m], without sign, shape (m,)."""
+        ends = [np.linalg.norm(np.cross(moment, self.axis), axis=1) for moment in (self.moment_i, self.moment_j)]
+        return np.maximum(*ends)
+
+    @property
+    def twisting(self) -> PerBond:
+        """Twisting moment [N·m], without sign, shape (m,)."""
+        return np.abs((self.moment_i * self.axis).sum(axis=1))
+
+
+def bond_forces(model: Model, state: State) -> BondForces:
+    """Forces and moments of the bonds of a state, but for those of dashpots.
+
+    Args:
+        model: of beams or the non-local law; bodies of cells have stresses instead (`bd.cell_stress`).
+        state: of a run of this model, or `model.state()`.
+
+    Returns:
+        Forces and moments, user's order.
+
+    Raises:
+        InputError: a model of cells, or a state of another model.
+    """
+    instance("bond_forces", "model", model, Model, "bd.Model(...)")
+    instance("bond_forces", "state", state, State, "the state of a run, or model.state()")
+    other = difference(state.model, model)
+    if other:
+        raise InputError(f"bond_forces: the state belongs to another {other}; give one of this model")
+    if model.cells is not None:
+        raise InputError("bond_forces: facets of cells have no moments of their own; look at bd.cell_stress instead")
+    layout, pairs = model.layout, model.lattice.pairs
+    bonds = model.bonds.stretched(state.stress_free_strain).rows(layout, model.period, state.integrity)
+    found = np.zeros((bonds.m, COLUMNS))
+    if bonds.m and model.non_local is not None:
+        table = model.non_local.rows(with_zeros(state.history.copy()), state.stress.copy(), layout.i)
+        report_non_local(state.pose, bonds, table, found)
+    elif bonds.m and model.formulation == "incremental":
+        report_stored(state.pose, bonds, state.history, found)
+    elif bonds.m:
+        report_beams(state.pose, bonds, found)
+    own, back = np.empty_like(found), np.empty(bonds.m, dtype=bool)
+    own[layout.bond_order], back[layout.bond_order] = found, layout.flipped
+    sign, turned = np.where(back, -1.0, 1.0)[:, None], back[:, None]
+    one, other_end = own[:, TURN_I : TURN_I + 3], own[:, TURN_J : TURN_J + 3]
+    position = state.position
+    between = model.lattice.particles.nearest(position[pairs[:, 1]] - position[pairs[:, 0]])
+    length = np.linalg.norm(between, axis=1)
+    axis = between / length[:, None]
+    force = sign * own[:, ON_J : ON_J + 3] + _pressed(model, state, length)[:, None] * axis
+    return BondForces(force, np.where(turned, other_end, one), np.where(turned, one, other_end), axis)
+
+
+def _pressed(model: Model, state: State, length: Floats) -> PerBond:
+    """What presses on beams that soften beside what is left of them [N], user's order."""
+    push = np.zeros(len(length))
+    begun = state.softened[:, SOFT_BOND].astype(np.int64)
+    begun = begun[state.integrity[begun] > 0.0]
+    if len(begun):
+        bond = model.layout.bond_order[begun]
+        rest = model.bonds.stretched(state.stress_free_strain).length[begun]
+        push[bond] = (1.0 - state.integrity[begun]) * model.bonds.kn[begun] * np.maximum(rest - length[bond], 0.0)
+    return push
