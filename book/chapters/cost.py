@@ -12,9 +12,9 @@ from book.tolerances import AtLeast, AtMost
 PEERS = Measurement("peers", "python benchmarks/peers/compare.py --elements 10000 100000", "20 min")
 KRATOS = Measurement(
     "peers_kratos",
-    "python benchmarks/peers/compare.py --elements 12000 --codes bondem lammps kratos"
+    "python benchmarks/peers/compare.py --elements 12000 --codes bondem non-local lammps kratos --repeat 5"
     " --output benchmarks/results/peers_kratos.json",
-    "5 min",
+    "9 min",
 )
 AGAINST = Measurement("against", "python benchmarks/against.py speed", "20 min")
 STEPS = Measurement("bond_steps", "python benchmarks/bond_steps.py --threads 1 --repeat 3 --largest 20000", "1 min")
@@ -168,9 +168,14 @@ def _peers() -> Section:
                     ours=PEERS.of(1e6 * found["Mbond_steps_per_s_median"])),
             ]  # fmt: skip
     found = KRATOS.at("specimens", 0, "codes", "kratos")
+    own = KRATOS.at("specimens", 0, "codes", "non-local")
     rows += [
         Row(case="bondem over Kratos DEM_KDEM, one thread each, 12 000 elements", form=RATIO, tolerance=AtLeast(20.0),
             ours=KRATOS.of(found["ratio_median"])),
+        Row(case="bondem with the non-local law and Rankine over Kratos DEM_KDEM, the same run", form=RATIO,
+            tolerance=AtLeast(20.0), ours=KRATOS.of(found["ratio_median"] / own["ratio_median"])),
+        Row(case="bondem with the non-local law and Rankine, bond-steps, 12 000 elements", form=FINE_RATE,
+            ours=KRATOS.of(1e6 * own["Mbond_steps_per_s_median"])),
         Row(case="Kratos DEM_KDEM, bond-steps, 12 000 elements", form=FINE_RATE,
             ours=KRATOS.of(1e6 * found["Mbond_steps_per_s_median"])),
         Row(case=f"bondem over {NAMES['lammps']}, the same run", form=RATIO,
