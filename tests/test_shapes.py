@@ -246,3 +246,28 @@ def test_thin_rings_have_their_volume(thickness: float) -> None:
     bore = bd.Cylinder(radius=radius - 0.5 * thickness, length=3.0 * thickness).moved((-thickness, 0.0, 0.0))
     ring = bd.Cylinder(radius=radius + 0.5 * thickness, length=thickness).cut(bore, name="bore")
     assert ring.volume == pytest.approx(2.0 * np.pi * radius * thickness**2, rel=0.02)
+
+
+def test_a_ring_whose_ends_lie_in_one_plane_leaves_no_wall_in_the_core() -> None:
+    """A slot around a bar: in its ligament the nearest wall is that of the slot, and packings fill it."""
+    ring = bd.Cylinder(radius=2.0, length=0.2).cut(bd.Cylinder(radius=0.6, length=0.2))
+    bar = bd.Cylinder(radius=1.0, length=4.0).cut(ring.moved((1.9, 0.0, 0.0)), name="notch")
+    x = np.linspace(1.7, 2.3, 61)
+    r = np.linspace(0.0, 0.55, 12)
+    points = np.array([(a, b, 0.0) for a in x for b in r])
+    # towards the edge of the slot the distance along the bar or across it, whichever is longer
+    beside = np.maximum(np.abs(points[:, 0] - 2.0) - 0.1, 0.6 - points[:, 1])
+    np.testing.assert_allclose(bar.depth(points), np.minimum(beside, 1.0 - points[:, 1]), atol=1e-12)
+    np.testing.assert_allclose(bar.face_depth("notch", points), beside, atol=1e-12)
+    # the same turned, and with boxes
+    turned = bar.rotated("z", 0.3).moved((0.1, 0.2, 0.3))
+    moved = np.array([[math.cos(0.3), -math.sin(0.3), 0.0], [math.sin(0.3), math.cos(0.3), 0.0], [0.0, 0.0, 1.0]])
+    np.testing.assert_allclose(turned.depth(points @ moved.T + (0.1, 0.2, 0.3)), bar.depth(points), atol=1e-12)
+    frame = bd.Box((4.0, 4.0, 1.0)).cut(bd.Box((2.0, 2.0, 1.0)).moved((1.0, 1.0, 0.0)))
+    plate = bd.Box((4.0, 4.0, 3.0)).cut(frame.moved((0.0, 0.0, 1.0)))
+    assert plate.depth([[2.0, 2.0, 1.0]]) == pytest.approx([1.0])
+
+
+def test_a_cut_by_all_of_a_shape_leaves_nothing() -> None:
+    box = bd.Box((1.0, 1.0, 1.0))
+    assert (box.cut(box).depth(np.random.default_rng(0).uniform(-0.5, 1.5, (200, 3))) <= 0.0).all()

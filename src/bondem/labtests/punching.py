@@ -70,8 +70,7 @@ def punch_specimen(
         )
     shape: Shape = Cylinder(radius=0.5 * size, length=length)
     rod = Cylinder(radius=0.5 * (mean + wide), length=2.0 * deep)
-    # The core goes on beyond the rod: were their ends in one plane, depths in the core would be those under a wall.
-    core = Cylinder(radius=0.5 * (mean - wide), length=4.0 * length).moved((-2.0 * length, 0.0, 0.0))
+    core = Cylinder(radius=0.5 * (mean - wide), length=2.0 * deep)
     for start in (-deep, length - deep):
         shape = shape.cut(Cut(rod, core).moved((start, 0.0, 0.0)), name="boring")
     return shape

@@ -8,7 +8,9 @@ import numpy as np
 from bondem._checks import array, number, shown
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
-from bondem.specimen.shape import BOX_FACES, Shape
+from bondem.specimen.planes import Planes, ends
+from bondem.specimen.shape import Shape
+from bondem.specimen.walled import BOX_FACES
 
 __all__ = ["Ball", "BoundingBox", "Box", "Cell", "Cylinder", "Shape"]
 
@@ -78,6 +80,10 @@ class Cylinder(Shape):
             return self.radius - np.hypot(points[:, 1], points[:, 2])
         return _axis_depth(*self.bounds, face, points)
 
+    @property
+    def planes(self) -> Planes:
+        return ends(self.bounds, ("x_min", "x_max"))
+
     def section(self) -> float:
         return math.pi * self.radius**2
 
@@ -115,6 +121,10 @@ class Box(Shape):
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
         return _axis_depth(*self.bounds, face, points)
+
+    @property
+    def planes(self) -> Planes:
+        return ends(self.bounds, BOX_FACES)
 
     def section(self) -> float:
         return self.size[1] * self.size[2]

@@ -1,99 +1,27 @@
-"""What a shape is, and the algebra of shapes: moved, turned, joined, cut.
+"""The algebra of shapes: moved, turned, joined, cut."""
 
-A shape knows its walls: `face_depth(name, points)` is the distance of points from a named face, measured
-inwards [m], and everything else (containment, packing walls, face regions) follows from it. Depths never
-change faster than distance, whatever shapes are made of; volumes and packing walls rely on that.
-"""
-
-import math
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from bondem._checks import array, choice, instance, number, shown, vector
+from bondem._checks import choice, instance, number, vector
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
+from bondem.specimen.planes import Planes, placed, shared, turn_about
 from bondem.specimen.quadrature import Content, content
-
-BOX_FACES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
+from bondem.specimen.walled import BOX_FACES, Walled
 
 _Rows = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
 
 
-class Shape(ABC):
-    """A region of space with named faces.
+class Shape(Walled):
+    """A region of space with named faces (`bondem.specimen.walled`).
 
     `a & b` is what both have in common, `a | b` both joined, `a - b` the first without the second; `moved`
     and `rotated` bring a shape into place.
     """
-
-    @property
-    @abstractmethod
-    def bounds(self) -> tuple[Vector, Vector]:
-        """Lower and upper corner of a box around it [m], each (3,)."""
-
-    @property
-    @abstractmethod
-    def volume(self) -> float:
-        """Volume [m³]."""
-
-    @property
-    @abstractmethod
-    def area(self) -> float:
-        """Area of all walls [m²]; 0 for a periodic cell."""
-
-    @property
-    @abstractmethod
-    def faces(self) -> tuple[str, ...]:
-        """Names of the faces."""
-
-    @abstractmethod
-    def face_depth(self, face: str, points: PerElement3) -> PerElement:
-        """Distance of `points` (n, 3) from a face, positive inside [m], shape (n,)."""
-
-    @abstractmethod
-    def section(self) -> float:
-        """Area of the cross-section normal to x [m²] (at mid-length)."""
-
-    @property
-    def period(self) -> Vector | None:
-        """Edge lengths of the periodic cell [m], (3,), or None."""
-        return None
-
-    @property
-    def extent(self) -> float:
-        """Extent along x [m]."""
-        lower, upper = self.bounds
-        return float(upper[0] - lower[0])
-
-    def face_centre(self, face: str) -> Vector:
-        """Centroid of a face [m], (3,): the point through which a load on the face acts."""
-        lower, upper = self.bounds
-        centre = 0.5 * (lower + upper)
-        if face in BOX_FACES:
-            axis = "xyz".index(face[0])
-            centre[axis] = upper[axis] if face.endswith("max") else lower[axis]
-        return centre
-
-    def depth(self, points: PerElement3) -> PerElement:
-        """Distance to the nearest wall [m], positive inside, negative outside, (n,); infinite without walls."""
-        points = np.atleast_2d(points)
-        if not self.faces:
-            return np.full(len(points), np.inf)
-        depths = np.array([self.face_depth(face, points) for face in self.faces])
-        # Where faces meet at right angles, what lies beyond several is nearest to their edge or corner.
-        beyond = np.sqrt((np.minimum(depths, 0.0) ** 2).sum(axis=0))
-        return np.where(beyond > 0.0, -beyond, depths.min(axis=0))
-
-    def contains(self, points: PerElement3) -> np.ndarray:
-        """Whether points lie inside or on the wall, shape (n,)."""
-        at = np.atleast_2d(array("contains", "points", points, wanted="points as an array of shape (n, 3) [m]"))
-        if at.shape[1:] != (3,):
-            raise InputError(f"contains: points has shape {at.shape}; give points as an array of shape (n, 3) [m]")
-        return self.depth(at) >= 0.0
 
     def moved(self, by: Sequence[float]) -> "Shape":
         """The shape moved by `by` [m], (3,)."""
@@ -104,12 +32,7 @@ class Shape(ABC):
         """The shape turned by `angle` [rad], right-handed, about the axis "x", "y" or "z" through the origin."""
         choice(f"{type(self).__name__}.rotated", "axis", axis, ("x", "y", "z"))
         angle = number(f"{type(self).__name__}.rotated", "angle", angle, unit="rad")
-        # Whole turns of a right angle keep every bit of a box.
-        c, s = (np.rint(v) if abs(v - np.rint(v)) < 1e-15 else v for v in (math.cos(angle), math.sin(angle)))
-        turn = np.eye(3)
-        j, k = ((1, 2), (2, 0), (0, 1))["xyz".index(axis)]
-        turn[j, j], turn[j, k], turn[k, j], turn[k, k] = c, -s, s, c
-        return _place(self, turn, np.zeros(3))
+        return _place(self, turn_about(axis, angle), np.zeros(3))
 
     def cut(self, tool: "Shape", *, name: str = "cut") -> "Shape":
         """The shape without `tool`: a notch, a hole, a boring; the new walls are the face `name`."""
@@ -124,10 +47,6 @@ class Shape(ABC):
     def __sub__(self, other: "Shape") -> "Shape":
         return Cut(self, other)
 
-    def _check_face(self, face: str) -> None:
-        if not isinstance(face, str) or face not in self.faces:
-            known = ", ".join(self.faces) or "none (it is periodic)"
-            raise InputError(f"{type(self).__name__} has no face {shown(face)}; its faces are: {known}")
 
 
 def _place(shape: Shape, turn: Floats, by: Vector) -> "Placed":
@@ -186,8 +105,15 @@ class Placed(Shape):
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         return self.shape.face_depth(face, self._back(points))
 
+    @property
+    def planes(self) -> Planes:
+        return placed(self.shape.planes, np.array(self.turn), np.array(self.by))
+
     def depth(self, points: PerElement3) -> PerElement:
         return self.shape.depth(self._back(points))
+
+    def depth_of(self, faces: Sequence[str], points: PerElement3) -> PerElement:
+        return self.shape.depth_of(faces, self._back(points))
 
     def face_centre(self, face: str) -> Vector:
         return np.array(self.turn) @ self.shape.face_centre(face) + self.by
@@ -209,6 +135,9 @@ class _Pair(Shape):
 
     first: Shape
     second: Shape
+
+    def depth_of(self, faces: Sequence[str], points: PerElement3) -> PerElement:
+        return self.depth(points)
 
     @cached_property
     def _common(self) -> Content:
@@ -313,15 +242,30 @@ class Cut(_Pair):
     def faces(self) -> tuple[str, ...]:
         return tuple(dict.fromkeys((*self.first.faces, self.name)))
 
+    @property
+    def planes(self) -> Planes:
+        return self.first.planes
+
+    @cached_property
+    def _new(self) -> tuple[str, ...]:
+        """Faces of the second that are walls: not those in planes of the first, beyond which nothing is."""
+        tiny = 1e-9 * float(np.subtract(*self.first.bounds[::-1]).max())
+        same = shared(self.second.planes, self.first.planes, tiny)
+        return tuple(face for face in self.second.faces if face not in same) or self.second.faces
+
+    def _beside(self, points: PerElement3) -> PerElement:
+        """Distance from what is taken away [m], positive outside of it, (n,)."""
+        return -self.second.depth_of(self._new, points)
+
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
-        walls = [-self.second.depth(points)] if face == self.name else []
+        walls = [self._beside(points)] if face == self.name else []
         if face in self.first.faces:
             walls.append(self.first.face_depth(face, points))
         return np.min(walls, axis=0)
 
     def depth(self, points: PerElement3) -> PerElement:
-        return np.minimum(self.first.depth(points), -self.second.depth(points))
+        return np.minimum(self.first.depth(points), self._beside(points))
 
     def face_centre(self, face: str) -> Vector:
         if face in self.first.faces:

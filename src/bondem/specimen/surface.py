@@ -12,9 +12,10 @@ import numpy as np
 from bondem._checks import array, place
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
 from bondem.errors import InputError, UnitWarning
-from bondem.specimen.shape import BOX_FACES, Shape
+from bondem.specimen.shape import Shape
 from bondem.specimen.triangles import Triangles
 from bondem.specimen.units import length_unit
+from bondem.specimen.walled import BOX_FACES
 
 _SUFFIXES = (".stl", ".ply")
 
