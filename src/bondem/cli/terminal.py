@@ -1,20 +1,22 @@
 """What the commands share: threads, progress on a terminal, and the table of results."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, nullcontext
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
+from rich.console import Console, RenderableType
 from rich.markup import escape
 from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
+from rich.text import Text
 
 from bondem._compile import compiled_before, most_threads, say_nothing, threads
 from bondem.errors import InputError
 from bondem.laws.catalogue import LAWS
 from bondem.report.numbers import percent, signed_percent, with_unit
+from bondem.solve.pulse import Pulse, listening
 from bondem.study.study import Study
 
 _EXPLANATION = (
@@ -41,7 +43,7 @@ def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], No
     if console.is_terminal and not compiled_before():
         console.print("First run after an install or an update: bondem compiles itself, once, for half a minute.")
     columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
-    with Progress(*columns, console=console, disable=not console.is_terminal) as bars:
+    with _Bars(*columns, console=console, disable=not console.is_terminal) as bars:
         tasks: dict[str, TaskID] = {}
 
         def progress(stage: str, share: float) -> None:
@@ -51,8 +53,37 @@ def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], No
             if lines is not None:
                 lines.tell(stage, share)
 
-        with closing(_Log(log)) if log is not None else nullcontext() as lines:
+        def hear(pulse: Pulse) -> None:
+            bars.told = words_of(pulse) if pulse.step < pulse.steps else ""
+            if lines is not None:
+                lines.hear(pulse)
+
+        with closing(_Log(log)) if log is not None else nullcontext() as lines, listening(hear):
             yield progress
+
+
+class _Bars(Progress):
+    """Bars, and a line on the run that goes on."""
+
+    told = ""
+
+    def get_renderables(self) -> Iterable[RenderableType]:
+        yield from super().get_renderables()
+        if self.told:
+            yield Text(f"  {self.told}", style="dim")
+
+
+def words_of(pulse: Pulse) -> str:
+    """A moment of a run in a line."""
+    words = [
+        f"step {pulse.step} of {pulse.steps}", f"t = {pulse.time:.4g} s", f"{pulse.rate:.0f} steps/s",
+        f"{span(pulse.left)} left at most",
+    ]  # fmt: skip
+    if pulse.broken:
+        words.append(f"{pulse.broken} broken")
+    if pulse.balance is not None:
+        words.append(f"ledger {pulse.balance:.0e}")
+    return ", ".join(words)
 
 
 class _Log:
@@ -64,6 +95,7 @@ class _Log:
         except OSError as error:
             raise InputError(f"--log '{path}' cannot be written ({error.strerror}); give another file") from None
         self._told: dict[str, int] = {}
+        self._heard = ""
         self._write("begun")
 
     def tell(self, stage: str, share: float) -> None:
@@ -71,7 +103,12 @@ class _Log:
         step = int(20.0 * share + 1e-9)
         if step > self._told.get(stage, -1):
             self._told[stage] = step
-            self._write(f"{stage} {5 * step:3d} %")
+            self._write(f"{stage} {5 * step:3d} %{self._heard}")
+            self._heard = ""
+
+    def hear(self, pulse: Pulse) -> None:
+        """What the next line says of the run."""
+        self._heard = f": {words_of(pulse)}"
 
     def close(self) -> None:
         """The last line."""

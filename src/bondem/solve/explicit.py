@@ -14,6 +14,7 @@ from bondem.solve.halting import Halt
 from bondem.solve.history import History
 from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status, settled
+from bondem.solve.pulse import Pulse, heard, tell
 from bondem.solve.saving import Sink
 
 # Steps in one compiled call at most, so that progress and interrupts are not far away, and between copies of a state
@@ -78,6 +79,7 @@ def integrate(
     if sink is not None and plan.snapshot_every and state.step == 0:
         sink.checkpoint(state, history)  # a file that can be seen can be gone on from
         sink.snapshot(state)
+    pulse, first = None, (history.records if len(history) else begun)[:1]
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop:
         goal = min(total, kept[-1].step + _CHUNK, state.step + pace)
@@ -87,7 +89,8 @@ def integrate(
                 goal = min(goal, (state.step // interval + 1) * interval)
         steps, began = goal - state.step, time.perf_counter()
         records, wide, lost, sick = loop.run(steps)
-        pace = max(round(steps * _PATIENCE / max(time.perf_counter() - began, 1e-9)), 1)
+        taken = time.perf_counter() - began
+        pace = max(round(steps * _PATIENCE / max(taken, 1e-9)), 1)
         fresh.append(records)
         if lost or sick != FINE:
             cause = _CAUSES.get(sick, f"{lost} unbroken {joined} are turned beyond 90 degrees")
@@ -103,6 +106,10 @@ def integrate(
             turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {beyond}"
         if progress is not None:
             progress(state.step / total)
+        if heard():
+            since = History(np.vstack([first, records]), names)
+            pulse = _pulse(pulse, state, total, steps / max(taken, 1e-9), since)
+            tell(pulse)
         if plan.snapshot_every and state.step % plan.snapshot_every == 0 and sink is not None:
             # before the checkpoint: a run that goes on from there does not take it again
             sink.snapshot(state)
@@ -129,6 +136,19 @@ def integrate(
         status=status, iterations=state.step, residual=history.imbalance,
         state=state, history=history, dt=dt, message=message + turned + warning,
     )  # fmt: skip
+
+
+def _pulse(before: Pulse | None, state: State, total: int, rate: float, since: History) -> Pulse:
+    """This moment: the rate is smoothed, of the ledger the worst counts; `since` begins with the first record."""
+    error = energy = 0.0
+    if before is not None:
+        error, energy = before.error, before.energy
+        rate = 0.7 * before.rate + 0.3 * rate
+    if len(since):
+        ledger = since.energy
+        error = max(error, float(np.abs(ledger.pop("balance")).max()))
+        energy = max(energy, *(float(np.abs(values).max()) for values in ledger.values()))
+    return Pulse(state.step, total, state.time, rate, len(state.broken), error, energy)
 
 
 _BEAMS = "the bond energy is no longer that of a beam: use shorter bonds or lower loads"
