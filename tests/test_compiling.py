@@ -1,6 +1,7 @@
 """What the decorators of compiled code promise: branches decided, no entry for Python, no variant for a constant."""
 
 import errno
+import os
 import subprocess
 import sys
 
@@ -124,3 +125,29 @@ def test_what_is_only_linked_has_no_machine_code_of_its_own():
     assert shifted_twice(np.arange(3.0), 2) == 9.0
     (made,) = (one for one in shifted.overloads.values())
     assert made.library.get_pointer_to_function(made.fndesc.llvm_func_name) == 0
+
+
+_LOOKS_UP = """
+import numpy as np
+from bondem.kernels.non_local import small_extra_forces
+
+pairs, one, three = np.array([[0, 1]]), np.ones(1), np.ones((1, 3))
+small_extra_forces(pairs, one, one, 0.2, True, three, np.ones((2, 6)), three, np.empty((1, 3)))
+print(sum(small_extra_forces.stats.cache_hits.values()))
+"""
+
+
+def test_code_for_another_cpu_in_a_shared_cache_is_never_used(tmp_path):
+    """Two machines with one cache directory: each finds what it compiled itself, and nothing else."""
+    other = {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
+    shared = {"BONDEM_CACHE_DIR": str(tmp_path), "BONDEM_LANES": "4"}
+
+    def found(**cpu):
+        environment = {name: value for name, value in os.environ.items() if not name.startswith("NUMBA_CPU")}
+        done = subprocess.run(
+            [sys.executable, "-c", _LOOKS_UP], env=environment | shared | cpu, capture_output=True, text=True,
+            check=True,
+        )
+        return int(done.stdout)
+
+    assert [found(**other), found(), found(**other), found()] == [0, 0, 1, 1]
