@@ -1,10 +1,11 @@
 """A hundred specimens on a local cluster: workers are killed in the middle, and the coordinator; and the speed-up.
 
-The specimens are bars of cells torn apart (examples/campaign.toml in small). First on one worker and on two, for the
-speed-up; then all on two workers, one of which is killed by its process id every few seconds, and halfway the
-coordinator itself, with SIGKILL; it is started again, and its workers are killed again.
+The specimens are bars of cells torn apart (examples/campaign.toml in small). First a few of 1000 cells on one worker
+and on two, for the speed-up, start of the cluster and all; then all, of 200 cells, on two workers, one of which is
+killed by its process id every few seconds, and halfway the coordinator itself, with SIGKILL; it is started again, and
+its workers are killed again.
 
-Run: python benchmarks/campaign.py [--specimens 100] [--few 24] [--every 8]
+Run: python benchmarks/campaign.py [--specimens 100] [--few 24] [--cells 1000] [--every 8]
 It writes benchmarks/results/campaign.json.
 """
 
@@ -39,7 +40,7 @@ fracture_energy = 100.0
 [specimen]
 shape = "box"
 size = ["60 mm", "30 mm", "30 mm"]
-count = 200
+count = {cells}
 method = "even"
 [bond]
 law = "CellBond"
@@ -68,10 +69,10 @@ def busy(out: Path) -> list[int]:
     return [pid for pid in pids if Path(f"/proc/{pid}").exists()]
 
 
-def timed(folder: Path, specimens: int, workers: int) -> float:
+def timed(folder: Path, specimens: int, workers: int, cells: int) -> float:
     """Seconds of a whole campaign, start of the cluster and all."""
     study, out = folder / "study.toml", folder / f"{workers}"
-    study.write_text(STUDY.format(seeds=specimens))
+    study.write_text(STUDY.format(seeds=specimens, cells=cells))
     begun = time.perf_counter()
     assert started(study, out, workers).wait() == 0
     return time.perf_counter() - begun
@@ -80,7 +81,7 @@ def timed(folder: Path, specimens: int, workers: int) -> float:
 def killed(folder: Path, specimens: int, every: float) -> dict[str, object]:
     """Workers killed every few seconds, the coordinator once."""
     study, out, chance = folder / "study.toml", folder / "killed", random.Random(1)
-    study.write_text(STUDY.format(seeds=specimens))
+    study.write_text(STUDY.format(seeds=specimens, cells=200))
     deaths, coordinators = 0, 0
     before: dict[str, float] = {}
     process = started(study, out, 2)
@@ -112,6 +113,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--specimens", type=int, default=100)
     parser.add_argument("--few", type=int, default=24)
+    parser.add_argument("--cells", type=int, default=1000, help="of a specimen, where the speed-up is measured")
     parser.add_argument("--every", type=float, default=8.0)
     parser.add_argument("--out", type=Path, default=RESULTS / "campaign.json")
     options = parser.parse_args()
@@ -119,11 +121,14 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "warm").mkdir()
-        timed(folder / "warm", 2, 1)  # compiled once
-        one, two = (timed(folder, options.few, workers) for workers in (1, 2))
+        timed(folder / "warm", 2, 1, 200)  # compiled once
+        one, two = (timed(folder, options.few, workers, options.cells) for workers in (1, 2))
         print(f"{options.few} specimens: {one:.1f} s on one worker, {two:.1f} s on two", flush=True)
         found = killed(folder, options.specimens, options.every)
-    result = {"few": options.few, "one worker": one, "two workers": two, "speed-up": one / two, "killed": found}
+    result = {
+        "few": options.few, "cells": options.cells, "one worker": one, "two workers": two, "speed-up": one / two,
+        "killed": found,
+    }  # fmt: skip
     keep(options.out, begun | result)
     print(json.dumps(result, indent=1))
 
