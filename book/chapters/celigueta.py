@@ -43,10 +43,15 @@ REACH = Measurement(
     "non_local_reach", "python benchmarks/non_local_reach.py && python benchmarks/non_local_reach.py --summary",
     "8 min",
 )  # fmt: skip
+PLATENS = study(
+    "celigueta", {}, kept="celigueta_platens",
+    options="--count 1000 --seeds 1,2,3 --areas weighted --failures Rankine --platens 0,0.1,0.3 --processes 1",
+)  # fmt: skip
+NOISE = Measurement("non_local_noise", "python benchmarks/non_local_noise.py", "3 min")
 SURFACES = Measurement("yield_surfaces", "python benchmarks/yield_surfaces.py --figures docs/figures")
 ELASTIC = Measurement("non_local", "python benchmarks/non_local.py --count 500 --packings 5", "6 min")
 MEASUREMENTS = (
-    CELIGUETA, FULL, FACETS, SHEAR, CONE, SMALLER, SLOWER, FULL_SLOWER, REACH, SURFACES, ELASTIC
+    CELIGUETA, FULL, FACETS, SHEAR, CONE, SMALLER, SLOWER, FULL_SLOWER, PLATENS, NOISE, REACH, SURFACES, ELASTIC
 )  # fmt: skip
 # What is asked of plates half as fast: how far peaks may change, and forces of both plates differ.
 _OF_SPEED, _OF_PLATES = 0.03, 0.02
@@ -111,6 +116,8 @@ def chapter() -> Chapter:
                 ),
             ),
             _speed(),
+            _platens(),
+            _noise(),
             _reach(),
             _surfaces(),
             _elastic(),
@@ -210,6 +217,50 @@ def _speed() -> Section:
             f"{SLOWER.at('count')} elements and the paper's numbers, packing 1, the authors' areas: the speed of the"
             " paper, half and a quarter of it. In splitting, plates of the paper's speed make the disc oscillate (its"
             " curves have waves), by which the forces of both plates differ."
+        ),
+        rows=tuple(rows),
+    )
+
+
+def _platens() -> Section:
+    """Friction of the plates alone."""
+    rows = [
+        Row(case=f"{one['test']}, plates of friction {one['friction']:g}, elements 0.1: peak, {_seeds(one)}",
+            ours=PLATENS.of(*one["peak"]), form=STRESS)
+        for one in PLATENS.at("cases")
+    ]  # fmt: skip
+    return Section(
+        title="Friction of the plates",
+        before=(
+            f"{PLATENS.at('count')} elements, Rankine, the authors' areas; friction between elements stays 0.1."
+            " Smooth plates take a fifth off the compressive strength, more than 0.1 adds nothing, and splitting does"
+            " not mind."
+        ),
+        rows=tuple(rows),
+    )
+
+
+def _noise() -> Section:
+    """Why a Rankine criterion breaks what is pressed."""
+    rows = []
+    for areas, words in _AREAS.items():
+        ones = [one for one in NOISE.at("cases") if one["areas"] == areas]
+        told = f"{words}, {ones[0]['count']} elements, {_seeds({'seed': [one['seed'] for one in ones]})}"
+        rows += [
+            Row(case=f"{told}: σ1 over the stress of the plates that {name} of the bonds stay below", form=SHARE,
+                ours=NOISE.of(*(one["quantiles"][key] for one in ones)))
+            for key, name in (("0.5", "half"), ("0.99", "99 %"), ("0.999", "99.9 %"))
+        ] + [Row(case=f"{told}: bonds above 6 / 55", ours=NOISE.of(*(one["above"] for one in ones)),
+                 form=Form("%", 1e-2, ".2f"))]  # fmt: skip
+    return Section(
+        title="How much of a Rankine strength in compression is noise",
+        before=(
+            "In a uniform body in uniaxial compression σ1 is zero, and no pressure meets Rankine's criterion. The"
+            " cylinder at 20 MPa, nothing broken, bonds of its middle half: with the authors' areas one bond in"
+            " eighty has σ1 above 6 / 55 of the stress, so that 6 MPa are 55 MPa; with Laguerre facets none has,"
+            " stresses scatter a quarter to a sixth as much, and the same criterion bears 2.5 times as much at full"
+            " size. The compressive strength of this law with Rankine's criterion is the noise of its stresses, and"
+            " the ratio of both strengths a property of the construction."
         ),
         rows=tuple(rows),
     )
