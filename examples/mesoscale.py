@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
+from bondem.fracture.lost_area import lost_area
 from bondem.report.mesoscale_figure import draw_mesoscale
 
 SIDE, FRACTION = 40e-3, 0.25  # m, -
@@ -22,7 +23,6 @@ MORTAR, STONE = bd.CellBond(E=25e9, nu=0.2), bd.CellBond(E=70e9, nu=0.2)
 STRONG = bd.Rankine(tension=12e6, fracture_energy=100.0)
 PLAIN, WEAK = bd.Rankine(tension=4e6, fracture_energy=60.0), bd.Rankine(tension=2e6, fracture_energy=30.0)
 SPEED, TIME = 0.02, 1.9e-3  # m/s, s
-PARTS = "mortar", "interface", "stone"
 
 
 def main(size: float = 2e-3, folder: Path | None = None) -> tuple[float, dict[str, float]]:
@@ -41,9 +41,8 @@ def main(size: float = 2e-3, folder: Path | None = None) -> tuple[float, dict[st
         gauges={"end": bd.Gauge(bd.Face("x_max"), "force")},
     )  # fmt: skip
     stress = run.history["end"][:, 0] / SIDE**2
-    inside = stones.mask(body)[body.pairs].sum(axis=1)
-    lost = (1.0 - run.state.bond_integrity) * body.facets.area
-    share = {name: float(lost[inside == k].sum() / lost.sum()) for k, name in enumerate(PARTS)}
+    lost = lost_area(body, run.state, stones)
+    share = {part: area / sum(lost.values()) for part, area in lost.items()}
     print(f"{len(body.particles)} cells, {len(stones)} stones with {stones.volume / box.volume:.3f} of the volume")
     print(f"strength {1e-6 * stress.max():.2f} MPa (mortar 4, interface 2); ledger {run.residual:.1e}")
     print("lost area: " + ", ".join(f"{100 * part:.0f} % {name}" for name, part in share.items()))

@@ -119,6 +119,6 @@ def test_cracks_go_round_the_stones_of_the_mesoscale_example(tmp_path: Path, mon
     monkeypatch.setattr(example, "TIME", 1.2e-3)
     strength, share = example.main(size=2.4e-3, folder=tmp_path)
     assert 2e6 < strength < 4e6
-    assert share["stone"] == 0.0
+    assert share["aggregate"] == 0.0
     assert share["interface"] > 0.3
     assert (tmp_path / "mesoscale.png").stat().st_size > 20_000

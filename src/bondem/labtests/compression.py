@@ -5,16 +5,16 @@ from collections.abc import Callable
 from bondem._checks import number
 from bondem.errors import InputError
 from bondem.labtests.loading import Loading, load_to_failure
-from bondem.labtests.rig import StrengthTest, softening_of
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
+from bondem.labtests.rig import StrengthTest, require_cells, softening_of
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
 
 
 def uniaxial_compression(
     body: Lattice,
-    law: CellBond,
-    failure: Criterion,
+    law: CellAssignment,
+    failure: FailureAssignment,
     *,
     pressure: float = 0.0,
     density: float | None = None,
@@ -26,8 +26,8 @@ def uniaxial_compression(
 
     Args:
         body: cut into cells.
-        law: its material.
-        failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy.
+        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
+        failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy; or by region.
         pressure: on the sides, a membrane that turns with the cells [Pa]; 0 is uniaxial compression.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
@@ -43,13 +43,14 @@ def uniaxial_compression(
     """
     number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
     number("labtests.uniaxial_compression", "reach", reach, above=0.0)
+    matrix = require_cells("uniaxial_compression", body, law, density)
     wanted = "bd.MohrCoulomb or bd.DruckerPrager with a fracture_energy"
     softening = softening_of("uniaxial_compression", failure, wanted)
     if softening.slip is None:
         raise InputError(f"labtests.uniaxial_compression needs the shear strength of a material; give {wanted}")
     expected = softening.slip.compressive(pressure)
     loading = Loading(
-        sign=-1.0, expected=expected, reach=reach * expected / law.E, opening=0.0, ending=0.5,
+        sign=-1.0, expected=expected, reach=reach * expected / matrix.E, opening=0.0, ending=0.5,
         pressure=pressure, traverses=traverses,
     )  # fmt: skip
     return load_to_failure("uniaxial_compression", body, law, failure, loading, density=density, progress=progress)

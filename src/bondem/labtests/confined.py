@@ -7,8 +7,8 @@ from bondem._checks import number
 from bondem._types import Floats
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.rig import StrengthTest
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
@@ -58,8 +58,8 @@ class TriaxialTest:
 
 def triaxial(
     body: Lattice,
-    law: CellBond,
-    failure: Criterion,
+    law: CellAssignment,
+    failure: FailureAssignment,
     *,
     pressure: float,
     density: float | None = None,
@@ -75,8 +75,8 @@ def triaxial(
 
     Args:
         body: cut into cells.
-        law: its material.
-        failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy.
+        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
+        failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy; or by region.
         pressure: on the sides, positive [Pa]; the membrane turns with the cells.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the specimen until the expected peak; the more, the slower.

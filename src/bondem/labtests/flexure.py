@@ -10,10 +10,11 @@ from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.probing import walls_along
 from bondem.labtests.rig import DENSITY, require_cells, softening_of
-from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.rankine import Rankine
 from bondem.model.boundary import Load
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.quasistatic.solve import QuasistaticResult, solve_quasistatic
@@ -58,8 +59,8 @@ class BendingTest:
 
 def three_point_bending(
     body: Lattice,
-    law: CellBond,
-    failure: Criterion,
+    law: CellAssignment,
+    failure: FailureAssignment,
     *,
     span: float | None = None,
     strip: float | None = None,
@@ -81,8 +82,8 @@ def three_point_bending(
 
     Args:
         body: cells of a box along x, plain or with a notch from below at mid-span, `shape.cut(..., name="notch")`.
-        law: its material.
-        failure: `bd.Rankine`, or `bd.MohrCoulomb` with a fracture energy.
+        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
+        failure: `bd.Rankine`, or `bd.MohrCoulomb` with a fracture energy; or by region.
         span: between the supports [m], about the middle; None for the length less the depth.
         strip: width of the strips that bear [m]; None for a tenth of the depth, at least one and a half cells.
         ripple, together, until, most: of `bd.solve_quasistatic`; `until` is the share of the peak at which it ends.
@@ -91,7 +92,7 @@ def three_point_bending(
     Raises:
         InputError: no such beam, a span or strip that does not fit, or another criterion.
     """
-    require_cells("three_point_bending", body, law, None)
+    matrix = require_cells("three_point_bending", body, law, None)
     tensile = _tensile(failure)
     beam = _Beam.of(body, span, strip)
     top, loads = beam.rollers()
@@ -109,18 +110,24 @@ def three_point_bending(
     work = path.energy.sum() + 0.5 * path.load[-1] * rollers[-1]
     curve = np.column_stack([deflection / beam.span, stress])
     return BendingTest(
-        peak=float(stress.max()), E=float(stiffness * beam.compliance(law.nu)),
+        peak=float(stress.max()), E=float(stiffness * beam.compliance(matrix.nu)),
         curve=np.vstack([np.zeros((1, 2)), curve]), work=float(work) / (beam.width * beam.ligament),
         span=beam.span, ligament=beam.ligament, path=path,
     )  # fmt: skip
 
 
-def _tensile(failure: object) -> Rankine:
-    """The part of a criterion that decides in bending.
+def _tensile(failure: FailureAssignment) -> FailureAssignment:
+    """The part of a criterion that decides in bending, or of each by region.
 
     Raises:
         InputError: another criterion than those of the largest principal stress.
     """
+    if isinstance(failure, Mapping):
+        return {where: _of_tension(one) for where, one in failure.items()}
+    return _of_tension(failure)
+
+
+def _of_tension(failure: object) -> Rankine:
     wanted = "bd.Rankine, or bd.MohrCoulomb with a fracture_energy"
     if isinstance(failure, Rankine):
         return failure

@@ -4,9 +4,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from bondem.labtests.rig import Rig, StrengthTest, check_traverses, require_cells, run_to_failure
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.loads import Pressure
 from bondem.model.schedules import Ramp
 from bondem.specimen.lattice import Lattice
@@ -39,8 +39,8 @@ class Loading:
 def load_to_failure(
     test: str,
     body: Lattice,
-    law: CellBond,
-    failure: Criterion,
+    law: CellAssignment,
+    failure: FailureAssignment,
     loading: Loading,
     *,
     density: float | None,
@@ -53,7 +53,7 @@ def load_to_failure(
         UnstableRunError: the run became unstable.
     """
     check_traverses(test, loading.traverses)
-    require_cells(test, body, law, density)
+    matrix = require_cells(test, body, law, density)
     lower, upper = body.particles.envelope.bounds
     length = float(upper[0] - lower[0])
     section = body.particles.envelope.section()
@@ -63,7 +63,7 @@ def load_to_failure(
 
     rig = Rig(
         axis=0, sign=loading.sign, near=Face("x_min"), far=Face("x_max"), section=section, torn=section,
-        length=length, size=length, expected=loading.expected, way=loading.expected / law.E * length,
+        length=length, size=length, expected=loading.expected, way=loading.expected / matrix.E * length,
         reach=loading.reach * length + loading.opening, ending=loading.ending, traverses=loading.traverses,
         boundary=platens,
     )  # fmt: skip

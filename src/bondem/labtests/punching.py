@@ -19,10 +19,10 @@ from bondem.labtests.rig import (
     run_to_failure,
     softening_of,
 )
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.model import Model
 from bondem.model.schedules import Ramp
 from bondem.solve.static import solve_static
@@ -78,8 +78,8 @@ def punch_specimen(
 
 def shear(
     body: Lattice,
-    law: CellBond,
-    failure: Criterion,
+    law: CellAssignment,
+    failure: FailureAssignment,
     *,
     density: float | None = None,
     traverses: float = 60.0,
@@ -96,8 +96,8 @@ def shear(
 
     Args:
         body: cells of a `punch_specimen`.
-        law: its material.
-        failure: `bd.MohrCoulomb` with a fracture energy, or another criterion with a tensile strength.
+        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
+        failure: `bd.MohrCoulomb` with a fracture energy, or another criterion with a tensile strength; or by region.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
         ending: share of the peak to which the load has to drop [-].
@@ -110,7 +110,7 @@ def shear(
     owner = "labtests.shear"
     check_traverses("shear", traverses)
     share = number(owner, "ending", ending, least=0.0, below=1.0)
-    require_cells("shear", body, law, density)
+    matrix = require_cells("shear", body, law, density)
     softening = softening_of("shear", failure, "bd.MohrCoulomb with a fracture_energy")
     core = _Core.of(body)
     plate, piston = core.plate, core.piston
@@ -129,7 +129,7 @@ def shear(
         traverses=traverses, boundary=sides,
     )  # fmt: skip
     test = run_to_failure("shear", body, law, failure, rig, density=density, progress=progress)
-    return replace(test, E=test.E * law.E * compliance / core.height)
+    return replace(test, E=test.E * matrix.E * compliance / core.height)
 
 
 @dataclass(frozen=True, eq=False)
@@ -209,7 +209,7 @@ def _expected(softening: Softening) -> float:
     return 0.5 * math.sqrt(softening.tension * softening.slip.compressive())
 
 
-def _compliance(body: Lattice, law: CellBond, plate: Region, piston: Region) -> float:
+def _compliance(body: Lattice, law: CellAssignment, plate: Region, piston: Region) -> float:
     """Motion of the piston over its force, as long as all is elastic [m/N]."""
     lower, upper = body.particles.envelope.bounds
     distance = np.linalg.norm(body.particles.position - 0.5 * (lower + upper), axis=1)

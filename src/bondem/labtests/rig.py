@@ -1,7 +1,7 @@
 """Slow loading of a body of cells between two sides, to failure: what all tests to failure have in common."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +15,8 @@ from bondem.laws.damping import MassDamping
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening
 from bondem.model.boundary import BoundaryCondition
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -111,28 +113,38 @@ class Rig:
 
 
 def softening_of(test: str, failure: object, wanted: str) -> Softening:
-    """How a material softens.
+    """How a material softens; of criteria by region that of the first, which is of the matrix.
 
     Raises:
         InputError: no criterion, or one without a fracture energy where one is needed.
     """
-    found = instance(f"labtests.{test}", "failure", failure, Criterion, wanted).softening
+    found = instance(f"labtests.{test}", "failure", _first(failure), Criterion, wanted).softening
     if found is None:
         raise InputError(f"labtests.{test} needs the strength of a material; give {wanted}")
     return found
 
 
-def require_cells(test: str, body: Lattice, law: object, density: float | None) -> None:
+def require_cells(test: str, body: Lattice, law: object, density: float | None) -> CellBond:
     """Make sure of a body of cells, its law and a density.
+
+    Returns:
+        The law; of laws by region the first, which is of the matrix: its E and ν set the rate of the test.
 
     Raises:
         InputError: a lattice without cells, another law, or a density that is not positive.
     """
     check(test, body, density=DENSITY if density is None else density)
-    if not isinstance(law, CellBond) or body.cells is None:
+    matrix = _first(law)
+    if not isinstance(matrix, CellBond) or body.cells is None:
         raise InputError(
             f"labtests.{test} loads bodies of cells: connect with method='laguerre' and give bd.CellBond"
         )
+    return matrix
+
+
+def _first(given: object) -> object:
+    """The first of a mapping by region; what is given, where it is no mapping."""
+    return next(iter(given.values()), None) if isinstance(given, Mapping) else given
 
 
 def check_traverses(test: str, traverses: float) -> None:
@@ -143,8 +155,8 @@ def check_traverses(test: str, traverses: float) -> None:
 def run_to_failure(
     test: str,
     body: Lattice,
-    law: CellBond,
-    failure: Criterion,
+    law: CellAssignment,
+    failure: FailureAssignment,
     rig: Rig,
     *,
     density: float | None,
@@ -156,7 +168,7 @@ def run_to_failure(
         UnstableRunError: the run became unstable.
     """
     rho = DENSITY if density is None else density
-    sound = math.sqrt(law.E / rho)
+    sound = math.sqrt(require_cells(test, body, law, density).E / rho)
     rise = rig.traverses * rig.size / sound  # time until the expected peak
     speed = rig.sign * rig.way / rise
     begin = _BEGIN * rise

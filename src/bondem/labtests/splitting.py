@@ -19,10 +19,10 @@ from bondem.labtests.rig import (
     run_to_failure,
     softening_of,
 )
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.model import Model
 from bondem.model.schedules import Ramp
 from bondem.model.state import State
@@ -91,8 +91,8 @@ class BrazilianTest:
 
 def brazilian(
     body: Lattice,
-    law: CellBond,
-    failure: Criterion,
+    law: CellAssignment,
+    failure: FailureAssignment,
     *,
     half_angle: float | None = None,
     density: float | None = None,
@@ -113,8 +113,8 @@ def brazilian(
 
     Args:
         body: cells of a cylinder with its axis along x, or of one with flats "top" and "bottom" across y.
-        law: its material.
-        failure: a criterion with a tensile strength; `bd.MohrCoulomb` with a fracture energy.
+        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
+        failure: a criterion with a tensile strength; `bd.MohrCoulomb` with a fracture energy; or by region.
         half_angle: α of the strips [rad]; None for 5°, or for as much as three quarters of a cell where that is more.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
@@ -130,7 +130,7 @@ def brazilian(
     owner = "labtests.brazilian"
     check_traverses("brazilian", traverses)
     share = number(owner, "ending", ending, least=0.0, below=1.0)
-    require_cells("brazilian", body, law, density)
+    matrix = require_cells("brazilian", body, law, density)
     softening = softening_of("brazilian", failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     expected = splitting_strength(softening)
     if not math.isfinite(expected):
@@ -146,7 +146,7 @@ def brazilian(
     rig = Rig(
         axis=1, sign=-1.0, near=jaws.bottom, far=jaws.top, section=0.5 * math.pi * jaws.diameter * jaws.thickness,
         torn=jaws.diameter * jaws.thickness, length=jaws.diameter, size=jaws.diameter, expected=expected, way=way,
-        reach=_REACH * way, ending=share, traverses=traverses, boundary=platens, gauge=_gauge(body, law, jaws),
+        reach=_REACH * way, ending=share, traverses=traverses, boundary=platens, gauge=_gauge(body, matrix.nu, jaws),
     )  # fmt: skip
     test = run_to_failure("brazilian", body, law, failure, rig, density=density, progress=progress)
     return BrazilianTest(test=test, centre=centre, factor=jaws.factor, half_angle=jaws.half_angle)
@@ -245,7 +245,7 @@ def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Reg
     return Face("side") & Index(np.flatnonzero(chosen))
 
 
-def _elastic(body: Lattice, law: CellBond, jaws: _Jaws) -> tuple[float, float]:
+def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, float]:
     """Closing of the platens over 2 P / (π D t) [m/Pa], and the stress at the centre over the same [-]."""
     closing = 1e-6 * jaws.diameter
     position = body.particles.position - jaws.middle
@@ -269,12 +269,11 @@ def _elastic(body: Lattice, law: CellBond, jaws: _Jaws) -> tuple[float, float]:
     return closing / stress, float(centre) / stress
 
 
-def _gauge(body: Lattice, law: CellBond, jaws: _Jaws) -> Callable[[State], float]:
+def _gauge(body: Lattice, nu: float, jaws: _Jaws) -> Callable[[State], float]:
     """What the strains of the middle are, so that E times it is 2 P / (π D t)."""
     position = body.centre - jaws.middle
     near = np.flatnonzero(np.hypot(position[:, 1], position[:, 2]) < _GAUGE * 0.5 * jaws.diameter)
     weights = AffineField.weights(position[near])
-    nu = law.nu
 
     def gauge(state: State) -> float:
         xx, yy, zz = (weights * state.displacement[near]).sum(axis=0)

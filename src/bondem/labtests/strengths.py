@@ -16,6 +16,7 @@ from bondem.labtests.flexure import BendingTest, three_point_bending
 from bondem.labtests.ledger import AnyTest, energy_ledger
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.punching import shear
+from bondem.labtests.rig import softening_of
 from bondem.labtests.spalling import spall
 from bondem.labtests.splitting import brazilian
 from bondem.labtests.tearing import direct_tension
@@ -23,6 +24,8 @@ from bondem.labtests.throwing import sphere_impact
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
@@ -44,8 +47,8 @@ OF_BALLS = ("sphere_crushing", "sphere_impact")
 def strength_outcome(
     name: str,
     body: Lattice,
-    law: CellBond,
-    failure: Criterion,
+    law: CellAssignment,
+    failure: FailureAssignment,
     *,
     density: float,
     options: Mapping[str, float] | None = None,
@@ -60,7 +63,7 @@ def strength_outcome(
     Args:
         name: of the test.
         body: cut into cells.
-        law, failure: its material.
+        law, failure: its material, or materials by region, the first of which is the matrix; theory is NaN then.
         density: of the material [kg/m³].
         options: of the test, as in `STRENGTH_TESTS`.
         progress: called now and then with the share done, 0 … 1.
@@ -68,9 +71,7 @@ def strength_outcome(
     Raises:
         InputError: another test, or a criterion without the strength that it needs.
     """
-    softening = failure.softening
-    if softening is None:
-        raise InputError(f"labtests: {name} needs the strengths of a material; give its fracture_energy too")
+    softening = softening_of(name, failure, "a criterion with its fracture_energy")
     asked = dict(options or {})
     if name not in STRENGTH_TESTS or (needs_slip(name) and softening.slip is None):
         raise InputError(
@@ -93,7 +94,7 @@ def strength_outcome(
             test = shear(body, law, failure, **given)
         case _:
             test = three_point_bending(body, law, failure, span=asked.get("span"), progress=progress)
-    theory = _implied(name, softening, asked)
+    theory = math.nan if isinstance(failure, Mapping) else _implied(name, softening, asked)
     return Outcome(
         name=name, measured=test.peak, theory=theory, unit="Pa", curves=_curves(test, body), state=test.state,
         energy=energy_ledger(test),
@@ -101,10 +102,12 @@ def strength_outcome(
 
 
 def _dynamic(
-    name: str, body: Lattice, law: CellBond, failure: Criterion, asked: Mapping[str, float], **given: Any
+    name: str, body: Lattice, law: CellAssignment, failure: FailureAssignment, asked: Mapping[str, float], **given: Any
 ) -> Outcome:
     """Outcome of a ball or of a bar that spalls: the curve, and numbers beside the main one as `told`."""
     if name == "spall":
+        if not isinstance(law, CellBond) or not isinstance(failure, Criterion):
+            raise InputError("labtests.spall reads waves of one material; give one law and one criterion")
         bar = spall(body, law, failure, **asked, **given)
         told = {"pull-back [m/s]": bar.pull_back, "highest velocity [m/s]": bar.highest, "spall at [m]": bar.place,
                 "first break [s]": bar.first, "ledger [-]": bar.residual}  # fmt: skip

@@ -3,16 +3,16 @@
 from collections.abc import Callable
 
 from bondem.labtests.loading import Loading, load_to_failure
-from bondem.labtests.rig import StrengthTest, softening_of
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
+from bondem.labtests.rig import StrengthTest, require_cells, softening_of
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
 
 
 def direct_tension(
     body: Lattice,
-    law: CellBond,
-    failure: Criterion,
+    law: CellAssignment,
+    failure: FailureAssignment,
     *,
     density: float | None = None,
     traverses: float = 60.0,
@@ -24,8 +24,8 @@ def direct_tension(
 
     Args:
         body: cut into cells.
-        law: its material.
-        failure: `bd.Rankine` or another criterion of the stress, or `bd.MohrCoulomb` with a fracture energy.
+        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
+        failure: `bd.Rankine` or another criterion of the stress, or `bd.MohrCoulomb` with a fracture energy; or by region.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
         progress: called now and then with the share done, 0 … 1.
@@ -34,10 +34,11 @@ def direct_tension(
         InputError: a lattice without cells, or a criterion that knows no tensile strength.
         UnstableRunError: the run became unstable.
     """
+    matrix = require_cells("direct_tension", body, law, density)
     softening = softening_of("direct_tension", failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     opening = softening.last * softening.fracture_energy / softening.tension
     loading = Loading(
-        sign=1.0, expected=softening.tension, reach=1.3 * softening.tension / law.E, opening=1.5 * opening,
+        sign=1.0, expected=softening.tension, reach=1.3 * softening.tension / matrix.E, opening=1.5 * opening,
         ending=0.002, pressure=0.0, traverses=traverses,
     )  # fmt: skip
     return load_to_failure("direct_tension", body, law, failure, loading, density=density, progress=progress)

@@ -94,6 +94,11 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
     return found
 
 
+def least_count(shape: Shape, radius: float) -> int:
+    """Cells of a shape that are small enough to make up balls of a radius [m]."""
+    return math.ceil(shape.volume * (_LEAST / radius) ** 3)
+
+
 def around_balls(
     shape: Shape, count: int, balls: Aggregates, random: np.random.Generator, told: Callable[[float], None]
 ) -> Particles:
@@ -114,7 +119,7 @@ def around_balls(
     if radius.min() < _LEAST * h:
         raise InputError(
             f"pack: cells of {h:.3g} m are too large for balls of radius {radius.min():.3g} m; ask for"
-            f" {math.ceil(shape.volume * (_LEAST / radius.min()) ** 3)} cells or more, or leave out smaller balls"
+            f" {least_count(shape, float(radius.min()))} cells or more, or leave out smaller balls"
         )
     if (shape.depth(centre) < radius * (1.0 - 1e-9)).any():
         raise InputError("pack: around= has balls that reach out of the shape; make them by bd.aggregates(shape, …)")

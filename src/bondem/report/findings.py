@@ -5,11 +5,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from bondem.calibration.elastic import Calibration, Trial
+from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.modal import NaturalFrequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import Tension
 from bondem.laws.bond import BondLaw
 from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.criterion import Criterion
+from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.fabric import Fabric
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
@@ -42,6 +45,8 @@ class Examined:
         rho: its own density, mass of the connected elements over the volume of the shape [kg/m³], likewise.
         outcomes: of the tests, by name.
         frequencies: natural frequencies, where a dynamic test was asked for.
+        law: what holds it together, by region where there are aggregates in it.
+        aggregates: in it, or None.
     """
 
     seed: int
@@ -51,6 +56,8 @@ class Examined:
     rho: float | None = None
     outcomes: Mapping[str, Outcome] = field(default_factory=dict)
     frequencies: NaturalFrequencies | None = None
+    law: AnyLaw | None = None
+    aggregates: Aggregates | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +74,7 @@ class Findings:
         results: what `results.json` holds.
         citation: where `published` is from, or "".
         published: errors of the tests in print, by name [-].
+        failures: how it fails, by the part of it that does.
     """
 
     title: str
@@ -78,6 +86,7 @@ class Findings:
     results: Mapping[str, Any]
     citation: str = ""
     published: Mapping[str, float] = field(default_factory=dict)
+    failures: Mapping[str, Criterion] = field(default_factory=dict)
 
     @property
     def fit(self) -> Calibration | None:

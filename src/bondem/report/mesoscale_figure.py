@@ -1,4 +1,4 @@
-"""A body with aggregates on one sheet: broken, cut open, and its curve."""
+"""A body with aggregates: broken, cut open, and its curve."""
 
 from pathlib import Path
 
@@ -11,7 +11,9 @@ from bondem._types import Floats
 from bondem.model.state import State
 from bondem.report.cell_pictures import draw_cells, draw_section, section_through
 from bondem.report.crack_pictures import corners_moved
+from bondem.report.findings import Examined
 from bondem.report.spheres import View
+from bondem.report.strength_figures import DRAWN, arranged, broken_in, panels
 from bondem.report.style import BLUE, sheet
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
@@ -33,36 +35,66 @@ def draw_mesoscale(path: Path, body: Lattice, state: State, stones: Aggregates, 
         stones: which of them are aggregates.
         curve: elongation [m] and stress [Pa], (k, 2).
     """
-    solid, inside = polyhedra(body), stones.mask(body)
-    colour = np.where(inside[:, None], to_rgb(_STONE), to_rgb(_MORTAR))
+    solid, colour = polyhedra(body), _coloured(body, stones)
     with sheet(path, 11.0, 3.5, 1, 3, width_ratios=(1.25, 1.1, 1.0)) as (_, (left, middle, right)):
         moved = corners_moved(solid, body, state)
         reach = max(1.0, _EXAGGERATED * float(np.ptp(body.centre[:, 0])) / max(float(np.ptp(moved[:, 0])), 1e-12))
         draw_cells(left, solid, colour, view=_VIEW, moved=corners_moved(solid, body, state, reach))
         left.set_title(f"broken, motion × {reach:.0f}")
-        draw_section(middle, section_through(solid, 2, float(body.centre[:, 2].mean())), colour)
-        _draw_cuts(middle, solid, body, state)
-        middle.set(title="section, cracks in red", xlabel="x [mm]", ylabel="y [mm]")
+        _draw_cut_open(middle, solid, body, state, colour, 2)
+        middle.set_title("section, cracks in red")
         right.plot(1e6 * curve[:, 0], 1e-6 * curve[:, 1], color=BLUE)
         right.set(xlabel="elongation [µm]", ylabel="stress [MPa]", title="direct tension")
         right.set_ylim(bottom=0.0)
         right.set_xlim(left=0.0)
 
 
-def _draw_cuts(ax: Axes, solid: Polyhedra, body: Lattice, state: State) -> None:
-    """Lines in which the middle plane cuts facets that have lost integrity, the wider the more."""
+def draw_cut_open(path: Path, specimen: Examined) -> None:
+    """Draw a section of a specimen with aggregates after each of its tests to failure, with its cracks.
+
+    Args:
+        path: PNG to write.
+        specimen: cells around aggregates, broken in a test or more.
+    """
+    assert specimen.aggregates is not None
+    body, names = specimen.lattice, broken_in(specimen)
+    solid, colour = polyhedra(body), _coloured(body, specimen.aggregates)
+    rows, columns = arranged(len(names))
+    with sheet(path, 4.1 * columns, 3.6 * rows, rows, columns, squeeze=False) as (_, axes):
+        for ax, name in zip(panels(axes, len(names)), names, strict=True):
+            state = specimen.outcomes[name].state
+            assert state is not None
+            _draw_cut_open(ax, solid, body, state, colour, 0 if name == "brazilian" else 2)
+            ax.set_title(DRAWN[name].title)
+
+
+def _coloured(body: Lattice, stones: Aggregates) -> Floats:
+    return np.where(stones.mask(body)[:, None], to_rgb(_STONE), to_rgb(_MORTAR))
+
+
+def _draw_cut_open(ax: Axes, solid: Polyhedra, body: Lattice, state: State, colour: Floats, axis: int) -> None:
+    """The section through the middle, across an axis, where the cells were at rest."""
+    at = float(np.mean(body.particles.envelope.bounds, axis=0)[axis])
+    draw_section(ax, section_through(solid, axis, at), colour)
+    _draw_cuts(ax, solid, body, state, axis, at)
+    along, up = "xyz".replace("xyz"[axis], "")
+    ax.set(xlabel=f"{along} [mm]", ylabel=f"{up} [mm]")
+
+
+def _draw_cuts(ax: Axes, solid: Polyhedra, body: Lattice, state: State, axis: int, at: float) -> None:
+    """Lines in which a plane across an axis cuts facets that have lost integrity, the wider the more."""
     lost = {frozenset(pair): loss for pair, loss in zip(
         body.pairs.tolist(), (1.0 - state.bond_integrity).tolist(), strict=True) if loss > 0.0}  # fmt: skip
-    at, lines, widths = float(body.centre[:, 2].mean()), [], []
+    lines, widths = [], []
     for k in np.flatnonzero(solid.neighbour > solid.cell):
         loss = lost.get(frozenset((int(solid.cell[k]), int(solid.neighbour[k]))), 0.0)
         corner = solid.vertex[solid.start[k] : solid.start[k + 1]]
-        above = corner[:, 2] - at
+        above = corner[:, axis] - at
         other, beyond = np.roll(corner, -1, axis=0), np.roll(above, -1)
         crossed = np.flatnonzero((above > 0.0) != (beyond > 0.0))
         if loss == 0.0 or len(crossed) != 2:
             continue
         share = (above[crossed] / (above[crossed] - beyond[crossed]))[:, None]
-        lines.append(1e3 * ((1.0 - share) * corner[crossed] + share * other[crossed])[:, :2])
+        lines.append(1e3 * np.delete((1.0 - share) * corner[crossed] + share * other[crossed], axis, axis=1))
         widths.append(2.2 * loss)
     ax.add_collection(LineCollection(lines, colors=_CRACK, linewidths=widths))

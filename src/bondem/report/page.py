@@ -16,9 +16,11 @@ from bondem.io.atomic import write_text
 from bondem.laws.catalogue import named
 from bondem.report.breakage_figures import draw_energies, draw_pieces
 from bondem.report.cell_figures import draw_bent, draw_body
+from bondem.report.criterion_told import told
 from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
 from bondem.report.fabric_figures import draw_distribution, draw_layering
 from bondem.report.findings import Findings
+from bondem.report.mesoscale_figure import draw_cut_open
 from bondem.report.numbers import measures, percent, signed, signed_percent, with_unit
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
@@ -62,6 +64,8 @@ CAPTIONS = {
     "pieces": """Cracks are facets that have lost half of their strength or more. Left: what the others join, each
         piece in a colour of its own, its motion exaggerated; those of less than ten cells in orange. Right: surfaces
         of cracks, coloured by their opening.""",
+    "cut_open": """Sections of the first specimen: aggregates in grey, matrix in sand. Red: facets that have cracked,
+        the wider the more of their strength is lost.""",
     "energies": """Energies of the first specimen as its curve goes: what the work of the load (dashed) has turned
         into.""",
     "errors": "All tests at a glance: means over the packings with their scatter.",
@@ -154,6 +158,8 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         drawings["strength"] = lambda path: draw_curves(path, findings)
         drawings["broken"] = lambda path: draw_broken(path, first)
         drawings["pieces"] = lambda path: draw_pieces(path, first)
+        if first.aggregates is not None:
+            drawings["cut_open"] = lambda path: draw_cut_open(path, first)
         if any(first.outcomes[name].energy for name in DRAWN if name in first.outcomes):
             drawings["energies"] = lambda path: draw_energies(path, first)
     if any(row["error"] is not None for row in findings.results["tests"].values()):
@@ -191,6 +197,7 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         worst=max((row for row in rows if row["error"] is not None), key=lambda row: abs(row["error"]), default=None),
         quality=quality_rows(findings.specimens),
         shape=measures(findings.specimens[0].lattice.particles.envelope),
+        failures=[(part, type(one).__name__, told(one)) for part, one in findings.failures.items()],
         today=date.today().isoformat(),
     )
 

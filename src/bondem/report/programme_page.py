@@ -1,24 +1,22 @@
 """The report of a test programme: one HTML page over the reports of its specimens."""
 
 import base64
-import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 from typing import Any
 
 from bondem.io.atomic import write_text
 from bondem.laws.failure.criterion import Criterion
+from bondem.report.criterion_told import told
 from bondem.report.numbers import percent, signed_percent, with_unit
 from bondem.report.page import CAPTIONS, Picture, templates
 from bondem.report.programme_figure import draw_targets
 from bondem.specimen.material import Material
 
 #: Figures of a specimen's own report that this one shows, in order.
-SHOWN = ("strength", "broken", "pieces", "energies")
-# Fields of criteria that are stresses.
-_STRESSES = ("tension", "compression", "cohesion", "hydrostatic")
+SHOWN = ("strength", "broken", "pieces", "cut_open", "energies")
 _TARGETS = """How far each test is off its target, and off what the strengths put in imply, where that has a closed
     form."""
 _BARS = " Bars: standard deviation over the packings."
@@ -46,7 +44,7 @@ class Chapter:
 def write_programme(
     title: str,
     material: Material,
-    failure: Criterion | None,
+    failures: Mapping[str, Criterion],
     rows: Sequence[Mapping[str, Any]],
     chapters: Sequence[Chapter],
     out: Path,
@@ -58,7 +56,7 @@ def write_programme(
     Args:
         title: of the programme.
         material: of all specimens.
-        failure: likewise, or None.
+        failures: how they fail, by the part of them that does.
         rows: of the table, measured against target.
         chapters: what the specimens left, in folders within `out`.
         out: an existing folder.
@@ -76,8 +74,7 @@ def write_programme(
     page = environment.get_template("programme.html").render(
         title=title,
         material=material,
-        criterion=type(failure).__name__,
-        strengths=_strengths(failure) if failure is not None else [],
+        failures=[(part, type(one).__name__, told(one)) for part, one in failures.items()],
         rows=rows,
         chapters=chapters,
         summary=summary,
@@ -86,27 +83,6 @@ def write_programme(
         today=date.today().isoformat(),
     )
     write_text(out / "report.html", page)
-
-
-def _strengths(failure: Criterion) -> list[tuple[str, str]]:
-    """What a criterion was given, by name, as people read it; angles in degrees."""
-    told: list[tuple[str, str]] = []
-    for item in fields(failure):
-        value = getattr(failure, item.name)
-        if value is None or value == 0.0:
-            continue
-        if not isinstance(value, int | float):
-            shown = type(value).__name__
-        elif item.name in _STRESSES:
-            shown = with_unit(value, "Pa")
-        elif item.name.startswith("fracture_energy"):
-            shown = with_unit(value, "J/m²")
-        elif item.name == "friction_angle":
-            shown = f"{math.degrees(value):.4g}°"
-        else:
-            shown = f"{value:.4g}"
-        told.append((item.name.replace("_", " "), shown))
-    return told
 
 
 def _pictures(folder: Path) -> list[Picture]:

@@ -38,8 +38,13 @@ def forecast(study: Study) -> list[tuple[str, str]]:
                      f" about {round((_FACETS if cells else _BONDS) * count)} {'facets' if cells else 'bonds'}"),
         ("memory", f"about {(_PROGRAM + count * (_CELL if cells else _SPHERE)) / 1e9:.1f} GB"),
     ]  # fmt: skip
+    if study.aggregates is not None:
+        grains = study.aggregates
+        small, large = (with_unit(grains.sieve.diameters[k], "m") for k in (0, -1))
+        lines.append(("aggregates", f"{grains.fraction:g} of the volume, balls of {small} to {large}"))
     if study.material is not None:
-        celerity = math.sqrt(study.material.E / study.material.rho)
+        E = max(study.material.E, study.aggregates.E if study.aggregates is not None else 0.0)
+        celerity = math.sqrt(E / study.material.rho)
         lines.append(("time step", f"about {_STEP * size / celerity:.1g} s in explicit tests"))
     return lines + _work(study)
 

@@ -3,7 +3,7 @@
 import json
 import time
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, cast
@@ -15,6 +15,7 @@ from bondem.io.folder import only_writer
 from bondem.io.particles_file import save_particles
 from bondem.io.runfile import RunFile
 from bondem.io.vtk import write_vtkhdf
+from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
@@ -24,6 +25,7 @@ from bondem.labtests.strengths import STRENGTH_TESTS, strength_outcome
 from bondem.labtests.tension import static_tension, tension_model
 from bondem.labtests.vibration import free_vibration
 from bondem.laws.cell_bond import CellBond
+from bondem.model.cell_constants import CellAssignment
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
@@ -32,11 +34,13 @@ from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
 from bondem.solve.history import History
 from bondem.solve.plan import Plan, settled
+from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import fabric
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 from bondem.study.results import collect
+from bondem.study.specimen import SpecimenPlan
 from bondem.study.strength_tests import broken_only
 from bondem.study.study import Study
 
@@ -77,12 +81,13 @@ def _carry_out(study: Study, out: Path, progress: Progress | None) -> dict[str, 
     if study.material is not None and study.bond.law is None and study.bond.cells is None:
         recommend(study.material.nu)  # raises before any work
     watch = _Watch()
-    lattices = tuple(packed(study, k, tell) for k in range(study.packings))
+    bodies = tuple(packed(study, k, tell) for k in range(study.packings))
+    lattices = tuple(body.lattice for body in bodies)
     watch.lap("pack_s")
     bonds = bonds_of(study, study.material, lattices, tell) if study.material is not None else None
     fit = bonds.fit if bonds is not None else None
     watch.lap("calibrate_s")
-    specimens = tuple(examined(study, k, lattice, bonds, tell) for k, lattice in enumerate(lattices))
+    specimens = tuple(examined(study, k, body, bonds, tell) for k, body in enumerate(bodies))
     watch.lap("tests_s")
     results = collect(study, bonds, specimens, watch.laps)
     findings = Findings(
@@ -95,30 +100,43 @@ def _carry_out(study: Study, out: Path, progress: Progress | None) -> dict[str, 
         results=results,
         citation=study.reference.citation if study.reference else "",
         published=study.reference.errors if study.reference else {},
+        failures=study.failures,
     )
     out.mkdir(parents=True, exist_ok=True)
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:
-        write_vtkhdf(out / "specimen.vtkhdf", lattices[0], elements=pulled(specimens[0], bonds))
+        write_vtkhdf(out / "specimen.vtkhdf", lattices[0], elements=pulled(specimens[0]))
     if study.packing_files:
         for one in specimens:
             told = {"study": study.name, "seed": one.seed}
             save_particles(out / f"packing_{one.seed}.h5", one.lattice, provenance=told)
     if study.run_files and bonds is not None:
         for one in specimens:
-            keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, bonds)
+            keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, one.law, bonds.density)
     return results
 
 
-def packed(study: Study, k: int, tell: Progress) -> Lattice:
+@dataclass(frozen=True, eq=False)
+class _Body:
+    """A packing with its bonds, and the aggregates that it was packed around."""
+
+    lattice: Lattice
+    aggregates: Aggregates | None
+
+
+def packed(study: Study, k: int, tell: Progress) -> _Body:
     """Packing k, bonded; a specimen in two pieces is refused here."""
-    stage = f"pack {k + 1} of {study.packings}"
-    particles = study.specimen.particles(study.seed + k, lambda share: tell(stage, share))
+    stage, seed = f"pack {k + 1} of {study.packings}", study.seed + k
+    balls = None
+    if study.aggregates is not None and isinstance(study.specimen, SpecimenPlan):
+        tell(f"{stage}: aggregates", 0.0)
+        balls = study.aggregates.placed(study.specimen.shape, study.specimen.count, seed)
+    particles = study.specimen.particles(seed, lambda share: tell(stage, share), balls)
     study.require_testable(particles.envelope)
     if study.bond.cells is not None:
-        return connect(particles, method="laguerre")
-    return connect(particles, tolerance=study.bond.tolerance, reach=study.bond.reach)
+        return _Body(connect(particles, method="laguerre"), balls)
+    return _Body(connect(particles, tolerance=study.bond.tolerance, reach=study.bond.reach), balls)
 
 
 def bonds_of(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Bonding:
@@ -144,15 +162,16 @@ def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], 
     return fit
 
 
-def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell: Progress) -> Examined:
+def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Progress) -> Examined:
     """Packing k: its fabric and, under the law of the study, its own moduli and its tests."""
+    lattice = body.lattice
     stage = f"test {k + 1} of {study.packings}"
     tell(stage, 0.0)
     if bonds is None:
         specimen = Examined(seed=study.seed + k, lattice=lattice, quality=fabric(lattice))
         tell(stage, 1.0)
         return specimen
-    law, density = bonds.law, bonds.density
+    law, density = _law(study, bonds, body), bonds.density
     known = bonds.fit.tensions[: study.calibrating] if bonds.fit is not None else ()
     whole = broken_only(lattice.particles.envelope) is None
     tension = None if not whole else known[k] if k < len(known) else static_tension(lattice, law)
@@ -164,11 +183,13 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell
         quality=fabric(lattice),
         tension=tension,
         rho=float(mass / lattice.particles.envelope.volume),
+        law=law,
+        aggregates=body.aggregates,
     )
     outcomes: dict[str, Outcome] = {}
     if tension is None:  # a ball, or a specimen with a notch or borings, is broken only
         for name in study.tests:
-            outcomes[name] = _to_failure(name, study, lattice, bonds, partial(tell, f"{name}, {stage}"))
+            outcomes[name] = _to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
         tell(stage, 1.0)
         return replace(specimen, outcomes=outcomes)
     own: dict[str, Any] = {"E": tension.E, "nu": tension.nu}
@@ -186,33 +207,44 @@ def examined(study: Study, k: int, lattice: Lattice, bonds: Bonding | None, tell
         elif name in _VIBRATION:
             outcomes[name] = _VIBRATION[name](lattice, law, **moving, **shared, gyration=tension.gyration)
         elif name in STRENGTH_TESTS:
-            outcomes[name] = _to_failure(name, study, lattice, bonds, partial(tell, f"{name}, {stage}"))
+            outcomes[name] = _to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
         else:
             outcomes[name] = impact(lattice, law, **moving)
     tell(stage, 1.0)
     return replace(specimen, outcomes=outcomes)
 
 
+def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:
+    """What holds a body together, by region where there are aggregates in it."""
+    if study.aggregates is None or body.aggregates is None:
+        return bonds.law
+    return study.aggregates.laws(cast(CellBond, bonds.law), body.aggregates)
+
+
 def _to_failure(
-    name: str, study: Study, body: Lattice, bonds: Bonding, progress: Callable[[float], None]
+    name: str, study: Study, body: _Body, bonds: Bonding, progress: Callable[[float], None]
 ) -> Outcome:
     """A test to failure of a body of cells, which the study has made sure of."""
     assert study.failure is not None
-    law = cast(CellBond, bonds.law)
+    law, failure = cast(CellAssignment, _law(study, bonds, body)), study.failure
+    if study.aggregates is not None and body.aggregates is not None:
+        failure = study.aggregates.criteria(failure, body.aggregates)
+    options = study.options.get(name)
     return strength_outcome(
-        name, body, law, study.failure, density=bonds.density, options=study.options.get(name), progress=progress
+        name, body.lattice, law, failure, density=bonds.density, options=options, progress=progress
     )
 
 
-def pulled(specimen: Examined, bonds: Bonding | None) -> dict[str, Any]:
-    """What the cells of a body do in the tension test, for files; nothing of other lattices."""
-    tension, lattice = specimen.tension, specimen.lattice
-    if bonds is None or tension is None or lattice.cells is None:
-        return {}
-    model = tension_model(lattice, bonds.law, stress=tension.stress)
+def pulled(specimen: Examined) -> dict[str, Any]:
+    """What the cells of a body do in the tension test, and which are aggregates; nothing of other lattices."""
+    tension, lattice, balls = specimen.tension, specimen.lattice, specimen.aggregates
+    parts = {} if balls is None else {"aggregate": balls.mask(lattice).astype(float)}
+    if specimen.law is None or tension is None or lattice.cells is None:
+        return parts
+    model = tension_model(lattice, specimen.law, stress=tension.stress)
     forces = CellForces.of(model, tension.solution)
     stress = mean_stress(model, forces)
-    return {
+    return parts | {
         "displacement": tension.solution.displacement, "stress": stress.reshape(-1, 9),
         "dilatation": dilatation(model, stress), "lambda_theta": forces.stress,
     }  # fmt: skip
@@ -229,9 +261,9 @@ def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
     return tuple(trials)
 
 
-def keep_specimen(path: Path, lattice: Lattice, bonds: Bonding) -> None:
+def keep_specimen(path: Path, lattice: Lattice, law: AnyLaw | None, density: float) -> None:
     """Write a specimen, free and at rest, as a run file: model and state to go on from."""
-    model = Model(lattice, bonds.law, density=bonds.density)
+    model = Model(lattice, law, density=density)
     with RunFile(path, model, settled(model, Plan(duration=0.0))) as file:
         file.checkpoint(State(model), History.empty(()))
 

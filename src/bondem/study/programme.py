@@ -178,6 +178,9 @@ def _series(
     document = dict(shared) | options | {"name": f"{title}: {name}", "specimen": inside, "tests": list(tests)}
     if not any(test in STRENGTH_TESTS for test in tests):
         document.pop("failure", None)
+        grains = document.get("aggregates")
+        if isinstance(grains, Mapping):
+            document["aggregates"] = {key: grains[key] for key in grains if key not in ("failure", "interface")}
     try:
         study = parse_study(document, folder=folder)
     except StudyError as error:

@@ -50,12 +50,12 @@ def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress 
     rows = [row for one in programme.series for row in _rows(one, found[one.name])]
     study = programme.series[0].study
     assert study.material is not None
-    failures = [one.study.failure for one in programme.series if one.study.failure is not None]
+    failing = [one.study for one in programme.series if one.study.failure is not None]
     chapters = [_chapter(one, found[one.name]) for one in programme.series]
     results = {"programme": programme.name, "rows": rows, "specimens": found, "version": bondem.__version__}
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     write_programme(
-        programme.name, study.material, failures[0] if failures else None, rows, chapters, out, figures=study.figures
+        programme.name, study.material, failing[0].failures if failing else {}, rows, chapters, out, figures=study.figures
     )
     return results
 

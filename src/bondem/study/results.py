@@ -1,7 +1,7 @@
 """What a study leaves in `results.json`: SI, finite numbers or null."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from typing import Any
 
@@ -10,6 +10,7 @@ import numpy as np
 from bondem import __version__
 from bondem.fracture.cracks import cracks
 from bondem.fracture.fragments import fragments
+from bondem.fracture.lost_area import lost_area
 from bondem.labtests.outcome import Outcome
 from bondem.laws.bond import BondLaw
 from bondem.report.breakage_figures import CRACKED
@@ -74,7 +75,7 @@ def deviation(values: Sequence[float]) -> float | None:
 
 
 def _specimen(one: Examined) -> dict[str, Any]:
-    return {
+    return _aggregates(one) | {
         "elements": len(one.lattice.particles),
         "bonds": len(one.lattice.pairs),
         "volume_fraction": one.quality.volume_fraction,
@@ -82,6 +83,19 @@ def _specimen(one: Examined) -> dict[str, Any]:
         "isotropy_error": one.quality.isotropy_error,
         "rattlers": one.lattice.rattlers,
     }
+
+
+def _aggregates(one: Examined) -> dict[str, Any]:
+    """Of a body that has some: how many, their share of the volume, and the cells that make them up."""
+    if one.aggregates is None:
+        return {}
+    share = one.aggregates.volume / one.lattice.particles.envelope.volume
+    inside = int(one.aggregates.mask(one.lattice).sum())
+    assert isinstance(one.law, Mapping)
+    _, own = one.law.values()
+    return {"aggregates": {
+        "count": len(one.aggregates), "fraction": share, "cells": inside, "E": own.E, "nu": own.nu,
+    }}  # fmt: skip
 
 
 def _test(name: str, specimens: Sequence[Examined]) -> dict[str, Any]:
@@ -135,21 +149,24 @@ def _packing(one: Examined, calibrating: bool) -> dict[str, Any]:
                 "unit": outcome.unit,
                 "free_vibration": outcome.curves.get("free_vibration"),
                 **({"told": dict(outcome.told)} if outcome.told else {}),
-                "failure": _failure(one.lattice, outcome),
+                "failure": _failure(one, outcome),
             }
             for name, outcome in one.outcomes.items()
         },
     }
 
 
-def _failure(body: Lattice, outcome: Outcome) -> dict[str, Any] | None:
+def _failure(one: Examined, outcome: Outcome) -> dict[str, Any] | None:
     """What a test to failure left, and where its work has gone until the end; None of other tests."""
     if outcome.state is None:
         return None
-    found = {
+    body = one.lattice
+    found: dict[str, Any] = {
         "pieces": len(fragments(body, outcome.state, integrity=CRACKED)),
         "crack_area": cracks(body, outcome.state, integrity=CRACKED).area,
     }
+    if one.aggregates is not None:
+        found["lost_area"] = lost_area(body, outcome.state, one.aggregates)
     if not outcome.energy:
         return found
     return found | {

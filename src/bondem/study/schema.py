@@ -26,7 +26,7 @@ def schema() -> Schema:
     shared = {
         "name": _text("title of the report"), "seed": _count("of the first packing", least=0),
         "packings": _count("number of packings; packing k has seed + k"), "material": _material(),
-        "bond": _bond(), "failure": _failure(),
+        "bond": _bond(), "failure": _failure(), "aggregates": _aggregates(),
         "calibration": _table({"packings": _count("that calibrate")}),
         "output": _table({
             "figures": _flag("draw figures"), "vtk": _flag("the first packing for ParaView"),
@@ -117,6 +117,17 @@ def _failure() -> Schema:
         "criterion": _text("when it fails", [kind.__name__ for kind in CRITERIA]),
         "curve": _text("how cracks soften", ("straight", "bilinear")),
     } | {key: _number(unit, words) for key, (unit, words) in numbers.items()}, needed=["criterion"])  # fmt: skip
+
+
+def _aggregates() -> Schema:
+    length = {"type": ["number", "string"]}
+    return _table({
+        "diameters": _list(length, "openings of the sieves [m]", minItems=2),
+        "mass_passing": _list(length, "share of the mass that passes each, from 0 to 1 [-]", minItems=2),
+        "fraction": _number("-", "of the volume"), "E": _number("Pa", "Young's modulus"),
+        "nu": _number("-", "Poisson's ratio"), "gap": _number("m", "between two of them, at least"),
+        "failure": _failure(), "interface": _failure(),
+    }, needed=["diameters", "mass_passing", "fraction", "E", "nu"])  # fmt: skip
 
 
 def _specimen() -> dict[str, Schema]:

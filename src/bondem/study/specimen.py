@@ -11,6 +11,7 @@ from bondem.io.importing import read_particles
 from bondem.labtests.punching import punch_specimen
 from bondem.packing import EVEN, METHOD, METHODS, pack
 from bondem.packing.sizes import SPREAD, Lognormal, Sieve, SizeLaw, Uniform
+from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
 from bondem.specimen.particles import Particles
 from bondem.specimen.surface import Surface
@@ -43,11 +44,13 @@ class SpecimenPlan:
     method: str = METHOD
     target: Mapping[str, Any] = field(default_factory=dict)
 
-    def particles(self, seed: int, progress: Callable[[float], None]) -> Particles:
-        """The packing of this seed."""
+    def particles(
+        self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None
+    ) -> Particles:
+        """The packing of this seed; with aggregates cells end on their surfaces."""
         return pack(
             self.shape, count=self.count, sizes=self.sizes, method=self.method, seed=seed, progress=progress,
-            **self.target,
+            around=around, **self.target,
         )  # fmt: skip
 
 
@@ -65,8 +68,10 @@ class ImportPlan:
     unit: float | None = None
     shape: Shape | None = None
 
-    def particles(self, seed: int, progress: Callable[[float], None]) -> Particles:
-        """The particles of the file, whatever the seed."""
+    def particles(
+        self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None
+    ) -> Particles:
+        """The particles of the file, whatever the seed; aggregates are refused before (`Study`)."""
         particles = _made("specimen.particles", lambda: read_particles(self.file, unit=self.unit, shape=self.shape))
         progress(1.0)
         return particles

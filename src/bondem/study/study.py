@@ -14,10 +14,11 @@ from bondem.laws.bond import RADIUS_RULES, BondLaw
 from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
 from bondem.laws.cell_bond import FACET_ROTATIONS, CellBond
 from bondem.laws.failure.criterion import Criterion
-from bondem.packing import SEED
+from bondem.packing import EVEN, SEED
 from bondem.specimen import materials
 from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
+from bondem.study.aggregates import AggregatePlan, read_aggregates
 from bondem.study.failure import read_failure, require_strength
 from bondem.study.lines import located
 from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
@@ -88,6 +89,7 @@ class Study:
         run_files: whether to write every calibrated specimen, at rest, as a run file to go on from.
         packing_files: whether to write every packing with its bonds as a particle file.
         reference: published values, or None.
+        aggregates: in the material, which is their matrix; or None.
     """
 
     name: str
@@ -105,6 +107,7 @@ class Study:
     run_files: bool = False
     packing_files: bool = False
     reference: Reference | None = None
+    aggregates: AggregatePlan | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= self.calibrating <= self.packings:
@@ -121,8 +124,22 @@ class Study:
                 if asked:
                     raise StudyError(f"'{key}' asks for calibrated bonds; give [material], or leave '{key}' out")
         require_strength(self.tests, self.failure, self.bond.cells is not None)
+        if self.aggregates is not None:
+            self._require_matrix(self.aggregates)
         if self.specimen.shape is not None:
             self.require_testable(self.specimen.shape)
+
+    def _require_matrix(self, plan: AggregatePlan) -> None:
+        """Make sure that a body can be cut along aggregates, and its parts fail beside each other."""
+        if self.bond.cells is None or isinstance(self.specimen, ImportPlan) or self.specimen.method != EVEN:
+            raise StudyError(
+                f'[aggregates] are for bodies of cells: set law = "CellBond" in [bond], and method = "{EVEN}" in'
+                " [specimen]"
+            )
+        if "spall" in self.tests:
+            raise StudyError("'tests' asks for spall, which is of one material; leave it out, or [aggregates]")
+        plan.require_room(self.specimen.shape, self.specimen.count)
+        plan.require_criteria(self.failure)
 
     def require_testable(self, shape: Shape) -> None:
         """Make sure that what is asked for can be done with a shape.
@@ -145,6 +162,16 @@ class Study:
                 " or take a 'specimen.shape' of cylinder or box"
             )
         require_specimen(self.tests, shape)
+
+    @property
+    def failures(self) -> dict[str, Criterion]:
+        """How its parts fail, by name; nothing where nothing does."""
+        if self.failure is None:
+            return {}
+        if self.aggregates is None:
+            return {"Failure": self.failure}
+        own, between = self.aggregates.failure, self.aggregates.interface
+        return {"Matrix": self.failure, "Aggregates": own or self.failure, "Interface": between or self.failure}
 
     def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Study":
         """The same study with what the command line overrules."""
@@ -231,6 +258,7 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
             options=read_options(top, tests),
             **_output(top.section("output")),
             reference=_reference(top.section("reference")) if top.has("reference") else None,
+            aggregates=read_aggregates(top.section("aggregates")) if top.has("aggregates") else None,
         )
 
 

@@ -1,0 +1,25 @@
+"""Where the cracks of a body with aggregates run: through its matrix, along aggregates, or through them."""
+
+import numpy as np
+
+from bondem.model.state import State
+from bondem.specimen.aggregates import Aggregates
+from bondem.specimen.lattice import Lattice
+
+#: Of a facet whose cells lie in no, one and two aggregates.
+PARTS = "matrix", "interface", "aggregate"
+
+
+def lost_area(body: Lattice, state: State, aggregates: Aggregates) -> dict[str, float]:
+    """Area of facets that is lost to cracks, each times 1 - s, by `PARTS` [m²].
+
+    Args:
+        body: cut into cells.
+        state: of these cells.
+        aggregates: within the body.
+    """
+    assert body.facets is not None
+    inside = aggregates.mask(body)[body.pairs].sum(axis=1)
+    lost = (1.0 - state.bond_integrity) * body.facets.area
+    found = np.bincount(inside, weights=lost, minlength=len(PARTS))
+    return dict(zip(PARTS, found.tolist(), strict=True))

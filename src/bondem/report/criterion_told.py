@@ -1,0 +1,32 @@
+"""What a criterion of failure was given, as people read it."""
+
+import math
+from dataclasses import fields
+
+from bondem.laws.failure.criterion import Criterion
+from bondem.report.numbers import with_unit
+
+# Fields of criteria that are stresses, and angles.
+_STRESSES = ("tension", "compression", "cohesion", "hydrostatic")
+_ANGLES = ("friction_angle",)
+
+
+def told(criterion: Criterion) -> list[tuple[str, str]]:
+    """Names and values of a criterion, without what is zero or was not given; angles in degrees."""
+    found: list[tuple[str, str]] = []
+    for item in fields(criterion):
+        value = getattr(criterion, item.name)
+        if value is None or value == 0.0:
+            continue
+        if not isinstance(value, int | float):
+            shown = type(value).__name__
+        elif item.name in _STRESSES:
+            shown = with_unit(value, "Pa")
+        elif item.name.startswith("fracture_energy"):
+            shown = with_unit(value, "J/m²")
+        elif item.name in _ANGLES:
+            shown = f"{math.degrees(value):.4g}°"
+        else:
+            shown = f"{value:.4g}"
+        found.append((item.name.replace("_", " "), shown))
+    return found

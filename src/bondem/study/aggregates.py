@@ -1,0 +1,114 @@
+"""The table [aggregates] of a study: coarse aggregates in the material, which is their matrix, and the interface."""
+
+import math
+from dataclasses import dataclass, replace
+
+from bondem.errors import InputError, StudyError
+from bondem.labtests.arguments import AnyLaw
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.criterion import Criterion
+from bondem.model.failure_assignment import FailureAssignment, criteria_of
+from bondem.packing.inclusions import aggregates, least_count
+from bondem.packing.sizes import Sieve
+from bondem.specimen.aggregates import Aggregates
+from bondem.specimen.geometry import Shape
+from bondem.specimen.regions import Everything
+from bondem.study.failure import read_failure
+from bondem.study.toml_table import TomlTable
+
+# Between the surfaces of two aggregates, over the size of a cell, unless given: one layer of matrix at least.
+_GAP = 1.2
+
+
+@dataclass(frozen=True, kw_only=True)
+class AggregatePlan:
+    """Coarse aggregates in a matrix that is the material of the study.
+
+    Attributes:
+        sieve: their grading curve, with diameters in metres.
+        fraction: of the volume [-].
+        E, nu: Young's modulus [Pa] and Poisson's ratio [-] of the aggregates.
+        gap: between their surfaces at least [m]; None for 1.2 sizes of a cell.
+        failure: of the aggregates; None for that of the matrix.
+        interface: of what joins them to the matrix; None likewise.
+    """
+
+    sieve: Sieve
+    fraction: float
+    E: float
+    nu: float
+    gap: float | None = None
+    failure: Criterion | None = None
+    interface: Criterion | None = None
+
+    def require_room(self, shape: Shape, count: int) -> None:
+        """Make sure that cells are small enough to make up the smallest aggregates.
+
+        Raises:
+            StudyError: they are not.
+        """
+        smallest = self.sieve.diameters[0]
+        least = least_count(shape, 0.5 * smallest)
+        if count < least:
+            raise StudyError(
+                f"'specimen.count' = {count}: the smallest aggregates, of {smallest:g} m, want {least} cells or more;"
+                " raise it, or leave out smaller aggregates in 'aggregates.diameters'"
+            )
+
+    def placed(self, shape: Shape, count: int, seed: int) -> Aggregates:
+        """The aggregates of a packing.
+
+        Raises:
+            InputError, PackingError: there is no room for them.
+        """
+        gap = _GAP * math.cbrt(shape.volume / count) if self.gap is None else self.gap
+        return aggregates(shape, self.sieve, fraction=self.fraction, gap=gap, seed=seed)
+
+    def laws(self, matrix: CellBond, balls: Aggregates) -> AnyLaw:
+        """Of a body with these aggregates, by region, the matrix first."""
+        return {Everything(): matrix, balls: replace(matrix, E=self.E, nu=self.nu)}
+
+    def criteria(self, matrix: Criterion, balls: Aggregates) -> FailureAssignment:
+        """Of a body with these aggregates, by region, the matrix first."""
+        own, between = self.failure or matrix, self.interface or matrix
+        return {Everything(): matrix, balls: own, (balls, balls.matrix): between}
+
+    def require_criteria(self, matrix: Criterion | None) -> None:
+        """Make sure that matrix, aggregates and interface can fail beside each other.
+
+        Raises:
+            StudyError: criteria of different kinds, or some without [failure].
+        """
+        given = {"aggregates.failure": self.failure, "aggregates.interface": self.interface}
+        for key, criterion in given.items():
+            if criterion is None:
+                continue
+            if matrix is None:
+                raise StudyError(f"'{key}' is given, but no [failure] of the matrix; give it too, or leave '{key}' out")
+            try:
+                criteria_of({"matrix": matrix, key: criterion})
+            except InputError as error:
+                raise StudyError(f"'{key}.criterion': {error}") from None
+
+
+def read_aggregates(table: TomlTable) -> AggregatePlan:
+    """The aggregates that a table describes.
+
+    Raises:
+        StudyError: a key that is unknown, missing or out of range.
+    """
+    with table:
+        diameters, passing = table.numbers("diameters", "m"), table.numbers("mass_passing", "-")
+        try:
+            sieve = Sieve(diameters, passing)
+        except InputError as error:
+            raise StudyError(f"'{table.name('diameters')}': {error}") from None
+        return AggregatePlan(
+            sieve=sieve,
+            fraction=table.number("fraction", "-", above=0.0, below=0.6),
+            E=table.number("E", "Pa", above=0.0),
+            nu=table.number("nu", "-", above=-1.0, below=0.5),
+            gap=table.number("gap", "m", default=None, above=0.0),
+            failure=read_failure(table.section("failure")) if table.has("failure") else None,
+            interface=read_failure(table.section("interface")) if table.has("interface") else None,
+        )
