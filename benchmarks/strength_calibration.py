@@ -15,7 +15,9 @@ Cells have G_f = 100 J/m² and the tests of `bd.labtests`; beams those of platen
 packing 1; the non-local law the plates of `python -m validation celigueta`.
 
 Run: python benchmarks/strength_calibration.py [--cases cells …] [--count 1500] [--unseen 2 3 4 5] [--out DIR]
+     python benchmarks/strength_calibration.py --cases rankine mohr --count 0
      python benchmarks/strength_calibration.py --summary
+`--count 0` is the size of the paper, 12 000 and 9000 elements, of the non-local law.
 Every test is kept in --out as soon as it is done.
 """
 
@@ -34,7 +36,7 @@ import bondem as bd
 from bondem.errors import UnstableRunError
 from kept import RESULTS, commit, keep, origin
 from platens import NU, RHO, E, broken_by, cells, spheres
-from validation.rows.celigueta import DAMPING, DASHPOT, CeliguetaRun, Fallen
+from validation.rows.celigueta import COUNT, DAMPING, DASHPOT, CeliguetaRun, Fallen
 
 TARGETS = {"ucs": (55e6, 2e6), "brazilian": (4e6, 0.3e6)}
 LAW, ENERGY = bd.CellBond(E=E, nu=NU), 100.0
@@ -78,7 +80,7 @@ def of_non_local(test: str, count: int, seed: int, failure: bd.Criterion, fricti
         UnstableRunError: the run became unstable.
     """
     name, way, speed = PLATES[test]
-    asked = CeliguetaRun(name, "Rankine", "weighted", count, seed)
+    asked = CeliguetaRun(name, "Rankine", "weighted", count or COUNT[name], seed)
     body = asked.body()
     there = asked.model(body)  # for its plates and its density
     model = bd.Model(
