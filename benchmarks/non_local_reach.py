@@ -1,8 +1,8 @@
 """The compression test of Celigueta et al. (2020) by the size of elements and by the gap over which they are bonded.
 
 Their law, construction and plates, Rankine with 6 MPa, or Mohr and Coulomb with 14.5 MPa and 60°, friction 0.1, as in
-`python -m validation celigueta`. Spheres
-whose centres are at most REACH (Ri + Rj) apart are bonded: 1.3 there, which the paper does not print.
+`python -m validation celigueta`. Spheres whose centres are at most REACH (Ri + Rj) apart are bonded: 1.3 there, which
+the paper does not print.
 
 Run: python benchmarks/non_local_reach.py [--counts 300 1000 3000] [--reaches 1.1 1.3 1.5] [--seeds 1 2] [--out DIR]
      python benchmarks/non_local_reach.py --failure Mohr-Coulomb --counts 3000
@@ -45,7 +45,8 @@ def pressed(count: int, reach: float, seed: int, failure: str) -> dict[str, Any]
     peak = int(np.argmax(stress))
     first, last = (int(np.flatnonzero(stress >= share * stress[peak])[0]) for share in _ELASTIC)
     return {
-        "count": count, "reach": reach, "seed": seed, "failure": failure, "z": 2.0 * len(body.pairs) / count, "peak": float(stress[peak]),
+        "count": count, "reach": reach, "seed": seed, "failure": failure,
+        "z": 2.0 * len(body.pairs) / count, "peak": float(stress[peak]),
         "E_plates": float(np.polyfit(strain[first : last + 1], stress[first : last + 1], 1)[0]),
         "other": float(other[peak] / stress[peak]), "peak_strain": float(strain[peak]), "broken": len(run.events),
         "broken_at_peak": int((run.events.time <= run.history.time[peak]).sum()), "dt": run.dt,

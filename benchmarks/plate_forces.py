@@ -79,10 +79,11 @@ def main(arguments: list[str] | None = None) -> None:
             for seed in given.seeds:
                 one = measured(test, given.count, seed, damping, both)
                 cases.append(one)
+                moved = "both plates move" if both else "one plate moves"
                 print(
-                    f"{test}, damping {damping:g}, {'both plates move' if both else 'one plate moves'}, packing {seed}:"
-                    f" {one['peak'] / 1e6:.2f} MPa, still / moving {one['at_peak']:.3f} at the peak, {one['impulses']:.3f}"
-                    f" of impulses; momentum {one['momentum']:.3f}, damping {one['damped']:.3f}", flush=True,
+                    f"{test}, damping {damping:g}, {moved}, packing {seed}: {one['peak'] / 1e6:.2f} MPa, still / moving"
+                    f" {one['at_peak']:.3f} at the peak, {one['impulses']:.3f} of impulses; momentum"
+                    f" {one['momentum']:.3f}, damping {one['damped']:.3f}", flush=True,
                 )  # fmt: skip
     keep(given.out, begun | {"cases": cases})
 

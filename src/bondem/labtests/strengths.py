@@ -102,8 +102,9 @@ def strength_outcome(
 
 
 def _dynamic(
-    name: str, body: Lattice, law: CellAssignment, failure: FailureAssignment, asked: Mapping[str, float], **given: Any
-) -> Outcome:
+    name: str, body: Lattice, law: CellAssignment, failure: FailureAssignment, asked: Mapping[str, float],
+    **given: Any,
+) -> Outcome:  # fmt: skip
     """Outcome of a ball or of a bar that spalls: the curve, and numbers beside the main one as `told`."""
     if name == "spall":
         if not isinstance(law, CellBond) or not isinstance(failure, Criterion):

@@ -25,7 +25,8 @@ def direct_tension(
     Args:
         body: cut into cells.
         law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
-        failure: `bd.Rankine` or another criterion of the stress, or `bd.MohrCoulomb` with a fracture energy; or by region.
+        failure: `bd.Rankine` or another criterion of the stress, or `bd.MohrCoulomb` with a fracture
+            energy; or by region.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
         progress: called now and then with the share done, 0 … 1.

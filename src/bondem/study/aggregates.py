@@ -84,7 +84,7 @@ class AggregatePlan:
             if criterion is None:
                 continue
             if matrix is None:
-                raise StudyError(f"'{key}' is given, but no [failure] of the matrix; give it too, or leave '{key}' out")
+                raise StudyError(f"'{key}' is given, but no [failure] of the matrix; give it, or leave '{key}' out")
             try:
                 criteria_of({"matrix": matrix, key: criterion})
             except InputError as error:

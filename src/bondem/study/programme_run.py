@@ -54,9 +54,8 @@ def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress 
     chapters = [_chapter(one, found[one.name]) for one in programme.series]
     results = {"programme": programme.name, "rows": rows, "specimens": found, "version": bondem.__version__}
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
-    write_programme(
-        programme.name, study.material, failing[0].failures if failing else {}, rows, chapters, out, figures=study.figures
-    )
+    failures = failing[0].failures if failing else {}
+    write_programme(programme.name, study.material, failures, rows, chapters, out, figures=study.figures)
     return results
 
 

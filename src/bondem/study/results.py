@@ -15,7 +15,6 @@ from bondem.labtests.outcome import Outcome
 from bondem.laws.bond import BondLaw
 from bondem.report.breakage_figures import CRACKED
 from bondem.report.findings import Bonding, Examined
-from bondem.specimen.lattice import Lattice
 from bondem.study.study import Study
 
 _COMMON = {item.name for item in fields(BondLaw)}
