@@ -81,8 +81,8 @@ def main(arguments: list[str] | None = None) -> None:
                 cases.append(one)
                 moved = "both plates move" if both else "one plate moves"
                 print(
-                    f"{test}, damping {damping:g}, {moved}, packing {seed}: {one['peak'] / 1e6:.2f} MPa, still / moving"
-                    f" {one['at_peak']:.3f} at the peak, {one['impulses']:.3f} of impulses; momentum"
+                    f"{test}, damping {damping:g}, {moved}, packing {seed}: {one['peak'] / 1e6:.2f} MPa, still over"
+                    f" moving {one['at_peak']:.3f} at the peak, {one['impulses']:.3f} of impulses; momentum"
                     f" {one['momentum']:.3f}, damping {one['damped']:.3f}", flush=True,
                 )  # fmt: skip
     keep(given.out, begun | {"cases": cases})
