@@ -3,6 +3,8 @@
 from typing import Any
 
 from book.chapter import Chapter, Figure, Section
+from book.chapters import celigueta_open
+from book.chapters.celigueta_open import AREAS, OF_PLATES, SHARE, STRESS, packings
 from book.forms import Form
 from book.results import Measurement, study
 from book.row import Row
@@ -34,36 +36,18 @@ CONE = study(
     "celigueta", {}, kept="celigueta_shear_cone",
     options="--count 0 --seeds 1 --areas weighted --tests shear --failures Mohr-Coulomb --processes 1 --threads 1",
 )  # fmt: skip
-SLOWER = study("celigueta", {}, options="--seeds 1 --areas weighted --slower 1,2,4", kept="celigueta_slower")
-FULL_SLOWER = study(
-    "celigueta", {}, options="--count 0 --seeds 1 --areas weighted --slower 1,2 --processes 1",
-    kept="celigueta_full_slower",
-)  # fmt: skip
-REACH = Measurement(
-    "non_local_reach", "python benchmarks/non_local_reach.py && python benchmarks/non_local_reach.py --summary",
-    "8 min",
-)  # fmt: skip
-PLATENS = study(
-    "celigueta", {}, kept="celigueta_platens",
-    options="--count 1000 --seeds 1,2,3 --areas weighted --failures Rankine --platens 0,0.1,0.3 --processes 1",
-)  # fmt: skip
-NOISE = Measurement("non_local_noise", "python benchmarks/non_local_noise.py", "3 min")
 SURFACES = Measurement("yield_surfaces", "python benchmarks/yield_surfaces.py --figures docs/figures")
 ELASTIC = Measurement("non_local", "python benchmarks/non_local.py --count 500 --packings 5", "6 min")
 MEASUREMENTS = (
-    CELIGUETA, FULL, FACETS, SHEAR, CONE, SMALLER, SLOWER, FULL_SLOWER, PLATENS, NOISE, REACH, SURFACES, ELASTIC
+    CELIGUETA, FULL, FACETS, SHEAR, CONE, SMALLER, *celigueta_open.MEASUREMENTS, SURFACES, ELASTIC
 )  # fmt: skip
-# What is asked of plates half as fast: how far peaks may change, and forces of both plates differ.
-_OF_SPEED, _OF_PLATES = 0.03, 0.02
 # What the tests are to take on two threads, compression and splitting, and shear after packing [s].
 _MINUTES, _HOUR = 600.0, 3600.0
 # What is asked of Laguerre areas up to this ν: E, and ν itself.
 _UP_TO, _OF_E, _OF_NU = 0.4, 0.01, 0.005
 
-STRESS, MODULUS = Form("MPa", 1e6, ".2f"), Form("GPa", 1e9, ".2f")
+MODULUS = Form("GPa", 1e9, ".2f")
 SECONDS = Form("s", style=".0f")
-SHARE, RATIO = Form(style=".3f"), Form(style=".2f")
-_AREAS = {"weighted": "the authors' areas", "facet": "Laguerre facets"}
 
 
 def chapter() -> Chapter:
@@ -93,7 +77,7 @@ def chapter() -> Chapter:
                     " and rises again until then (figure)."
                 ),
                 rows=tuple(
-                    Row(case=f"{one['test']}, {one['failure']}, {_AREAS[one['areas']]}: peak, {_seeds(one)}",
+                    Row(case=f"{one['test']}, {one['failure']}, {AREAS[one['areas']]}: peak, {packings(one)}",
                         source="§4", paper=one["measured"], form=STRESS,
                         ours=CELIGUETA.of(one["mean"]["mean"], scatter=one["mean"]["std"]),
                         tolerance=Near(relative=CELIGUETA.at("limit")))
@@ -109,32 +93,24 @@ def chapter() -> Chapter:
                 title="Young's modulus of the curve",
                 before="Between the plates, contact with them included, from 20 to 50 % of the peak; 40 GPa go in.",
                 rows=tuple(
-                    Row(case=f"{one['failure']}, {_AREAS[one['areas']]}: E", paper=38e9, source="§5.3",
+                    Row(case=f"{one['failure']}, {AREAS[one['areas']]}: E", paper=38e9, source="§5.3",
                         ours=CELIGUETA.of(one["mean_E"]["mean"], scatter=one["mean_E"]["std"]), form=MODULUS,
                         tolerance=Near(relative=CELIGUETA.at("limit")))
                     for one in pressed
                 ),
             ),
-            _speed(),
-            _platens(),
-            _noise(),
-            _reach(),
+            *celigueta_open.sections(),
             _surfaces(),
             _elastic(),
         ),
     )  # fmt: skip
 
 
-def _seeds(one: dict[str, Any]) -> str:
-    seeds = ", ".join(str(seed) for seed in one["seed"])
-    return f"packing{'s' if len(one['seed']) > 1 else ''} {seeds}"
-
-
 def _full() -> Section:
     """The paper's sizes."""
     rows = []
     for kept, one in ((source, case) for source in (FULL, FACETS) for case in source.at("cases")):
-        words = f"{one['test']}, {one['failure']}, {_AREAS[one['areas']]}, {one['count'][0]} elements, {_seeds(one)}"
+        words = f"{one['test']}, {one['failure']}, {AREAS[one['areas']]}, {one['count'][0]} elements, {packings(one)}"
         rows.append(Row(case=f"{words}: peak", source="§4", paper=one["measured"], form=STRESS,
                         ours=kept.of(*one["peak"]), tolerance=Near(relative=kept.at("limit"))))  # fmt: skip
         if one["mean_E"]:
@@ -142,7 +118,7 @@ def _full() -> Section:
                             ours=kept.of(*one["E_plates"]), tolerance=Near(relative=kept.at("limit"))))  # fmt: skip
         rows += [
             Row(case=f"{words}: force on the other plate over that at the peak", ours=kept.of(*one["other"]),
-                form=SHARE, tolerance=Near(absolute=_OF_PLATES, target=1.0)),
+                form=SHARE, tolerance=Near(absolute=OF_PLATES, target=1.0)),
             Row(case=f"{words}: time", ours=kept.of(*one["run_seconds"]), form=SECONDS, tolerance=AtMost(_MINUTES)),
         ]  # fmt: skip
     return Section(
@@ -165,10 +141,10 @@ def _shear() -> Section:
     """The test of which the paper prints no number."""
     rows = []
     for kept, one in ((source, case) for source in (SHEAR, CONE, SMALLER) for case in source.at("cases")):
-        words = f"{one['failure']}, {one['count'][0]} elements, {_seeds(one)}"
+        words = f"{one['failure']}, {one['count'][0]} elements, {packings(one)}"
         rows.append(Row(case=f"{words}: mean shear stress at the peak", form=STRESS, ours=kept.of(*one["peak"])))
         rows.append(Row(case=f"{words}: force on the other plate over that at the peak", ours=kept.of(*one["other"]),
-                        form=SHARE, tolerance=Near(absolute=_OF_PLATES, target=1.0)))  # fmt: skip
+                        form=SHARE, tolerance=Near(absolute=OF_PLATES, target=1.0)))  # fmt: skip
         if kept is not SMALLER:
             threads = "two threads, before its loop was vectorised" if kept is SHEAR else "one thread"
             rows.append(Row(case=f"{words}: time on {threads}, packed", ours=kept.of(*one["run_seconds"]),
@@ -190,123 +166,6 @@ def _shear() -> Section:
                    " coloured by what has moved to the left and to the right, motion drawn twenty times"),
         ),
     )  # fmt: skip
-
-
-def _slower(kept: Measurement) -> list[Row]:
-    cases = kept.at("cases")
-    first = {(one["test"], one["failure"]): one["peak"][0] for one in cases if one["slower"] == 1.0}
-    rows = []
-    for one in cases:
-        speed = "the paper's speed" if one["slower"] == 1.0 else f"{one['slower']:g} times slower"
-        words = f"{one['test']}, {one['failure']}, {one['count'][0]} elements, {speed}"
-        if one["slower"] != 1.0:
-            change = one["peak"][0] / first[one["test"], one["failure"]] - 1.0
-            rows.append(Row(case=f"{words}: change of the peak", ours=kept.of(change), form=Form("%", 1e-2, "+.1f"),
-                            tolerance=AtMost(_OF_SPEED) if one["slower"] == 2.0 else None))  # fmt: skip
-        rows.append(Row(case=f"{words}: force on the other plate over that at the peak", form=SHARE,
-                        ours=kept.of(*one["other"]), tolerance=Near(absolute=_OF_PLATES, target=1.0)))  # fmt: skip
-    return rows
-
-
-def _speed() -> Section:
-    """Plates more slowly."""
-    rows = [row for kept in (SLOWER, FULL_SLOWER) for row in _slower(kept)]
-    return Section(
-        title="Speed of the plates",
-        before=(
-            f"{SLOWER.at('count')} elements and the paper's numbers, packing 1, the authors' areas: the speed of the"
-            " paper, half and a quarter of it. In splitting, plates of the paper's speed make the disc oscillate (its"
-            " curves have waves), by which the forces of both plates differ."
-        ),
-        rows=tuple(rows),
-    )
-
-
-def _platens() -> Section:
-    """Friction of the plates alone."""
-    rows = [
-        Row(case=f"{one['test']}, plates of friction {one['friction']:g}, elements 0.1: peak, {_seeds(one)}",
-            ours=PLATENS.of(*one["peak"]), form=STRESS)
-        for one in PLATENS.at("cases")
-    ]  # fmt: skip
-    return Section(
-        title="Friction of the plates",
-        before=(
-            f"{PLATENS.at('count')} elements, Rankine, the authors' areas; friction between elements stays 0.1."
-            " Smooth plates take a fifth off the compressive strength, more than 0.1 adds nothing, and splitting does"
-            " not mind."
-        ),
-        rows=tuple(rows),
-    )
-
-
-def _noise() -> Section:
-    """Why a Rankine criterion breaks what is pressed."""
-    rows = []
-    for areas, words in _AREAS.items():
-        ones = [one for one in NOISE.at("cases") if one["areas"] == areas]
-        told = f"{words}, {ones[0]['count']} elements, {_seeds({'seed': [one['seed'] for one in ones]})}"
-        rows += [
-            Row(case=f"{told}: σ1 over the stress of the plates that {name} of the bonds stay below", form=SHARE,
-                ours=NOISE.of(*(one["quantiles"][key] for one in ones)))
-            for key, name in (("0.5", "half"), ("0.99", "99 %"), ("0.999", "99.9 %"))
-        ] + [Row(case=f"{told}: bonds above 6 / 55", ours=NOISE.of(*(one["above"] for one in ones)),
-                 form=Form("%", 1e-2, ".2f"))]  # fmt: skip
-    return Section(
-        title="How much of a Rankine strength in compression is noise",
-        before=(
-            "In a uniform body in uniaxial compression σ1 is zero, and no pressure meets Rankine's criterion. The"
-            " cylinder at 20 MPa, nothing broken, bonds of its middle half: with the authors' areas one bond in"
-            " eighty has σ1 above 6 / 55 of the stress, so that 6 MPa are 55 MPa; with Laguerre facets none has,"
-            " stresses scatter a quarter to a sixth as much, and the same criterion bears 2.5 times as much at full"
-            " size. The compressive strength of this law with Rankine's criterion is the noise of its stresses, and"
-            " the ratio of both strengths a property of the construction."
-        ),
-        rows=tuple(rows),
-    )
-
-
-def _reach() -> Section:
-    """Sizes by gaps over which spheres are bonded."""
-    cases = REACH.at("cases")
-    counts, reaches = (sorted({one[key] for one in cases}) for key in ("count", "reach"))
-    head = ("elements", *(f"reach {reach:g}: z" + " | E [GPa] | peak [MPa]" for reach in reaches))
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * (1 + 3 * len(reaches))]
-    for count in counts:
-        cells = [str(count)]
-        for reach in reaches:
-            some = [one for one in cases if (one["count"], one["reach"]) == (count, reach)]
-            cells += [_of(some, "z", 1.0, ".1f"), _of(some, "E_plates", 1e9, ".1f"), _of(some, "peak", 1e6, ".1f")]
-        lines.append("| " + " | ".join(cells) + " |")
-    numbers = sorted({one["seed"] for one in cases})
-    seeds = ", ".join(map(str, numbers))
-
-    def ratios(above: tuple[int, float], below: tuple[int, float]) -> list[float]:
-        peaks = {(one["count"], one["reach"], one["seed"]): one["peak"] for one in cases}
-        return [peaks[*above, seed] / peaks[*below, seed] for seed in numbers]
-
-    rows = [
-        Row(case=f"{count} elements: peak with a reach of {reaches[-1]:g} over that with {reaches[0]:g}", form=RATIO,
-            ours=REACH.of(*ratios((count, reaches[-1]), (count, reaches[0]))))
-        for count in counts
-    ] + [
-        Row(case=f"reach of {reach:g}: peak of {counts[-1]} elements over that of {counts[0]}", form=RATIO,
-            ours=REACH.of(*ratios((counts[-1], reach), (counts[0], reach))))
-        for reach in reaches
-    ]  # fmt: skip
-    return Section(
-        title="Sizes and gaps",
-        rows=tuple(rows),
-        before=(
-            "Compression, Rankine with 6 MPa, the authors' areas: spheres at most so many (R1 + R2) apart are bonded,"
-            f" z is the coordination number; packings {seeds}, one after the other. The paper does not print the"
-            " gaps that it bonds. 40 GPa go in, and 55 MPa were measured.\n\n" + "\n".join(lines)
-        ),
-    )
-
-
-def _of(some: list[dict[str, Any]], key: str, unit: float, style: str) -> str:
-    return ", ".join("–" if one[key] is None else format(one[key] / unit, style) for one in some)
 
 
 def _surfaces() -> Section:

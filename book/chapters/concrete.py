@@ -7,7 +7,7 @@ from book.chapter import Chapter, Figure, Section
 from book.forms import PERCENT, PLAIN, Form
 from book.results import Measurement
 from book.row import Measured, Row
-from book.tolerances import AtMost, Near
+from book.tolerances import AtMost, Between, Near
 
 CONCRETE = Measurement("concrete", "python benchmarks/concrete.py && python benchmarks/concrete.py --summary", "1 h")
 BENDING = Measurement(
@@ -17,11 +17,15 @@ BENDING = Measurement(
     " --together 0.005",
     "15 min",
 )
-MEASUREMENTS = CONCRETE, BENDING
+MESOSCALE = Measurement(
+    "mesoscale", "python benchmarks/mesoscale.py && python benchmarks/mesoscale.py --summary", "40 min"
+)
+MEASUREMENTS = CONCRETE, BENDING, MESOSCALE
 
 #: What is asked of strengths and of stiffnesses over theory, and of the stress at the centre of a disc [-].
 LIMIT, ELASTIC = 0.05, 0.03
 RATIO, STRESS = Form(style=".3f"), Form(unit="MPa", scale=1e6, style=".2f")
+GPA = Form(unit="GPa", scale=1e9, style=".2f")
 _Ones = list[dict]
 
 
@@ -37,7 +41,7 @@ def chapter() -> Chapter:
             " of bonds. They publish no fracture energy: G_f = 100 J/m² is assumed, G_II = 10 G_f is the default."
             " Nothing is calibrated, no seed was left out."
         ),
-        sections=(_compression(), _tension(), _brazilian(), _bending(), _work(), _shear()),
+        sections=(_compression(), _tension(), _brazilian(), _bending(), _work(), _shear(), _mesoscale()),
     )
 
 
@@ -272,4 +276,33 @@ def _shear() -> Section:
         ),
         rows=tuple(rows),
         figures=(Figure("concrete_shear.png", "Shear test: damage inside of the largest specimen, curves of all"),),
+    )
+
+
+_MATERIALS = {"matrix": "mortar", "interface": "the interface", "aggregate": "aggregates"}
+
+
+def _mesoscale() -> Section:
+    """Mortar, aggregates and the interface as three materials."""
+    rows: list[Row] = []
+    cases = MESOSCALE.at("cases")
+    for test, fraction in {(one["test"], one["fraction"]): None for one in cases}:
+        some = [one for one in cases if (one["test"], one["fraction"]) == (test, fraction)]
+        seeds = ", ".join(str(one["seed"]) for one in some)
+        what = f"{100 * fraction:g} % aggregates" if fraction else "mortar alone"
+        words = f"{test.replace('_', ' ')}, {what}, {some[0]['cells']} cells, seed{'s' * (len(some) > 1)} {seeds}"
+        rows.append(Row(case=f"{words}: strength", form=STRESS, ours=MESOSCALE.of(*(one["peak"] for one in some))))
+        if not fraction:
+            continue
+        for name, material in _MATERIALS.items():
+            share = [one["lost"][name] / sum(one["lost"].values()) for one in some]
+            rows.append(Row(case=f"{words}: cracked area in {material}", form=PERCENT, ours=MESOSCALE.of(*share)))
+        if test == "direct_tension":
+            low, high = max(one["bounds"][0] for one in some), min(one["bounds"][1] for one in some)
+            rows.append(Row(case=f"{words}: E", form=GPA, ours=MESOSCALE.of(*(one["E"] for one in some)),
+                            tolerance=Between(low, high)))  # fmt: skip
+    return Section(
+        title="Three materials in one body",
+        before="TEXT",
+        rows=tuple(rows),
     )

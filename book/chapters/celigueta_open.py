@@ -1,0 +1,198 @@
+"""What Celigueta et al. (2020) leave open: speed and friction of plates, gaps, size; and what it does."""
+
+from typing import Any
+
+from book.chapter import Section
+from book.forms import Form
+from book.results import Measurement, study
+from book.row import Row
+from book.tolerances import AtMost, Near
+
+SLOWER = study("celigueta", {}, options="--seeds 1 --areas weighted --slower 1,2,4", kept="celigueta_slower")
+FULL_SLOWER = study(
+    "celigueta", {}, options="--count 0 --seeds 1 --areas weighted --slower 1,2 --processes 1",
+    kept="celigueta_full_slower",
+)  # fmt: skip
+REACH = Measurement(
+    "non_local_reach", "python benchmarks/non_local_reach.py && python benchmarks/non_local_reach.py --summary",
+    "8 min",
+)  # fmt: skip
+PLATENS = study(
+    "celigueta", {}, kept="celigueta_platens",
+    options="--count 1000 --seeds 1,2,3 --areas weighted --failures Rankine --platens 0,0.1,0.3 --processes 1",
+)  # fmt: skip
+NOISE = Measurement("non_local_noise", "python benchmarks/non_local_noise.py", "3 min")
+FORCES = Measurement("plate_forces", "python benchmarks/plate_forces.py", "15 min")
+MEASUREMENTS = SLOWER, FULL_SLOWER, PLATENS, NOISE, REACH, FORCES
+
+#: What is asked of plates half as fast: how far peaks may change, and forces of both plates differ.
+OF_SPEED, OF_PLATES = 0.03, 0.02
+STRESS, SHARE, RATIO = Form("MPa", 1e6, ".2f"), Form(style=".3f"), Form(style=".2f")
+AREAS = {"weighted": "the authors' areas", "facet": "Laguerre facets"}
+
+
+def packings(one: dict[str, Any]) -> str:
+    """The packings of a case, as words."""
+    seeds = ", ".join(str(seed) for seed in one["seed"])
+    return f"packing{'s' if len(one['seed']) > 1 else ''} {seeds}"
+
+
+def sections() -> tuple[Section, ...]:
+    """All of it."""
+    return _speed(), _forces(), _platens(), _noise(), _reach()
+
+
+def _slower(kept: Measurement) -> list[Row]:
+    cases = kept.at("cases")
+    first = {(one["test"], one["failure"]): one["peak"][0] for one in cases if one["slower"] == 1.0}
+    rows = []
+    for one in cases:
+        speed = "the paper's speed" if one["slower"] == 1.0 else f"{one['slower']:g} times slower"
+        words = f"{one['test']}, {one['failure']}, {one['count'][0]} elements, {speed}"
+        if one["slower"] != 1.0:
+            change = one["peak"][0] / first[one["test"], one["failure"]] - 1.0
+            rows.append(Row(case=f"{words}: change of the peak", ours=kept.of(change), form=Form("%", 1e-2, "+.1f"),
+                            tolerance=AtMost(OF_SPEED) if one["slower"] == 2.0 else None))  # fmt: skip
+        rows.append(Row(case=f"{words}: force on the other plate over that at the peak", form=SHARE,
+                        ours=kept.of(*one["other"]), tolerance=Near(absolute=OF_PLATES, target=1.0)))  # fmt: skip
+    return rows
+
+
+def _speed() -> Section:
+    """Plates more slowly."""
+    rows = [row for kept in (SLOWER, FULL_SLOWER) for row in _slower(kept)]
+    return Section(
+        title="Speed of the plates",
+        before=(
+            f"{SLOWER.at('count')} elements and the paper's numbers, packing 1, the authors' areas: the speed of the"
+            " paper, half and a quarter of it. In splitting, plates of the paper's speed make the disc oscillate (its"
+            " curves have waves), by which the forces of both plates differ."
+        ),
+        rows=tuple(rows),
+    )
+
+
+def _forces() -> Section:
+    """Why the other plate bears less."""
+    rows = []
+    kinds: dict[tuple[str, float, bool], list[dict[str, Any]]] = {}
+    for one in FORCES.at("cases"):
+        kinds.setdefault((one["test"], one["damping"], one["both"]), []).append(one)
+    for (test, damping, both), some in kinds.items():
+        seeds = packings({"seed": [one["seed"] for one in some]})
+        words = (
+            f"{test}, local damping {damping:g}, {'both plates move' if both else 'one plate moves'},"
+            f" {some[0]['count']} elements, {seeds}"
+        )
+        rows += [
+            Row(case=f"{words}: force on the other plate over that at the peak", form=SHARE,
+                ours=FORCES.of(*(one["at_peak"] for one in some)),
+                tolerance=Near(absolute=OF_PLATES, target=1.0)),
+            Row(case=f"{words}: impulses of both, up to the peak", form=SHARE,
+                ours=FORCES.of(*(one["impulses"] for one in some))),
+            Row(case=f"{words}: peak", form=STRESS, ours=FORCES.of(*(one["peak"] for one in some))),
+        ]  # fmt: skip
+    return Section(
+        title="Forces of both plates",
+        before="TEXT",
+        rows=tuple(rows),
+    )
+
+
+def _platens() -> Section:
+    """Friction of the plates alone."""
+    rows = [
+        Row(case=f"{one['test']}, plates of friction {one['friction']:g}, elements 0.1: peak, {packings(one)}",
+            ours=PLATENS.of(*one["peak"]), form=STRESS)
+        for one in PLATENS.at("cases")
+    ]  # fmt: skip
+    return Section(
+        title="Friction of the plates",
+        before=(
+            f"{PLATENS.at('count')} elements, Rankine, the authors' areas; friction between elements stays 0.1."
+            " Smooth plates take a fifth off the compressive strength, more than 0.1 adds nothing, and splitting does"
+            " not mind."
+        ),
+        rows=tuple(rows),
+    )
+
+
+def _noise() -> Section:
+    """Why a Rankine criterion breaks what is pressed."""
+    rows = []
+    for areas, words in AREAS.items():
+        ones = [one for one in NOISE.at("cases") if one["areas"] == areas]
+        told = f"{words}, {ones[0]['count']} elements, {packings({'seed': [one['seed'] for one in ones]})}"
+        rows += [
+            Row(case=f"{told}: σ1 over the stress of the plates that {name} of the bonds stay below", form=SHARE,
+                ours=NOISE.of(*(one["quantiles"][key] for one in ones)))
+            for key, name in (("0.5", "half"), ("0.99", "99 %"), ("0.999", "99.9 %"))
+        ] + [Row(case=f"{told}: bonds above 6 / 55", ours=NOISE.of(*(one["above"] for one in ones)),
+                 form=Form("%", 1e-2, ".2f"))]  # fmt: skip
+    return Section(
+        title="How much of a Rankine strength in compression is noise",
+        before=(
+            "In a uniform body in uniaxial compression σ1 is zero, and no pressure meets Rankine's criterion. The"
+            " cylinder at 20 MPa, nothing broken, bonds of its middle half: with the authors' areas one bond in"
+            " eighty has σ1 above 6 / 55 of the stress, so that 6 MPa are 55 MPa; with Laguerre facets none has,"
+            " stresses scatter a quarter to a sixth as much, and the same criterion bears 2.5 times as much at full"
+            " size. The compressive strength of this law with Rankine's criterion is the noise of its stresses, and"
+            " the ratio of both strengths a property of the construction."
+        ),
+        rows=tuple(rows),
+    )
+
+
+def _reach() -> Section:
+    """Sizes by gaps over which spheres are bonded."""
+    every = REACH.at("cases")
+    cases = [one for one in every if one["failure"] == "Rankine"]
+    counts, reaches = (sorted({one[key] for one in cases}) for key in ("count", "reach"))
+    head = ("elements", *(f"reach {reach:g}: z" + " | E [GPa] | peak [MPa]" for reach in reaches))
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * (1 + 3 * len(reaches))]
+    for count in counts:
+        cells = [str(count)]
+        for reach in reaches:
+            some = [one for one in cases if (one["count"], one["reach"]) == (count, reach)]
+            cells += [_of(some, "z", 1.0, ".1f"), _of(some, "E_plates", 1e9, ".1f"), _of(some, "peak", 1e6, ".1f")]
+        lines.append("| " + " | ".join(cells) + " |")
+    numbers = sorted({one["seed"] for one in cases})
+    seeds = ", ".join(map(str, numbers))
+
+    def ratios(above: tuple[int, float], below: tuple[int, float]) -> list[float]:
+        peaks = {(one["count"], one["reach"], one["seed"]): one["peak"] for one in cases}
+        return [peaks[*above, seed] / peaks[*below, seed] for seed in numbers]
+
+    rows = [
+        Row(case=f"{count} elements: peak with a reach of {reaches[-1]:g} over that with {reaches[0]:g}", form=RATIO,
+            ours=REACH.of(*ratios((count, reaches[-1]), (count, reaches[0]))))
+        for count in counts
+    ] + [
+        Row(case=f"reach of {reach:g}: peak of {counts[-1]} elements over that of {counts[0]}", form=RATIO,
+            ours=REACH.of(*ratios((counts[-1], reach), (counts[0], reach))))
+        for reach in reaches
+    ]  # fmt: skip
+    cones = [one for one in every if one["failure"] == "Mohr-Coulomb"]
+    for reach in sorted({one["reach"] for one in cones}):
+        some = [one for one in cones if one["reach"] == reach]
+        words = f"{some[0]['count']} elements, reach of {reach:g}, Mohr and Coulomb"
+        alike = [one for one in cases if (one["count"], one["reach"]) == (some[0]["count"], reach)]
+        other = {one["seed"]: one["peak"] for one in alike}
+        rows += [
+            Row(case=f"{words}: peak", ours=REACH.of(*(one["peak"] for one in some)), form=STRESS),
+            Row(case=f"{words}: peak over that of Rankine", form=RATIO,
+                ours=REACH.of(*(one["peak"] / other[one["seed"]] for one in some))),
+        ]  # fmt: skip
+    return Section(
+        title="Sizes and gaps",
+        rows=tuple(rows),
+        before=(
+            "Compression, Rankine with 6 MPa, the authors' areas: spheres at most so many (R1 + R2) apart are bonded,"
+            f" z is the coordination number; packings {seeds}, one after the other. The paper does not print the"
+            " gaps that it bonds. 40 GPa go in, and 55 MPa were measured.\n\n" + "\n".join(lines)
+        ),
+    )
+
+
+def _of(some: list[dict[str, Any]], key: str, unit: float, style: str) -> str:
+    return ", ".join("–" if one[key] is None else format(one[key] / unit, style) for one in some)
