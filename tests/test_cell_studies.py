@@ -253,6 +253,9 @@ def test_templates_are_the_examples_and_can_be_read(tmp_path):
             assert isinstance(asked, Programme)
             asked_for = {test for one in asked.series for test in one.study.tests}
             assert asked_for == set(STRENGTH_TESTS) - {"sphere_crushing", "sphere_impact", "spall"}  # other bodies
+        elif name == "mesoscale":
+            assert isinstance(asked, Programme)
+            assert all(one.study.aggregates is not None for one in asked.series)
         elif name in ("silica", "cells"):
             assert asked.tests == TESTS
         else:

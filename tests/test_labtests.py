@@ -12,7 +12,7 @@ from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.cantilever import Cantilever, mass_gyration
 from bondem.labtests.frequency import dominant_frequency
 from bondem.labtests.gauge_length import AffineField, curvature, profile, rigid_motion, twist_rate
-from bondem.labtests.tension import bond_forces, paper_length
+from bondem.labtests.tension import paper_length, static_bond_forces
 from bondem.model.model import Model
 from bondem.solve.linear import Iteration, System
 
@@ -109,7 +109,7 @@ def test_tension_equals_the_energy_of_a_uniform_bar(specimen):
 def test_bond_forces_carry_the_load_through_every_section(specimen):
     tension = bd.labtests.static_tension(specimen, LAW)
     force = tension.stress * specimen.particles.shape.section()
-    f = bond_forces(bd.Model(specimen, LAW, 1000.0), tension.solution)
+    f = static_bond_forces(bd.Model(specimen, LAW, 1000.0), tension.solution)
     x = specimen.particles.position[:, 0]
     i, j = specimen.pairs.T
     for cut in (4e-3, 7.5e-3, 11e-3):

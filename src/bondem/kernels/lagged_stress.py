@@ -13,6 +13,7 @@ from bondem._compile import device, loop
 from bondem.kernels.bond_pass import branch
 from bondem.kernels.lane_memory import clear_row, entry, number_in, places_from, put_entry, put_row, row
 from bondem.kernels.lanes import WIDTH, zero_of
+from bondem.kernels.single_facets import column
 from bondem.kernels.walls import wall_gap
 from bondem.laws.cell_energy import turned_by
 from bondem.laws.rotations import rotate
@@ -34,12 +35,6 @@ _NOTHING = 1e-200
 def back(q, a):
     """Triple a turned by the inverse of the unit quaternion q."""
     return rotate(q[0], -q[1], -q[2], -q[3], a[0], a[1], a[2])
-
-
-@device
-def column(table, k):
-    """The first three numbers of a column."""
-    return table[0, k], table[1, k], table[2, k]
 
 
 @device
@@ -71,7 +66,7 @@ def pair_mean(space, i, j):
 
 
 @device
-def moments(l, f, sign):
+def lever_moments(l, f, sign):
     """± l ⊗ F, symmetric part, as a row: xx, yy, zz, xy, xz, yz, and two zeros [N·m]."""
     half, none = 0.5 * sign, zero_of(f[0])
     return (
@@ -111,7 +106,7 @@ def gather_moments(moment, shared, n, part, first, last):
 
 @device
 def _add_moment(moment, p, l, sign, f):
-    m = moments(l, f, sign)
+    m = lever_moments(l, f, sign)
     for c in range(6):
         moment[p, c] += m[c]
 

@@ -25,8 +25,8 @@ from bondem._compile import LANES as WIDTH
 from bondem._compile import device
 
 __all__ = [
-    "WIDTH", "LanesType", "all_below", "chosen", "dot", "fused", "instruction", "lane", "lanes", "put_lane",
-    "reached", "shuffled", "sign", "vector", "zero_of",
+    "WIDTH", "LanesType", "all_below", "dot", "fused", "instruction", "lane", "lanes", "put_lane",
+    "reached", "shuffled", "sign", "vector", "where_positive", "zero_of",
 ]  # fmt: skip
 
 # type checkers know numba's decorators for something else
@@ -141,7 +141,7 @@ def sign(typingctx, value):
 
 
 @instruction
-def chosen(typingctx, value, above, else_):
+def where_positive(typingctx, value, above, else_):
     """One number where another is above zero, else a third; or the same in every lane."""
     if not (value in (lanes, types.float64) and value == above == else_):
         return None

@@ -21,16 +21,16 @@ from bondem.kernels.bond_pass import ahead, apart, branch, group, groups
 from bondem.kernels.lagged_stress import (
     add_touches,
     back,
-    column,
     element_stresses,
     gather_moments,
+    lever_moments,
     mean_of,
-    moments,
     pair_mean,
     turn_stresses,
 )
 from bondem.kernels.lane_memory import add_loads, add_rows, places, put_side, row, side
-from bondem.kernels.lanes import chosen
+from bondem.kernels.lanes import where_positive
+from bondem.kernels.single_facets import column
 from bondem.laws.cell_energy import cross, opened, scalar, turned_by
 from bondem.laws.non_local import extra_force
 
@@ -63,8 +63,8 @@ def _put_triple(rows, k, a, known):
 
 
 @device
-def _chosen(s, a, b):
-    return chosen(s, a[0], b[0]), chosen(s, a[1], b[1]), chosen(s, a[2], b[2])
+def _where_positive(s, a, b):
+    return where_positive(s, a[0], b[0]), where_positive(s, a[1], b[1]), where_positive(s, a[2], b[2])
 
 
 @device
@@ -121,11 +121,11 @@ def load_bonds(pose, bonds, table, dt, first, last):
                 + (e0[2] + e1[2]) * (own[2] - before[2])
             )  # fmt: skip
             put_side(taken, k, side(taken, k) + 0.5 * s * work, known)
-        _put_triple(stored, k, _chosen(s, own, before), known)
-        _put_triple(extra, k, _chosen(s, e1, e0), known)
+        _put_triple(stored, k, _where_positive(s, own, before), known)
+        _put_triple(extra, k, _where_positive(s, e1, e0), known)
         f = _spring(gap, n, kn, kt)
         f = s * (f[0] + e[0]), s * (f[1] + e[1]), s * (f[2] + e[2])
-        add_rows(table.moment, places(table.to_i, k), j, moments(a, f, 1.0), moments(b, f, -1.0), known)
+        add_rows(table.moment, places(table.to_i, k), j, lever_moments(a, f, 1.0), lever_moments(b, f, -1.0), known)
         a = a[0] + 0.5 * gap[0], a[1] + 0.5 * gap[1], a[2] + 0.5 * gap[2]
         b = b[0] - 0.5 * gap[0], b[1] - 0.5 * gap[1], b[2] - 0.5 * gap[2]
         _put_triple(force, k, f, known)

@@ -15,7 +15,7 @@ from bondem.kernels.cell_yield import principal_stresses
 from bondem.kernels.contact_pairs import begin_contact
 from bondem.kernels.lagged_stress import LARGEST, LEAST, pair_mean, replace_force, turn_stresses
 from bondem.kernels.lane_memory import entry, places_below, places_from, row, side
-from bondem.kernels.lanes import WIDTH, chosen, reached, zero_of
+from bondem.kernels.lanes import WIDTH, reached, where_positive, zero_of
 from bondem.kernels.non_local import FORCE, OUTPUT_ROWS, TORQUE_I, TORQUE_J, normal_gap
 from bondem.laws.failure.principal import principal_index, principal_size
 
@@ -35,7 +35,7 @@ def _near(bonds, space, coefficient, k, m):
     own = entry(coefficient, p, 0), entry(coefficient, p, 1), entry(coefficient, p, 2)
     size = principal_size(0.5 * (u[LARGEST] + v[LARGEST]), 0.5 * (u[LEAST] + v[LEAST]), own)
     none = zero_of(size)
-    return reached(chosen(s, size, none), none + 1.0)
+    return reached(where_positive(s, size, none), none + 1.0)
 
 
 @loop(parallel=False)

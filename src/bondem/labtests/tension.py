@@ -116,7 +116,7 @@ def force_gyration(model: Model, solution: StaticResult) -> Floats:
     lower, upper = lattice.particles.envelope.bounds
     x = 0.5 * (position[i, 0] + position[j, 0])
     chosen = np.abs(x - 0.5 * (lower[0] + upper[0])) <= 0.25 * (upper[0] - lower[0])
-    weight = (bond_forces(model, solution)[:, 0] * lattice.branch[:, 0])[chosen]
+    weight = (static_bond_forces(model, solution)[:, 0] * lattice.branch[:, 0])[chosen]
     a, b = position[i[chosen], 1:], position[j[chosen], 1:]
     centre = weight @ (0.5 * (a + b)) / weight.sum()
     return weight @ ((a * a + a * b + b * b) / 3.0) / weight.sum() - centre**2
@@ -132,7 +132,7 @@ def _stress_gyration(model: Model, solution: StaticResult) -> Floats:
     return weight @ (place**2 + body.cells.spread[chosen, 1:]) - (weight @ place) ** 2
 
 
-def bond_forces(model: Model, solution: StaticResult) -> Floats:
+def static_bond_forces(model: Model, solution: StaticResult) -> Floats:
     """Force of each bond on its element i in a linear equilibrium, tension pointing to j [N], (m, 3)."""
     k = model.stiffness
     return BondStrain.of(model.lattice, k.lever, solution.displacement, solution.rotation).forces(k)

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._checks import array, number, shown
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
-from bondem.specimen.planes import Planes, ends
+from bondem.specimen.planes import Planes, box_planes
 from bondem.specimen.shape import Shape
 from bondem.specimen.walled import BOX_FACES
 
@@ -82,7 +82,7 @@ class Cylinder(Shape):
 
     @property
     def planes(self) -> Planes:
-        return ends(self.bounds, ("x_min", "x_max"))
+        return box_planes(self.bounds, ("x_min", "x_max"))
 
     def section(self) -> float:
         return math.pi * self.radius**2
@@ -124,7 +124,7 @@ class Box(Shape):
 
     @property
     def planes(self) -> Planes:
-        return ends(self.bounds, BOX_FACES)
+        return box_planes(self.bounds, BOX_FACES)
 
     def section(self) -> float:
         return self.size[1] * self.size[2]

@@ -11,7 +11,7 @@ from bondem._types import Floats, Vector
 Planes = dict[str, tuple[Vector, Vector]]
 
 
-def ends(bounds: tuple[Vector, Vector], faces: Sequence[str]) -> Planes:
+def box_planes(bounds: tuple[Vector, Vector], faces: Sequence[str]) -> Planes:
     """Faces "x_min" … "z_max" of a box around a shape that are faces of the shape."""
     found = {}
     for face in faces:
