@@ -5,7 +5,7 @@ and on two, for the speed-up, start of the cluster and all; then all, of 200 cel
 killed by its process id every few seconds, and halfway the coordinator itself, with SIGKILL; it is started again, and
 its workers are killed again.
 
-Run: python benchmarks/campaign.py [--specimens 100] [--few 24] [--cells 1000] [--every 8]
+Run: python benchmarks/campaign.py [--specimens 100] [--few 12] [--cells 1000] [--every 8]
 It writes benchmarks/results/campaign.json.
 """
 
@@ -112,7 +112,7 @@ def killed(folder: Path, specimens: int, every: float) -> dict[str, object]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--specimens", type=int, default=100)
-    parser.add_argument("--few", type=int, default=24)
+    parser.add_argument("--few", type=int, default=12)
     parser.add_argument("--cells", type=int, default=1000, help="of a specimen, where the speed-up is measured")
     parser.add_argument("--every", type=float, default=8.0)
     parser.add_argument("--out", type=Path, default=RESULTS / "campaign.json")

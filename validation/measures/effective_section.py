@@ -7,7 +7,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.labtests.tension import bond_forces
+from bondem.labtests.tension import static_bond_forces
 from bondem.model.model import Model
 from bondem.solve.static import StaticResult
 from bondem.specimen.core import solid
@@ -66,7 +66,7 @@ def section_profile(model: Model, solution: StaticResult, *, annuli: int = 40) -
     low, high = 0.25 * shape.length, 0.75 * shape.length
     edge = np.linspace(0.0, shape.radius, annuli + 1)
     start, step = lattice.particles.position[lattice.pairs[:, 0]], lattice.branch
-    carried = bond_forces(model, solution)[:, 0] * step[:, 0]
+    carried = static_bond_forces(model, solution)[:, 0] * step[:, 0]
     force = np.zeros(annuli)
     for share in (np.arange(_POINTS) + 0.5) / _POINTS:
         x, y, z = (start + share * step).T
