@@ -7,6 +7,7 @@ import sys
 
 import numpy as np
 import pytest
+from llvmlite.binding import Linkage
 from numba import typeof, types
 
 from bondem import _compile
@@ -121,10 +122,40 @@ def test_a_full_disk_costs_the_cache_and_nothing_else(monkeypatch):
         assert doubled(2.0) == 4.0
 
 
-def test_what_is_only_linked_has_no_machine_code_of_its_own():
-    assert shifted_twice(np.arange(3.0), 2) == 9.0
-    (made,) = (one for one in shifted.overloads.values())
+def test_what_is_only_linked_has_no_machine_code_of_its_own(monkeypatch, tmp_path):
+    monkeypatch.setattr(_compile, "cache_directory", tmp_path)
+    inner = loop(parallel=False)(shifted.py_func)
+    monkeypatch.setitem(globals(), "shifted", inner)
+    assert kernel(parallel=False)(shifted_twice.py_func)(np.arange(3.0), 2) == 9.0
+    (made,) = inner.overloads.values()
     assert made.library.get_pointer_to_function(made.fndesc.llvm_func_name) == 0
+
+
+def long_sum(x, power):
+    total = 0.0
+    for k in range(len(x)):
+        total += np.sin(x[k]) * np.exp(-x[k]) + np.cos(x[k]) ** power + np.arctan2(x[k], power)
+        if total > 1e3:
+            total -= np.log(total) + np.tanh(x[k]) * np.sqrt(np.abs(x[k]))
+    return total
+
+
+def two_sums(x):
+    return long_sum(x, 2.0) + long_sum(x, 3.0)
+
+
+def test_a_kernel_calls_its_own_copies_of_what_it_is_linked_from(monkeypatch, tmp_path):
+    """Where copies were visible, the first that a process loads would serve all kernels, by the order of loading."""
+    monkeypatch.setattr(_compile, "cache_directory", tmp_path)
+    inner = loop(parallel=False)(long_sum)
+    monkeypatch.setitem(globals(), "long_sum", inner)
+    outer = kernel(parallel=False)(two_sums)
+    outer(np.ones(3))
+    (linked,), (made,) = inner.overloads.values(), outer.overloads.values()
+    linkage = {one.name: one.linkage for one in made.library._final_module.functions if not one.is_declaration}
+    assert linkage[linked.fndesc.llvm_func_name] is Linkage.internal
+    assert Linkage.linkonce_odr not in linkage.values()
+    assert linkage[made.fndesc.llvm_func_name] is Linkage.external
 
 
 _LOOKS_UP = """

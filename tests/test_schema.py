@@ -23,6 +23,11 @@ from tests.test_hostile_studies import OTHERS, WHOLE
 FILES = [*sorted(Path("examples").glob("*.toml")), *sorted(Path("src/bondem/study/templates").glob("*.toml"))]
 # Of keys that no example has: enough of a study that the reader comes to ask for them.
 CELL = {"shape": "cell", "size": [0.01, 0.01, 0.01], "count": 500}
+CRITERIA: list[dict[str, Any]] = [
+    {"criterion": "DruckerPrager"}, {"criterion": "Rankine", "tension": 1.0, "curve": "bilinear"},
+    {"criterion": "MohrCoulomb", "tension": 1.0, "cohesion": 3.0, "friction_angle": 0.6, "fracture_energy": 1.0},
+]  # fmt: skip
+GRAINS = {"diameters": [1.0, 2.0], "mass_passing": [0.0, 1.0], "fraction": 0.1, "E": 1.0, "nu": 0.1, "gap": 1.0}
 MORE: list[dict[str, Any]] = [
     {"specimen": {"shape": "ball", "radius": 0.01, "count": 500}, "tests": ["sphere_impact", "sphere_crushing"]},
     {"specimen": {"shape": "punch"}},
@@ -30,10 +35,9 @@ MORE: list[dict[str, Any]] = [
      "tests": ["spall", "brazilian", "triaxial", "three_point_bending"],
      "spall": {"pressure": 1.0, "rise": 1.0, "fall": 1.0}, "triaxial": {"pressure": 1.0}},
     {"specimen": CELL | {"sizes": {"law": "uniform", "spread": 0.1}}},
-    *({"specimen": CELL, "failure": one} for one in (
-        {"criterion": "DruckerPrager"}, {"criterion": "Rankine", "tension": 1.0, "curve": "bilinear"},
-        {"criterion": "MohrCoulomb", "tension": 1.0, "cohesion": 3.0, "friction_angle": 0.6, "fracture_energy": 1.0},
-    )),
+    *({"specimen": CELL, "failure": one} for one in CRITERIA),
+    *({"specimen": CELL, "aggregates": GRAINS | {part: one}}
+      for part in ("failure", "interface") for one in CRITERIA),
 ]  # fmt: skip
 
 

@@ -37,9 +37,8 @@ from numba.extending import intrinsic
 from numba.np.numpy_support import carray
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
-from bondem._linking import InlinedOnly, LinkedOnly
+from bondem._linking import InlinedOnly, LinkedOnly, OwnCopies
 from bondem._lock import alone
-from bondem._pruning import Pruned
 
 __all__ = [
     "LANES", "Callback", "cache_directory", "callback", "called", "compiled_before", "current_threads", "device",
@@ -266,7 +265,7 @@ def _compiled(function: F, dispatcher: type[_Shared], *, parallel: bool, **more:
     options = {"nopython": True, "nogil": True, "parallel": parallel, **_FLAGS, **more}
     with _own_cache():
         linked = dispatcher is _Within and not parallel
-        shared = dispatcher(twin, targetoptions=options, pipeline_class=LinkedOnly if linked else Pruned)
+        shared = dispatcher(twin, targetoptions=options, pipeline_class=LinkedOnly if linked else OwnCopies)
         shared.enable_caching()
     return cast(F, shared)
 

@@ -1,7 +1,11 @@
-"""Loops that only other loops call: kept as what they are linked from, without machine code of their own.
+"""What machine code is made of compiled functions, and whose copies of other functions it calls.
 
 Numba makes machine code of every compiled function, and once more of all that is linked into what calls it. Of a loop
-that Python never calls the first is for nothing.
+that Python never calls the first is for nothing: it is kept as what others are linked from.
+
+The copies that are linked into a function stay visible to others, and the first copy of a name that a process loads
+serves all that call this name. A copy that was optimised once more can differ by the last bit of a sum, and which one
+is first hangs on what was compiled, what came from the cache and in which order: each function calls its own here.
 """
 
 from typing import Any
@@ -11,27 +15,42 @@ from numba.core.codegen import JITCodeLibrary
 
 from bondem._pruning import Pruned
 
-__all__ = ["InlinedOnly", "LinkedOnly"]
+__all__ = ["InlinedOnly", "LinkedOnly", "OwnCopies"]
 
 # What numba sets when it loads a function, by this prefix of its name.
 _ENVIRONMENT = "_ZN08NumbaEnv"
 
 
-class _Linked(JITCodeLibrary):
-    """A library whose functions others take in; what is compiled of it is its environment alone."""
+class _Own(JITCodeLibrary):
+    """A library that calls its own copies of what is linked into it."""
 
     _final_module: Any
     _codegen: Any
 
     def _finalize_final_module(self) -> None:
         if self._shared_module is None:  # not one that comes from the cache
-            self._finalize_dynamic_globals()
-            self._verify_declare_only_symbols()
             self._finalized = True  # as far as others are concerned, who link this
             self._get_module_for_linking()
             self._finalized = False
-            self._final_module = self._environment()
+            self._keep_to_itself()
         super()._finalize_final_module()
+
+    def _keep_to_itself(self) -> None:
+        """Nobody else sees the copies; others link the module that was made for that."""
+        if self._shared_module is self._final_module:
+            self._final_module = self._final_module.clone()
+        for function in self._final_module.functions:
+            if not function.is_declaration and function.linkage is llvm.Linkage.linkonce_odr:
+                function.linkage = "internal"
+
+
+class _Linked(_Own):
+    """A library whose functions others take in; what is compiled of it is its environment alone."""
+
+    def _keep_to_itself(self) -> None:
+        self._finalize_dynamic_globals()
+        self._verify_declare_only_symbols()
+        self._final_module = self._environment()
 
     def _environment(self) -> Any:
         """A module of the environments."""
@@ -49,10 +68,10 @@ class _Inlined(_Linked):
         """Nothing."""
 
 
-class LinkedOnly(Pruned):
-    """The compiler of such loops."""
+class OwnCopies(Pruned):
+    """The compiler of functions that Python calls."""
 
-    _library: type[JITCodeLibrary] = _Linked
+    _library: type[JITCodeLibrary] = _Own
 
     def define_pipelines(self) -> list[Any]:
         """The passes of one function."""
@@ -64,7 +83,13 @@ class LinkedOnly(Pruned):
         return super().define_pipelines()
 
 
-class InlinedOnly(LinkedOnly):
+class LinkedOnly(OwnCopies):
+    """The compiler of loops that only other loops call."""
+
+    _library = _Linked
+
+
+class InlinedOnly(OwnCopies):
     """The compiler of functions that are always inlined."""
 
     _library = _Inlined
