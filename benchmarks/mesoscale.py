@@ -1,10 +1,10 @@
 """Concrete as mortar, aggregates and the interface between them: stiffness, strengths, and where its cracks run.
 
 The materials of examples/mesoscale.toml: mortar with f_t = 4 MPa and 50 MPa in compression, aggregates of 8 to 16 mm
-by a grading curve with 30 % of the volume, an interface with 2 MPa. A prism of 80 × 40 × 40 mm is pulled and pressed,
+by a grading curve with 20 % of the volume, an interface with 2 MPa. A prism of 80 × 40 × 40 mm is pulled and pressed,
 a disc Ø60 × 30 mm is split; beside it the mortar alone. Each packing has aggregates of its own.
 
-Run: python benchmarks/mesoscale.py [--seeds 1 2 3] [--fractions 0 0.3] [--out DIR]
+Run: python benchmarks/mesoscale.py [--seeds 1 2 3] [--fractions 0 0.2] [--out DIR]
      python benchmarks/mesoscale.py --summary
 Every test is kept in --out as soon as it is done.
 """
@@ -75,7 +75,7 @@ def measured(test: str, seed: int, fraction: float, folder: Path) -> dict[str, A
 def main(arguments: list[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3])
-    parser.add_argument("--fractions", type=float, nargs="+", default=[0.0, 0.3])
+    parser.add_argument("--fractions", type=float, nargs="+", default=[0.0, 0.2])
     parser.add_argument("--tests", nargs="+", default=list(TESTS), choices=list(TESTS))
     parser.add_argument("--out", type=Path, default=Path("out/mesoscale"))
     parser.add_argument("--summary", action="store_true", help="bring what is in --out into the results")

@@ -65,23 +65,11 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
     seed = whole("aggregates", "seed", seed, advice="a whole number from 0 up")
     if shape.period is not None:
         raise InputError("aggregates: a periodic cell has no walls to keep from; give a bd.Box of its size")
-    mean = 4.0 / 3.0 * math.pi * float((sieve.quantile((np.arange(1000) + 0.5) / 1000) ** 3).mean())
-    count = round(fraction * shape.volume / mean)
-    if not 1 <= count <= 100_000:
-        raise InputError(
-            f"aggregates: {count} balls of {sieve.diameters[0]:g} to {sieve.diameters[-1]:g} m have {fraction:g} of"
-            f" {shape.volume:.3g} m³; check the unit of the sieves (metres), or give another fraction="
-        )
     random = np.random.Generator(np.random.Philox(seed))
-    radius = sieve.quantile((np.arange(count) + 0.5) / count)
+    radius = radii_with_room(shape, sieve, fraction, gap)
     random.shuffle(radius)
     wide = radius + 0.5 * gap
-    filled_part = 4.0 / 3.0 * math.pi * float((wide**3).sum()) / shape.volume
-    if filled_part > _DENSEST:
-        raise InputError(
-            f"aggregates: with half their gaps of {gap:g} m the balls take {filled_part:.2f} of the shape, and"
-            f" {_DENSEST:g} at most go in; give a smaller fraction= or gap=, or larger balls"
-        )
+    filled_part = _part(wide, shape)
     spheres = thrown(shape, wide, filled_part, random)
     wide = spheres.sphere[:, 3] * 1.0
     spheres.relax(1.0, tolerance=_SETTLED, steps=_STEPS)
@@ -92,6 +80,34 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
             " fraction= or gap=, or another seed="
         )
     return found
+
+
+def radii_with_room(shape: Shape, sieve: Sieve, fraction: float, gap: float) -> Floats:
+    """Radii of the balls of `aggregates`, ascending [m].
+
+    Raises:
+        InputError: none, too many, or more than go into the shape with their gaps.
+    """
+    mean = 4.0 / 3.0 * math.pi * float((sieve.quantile((np.arange(1000) + 0.5) / 1000) ** 3).mean())
+    count = round(fraction * shape.volume / mean)
+    if not 1 <= count <= 100_000:
+        raise InputError(
+            f"aggregates: {count} balls of {sieve.diameters[0]:g} to {sieve.diameters[-1]:g} m have {fraction:g} of"
+            f" {shape.volume:.3g} m³; check the unit of the sieves (metres), or give another fraction="
+        )
+    radius = sieve.quantile((np.arange(count) + 0.5) / count)
+    taken = _part(radius + 0.5 * gap, shape)
+    if taken > _DENSEST:
+        raise InputError(
+            f"aggregates: with half their gaps of {gap:.3g} m the balls take {taken:.2f} of the shape, and"
+            f" {_DENSEST:g} at most go in; give a smaller fraction= or gap=, or larger balls"
+        )
+    return radius
+
+
+def _part(radius: Floats, shape: Shape) -> float:
+    """Volume of balls over that of the shape [-]."""
+    return 4.0 / 3.0 * math.pi * float((radius**3).sum()) / shape.volume
 
 
 def least_count(shape: Shape, radius: float) -> int:

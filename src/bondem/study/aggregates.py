@@ -8,7 +8,7 @@ from bondem.labtests.arguments import AnyLaw
 from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.model.failure_assignment import FailureAssignment, criteria_of
-from bondem.packing.inclusions import aggregates, least_count
+from bondem.packing.inclusions import aggregates, least_count, radii_with_room
 from bondem.packing.sizes import Sieve
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.geometry import Shape
@@ -42,10 +42,10 @@ class AggregatePlan:
     interface: Criterion | None = None
 
     def require_room(self, shape: Shape, count: int) -> None:
-        """Make sure that cells are small enough to make up the smallest aggregates.
+        """Make sure that cells are small enough to make up the smallest aggregates, and that all of these go in.
 
         Raises:
-            StudyError: they are not.
+            StudyError: they are not, or do not.
         """
         smallest = self.sieve.diameters[0]
         least = least_count(shape, 0.5 * smallest)
@@ -54,6 +54,13 @@ class AggregatePlan:
                 f"'specimen.count' = {count}: the smallest aggregates, of {smallest:g} m, want {least} cells or more;"
                 " raise it, or leave out smaller aggregates in 'aggregates.diameters'"
             )
+        try:
+            radii_with_room(shape, self.sieve, self.fraction, self._gap(shape, count))
+        except InputError as error:
+            raise StudyError(f"'aggregates.fraction' = {self.fraction:g}: {error}") from None
+
+    def _gap(self, shape: Shape, count: int) -> float:
+        return _GAP * math.cbrt(shape.volume / count) if self.gap is None else self.gap
 
     def placed(self, shape: Shape, count: int, seed: int) -> Aggregates:
         """The aggregates of a packing.
@@ -61,8 +68,7 @@ class AggregatePlan:
         Raises:
             InputError, PackingError: there is no room for them.
         """
-        gap = _GAP * math.cbrt(shape.volume / count) if self.gap is None else self.gap
-        return aggregates(shape, self.sieve, fraction=self.fraction, gap=gap, seed=seed)
+        return aggregates(shape, self.sieve, fraction=self.fraction, gap=self._gap(shape, count), seed=seed)
 
     def laws(self, matrix: CellBond, balls: Aggregates) -> AnyLaw:
         """Of a body with these aggregates, by region, the matrix first."""
