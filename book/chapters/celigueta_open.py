@@ -100,8 +100,8 @@ def _forces() -> Section:
             "Rankine at the paper's size and speed. Of the impulses of both plates, from a fifth of the peak on,"
             " 2 to 3 % are missing at the plate that stands still. The momentum of the elements takes 0.4 % of them"
             " at the most; the rest is local damping, which opposes the motion of a body that follows one plate:"
-            " 1.5 % with a damping of 0.1, 0.6 % with 0.03. At the peak itself the disc swings on top of that, the more so"
-            " the less it is damped. Where both plates move, each at half the speed, what is damped on one side is"
+            " 1.5 % with a damping of 0.1, 0.6 % with 0.03. At the peak itself the disc swings on top of that, the"
+            " more so the less it is damped. Where both plates move, each at half the speed, what is damped on one side is"
             " damped on the other, and forces agree within 1 % with the same damping and the same strengths. The"
             " paper gives the relative velocity of the plates, and not which of them moves."
         ),
