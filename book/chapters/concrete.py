@@ -18,7 +18,10 @@ BENDING = Measurement(
     "15 min",
 )
 MESOSCALE = Measurement(
-    "mesoscale", "python benchmarks/mesoscale.py && python benchmarks/mesoscale.py --summary", "40 min"
+    "mesoscale",
+    "python benchmarks/mesoscale.py --seeds 1 --fractions 0 && python benchmarks/mesoscale.py --seeds 1 2"
+    " --fractions 0.2 && python benchmarks/mesoscale.py --summary",
+    "25 min",
 )
 MEASUREMENTS = CONCRETE, BENDING, MESOSCALE
 
