@@ -11,7 +11,7 @@ from llvmlite.binding import Linkage
 from numba import typeof, types
 
 from bondem import _compile
-from bondem._compile import device, kernel, loop
+from bondem._compile import device, kernel, loop, prange
 
 
 @kernel(parallel=False)
@@ -144,6 +144,11 @@ def two_sums(x):
     return long_sum(x, 2.0) + long_sum(x, 3.0)
 
 
+def linkages(made):
+    """Of all functions of compiled code, by name."""
+    return {one.name: one.linkage for one in made.library._final_module.functions if not one.is_declaration}
+
+
 def test_a_kernel_calls_its_own_copies_of_what_it_is_linked_from(monkeypatch, tmp_path):
     """Where copies were visible, the first that a process loads would serve all kernels, by the order of loading."""
     monkeypatch.setattr(_compile, "cache_directory", tmp_path)
@@ -152,10 +157,35 @@ def test_a_kernel_calls_its_own_copies_of_what_it_is_linked_from(monkeypatch, tm
     outer = kernel(parallel=False)(two_sums)
     outer(np.ones(3))
     (linked,), (made,) = inner.overloads.values(), outer.overloads.values()
-    linkage = {one.name: one.linkage for one in made.library._final_module.functions if not one.is_declaration}
+    linkage = linkages(made)
     assert linkage[linked.fndesc.llvm_func_name] is Linkage.internal
-    assert Linkage.linkonce_odr not in linkage.values()
+    assert set(linkage.values()) == {Linkage.internal, Linkage.external}
     assert linkage[made.fndesc.llvm_func_name] is Linkage.external
+
+
+def sums_of_all(x, out):
+    for k in prange(len(out)):
+        out[k] = long_sum(x, 1.0 + k)
+
+
+def all_sums(x, out):
+    sums_of_all(x, out)
+
+
+def test_what_threads_call_is_a_copy_of_the_kernel_too(monkeypatch, tmp_path):
+    """Numba keeps it visible in a way of its own; without this a run on two threads was not that on one."""
+    monkeypatch.setattr(_compile, "cache_directory", tmp_path)
+    monkeypatch.setitem(globals(), "long_sum", loop(parallel=False)(long_sum))
+    monkeypatch.setitem(globals(), "sums_of_all", loop(parallel=True)(sums_of_all))
+    outer = kernel(parallel=False)(all_sums)
+    outer(np.ones(3), np.empty(2))
+    (made,) = outer.overloads.values()
+    linkage = linkages(made)
+    assert any("gufunc" in name for name in linkage)
+    assert [name for name, kind in linkage.items() if kind is not Linkage.internal] == [
+        made.fndesc.llvm_func_name,
+        made.fndesc.llvm_cpython_wrapper_name,
+    ]
 
 
 _LOOKS_UP = """

@@ -19,6 +19,8 @@ __all__ = ["InlinedOnly", "LinkedOnly", "OwnCopies"]
 
 # What numba sets when it loads a function, by this prefix of its name.
 _ENVIRONMENT = "_ZN08NumbaEnv"
+# How copies are visible: of functions, and of what threads are handed.
+_SHARED = llvm.Linkage.linkonce_odr, llvm.Linkage.weak_odr
 
 
 class _Own(JITCodeLibrary):
@@ -40,7 +42,7 @@ class _Own(JITCodeLibrary):
         if self._shared_module is self._final_module:
             self._final_module = self._final_module.clone()
         for function in self._final_module.functions:
-            if not function.is_declaration and function.linkage is llvm.Linkage.linkonce_odr:
+            if not function.is_declaration and function.linkage in _SHARED:
                 function.linkage = "internal"
 
 
