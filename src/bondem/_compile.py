@@ -12,7 +12,6 @@ that can enter a kernel. It is set only while our own functions are decorated, s
 the same process keep theirs.
 """
 
-import functools
 import hashlib
 import os
 import sys
@@ -20,7 +19,6 @@ import tempfile
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar, cast
@@ -28,21 +26,18 @@ from typing import Any, TypeVar, cast
 import llvmlite.binding as llvm
 import numba
 import numba.core.config
-from llvmlite import ir
 from numba import prange
 from numba.core import event, types
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.registry import CPUDispatcher
-from numba.extending import intrinsic
-from numba.np.numpy_support import carray
-from numba.np.unsafe.ndarray import to_fixed_tuple
+from numba.core.targetconfig import ConfigStack
 
-from bondem._linking import InlinedOnly, LinkedOnly, OwnCopies
+from bondem._linking import InlinedOnly, LaunchingOnly, LinkedOnly, OwnCopies
 from bondem._lock import alone
 
 __all__ = [
-    "LANES", "Callback", "cache_directory", "callback", "called", "compiled_before", "current_threads", "device",
-    "kernel", "loop", "most_threads", "picked", "prange", "say_nothing", "threads",
+    "LANES", "cache_directory", "compiled_before", "current_threads", "device", "kernel", "loop", "most_threads",
+    "prange", "say_nothing", "threads",
 ]  # fmt: skip
 
 # set by numba at import, so that type checkers do not know its attributes
@@ -72,7 +67,7 @@ LANES = _lanes()
 def _source_hash() -> str:
     digest = hashlib.sha256(f"{numba.__version__} {LANES}".encode())
     cells = "specimen/triangles.py", "specimen/cells/*.py"
-    for pattern in ("_compile.py", "_linking.py", "_pruning.py", "laws/**/*.py", "kernels/*.py", *cells):
+    for pattern in ("_compile.py", "_calls.py", "_linking.py", "_pruning.py", "laws/**/*.py", "kernels/*.py", *cells):
         for source in sorted(_PACKAGE.glob(pattern)):
             digest.update(source.read_bytes())
     return digest.hexdigest()[:16]
@@ -167,7 +162,8 @@ def say_nothing() -> None:
     _notice.said = True
 
 
-_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True}
+# Without counts of references, which no loop over arrays of others needs: a third of the time of a first run.
+_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True, "_nrt": False}
 
 
 def _alone(what: str) -> AbstractContextManager[None]:
@@ -204,7 +200,11 @@ class _Shared(CPUDispatcher):
     _cache: Any
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
-        return super().get_call_template([_any_value(a) for a in args], {k: _any_value(a) for k, a in kws.items()})
+        args, kws = [_any_value(a) for a in args], {k: _any_value(a) for k, a in kws.items()}
+        made: Any = super().get_call_template(args, kws)
+        if _counting() != self.targetoptions["_nrt"] and any(_arrays(sig.return_type) for sig in made[0].cases):
+            raise TypeError(f"{self.py_func.__qualname__} hands arrays to its caller: both need allocates=True")
+        return made
 
     def enable_caching(self) -> None:
         super().enable_caching()
@@ -230,14 +230,38 @@ class _Shared(CPUDispatcher):
             return super().compile(sig)
 
 
+def _counting() -> bool:
+    """Whether what is being compiled counts references to arrays."""
+    flags: Any = ConfigStack.top_or_none()
+    return flags is not None and bool(flags.nrt)
+
+
+def _arrays(of: Any) -> bool:
+    """Whether there is an array in a type."""
+    return isinstance(of, types.Array) or any(_arrays(part) for part in getattr(of, "types", ()))
+
+
 class _Inlined(CPUDispatcher):
     """A function for other compiled ones only: called by Python it runs as plain Python.
 
-    It gets no entry for Python in machine code, which is a fifth of the time of a first run.
+    It gets no entry for Python in machine code, which is a fifth of the time of a first run. It counts references to
+    arrays where the loop does that it is inlined into.
     """
+
+    twin: Any = None
 
     def __call__(self, *args: Any, **named: Any) -> Any:
         return self.py_func(*args, **named)
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        if self.twin is not None and _counting():
+            return self.twin.get_call_template(args, kws)
+        return super().get_call_template(args, kws)
+
+    def get_overload(self, sig: Any) -> Any:
+        if self.twin is not None and _counting():
+            return self.twin.get_overload(sig)
+        return super().get_overload(sig)
 
 
 def device(function: F) -> F:
@@ -245,7 +269,9 @@ def device(function: F) -> F:
     if config.DISABLE_JIT:
         return function
     options = {"nopython": True, "forceinline": True, "no_cpython_wrapper": True, **_FLAGS}
-    return cast(F, _Inlined(function, targetoptions=options, pipeline_class=InlinedOnly))
+    made = _Inlined(function, targetoptions=options, pipeline_class=InlinedOnly)
+    made.twin = _Inlined(function, targetoptions={**options, "_nrt": True}, pipeline_class=InlinedOnly)
+    return cast(F, made)
 
 
 class _Within(_Shared):
@@ -255,121 +281,42 @@ class _Within(_Shared):
         raise TypeError(f"{self.py_func.__qualname__} is compiled for other loops only: decorate it as a kernel")
 
 
-def _compiled(function: F, dispatcher: type[_Shared], *, parallel: bool, **more: bool) -> F:
+def _compiled(function: F, dispatcher: type[_Shared], *, parallel: bool, allocates: bool, **more: bool) -> F:
     # the cache tells functions apart by name and line, not by flags: both kinds of one loop need two names
     twin = FunctionType(function.__code__, function.__globals__, function.__name__)
     twin.__doc__ = function.__doc__
     twin.__qualname__ = function.__qualname__ + ("_threaded" if parallel else "")
     if config.DISABLE_JIT:
         return cast(F, twin)
-    options = {"nopython": True, "nogil": True, "parallel": parallel, **_FLAGS, **more}
+    options = {"nopython": True, "nogil": True, "parallel": parallel, **_FLAGS, "_nrt": allocates, **more}
     with _own_cache():
-        linked = dispatcher is _Within and not parallel
-        shared = dispatcher(twin, targetoptions=options, pipeline_class=LinkedOnly if linked else OwnCopies)
+        within = LaunchingOnly if parallel else LinkedOnly
+        compiler = within if dispatcher is _Within else OwnCopies
+        shared = dispatcher(twin, targetoptions=options, pipeline_class=compiler)
         shared.enable_caching()
     return cast(F, shared)
 
 
-def kernel(*, parallel: bool) -> Callable[[F], F]:
+def kernel(*, parallel: bool, allocates: bool = False) -> Callable[[F], F]:
     """Compile a loop over arrays that Python calls, cached on disk.
 
     Args:
         parallel: its `prange` runs on all threads.
+        allocates: it makes arrays; it cannot be compiled without this then.
     """
-    return lambda function: _compiled(function, _Shared, parallel=parallel)
+    return lambda function: _compiled(function, _Shared, parallel=parallel, allocates=allocates)
 
 
-def loop(*, parallel: bool) -> Callable[[F], F]:
+def loop(*, parallel: bool, allocates: bool = False) -> Callable[[F], F]:
     """Compile a loop over arrays that kernels and other loops call, cached on disk.
 
     Args:
         parallel: its `prange` runs on all threads.
+        allocates: it makes arrays; it cannot be compiled without this then.
     """
-    return lambda function: _compiled(function, _Within, parallel=parallel, no_cpython_wrapper=True)
-
-
-@dataclass(frozen=True, eq=False)
-class Callback:
-    """A function compiled by itself, which loops call by its address: none of them is compiled for it.
-
-    Attributes:
-        address: of a C function of two pointers, to nine numbers and to the parameters, that returns a number.
-        function: the same for Python, of a matrix (3, 3) and each parameter.
-        kept: what must live as long as the address is used.
-    """
-
-    address: int
-    function: Callable[..., Any]
-    kept: Any
-
-
-@functools.cache  # for good: addresses stand in the tables of models
-def callback(function: Callable[..., Any], count: int) -> Callback:
-    """Compile a function of a matrix (3, 3) and of `count` numbers, which returns a number.
-
-    Raises:
-        Exception: of any kind, where it cannot be compiled.
-    """
-    if config.DISABLE_JIT:  # in the simulator of a device, which calls no address
-        return Callback(address=1, function=getattr(function, "py_func", function), kept=None)
-    inner: Any = numba.njit(error_model="numpy")(getattr(function, "py_func", function))
-    spread: Any = to_fixed_tuple
-    if count:
-
-        def outer(matrix: Any, given: Any) -> Any:
-            return inner(carray(matrix, (3, 3)), *spread(carray(given, (count,)), count))
-    else:
-
-        def outer(matrix: Any, given: Any) -> Any:
-            return inner(carray(matrix, (3, 3)))
-
-    pointer = types.CPointer(types.float64)
-    made: Any = numba.cfunc(types.float64(pointer, pointer), error_model="numpy")(outer)
-    return Callback(address=int(made.address), function=inner, kept=made)
-
-
-def _called(_: Any, address: Any, matrix: Any, given: Any) -> Any:
-    """In compiled code: what the function at an address (`Callback`) gives for two contiguous arrays of numbers."""
-
-    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        pointer = ir.DoubleType().as_pointer()
-        kind = ir.FunctionType(ir.DoubleType(), [pointer, pointer])
-        data = [
-            context.make_array(of)(context, builder, value).data
-            for of, value in zip(signature.args[1:], arguments[1:], strict=True)
-        ]
-        return builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), data)
-
-    return types.float64(types.int64, matrix, given), build
-
-
-called: Any = intrinsic(_called)
-
-
-def _picked(_: Any, value: Any, one: Any, other: Any) -> Any:
-    """In compiled code: `one` where a number, or each of many in one register, is above zero, else `other`.
-
-    Both are computed, so that a function without branches is compiled for one number and for many.
-    """
-    kinds = value, one, other
-    many = next((kind for kind in kinds if kind != types.float64), types.float64)
-
-    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        kind = next((a.type for a in arguments if isinstance(a.type, ir.VectorType)), ir.DoubleType())
-        found = [a if a.type == kind else _spread(builder, a, kind) for a in arguments]
-        return builder.select(builder.fcmp_ordered(">", found[0], ir.Constant(kind, None)), found[1], found[2])
-
-    return many(*kinds), build
-
-
-def _spread(builder: Any, value: Any, kind: Any) -> Any:
-    """One number in each place of a vector."""
-    index, size = ir.IntType(32), kind.count
-    first = builder.insert_element(ir.Constant(kind, ir.Undefined), value, ir.Constant(index, 0))
-    return builder.shuffle_vector(first, first, ir.Constant(ir.VectorType(index, size), [0] * size))
-
-
-picked: Any = intrinsic(_picked)
+    return lambda function: _compiled(
+        function, _Within, parallel=parallel, allocates=allocates, no_cpython_wrapper=True
+    )
 
 
 def current_threads() -> int:

@@ -15,7 +15,7 @@ from numba.core.codegen import JITCodeLibrary
 
 from bondem._pruning import Pruned
 
-__all__ = ["InlinedOnly", "LinkedOnly", "OwnCopies"]
+__all__ = ["InlinedOnly", "LaunchingOnly", "LinkedOnly", "OwnCopies"]
 
 # What numba sets when it loads a function, by this prefix of its name.
 _ENVIRONMENT = "_ZN08NumbaEnv"
@@ -63,6 +63,16 @@ class _Linked(_Own):
         return module
 
 
+class _Launching(_Linked):
+    """The same of a loop on threads: its work is in functions of their own, and what calls it optimises the rest.
+
+    Numba takes the arrays of all tables apart for the threads, which a function pass takes seconds over.
+    """
+
+    def _optimize_functions(self, ll_module: Any) -> None:
+        ll_module.data_layout = self._codegen._data_layout
+
+
 class _Inlined(_Linked):
     """The same of functions that vanish in what calls them, which optimises all of it."""
 
@@ -89,6 +99,12 @@ class LinkedOnly(OwnCopies):
     """The compiler of loops that only other loops call."""
 
     _library = _Linked
+
+
+class LaunchingOnly(OwnCopies):
+    """The compiler of loops on threads that only other loops call."""
+
+    _library = _Launching
 
 
 class InlinedOnly(OwnCopies):

@@ -3,13 +3,12 @@
 import numpy as np
 
 from bondem._compile import device, kernel, loop
-from bondem.kernels.beam_softening import clear_pushes
 from bondem.kernels.boundary import apply_schedules, set_boundary
 from bondem.kernels.cell_strain import strain_body
 from bondem.kernels.contact_pass import contact_loads, outdated
-from bondem.kernels.crack_pass import clear_crack_loads
 from bondem.kernels.element_pass import open_step, open_step_serial
 from bondem.kernels.grip_pass import place_walls
+from bondem.kernels.present import clear_loads, look
 from bondem.kernels.press_pass import press
 from bondem.kernels.sample import kinetic_energies, sample
 from bondem.kernels.sweep import all_forces
@@ -82,14 +81,6 @@ def set_body_clock(body, t, step):
 
 
 @kernel(parallel=False)
-def clear_loads(bonds, body, soft):
-    """Take off what cracks and beams that soften did a step ago, where there are any."""
-    if body is not None:
-        clear_crack_loads(body.cracks)
-    clear_pushes(bonds, soft)
-
-
-@kernel(parallel=False)
 def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
     """Take the steps of `span`; write a record whenever the step number is a multiple of its `every`.
 
@@ -99,6 +90,9 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
     The acceleration is that of the present state on entry and on return. Between samples the end of one step and the
     start of the next are fused into one pass over the elements. The two passes go block by block, and an element
     moves when the last of its bonds has been seen, so that forces are gathered while still in the cache.
+
+    Where `span` looks, no step is taken, and the present is recorded (`look`). Both are one function, as forces are
+    most of its machine code.
 
     Where there are `contacts` and their list is out of date, it comes back in the middle of a step, the elements
     moved and the forces not yet known; it goes on there when called again with a new list and `moved`.
@@ -110,6 +104,9 @@ def advance(span, scheme, run, law, contacts, added, strain, breaks, records):
     elements, bonds, rows, schedules = run.elements, run.bonds, run.rows, run.schedules
     same, history, body, non_local, soft = law
     start, dt = scheme.origin + span.step * scheme.dt, scheme.dt
+    if span.looks:
+        look(start, span.stale, scheme, run, law, contacts, added, strain, breaks, records[0])
+        return 0, 1, 0, 0, FINE, False
     threaded = bonds.m >= SERIAL_BONDS
     done = written = wide = lost = 0
     sick, paused, moved = FINE, True, span.moved

@@ -6,7 +6,7 @@ Motion and loads of faces are a few rows. What only some models have on all thei
 
 import math
 
-from bondem._compile import device, kernel, loop
+from bondem._compile import device, loop
 from bondem.kernels.bond_pass import branch
 from bondem.laws.rotations import rotate
 
@@ -116,7 +116,7 @@ def strain_bonds(t, dt, first, strain, schedules, pose, bonds, work):
         factor[2, g] = factor[3, g]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def set_boundary(t, dt, first, schedules, rows, pose, bonds, added, strain):
     """Loads, drives, body forces and strains of time t; `first` where it is not reached by a step."""
     apply_schedules(t, dt, schedules, rows, pose)

@@ -8,7 +8,7 @@ run pauses, as an element goes on from its stored acceleration in either case.
 
 import math
 
-from bondem._compile import device, kernel, loop
+from bondem._compile import device, loop
 from bondem.kernels.bond_pass import branch
 from bondem.kernels.contact_pairs import begin_contact
 from bondem.kernels.element_pass import move, move_held, open_list
@@ -178,7 +178,7 @@ def list_waiting(rows, breaks):
     return count, free
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def let_go(elements, sums, rows, scheme, added, breaks, go_on):
     """What has waited finds its acceleration without what broke, and opens the next step if it is to go on."""
     count, free = list_waiting(rows, breaks)

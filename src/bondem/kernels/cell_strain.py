@@ -143,7 +143,7 @@ def _crack_powers(pose, bonds, cells, cracks, strained):
                     strained.factor[_AFTER, g] += each * strained.part[g, k]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def book_strains(pose, bonds, body, strained, work):
     """The work of strains that change, when the forces after that are known."""
     if strained is not None:  # decided when compiled

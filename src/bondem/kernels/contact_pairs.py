@@ -8,7 +8,8 @@ import math
 
 import numpy as np
 
-from bondem._compile import device, loop, picked, prange
+from bondem._calls import picked
+from bondem._compile import device, loop, prange
 from bondem.kernels.bond_pass import apart, branch
 from bondem.kernels.lane_memory import number_in, places_below, places_in, put_row, row
 from bondem.kernels.lanes import WIDTH, lane, zero_of
@@ -188,7 +189,7 @@ def look_at(c, k):
     c.nears[0] += 1
 
 
-@loop(parallel=False)
+@loop(parallel=False, allocates=True)
 def _begin_pair(elements, period, contacts, k):
     """Let a pair that was passed over so far touch as it is, its tangential spring at rest; whether it touches."""
     look_at(contacts, k)

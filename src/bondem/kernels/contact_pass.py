@@ -6,7 +6,7 @@ On one thread pairs that touch hand out what they do in the order of the list, w
 it.
 """
 
-from bondem._compile import device, kernel, loop, prange
+from bondem._compile import device, loop, prange
 from bondem.kernels.contact_list import farthest
 from bondem.kernels.contact_pairs import (
     TOUCHING,
@@ -42,7 +42,7 @@ def outdated(pose, c):
     return not wall_travel(c.walls, c.wall_listed) < c.reach
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def contact_loads(elements, period, dt, contacts, threaded):
     """Contact forces at the present, into `load` and on the walls; memory and losses go on by dt.
 

@@ -56,7 +56,7 @@ def pulled_by_bending(t, across, n, bent):
     return t, across
 
 
-@loop(parallel=False)
+@loop(parallel=False, allocates=True)
 def _begin_facets(pose, bonds, cells, stress, onset, first, last):
     """Mark facets that begin to crack: they are pulled or sheared, and σ* reaches the strength of the criterion.
 

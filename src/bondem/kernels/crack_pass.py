@@ -8,7 +8,7 @@ rounding. What is done with a crack or a cell by itself is done on all threads, 
 list: no bit depends on threads. See `bondem.laws.softening`.
 """
 
-from bondem._compile import kernel, loop, prange
+from bondem._compile import loop, prange
 from bondem.kernels.cell_stress import cell_stresses, surface_stresses
 from bondem.kernels.crack_list import begin_cracks, list_cracks
 from bondem.kernels.crack_onset import judge_body
@@ -82,7 +82,7 @@ def clear_crack_loads(table):
         clear_cracks(table.facets)
 
 
-@kernel(parallel=False)
+@loop(parallel=False, allocates=True)
 def stresses_now(pose, body, table):
     """Stresses of all cells from the forces they bear now, as a run begins: its first record has their energies."""
     cells, cracks, moment = body.cells, table.facets, body.cells.moment

@@ -184,8 +184,8 @@ def open_list(elements, rows, scheme, added, element, count):
         _open_one(elements, rows, scheme, added, np.uint64(element[e]))
 
 
-open_step = kernel(parallel=True)(_open)
-open_step_serial = kernel(parallel=False)(_open)
+open_step = loop(parallel=True)(_open)
+open_step_serial = loop(parallel=False)(_open)
 
 
 @loop(parallel=False)

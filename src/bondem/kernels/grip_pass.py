@@ -102,7 +102,7 @@ def grip_loads(pose, rest, grips):
         grip_load(pose, rest, grips, g)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def give(grips, rows):
     """Put the forces of the walls into the rows of their cells."""
     rows.grip[:] = 0.0

@@ -4,12 +4,12 @@ A traction opens its facet by its own half of the cell, and with it adds A d t·
 the energy ½ V λ θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.
 """
 
-from bondem._compile import kernel, loop
+from bondem._compile import loop
 from bondem.kernels.boundary import value_at
 from bondem.kernels.cell_pass import STRESS
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def press(t, schedules, presses, given):
     """Bring the tractions to time t."""
     changed = False

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from bondem._compile import device, kernel, loop
+from bondem._compile import device, loop
 from bondem.kernels.beam_softening import pressed_energy
 from bondem.kernels.bond_pass import bond_energies
 from bondem.kernels.cell_energies import cell_energies
@@ -68,7 +68,7 @@ def kinetic_energies(motion, p):
     return 0.5 * v2 / motion[p, INVERSE_MASS], 0.5 * w2 / motion[p, INVERSE_INERTIA]
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def energies(elements, bonds, work, history, body, non_local, record):
     """Kinetic and elastic energy, work and losses, without those of contacts."""
     translation = rotation = damped = rubbed = total = taken = 0.0
@@ -161,7 +161,7 @@ def _of_cracks(cracks, record):
         record[FRACTURE], record[PLASTIC] = dissipated(cracks)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def sample(t, elements, bonds, rows, gauges, history, body, non_local, contacts, breaks, soft, record):
     """One row of the history."""
     record[TIME] = t

@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-from bondem._compile import called, device, loop
+from bondem._calls import called
+from bondem._compile import device, loop
 
 # How far the σ* of a facet may be beyond the stresses of its two cells, over the size of these: towards tension from
 # all sides, in which criteria weaken.
@@ -66,7 +67,7 @@ def may_reach(index, onset, s, square, matrix):
     return reaches(index, onset, (s[0] + more, s[1] + more, s[2] + more, s[3], s[4], s[5]), scale, matrix)
 
 
-@loop(parallel=False)
+@loop(parallel=False, allocates=True)
 def cool_cells(stress, onset, first, last):
     """Let the facets of those cells first … last be that are far below the criterion, into `onset.hotter`.
 

@@ -5,7 +5,7 @@ See `bondem.model.blocks` for how a step is cut, and why the cuts change no bit.
 
 import numpy as np
 
-from bondem._compile import kernel, loop, prange
+from bondem._compile import loop, prange
 from bondem.kernels.beam_softening import begin_to_soften, soften_beams
 from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.breaking import break_bonds, let_go, lists
@@ -24,7 +24,7 @@ from bondem.kernels.pair_breaking import break_pairs, judge_pairs
 from bondem.kernels.press_pass import book_presses
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def sweep(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, part):
     """A part of the step: bonds, sums, and the elements whose sums are complete.
 
@@ -151,7 +151,7 @@ def sweep_all(elements, bonds, same, history, cells, non_local, cut, rows, schem
         sweep_domains(elements, bonds, same, history, cells, non_local, cut, rows, scheme, added, breaks, go_on)
 
 
-@kernel(parallel=False)
+@loop(parallel=False)
 def all_forces(run, same, history, body, non_local, scheme, added, contacts, breaks, soft, go_on):
     """A step over everything, on one thread or on as many as there are domains.
 

@@ -257,6 +257,8 @@ class Span(NamedTuple):
     steps: int  #: how many to go
     every: int  #: steps between records, 0 for none
     moved: bool  #: whether the elements have already moved in this step, and only its forces are missing
+    looks: bool  #: whether it takes none, and records the present
+    stale: bool  #: whether the acceleration is to be found for that
 
 
 class Run(NamedTuple):

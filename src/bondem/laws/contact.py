@@ -16,8 +16,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._calls import picked
 from bondem._checks import instance, number
-from bondem._compile import device, picked
+from bondem._compile import device
 from bondem._types import Floats
 
 # Contacts a sphere can have with spheres of its size: the kissing number bounds the stiffness around it.

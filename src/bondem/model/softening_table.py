@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._compile import Callback, callback
+from bondem._calls import Callback, callback
 from bondem._types import Floats, Ints, PerBond, PerElement
 from bondem.errors import InputError
 from bondem.laws.failure.softening import Softening

@@ -5,17 +5,10 @@ import numpy as np
 from bondem._compile import current_threads
 from bondem.errors import InputError
 from bondem.kernels import tables
-from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance, clear_loads
-from bondem.kernels.boundary import set_boundary
-from bondem.kernels.cell_strain import book_strains, strain_body
-from bondem.kernels.contact_pass import contact_loads
-from bondem.kernels.crack_pass import stresses_now
+from bondem.kernels.advance import FINE, NOT_FINITE, SERIAL_BONDS, advance
+from bondem.kernels.cell_strain import strain_body
 from bondem.kernels.crack_tables import FACET
 from bondem.kernels.facet_breaking import weigh_all
-from bondem.kernels.grip_pass import give, grip_loads, place_walls
-from bondem.kernels.press_pass import press
-from bondem.kernels.sample import sample
-from bondem.kernels.sweep import all_forces
 from bondem.kernels.tables import (
     CONTACT,
     FIXED_COLUMNS,
@@ -142,52 +135,21 @@ class CpuLoop:
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
-        run, dt = self._run, self._scheme.dt
-        t = self._origin + self.state.step * dt
-        pose, bonds = run.elements.pose, run.bonds
-        set_boundary(t, dt, True, run.schedules, run.rows, pose, bonds, self._added, self._strain)
-        if self._body is not None:
-            press(t, run.schedules, self._body.presses, self._body.cells.given)
-            self._body.presses.came[:] = 0.0
-            strain_body(t, dt, True, run.schedules, self._body, self._body.strain)
-        if self._body is not None and len(self._body.grips.cell):
-            place_walls(t, self._body.grips)
-            self._body.grips.came[:] = 0.0
-            grip_loads(pose, run.elements.rest, self._body.grips)
-            give(self._body.grips, run.rows)
-        if self._body is not None and not self.state.stale:
-            book_strains(pose, bonds, self._body, self._body.strain, run.rows.work)
-        if self.state.stale:
-            self._evaluate()
-            self._keep()
-            self.state.stale = False
-        if self._body is not None and self._cracks is not None and self._cracks.flow.yielding:
-            stresses_now(pose, self._body, self._cracks)
+        state, budget = self.state, self._run.budget
         records = np.empty((1, self._width))
-        sample(
-            t, run.elements, bonds, run.rows, run.gauges, self._history, self._body, self._non_local,
-            self._touching, self._breaks, self._soft, records[0],
-        )
-        budget = run.budget
+        self._advance(Span(state.step, 0, 0, moved=False, looks=True, stale=state.stale), records)
+        if state.stale:
+            self._keep()
+            state.stale = False
         budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
         return records
 
-    def _evaluate(self) -> None:
-        """Find the acceleration of the present state, in which nothing breaks."""
-        if self._breaks is not None:
-            self._breaks.now[1] = -1.0
-        if self._cracks is not None:
-            self._cracks.facets.now[1] = -1.0
-        run = self._run
-        still = self._scheme._replace(dt=0.0, finish=0.0, begin=0.0, extra=0.0)
-        clear_loads(run.bonds, self._body, self._soft)
-        if self._touching is not None:
-            self._touching.far[0] = np.inf  # elements may be anywhere by now
-            contact_loads(run.elements, run.bonds.period, 0.0, self._touching, len(run.cut.domain) > 2)
-        all_forces(
-            run, self._same, self._history, self._body, self._non_local, still, self._added, self._touching,
-            self._breaks, self._soft, False,
-        )  # fmt: skip
+    def _advance(self, span: Span, records: np.ndarray) -> tuple[int, int, int, int, int, bool]:
+        """`kernels.advance.advance` of this run."""
+        law = self._same, self._history, self._body, self._non_local, self._soft
+        return advance(
+            span, self._scheme, self._run, law, self._touching, self._added, self._strain, self._breaks, records
+        )
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
         """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` found."""
@@ -197,13 +159,9 @@ class CpuLoop:
         records = np.empty((steps // every + 1 if every else 0, self._width))
         done, written, wide, lost = 0, 0, 0, 0
         sick, moved = FINE, False
-        law = self._same, self._history, self._body, self._non_local, self._soft
         while sick == FINE:
-            span = Span(state.step + done, steps - done, every, moved)
-            gone, new, turned, lost, sick, moved = advance(
-                span, self._scheme, self._run, law, self._touching, self._added, self._strain, self._breaks,
-                records[written:],
-            )  # fmt: skip
+            span = Span(state.step + done, steps - done, every, moved, looks=False, stale=False)
+            gone, new, turned, lost, sick, moved = self._advance(span, records[written:])
             done, written, wide = done + gone, written + new, max(wide, turned)
             if not moved or self._contacts is None:
                 break

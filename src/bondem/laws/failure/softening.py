@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtri
 
+from bondem._calls import callback
 from bondem._checks import instance, number
-from bondem._compile import callback
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.laws.failure.bilinear import Bilinear

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from bondem._calls import callback
 from bondem._checks import number, shown
-from bondem._compile import callback
 from bondem.errors import InputError
 from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
