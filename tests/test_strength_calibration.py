@@ -2,6 +2,8 @@
 
 import json
 import math
+import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -176,6 +178,46 @@ def test_a_test_that_fails_on_the_way_halves_the_step():
         bd.calibrate_strength({"t": fragile}, {"t": (4e6, 4e4)}, {"strength": 15e6})
 
 
+def test_tests_of_all_packings_at_once_are_those_one_by_one():
+    """Four functions, each of which goes on only when all four are under way."""
+    whole = bd.calibrate_strength(Laboratory((0.9, 1.1)).tests, TARGETS, START, strengths=BOTH)
+    meeting = threading.Barrier(4, timeout=20.0)
+
+    def of(test, factor):
+        def strength(tension, cohesion):
+            meeting.wait()
+            return getattr(Laboratory((factor,)), test)(tension, cohesion)[0]
+
+        return strength
+
+    apart = {test: [of(test, factor) for factor in (0.9, 1.1)] for test in TARGETS}
+    with ThreadPoolExecutor(4) as executor:
+        fit = bd.calibrate_strength(apart, TARGETS, START, strengths=BOTH, executor=executor)
+    assert fit.runs == whole.runs
+    assert len(fit.runs[0].measured["ucs"]) == 2
+
+
+def test_a_dask_cluster_calibrates():
+    distributed = pytest.importorskip("distributed")
+    with distributed.Client(processes=False, n_workers=1, threads_per_worker=2, dashboard_address=None) as client:
+        fit = bd.calibrate_strength(
+            Laboratory().tests, TARGETS, START, strengths=BOTH, executor=client.get_executor()
+        )
+    assert fit.runs == bd.calibrate_strength(Laboratory().tests, TARGETS, START, strengths=BOTH).runs
+
+
+def test_of_tests_at_once_those_that_are_done_are_kept_where_another_fails(tmp_path):
+    lab = Laboratory()
+
+    def falls(tension, cohesion):
+        raise UnstableRunError("the run became unstable")
+
+    with ThreadPoolExecutor(2) as executor, pytest.raises(UnstableRunError, match="at the start, brazilian"):
+        bd.calibrate_strength({"brazilian": falls, "ucs": lab.ucs}, TARGETS, START, out=tmp_path, executor=executor)
+    kept = json.loads((tmp_path / "strength_calibration.json").read_text())["tests"]
+    assert [(row["test"], bool(row["failed"])) for row in kept] == [("brazilian", True), ("ucs", False)]
+
+
 def test_one_run_says_what_is_found_with_nothing_calibrated():
     fit = bd.calibrate_strength(Laboratory().tests, TARGETS, START, most=1)
     assert len(fit.runs) == 1
@@ -199,6 +241,10 @@ def test_one_run_says_what_is_found_with_nothing_calibrated():
     ({"bounds": {"tension": (5e6, 9e6)}}, "start between its bounds"),
     ({"bounds": {"sigma": (5e6, 9e6)}}, "give two values for some of tension, cohesion"),
     ({"most": 0}, "most = 0"),
+    ({"executor": 4}, "give one of concurrent.futures"),
+    ({"tests": {"ucs": [], "brazilian": Laboratory().brazilian}}, "give a function of the parameters, or a list"),
+    ({"tests": {"ucs": [Laboratory().ucs, 3], "brazilian": Laboratory().brazilian}}, "or a list"),
+    ({"tests": {"ucs": [Laboratory((1.0, 1.0)).ucs], "brazilian": Laboratory().brazilian}}, "one for each packing"),
     ({"about": 3}, "give a text"),
     ({"tests": {"ucs": lambda tension, cohesion: -tension, "brazilian": Laboratory().brazilian}},
      "return a positive strength"),

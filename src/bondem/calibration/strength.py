@@ -7,6 +7,7 @@ their loop. Why as it is: docs/decisions/0024-strength-calibration.md.
 import inspect
 import math
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,7 +16,7 @@ import numpy as np
 from bondem._checks import count, number, place, shown
 from bondem._types import Floats
 from bondem.calibration.secant import Secant
-from bondem.calibration.strength_runs import Runs, StrengthRun, Test
+from bondem.calibration.strength_runs import Runs, StrengthRun, Test, functions_of
 from bondem.calibration.strength_search import StrengthSearch
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import ConvergenceError, InputError
@@ -122,9 +123,7 @@ class StrengthCalibration:
         for test, (target, tolerance) in self.targets.items():
             found, first = self.nearest.mean(test), self.runs[0]
             begun = f", {first.mean(test) / 1e6:.4g} at the start" if test in first.measured else ""
-            lines.append(
-                f"  {test}: {found / 1e6:.4g} MPa for {target / 1e6:.4g} ± {tolerance / 1e6:.4g}{begun}"
-            )
+            lines.append(f"  {test}: {found / 1e6:.4g} MPa for {target / 1e6:.4g} ± {tolerance / 1e6:.4g}{begun}")
         for name in self.names:
             value, told = self.nearest.parameters[name], ""
             if self.sensitivities is not None:
@@ -149,6 +148,7 @@ def calibrate_strength(
     out: str | Path | None = None,
     about: str = "",
     progress: Callable[[str], None] | None = None,
+    executor: Executor | None = None,
 ) -> StrengthCalibration:
     """Find parameters of failure with which tests give strengths asked for.
 
@@ -158,7 +158,7 @@ def calibrate_strength(
 
     Args:
         tests: by name, functions of the parameters as keywords that return a strength [Pa], or one of each of
-            several packings, whose mean is calibrated.
+            several packings, whose mean is calibrated; or a list of functions, one for each packing.
         targets: of each test the strength and the tolerance [Pa].
         start: of each parameter a positive value to begin with.
         strengths: names of those parameters that, multiplied by one factor together, multiply all strengths by it. It
@@ -168,6 +168,9 @@ def calibrate_strength(
         out: folder of the runs; None keeps nothing.
         about: what the tests are made of (body, law, version of a rig); runs about something else are refused.
         progress: told of each test before it begins, in a line.
+        executor: carries out all tests of a run at once, those of lists one by one: a
+            `concurrent.futures.ProcessPoolExecutor`, or `Client.get_executor()` of a Dask cluster. Functions and what
+            they hold go to its workers by pickle. None does one test after the other.
 
     Returns:
         The calibration, reached or not: `.parameters` raises where it was not, and `.message` says by how much.
@@ -185,7 +188,9 @@ def calibrate_strength(
         raise InputError(f"{_WHO}: about = {shown(about)}; give a text")
     if progress is not None and not callable(progress):
         raise InputError(f"{_WHO}: progress = {shown(progress)}; give a function, or None")
-    made = Runs(tests, about, None if out is None else place(f"{_WHO}: out", out), progress)
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise InputError(f"{_WHO}: executor = {shown(executor)}; give one of concurrent.futures, or None")
+    made = Runs(tests, about, None if out is None else place(f"{_WHO}: out", out), progress, executor)
     found = StrengthSearch(made, names, goals, together, low, high, most).from_start(np.array(list(start.values())))
     sensitivities = None
     if found.secant is not None:
@@ -231,14 +236,18 @@ def _checked(tests: object, targets: object, start: object) -> dict[str, tuple[f
 
 def _takes(name: str, test: object, start: Mapping[str, float]) -> None:
     """Make sure that a test takes the parameters as keywords."""
-    if not callable(test):
-        raise InputError(f"{_WHO}: tests['{name}'] = {shown(test)}; give a function of the parameters")
-    try:
-        inspect.signature(test).bind(**start)
-    except (TypeError, ValueError):
+    parts = functions_of(test)
+    if not parts or not all(callable(part) for part in parts):
         raise InputError(
-            f"{_WHO}: test '{name}' does not take {', '.join(start)} as keywords; name its arguments as in start"
-        ) from None
+            f"{_WHO}: tests['{name}'] = {shown(test)}; give a function of the parameters, or a list of some"
+        )
+    for part in parts:
+        try:
+            inspect.signature(part).bind(**start)
+        except (TypeError, ValueError):
+            raise InputError(
+                f"{_WHO}: test '{name}' does not take {', '.join(start)} as keywords; name its arguments as in start"
+            ) from None
 
 
 def _scaled(names: tuple[str, ...], strengths: object) -> Floats:

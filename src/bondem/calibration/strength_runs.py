@@ -3,7 +3,9 @@
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +15,19 @@ from bondem._checks import shown
 from bondem.errors import InputError, UnstableRunError
 from bondem.io.atomic import require_folder, write_text
 
-#: A test: parameters by name → strength [Pa], or one of each of several packings.
-Test = Callable[..., float | Sequence[float]]
+#: A test: parameters by name → strength [Pa], or one of each of several packings; or a function for each packing.
+Test = Callable[..., float | Sequence[float]] | Sequence[Callable[..., float]]
 _FILE = "strength_calibration.json"
+
+
+def is_series(test: object) -> bool:
+    """Whether a test is a function for each packing."""
+    return isinstance(test, Sequence) and not isinstance(test, str)
+
+
+def functions_of(test: Any) -> list[Callable[..., object]]:
+    """The functions of a test, one for all packings or one for each."""
+    return list(test) if is_series(test) else [test]
 
 
 @dataclass(frozen=True)
@@ -46,6 +58,7 @@ class Runs:
         about: what the tests are made of; runs of a file with another one are refused.
         folder: of the file, or None.
         progress: told what is about to be tested.
+        executor: carries out all tests of a run at once; None does one after the other.
         kept: all single tests that are known: parameters, test, and strengths or why there are none.
     """
 
@@ -53,6 +66,7 @@ class Runs:
     about: str
     folder: Path | None
     progress: Callable[[str], None] | None
+    executor: Executor | None = None
     kept: list[dict[str, Any]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -82,29 +96,46 @@ class Runs:
         Raises:
             InputError: a test gave something else than positive numbers.
         """
+        missing = [name for name in self.tests if self._found(name, parameters) is None]
+        for together in [missing] if self.executor is not None else [[name] for name in missing]:
+            begun = {name: self._begin(number, name, parameters) for name in together}
+            failed = [self._keep(name, parameters, parts) for name, parts in begun.items()]
+            if any(failed):
+                break
         measured: dict[str, tuple[float, ...]] = {}
         for name in self.tests:
-            strength, failed = self._one(number, name, parameters)
-            if failed:
-                return StrengthRun(parameters, measured, f"{name}: {failed}")
-            measured[name] = tuple(strength)
+            row = self._found(name, parameters)
+            if row is None or row["failed"]:
+                return StrengthRun(parameters, measured, f"{name}: {row['failed']}" if row else "")
+            measured[name] = tuple(row["strength"])
         return StrengthRun(parameters, measured)
 
-    def _one(self, number: int, name: str, parameters: Mapping[str, float]) -> tuple[list[float], str]:
-        for row in self.kept:
-            if row["test"] == name and row["parameters"] == dict(parameters):
-                return row["strength"], row["failed"]
+    def _found(self, name: str, parameters: Mapping[str, float]) -> dict[str, Any] | None:
+        same = (row for row in self.kept if row["test"] == name and row["parameters"] == dict(parameters))
+        return next(same, None)
+
+    def _begin(self, number: int, name: str, parameters: Mapping[str, float]) -> list[Callable[[], object]]:
+        """What gives the strengths of a test; where there is an executor all of it is under way."""
         if self.progress is not None:
             told = ", ".join(f"{key} = {value:.5g}" for key, value in parameters.items())
             self.progress(f"run {number}, {name}: {told}")
+        parts = functions_of(self.tests[name])
+        if self.executor is None:
+            return [partial(part, **parameters) for part in parts]
+        under_way: list[Future[object]] = [self.executor.submit(part, **parameters) for part in parts]
+        return [one.result for one in under_way]
+
+    def _keep(self, name: str, parameters: Mapping[str, float], parts: list[Callable[[], object]]) -> str:
+        """Wait for a test and keep what it gave; why it gave nothing, if so."""
         strength, failed = list[float](), ""
         try:
-            strength = _strengths(name, self.tests[name](**parameters))
+            found = [part() for part in parts]
+            strength = _strengths(name, found if is_series(self.tests[name]) else found[0])
         except UnstableRunError as error:
             failed = " ".join(str(error).split())
         self.kept.append({"parameters": dict(parameters), "test": name, "strength": strength, "failed": failed})
         self._save()
-        return strength, failed
+        return failed
 
     def _save(self) -> None:
         if self.folder is None:

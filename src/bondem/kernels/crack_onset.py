@@ -116,13 +116,21 @@ def _portions(kind, pose, bonds, cells, stress, flow, onset, count):
         _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet)
 
 
+@device
+def _any(marks):
+    for k in range(len(marks)):
+        if marks[k] != 0:
+            return True
+    return False
+
+
 @loop(parallel=False)
 def judge_body(pose, bonds, body, work, table, threaded):
     """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
     cells, grips, n = body.cells, body.grips, len(pose)
     stress, flow, onset = table.stress, table.flow, table.onset
     for kind in range(3):  # one call in the code, as everything in it is compiled for each
-        if kind == _FACETS and onset.hotter.max() == 0:
+        if kind == _FACETS and not _any(onset.hotter):
             return False
         if threaded and n >= _SERIAL:
             _portions(kind, pose, bonds, cells, stress, flow, onset, n // _PORTION)
@@ -133,4 +141,4 @@ def judge_body(pose, bonds, body, work, table, threaded):
         elif kind == _YIELDING:
             book_loads(body.presses, flow, work)
             stretch_grips(grips, flow)
-    return onset.marked.max() > 0
+    return _any(onset.marked)
