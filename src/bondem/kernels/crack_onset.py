@@ -118,10 +118,10 @@ def _portions(kind, pose, bonds, cells, stress, flow, onset, count):
 
 @device
 def _any(marks):
+    most = 0
     for k in range(len(marks)):
-        if marks[k] != 0:
-            return True
-    return False
+        most = max(most, marks[k])
+    return most > 0
 
 
 @loop(parallel=False)
