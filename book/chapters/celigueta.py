@@ -30,7 +30,7 @@ SHEAR = study(
 )  # fmt: skip
 SMALLER = study(
     "celigueta", {"shear": "celigueta_shear"}, kept="celigueta_shear_smaller",
-    options="--count 20000 --seeds 1,2,3 --areas weighted --tests shear --processes 1",
+    options="--count 20000 --seeds 1,2,3,4,5 --areas weighted --tests shear --processes 1",
 )  # fmt: skip
 CONE = study(
     "celigueta", {}, kept="celigueta_shear_cone",
