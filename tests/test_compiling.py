@@ -4,6 +4,7 @@ import errno
 import os
 import subprocess
 import sys
+from operator import attrgetter
 
 import numpy as np
 import pytest
@@ -13,6 +14,10 @@ from numba.core.errors import TypingError
 
 from bondem import _compile
 from bondem._compile import device, kernel, loop, prange
+
+
+# Of a compiled function, what numba keeps its machine code in.
+code_of = attrgetter("library")
 
 
 @kernel(parallel=False)
@@ -129,7 +134,7 @@ def test_what_is_only_linked_has_no_machine_code_of_its_own(monkeypatch, tmp_pat
     monkeypatch.setitem(globals(), "shifted", inner)
     assert kernel(parallel=False)(shifted_twice.py_func)(np.arange(3.0), 2) == 9.0
     (made,) = inner.overloads.values()
-    assert made.library.get_pointer_to_function(made.fndesc.llvm_func_name) == 0
+    assert code_of(made).get_pointer_to_function(made.fndesc.llvm_func_name) == 0
 
 
 def long_sum(x, power):
@@ -147,7 +152,7 @@ def two_sums(x):
 
 def linkages(made):
     """Of all functions of compiled code, by name."""
-    return {one.name: one.linkage for one in made.library._final_module.functions if not one.is_declaration}
+    return {one.name: one.linkage for one in code_of(made)._final_module.functions if not one.is_declaration}
 
 
 def test_a_kernel_calls_its_own_copies_of_what_it_is_linked_from(monkeypatch, tmp_path):

@@ -91,7 +91,7 @@ class OwnCopies(Pruned):
         library = state.targetctx.codegen().create_library(state.func_id.func_qualname)
         library.__class__ = self._library
         library.enable_object_caching()
-        state.library = library
+        state["library"] = library
         return super().define_pipelines()
 
 
