@@ -15,7 +15,6 @@ from numba.core.errors import TypingError
 from bondem import _compile
 from bondem._compile import device, kernel, loop, prange
 
-
 # Of a compiled function, what numba keeps its machine code in.
 code_of = attrgetter("library")
 
