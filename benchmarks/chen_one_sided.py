@@ -116,7 +116,7 @@ def run_to_rest(
     return Rest(status, moved, gap, int(steps), steps * dt, pressed, at_rest, speed)
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _loop(place, pairs, bonds, pair, dash, inert, loads, gamma, reading, dt, count, slow, hold):
     """Leapfrog: forces at the whole steps, velocities between them; element 0 is held."""
     n, m = len(place), len(pairs)
@@ -204,7 +204,7 @@ def _loop(place, pairs, bonds, pair, dash, inert, loads, gamma, reading, dt, cou
     return count, largest, now, last
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _damp(force, velocity, gamma, reading):
     """Local damping of a force and a velocity, or of a torque and an angular velocity, in one of the readings."""
     if reading == 0:

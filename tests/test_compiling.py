@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from llvmlite.binding import Linkage
 from numba import typeof, types
-from numba.core.errors import TypingError
 
 from bondem import _compile
 from bondem._compile import device, kernel, loop, prange
@@ -217,46 +216,3 @@ def test_code_for_another_cpu_in_a_shared_cache_is_never_used(tmp_path):
         return int(done.stdout)
 
     assert [found(**other), found(), found(**other), found()] == [0, 0, 1, 1]
-
-
-@loop(parallel=False, allocates=True)
-def steps_up(n):
-    return np.arange(n) + 1.0
-
-
-@device
-def _first_two(x):
-    return x[:1], x[1:2]
-
-
-@kernel(parallel=False)
-def top_of(n):
-    return steps_up(n)[n - 1]
-
-
-@kernel(parallel=False, allocates=True)
-def sum_of_two(n):
-    one, other = _first_two(steps_up(n))
-    return one[0] + other[0]
-
-
-@kernel(parallel=False)
-def first_of_two(x):
-    return _first_two(x)[0][0]
-
-
-@kernel(parallel=False)
-def new_ones(n):
-    return np.ones(n)[0]
-
-
-def test_arrays_are_made_and_handed_on_only_where_their_references_are_counted():
-    """A view is handed on in both kinds of loops, and what is made is not let go too early, however often."""
-    assert [sum_of_two(n) for n in range(2, 2000)] == [3.0] * 1998
-    given = np.arange(5.0)
-    assert [first_of_two(given) for _ in range(1000)] == [0.0] * 1000
-    assert sys.getrefcount(given) == 2
-    with pytest.raises(TypeError, match="steps_up hands arrays to its caller: both need allocates=True"):
-        top_of(3)
-    with pytest.raises(TypingError):
-        new_ones(3)

@@ -218,6 +218,17 @@ def test_of_tests_at_once_those_that_are_done_are_kept_where_another_fails(tmp_p
     assert [(row["test"], bool(row["failed"])) for row in kept] == [("brazilian", True), ("ucs", False)]
 
 
+def test_what_failed_before_spares_the_tests_after_it(tmp_path):
+    def falls(tension, cohesion):
+        raise UnstableRunError("the run became unstable")
+
+    lab = Laboratory()
+    for _ in range(2):  # the second time the failure is in the file
+        with pytest.raises(UnstableRunError, match="at the start, ucs"):
+            bd.calibrate_strength({"ucs": falls, "brazilian": lab.brazilian}, TARGETS, START, out=tmp_path)
+    assert lab.asked == []
+
+
 def test_one_run_says_what_is_found_with_nothing_calibrated():
     fit = bd.calibrate_strength(Laboratory().tests, TARGETS, START, most=1)
     assert len(fit.runs) == 1

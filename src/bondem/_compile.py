@@ -30,7 +30,6 @@ from numba import prange
 from numba.core import event, types
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.registry import CPUDispatcher
-from numba.core.targetconfig import ConfigStack
 
 from bondem._linking import InlinedOnly, LaunchingOnly, LinkedOnly, OwnCopies
 from bondem._lock import alone
@@ -162,8 +161,7 @@ def say_nothing() -> None:
     _notice.said = True
 
 
-# Without counts of references, which no loop over arrays of others needs: a third of the time of a first run.
-_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True, "_nrt": False}
+_FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True}
 
 
 def _alone(what: str) -> AbstractContextManager[None]:
@@ -200,11 +198,7 @@ class _Shared(CPUDispatcher):
     _cache: Any
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
-        args, kws = [_any_value(a) for a in args], {k: _any_value(a) for k, a in kws.items()}
-        made: Any = super().get_call_template(args, kws)
-        if _counting() != self.targetoptions["_nrt"] and any(_arrays(sig.return_type) for sig in made[0].cases):
-            raise TypeError(f"{self.py_func.__qualname__} hands arrays to its caller: both need allocates=True")
-        return made
+        return super().get_call_template([_any_value(a) for a in args], {k: _any_value(a) for k, a in kws.items()})
 
     def enable_caching(self) -> None:
         super().enable_caching()
@@ -230,38 +224,14 @@ class _Shared(CPUDispatcher):
             return super().compile(sig)
 
 
-def _counting() -> bool:
-    """Whether what is being compiled counts references to arrays."""
-    flags: Any = ConfigStack.top_or_none()
-    return flags is not None and bool(flags.nrt)
-
-
-def _arrays(of: Any) -> bool:
-    """Whether there is an array in a type."""
-    return isinstance(of, types.Array) or any(_arrays(part) for part in getattr(of, "types", ()))
-
-
 class _Inlined(CPUDispatcher):
     """A function for other compiled ones only: called by Python it runs as plain Python.
 
-    It gets no entry for Python in machine code, which is a fifth of the time of a first run. It counts references to
-    arrays where the loop does that it is inlined into.
+    It gets no entry for Python in machine code, which is a fifth of the time of a first run.
     """
-
-    twin: Any = None
 
     def __call__(self, *args: Any, **named: Any) -> Any:
         return self.py_func(*args, **named)
-
-    def get_call_template(self, args: Any, kws: Any) -> Any:
-        if self.twin is not None and _counting():
-            return self.twin.get_call_template(args, kws)
-        return super().get_call_template(args, kws)
-
-    def get_overload(self, sig: Any) -> Any:
-        if self.twin is not None and _counting():
-            return self.twin.get_overload(sig)
-        return super().get_overload(sig)
 
 
 def device(function: F) -> F:
@@ -269,9 +239,7 @@ def device(function: F) -> F:
     if config.DISABLE_JIT:
         return function
     options = {"nopython": True, "forceinline": True, "no_cpython_wrapper": True, **_FLAGS}
-    made = _Inlined(function, targetoptions=options, pipeline_class=InlinedOnly)
-    made.twin = _Inlined(function, targetoptions={**options, "_nrt": True}, pipeline_class=InlinedOnly)
-    return cast(F, made)
+    return cast(F, _Inlined(function, targetoptions=options, pipeline_class=InlinedOnly))
 
 
 class _Within(_Shared):
@@ -281,14 +249,14 @@ class _Within(_Shared):
         raise TypeError(f"{self.py_func.__qualname__} is compiled for other loops only: decorate it as a kernel")
 
 
-def _compiled(function: F, dispatcher: type[_Shared], *, parallel: bool, allocates: bool, **more: bool) -> F:
+def _compiled(function: F, dispatcher: type[_Shared], *, parallel: bool, **more: bool) -> F:
     # the cache tells functions apart by name and line, not by flags: both kinds of one loop need two names
     twin = FunctionType(function.__code__, function.__globals__, function.__name__)
     twin.__doc__ = function.__doc__
     twin.__qualname__ = function.__qualname__ + ("_threaded" if parallel else "")
     if config.DISABLE_JIT:
         return cast(F, twin)
-    options = {"nopython": True, "nogil": True, "parallel": parallel, **_FLAGS, "_nrt": allocates, **more}
+    options = {"nopython": True, "nogil": True, "parallel": parallel, **_FLAGS, **more}
     with _own_cache():
         within = LaunchingOnly if parallel else LinkedOnly
         compiler = within if dispatcher is _Within else OwnCopies
@@ -297,26 +265,22 @@ def _compiled(function: F, dispatcher: type[_Shared], *, parallel: bool, allocat
     return cast(F, shared)
 
 
-def kernel(*, parallel: bool, allocates: bool = False) -> Callable[[F], F]:
+def kernel(*, parallel: bool) -> Callable[[F], F]:
     """Compile a loop over arrays that Python calls, cached on disk.
 
     Args:
         parallel: its `prange` runs on all threads.
-        allocates: it makes arrays; it cannot be compiled without this then.
     """
-    return lambda function: _compiled(function, _Shared, parallel=parallel, allocates=allocates)
+    return lambda function: _compiled(function, _Shared, parallel=parallel)
 
 
-def loop(*, parallel: bool, allocates: bool = False) -> Callable[[F], F]:
+def loop(*, parallel: bool) -> Callable[[F], F]:
     """Compile a loop over arrays that kernels and other loops call, cached on disk.
 
     Args:
         parallel: its `prange` runs on all threads.
-        allocates: it makes arrays; it cannot be compiled without this then.
     """
-    return lambda function: _compiled(
-        function, _Within, parallel=parallel, allocates=allocates, no_cpython_wrapper=True
-    )
+    return lambda function: _compiled(function, _Within, parallel=parallel, no_cpython_wrapper=True)
 
 
 def current_threads() -> int:

@@ -96,17 +96,18 @@ class Runs:
         Raises:
             InputError: a test gave something else than positive numbers.
         """
-        missing = [name for name in self.tests if self._found(name, parameters) is None]
-        for together in [missing] if self.executor is not None else [[name] for name in missing]:
-            begun = {name: self._begin(number, name, parameters) for name in together}
-            failed = [self._keep(name, parameters, parts) for name, parts in begun.items()]
-            if any(failed):
+        names, rows = list(self.tests), dict[str, dict[str, Any]]()
+        for together in [names] if self.executor is not None else [[name] for name in names]:
+            missing = [name for name in together if self._found(name, parameters) is None]
+            begun = {name: self._begin(number, name, parameters) for name in missing}
+            for name in together:
+                rows[name] = self._found(name, parameters) or self._keep(name, parameters, begun[name])
+            if any(row["failed"] for row in rows.values()):
                 break
         measured: dict[str, tuple[float, ...]] = {}
-        for name in self.tests:
-            row = self._found(name, parameters)
-            if row is None or row["failed"]:
-                return StrengthRun(parameters, measured, f"{name}: {row['failed']}" if row else "")
+        for name, row in rows.items():
+            if row["failed"]:
+                return StrengthRun(parameters, measured, f"{name}: {row['failed']}")
             measured[name] = tuple(row["strength"])
         return StrengthRun(parameters, measured)
 
@@ -125,17 +126,18 @@ class Runs:
         under_way: list[Future[object]] = [self.executor.submit(part, **parameters) for part in parts]
         return [one.result for one in under_way]
 
-    def _keep(self, name: str, parameters: Mapping[str, float], parts: list[Callable[[], object]]) -> str:
-        """Wait for a test and keep what it gave; why it gave nothing, if so."""
+    def _keep(self, name: str, parameters: Mapping[str, float], parts: list[Callable[[], object]]) -> dict[str, Any]:
+        """Wait for a test and keep what it gave, or why it gave nothing."""
         strength, failed = list[float](), ""
         try:
             found = [part() for part in parts]
             strength = _strengths(name, found if is_series(self.tests[name]) else found[0])
         except UnstableRunError as error:
             failed = " ".join(str(error).split())
-        self.kept.append({"parameters": dict(parameters), "test": name, "strength": strength, "failed": failed})
+        row = {"parameters": dict(parameters), "test": name, "strength": strength, "failed": failed}
+        self.kept.append(row)
         self._save()
-        return failed
+        return row
 
     def _save(self) -> None:
         if self.folder is None:

@@ -18,7 +18,7 @@ def _dilated(pose, cells, cracks, swelling, p):
     return 0.5 * pose[p, STRESS] ** 2 / W if W != 0.0 else 0.0
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def cell_energies(pose, rest, bonds, cells, grips, cracks):
     """Normal (with dilatation), shear, bending and twisting energy of all facets and cells [J].
 

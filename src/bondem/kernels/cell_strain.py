@@ -56,7 +56,7 @@ def _stretch(strained, cells):
         _stretch_portion(strained, cells, np.int64(d))
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _stretch_yielding(strained, grips, cells, cracks):
     """The same of cells with plastic strains, which act on the levers that they would have without."""
     if cracks is not None:  # decided when compiled

@@ -132,7 +132,7 @@ def yield_cell(pose, s, V, plastic, cone, given, p, a, v):
     return kept == 0.0
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def yield_cells(pose, stress, cells, hot, cracked, hotter, first, last):
     """Let the cells first … last yield, and find those whose facets are to be looked at, from `hot` on [Pa].
 

@@ -30,7 +30,7 @@ def _put(first, bond, begin, count, q, e):
     return count + 1
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def pair_candidates(
     start, neighbour, bond_start, bond_first, listed, rest_start, rest_first, rest_gap,
     kept_start, kept_first, kept_stretch,
@@ -97,7 +97,7 @@ def pair_candidates(
     )  # fmt: skip
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def wall_candidates(
     pose, radius, shape, walls, skin, rest_start, rest_wall, rest_gap, kept_start, kept_wall, kept_stretch
 ):  # fmt: skip

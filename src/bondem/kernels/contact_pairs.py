@@ -189,7 +189,7 @@ def look_at(c, k):
     c.nears[0] += 1
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _begin_pair(elements, period, contacts, k):
     """Let a pair that was passed over so far touch as it is, its tangential spring at rest; whether it touches."""
     look_at(contacts, k)

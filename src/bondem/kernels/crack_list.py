@@ -105,7 +105,7 @@ def bent_stress(s, n, bent):
     )  # fmt: skip
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def begin_cracks(pose, bonds, cells, stress, onset, cracks):
     """Facets that were marked begin to crack, in their order."""
     a, v = np.empty((3, 3)), np.empty((3, 3))

@@ -56,7 +56,7 @@ def pulled_by_bending(t, across, n, bent):
     return t, across
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _begin_facets(pose, bonds, cells, stress, onset, first, last):
     """Mark facets that begin to crack: they are pulled or sheared, and σ* reaches the strength of the criterion.
 
@@ -116,21 +116,13 @@ def _portions(kind, pose, bonds, cells, stress, flow, onset, count):
         _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet)
 
 
-@device
-def _any(marks):
-    most = 0
-    for k in range(len(marks)):
-        most = max(most, marks[k])
-    return most > 0
-
-
 @loop(parallel=False)
 def judge_body(pose, bonds, body, work, table, threaded):
     """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
     cells, grips, n = body.cells, body.grips, len(pose)
     stress, flow, onset = table.stress, table.flow, table.onset
     for kind in range(3):  # one call in the code, as everything in it is compiled for each
-        if kind == _FACETS and not _any(onset.hotter):
+        if kind == _FACETS and onset.hotter.max() == 0:
             return False
         if threaded and n >= _SERIAL:
             _portions(kind, pose, bonds, cells, stress, flow, onset, n // _PORTION)
@@ -141,4 +133,4 @@ def judge_body(pose, bonds, body, work, table, threaded):
         elif kind == _YIELDING:
             book_loads(body.presses, flow, work)
             stretch_grips(grips, flow)
-    return _any(onset.marked)
+    return onset.marked.max() > 0

@@ -82,7 +82,7 @@ def clear_crack_loads(table):
         clear_cracks(table.facets)
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def stresses_now(pose, body, table):
     """Stresses of all cells from the forces they bear now, as a run begins: its first record has their energies."""
     cells, cracks, moment = body.cells, table.facets, body.cells.moment

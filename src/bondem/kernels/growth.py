@@ -187,7 +187,7 @@ def _look_ahead(p, now, spheres, walls, near, growing, flight):
     _sift(flight, flight.place[p])
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def fly_and_grow(spheres, walls, near, growing, report):
     """Let the spheres fly and grow, as far as the neighbour list is valid.
 

@@ -120,7 +120,7 @@ def judge_block(pose, bonds, breaks, block, first, place):
     return 0 if softens else count
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def bond_indices(pose, bonds, kind, coefficient, station):
     """Index of every bond [-], 0 where broken, (m,)."""
     found = np.zeros(bonds.m)

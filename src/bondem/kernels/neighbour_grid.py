@@ -39,7 +39,7 @@ def _span(centre, cells, wraps):
     return centre - 1, centre + 1
 
 
-@kernel(parallel=True, allocates=True)
+@kernel(parallel=True)
 def neighbours(sphere, lower, upper, period, skin):
     """Pairs of spheres whose surfaces are at most `skin` apart.
 

@@ -142,7 +142,7 @@ def _steered(fire, longest, part):
     return back, fire[_DT], 0.0, 0.0
 
 
-@kernel(parallel=True, allocates=True)
+@kernel(parallel=True)
 def relax(spheres, walls, near, fire, limits, report):
     """Minimise the overlap energy, as far as the neighbour list is valid.
 

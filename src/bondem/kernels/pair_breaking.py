@@ -38,7 +38,7 @@ def _near(bonds, space, coefficient, k, m):
     return reached(where_positive(s, size, none), none + 1.0)
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _judge_domain(bonds, table, breaks, cut, d):
     """Mark the bonds of a domain that break."""
     first, count, last = breaks.begin[d], 0, cut.bond[cut.domain[d + 1]]
@@ -78,7 +78,7 @@ def judge_pairs(bonds, table, breaks, cut):
             breaks.held[bonds.i[k]] = breaks.held[bonds.j[k]] = 1
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _break_pair(elements, bonds, table, sums, added, contacts, breaks, k):
     """Take the force of a bond off the sums of its ends, which are where they were when it was found."""
     pose, first_row, output = elements.pose, breaks.first_row, table.output
@@ -115,7 +115,7 @@ def break_pairs(elements, bonds, table, sums, added, contacts, breaks):
             _break_pair(elements, bonds, table, sums, added, contacts, breaks, breaks.marked[e])
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def pair_indices(pose, bonds, table, coefficient, found):
     """Index of every bond by the stresses of a state [-], 0 where broken, into `found`, (m,)."""
     turn_stresses(pose, table, 0, len(table.inverse))

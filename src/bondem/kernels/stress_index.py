@@ -67,7 +67,7 @@ def may_reach(index, onset, s, square, matrix):
     return reaches(index, onset, (s[0] + more, s[1] + more, s[2] + more, s[3], s[4], s[5]), scale, matrix)
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def cool_cells(stress, onset, first, last):
     """Let the facets of those cells first … last be that are far below the criterion, into `onset.hotter`.
 

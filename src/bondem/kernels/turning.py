@@ -6,7 +6,7 @@ from bondem._compile import kernel
 from bondem.laws.rotations import rotate
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def turn_vectors(quaternion, vectors):
     """Vectors (k, 3), each turned by its unit quaternion (w, x, y, z), (k, 4)."""
     out = np.empty((len(vectors), 3))

@@ -109,8 +109,7 @@ def draw_geode(path: Path, quality: Fabric) -> None:
                             label="± chance, one deviation" if side > 0.0 else None)  # fmt: skip
         axes[2].set(xlabel="bonds over isotropic [-]", ylabel="faces")
         axes[2].set_title(f"rms beyond chance: {quality.rms_excess:.3f}")
-        axes[2].legend(loc="upper right", fontsize=8.0)
-        axes[2].set_ylim(0.0, 1.45 * axes[2].get_ylim()[1])
+        axes[2].legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), fontsize=8.0)
         axes[2].grid(axis="x", visible=False)
 
 

@@ -48,7 +48,7 @@ def _to_triangle(x, y, z, corner, side, normal):
     return nearest
 
 
-@kernel(parallel=True, allocates=True)
+@kernel(parallel=True)
 def _nearest(points, lower, upper, owner, corner, side, normal, triangle):
     """Find the nearest triangle of each point.
 

@@ -18,7 +18,7 @@ _FIRST = 10_000_000
 _NONE = np.int64(-1)
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _plane(sphere, x, a, b):
     """The radical plane of elements a and b, away from a, about x: normal and distance."""
     p, q, r = sphere[b, 0] - sphere[a, 0], sphere[b, 1] - sphere[a, 1], sphere[b, 2] - sphere[a, 2]
@@ -28,7 +28,7 @@ def _plane(sphere, x, a, b):
     return p, q, r, d + 0.5 * (length + (sphere[a, 3] ** 2 - sphere[b, 3] ** 2) / length)
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _share(solids, s, sphere, near, own, tolerance, pile, spare, lid, work):
     """What of solid s is nearer to `own` than to others of `near`: a pile, its faces and corners, another pile."""
     x = sphere[solids.cell[s]]
@@ -62,7 +62,7 @@ def _share(solids, s, sphere, near, own, tolerance, pile, spare, lid, work):
     return pile, faces, corners, spare
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _divided(solids, sphere, near, start, tolerance) -> Any:
     """See `divided`; what `Solids` has, and owners."""
     out_cell, out_face = np.empty(64, np.int64), np.zeros(65, np.int64)

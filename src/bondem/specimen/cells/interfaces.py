@@ -57,7 +57,7 @@ class Patches(NamedTuple):
     expected: Ints
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _part(rest, count, solids, of_face, g, x, y, z, tolerance, f, done, patches, corners, work, other):
     """Divide polygons by the piece that face g is of: what lies in its face goes to `done`, the rest is returned.
 
@@ -102,7 +102,7 @@ def _part(rest, count, solids, of_face, g, x, y, z, tolerance, f, done, patches,
     return left, kept, done, patches, corners
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _side(solids, of_face, groups, g, sign, tolerance, done, patches, corners, work, other):
     """Lay the faces of one side of a group over those of the other, from where `sign` 1 also wants what is shared."""
     mine, first, theirs, second = groups.plus, groups.first, groups.minus, groups.second
@@ -129,7 +129,7 @@ def _side(solids, of_face, groups, g, sign, tolerance, done, patches, corners, w
     return done, patches, corners
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _match(solids, of_face, groups, tolerance):
     """Patches of all groups: the face, that on the other side or -1, where corners begin, and corners."""
     done, patches, corners = new_pile(1024, 8192), ROW, ROW

@@ -134,7 +134,7 @@ class _Room(NamedTuple):
     other: Floats
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _gather(centres, i, near, far, found, offset):
     """List the elements at distances from `near` up to `far` from element i [m], images included."""
     position, period, count = centres.position, centres.period, centres.boxes
@@ -173,7 +173,7 @@ def _gather(centres, i, near, far, found, offset):
     return listed, found, offset
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _sort(offset, listed, order):
     """Order of what was listed, the nearest first (Shell's method)."""
     for p in range(listed):
@@ -191,7 +191,7 @@ def _sort(offset, listed, order):
         gap //= 3
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _begin(centres, i, half, room):
     """Make the cell a box about its centre, not beyond the walls of the box around all; return its faces."""
     plane = room.plane
@@ -218,7 +218,7 @@ def _begin(centres, i, half, room):
     return np.int64(6)
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _cut(room, faces, a, b, c, d, behind, farthest, tolerance):
     """Cut a cell of `faces` faces by a plane with the element `behind`; return its faces, -1 if it is not reached."""
     plane, tag, size, vertex, work, other = room
@@ -256,7 +256,7 @@ def _cut(room, faces, a, b, c, d, behind, farthest, tolerance):
     return kept if kept >= 4 else 0
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _radius(room, faces):
     """Distance of the farthest corner from the centre [m]."""
     far, vertex = 0.0, room.vertex
@@ -266,7 +266,7 @@ def _radius(room, faces):
     return math.sqrt(far)
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _narrow(centres, i, room, faces):
     """Whether a neighbour lies half a period away: its other image may be one, too."""
     for f in range(faces):
@@ -280,13 +280,13 @@ def _narrow(centres, i, room, faces):
     return False
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _ends(length, own, bound, farthest):
     """Whether no plane cuts of elements at a distance or beyond, by B."""
     return (1.0 - _SLOPE**2) * length - 2.0 * _SLOPE * bound - (bound**2 - own) / length >= 2.0 * farthest
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _needed(own, bound, largest, farthest):
     """Distance beyond which no plane cuts: the lesser of those by the largest radius of all and by B."""
     ahead, left = _SLOPE * bound + farthest, 1.0 - _SLOPE**2
@@ -294,7 +294,7 @@ def _needed(own, bound, largest, farthest):
     return min(near, farthest + math.sqrt(farthest * farthest + largest * largest - own))
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _shaped(centres, i, half, largest, room, found, offset, order):
     """Cut the cell of element i out of its box: how it ended, its faces, and the lists, which may have grown."""
     faces = _begin(centres, i, half, room)
@@ -327,7 +327,7 @@ def _shaped(centres, i, half, largest, room, found, offset, order):
     return _NARROW if _narrow(centres, i, room, faces) else _WELL, faces, found, offset, order
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _cells(centres, chosen, half) -> Any:
     """Cells of the chosen elements; see `plain_cells`.
 

@@ -20,13 +20,13 @@ class Pile(NamedTuple):
     vertex: Floats  #: shape (v, 3)
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def new_pile(polygons, corners):
     """An empty pile with room for some polygons and corners."""
     return Pile(np.empty((polygons, 4), np.int64), np.empty((polygons, 4)), np.empty((corners, 3)))
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def put(pile, polygons, corners, kind, tag, a, b, c, d, work, size):
     """Put a polygon on a pile that has some; returns the pile, which may have grown."""
     pile = Pile(roomy(pile.what, polygons + 1), roomy(pile.plane, polygons + 1), roomy(pile.vertex, corners + size))

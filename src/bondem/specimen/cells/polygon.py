@@ -14,7 +14,7 @@ MOST_CORNERS = 512
 ROW, TRIANGLE, SQUARE = np.int64(0), np.int64(3), np.int64(4)
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def clip(source, start, size, target, a, b, c, d):
     """Cut a polygon by a plane: the part with a x + b y + c z <= d.
 
@@ -50,7 +50,7 @@ def clip(source, start, size, target, a, b, c, d):
     return written if written >= 3 else 0
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def square(a, b, c, d, half, target):
     """Write a square of half-width `half` on the plane a x + b y + c z = d, about the foot of the origin."""
     if abs(a) < 0.6:
@@ -68,7 +68,7 @@ def square(a, b, c, d, half, target):
         target[k, 2] = d * c + s * uz + t * wz
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def height(source, start, size, a, b, c, d):
     """Lowest and highest value of a x + b y + c z - d over the corners of a polygon [m]."""
     low, high = np.inf, -np.inf
@@ -78,7 +78,7 @@ def height(source, start, size, a, b, c, d):
     return low, high
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def area(source, start, size):
     """Area of a polygon [m²]."""
     ox, oy, oz = source[start, 0], source[start, 1], source[start, 2]
@@ -92,7 +92,7 @@ def area(source, start, size):
     return 0.5 * math.sqrt(x * x + y * y + z * z)
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def copy(source, start, size, target, at):
     """Copy the corners of a polygon to rows of `target` from `at` on."""
     for k in range(size):
@@ -100,7 +100,7 @@ def copy(source, start, size, target, at):
             target[at + k, c] = source[start + k, c]
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def reverse(source, size):
     """Reverse the corners of the polygon in the first rows: it faces the other way then."""
     for k in range(size // 2):
@@ -108,7 +108,7 @@ def reverse(source, size):
             source[k, c], source[size - 1 - k, c] = source[size - 1 - k, c], source[k, c]
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def roomy(values, needed) -> Any:
     """The same rows, (k, c), or a longer copy where there are fewer than `needed`."""
     if values.shape[0] >= needed:
@@ -120,7 +120,7 @@ def roomy(values, needed) -> Any:
     return longer
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def roomy_list(values, needed) -> Any:
     """The same numbers, (k,), or a longer copy where there are fewer than `needed`."""
     if values.shape[0] >= needed:

@@ -76,7 +76,7 @@ def joined(parts: Sequence[Solids]) -> Solids:
     )
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _areas(corner, vertex, area, centroid, moment):
     for f in range(corner.size - 1):
         start, end = corner[f], corner[f + 1]
@@ -126,7 +126,7 @@ def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floa
     return area, centroid, moment
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _volumes(solids, volume, first, second, middle, farthest, beyond):
     face, plane, corner, vertex = solids.face, solids.plane, solids.corner, solids.vertex
     for s in range(face.size - 1):

@@ -33,7 +33,7 @@ from bondem.specimen.cells.walls import WallTree
 FACE, _WALL = np.int64(0), np.int64(1)
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _near(vertex, begin, end, x, walls, found):
     """List the triangles whose boxes meet the box around corners `begin` to `end` about the centre x (3,)."""
     low, high = np.empty(3), np.empty(3)
@@ -63,7 +63,7 @@ def _near(vertex, begin, end, x, walls, found):
     return listed, found
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _whole(solids, s, x, walls, tolerance, pile, found, work, other):
     """Put a cell on the empty pile, and all that walls have within it; returns the pile and what is on it."""
     polygons, corners, first, last = ROW, ROW, solids.face[s], solids.face[s + 1]
@@ -96,7 +96,7 @@ def _whole(solids, s, x, walls, tolerance, pile, found, work, other):
     return pile, polygons, corners, found
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _largest(pile, polygons):
     """The wall polygon with the largest area, or -1 if there is none."""
     best, most = -1, 0.0
@@ -108,7 +108,7 @@ def _largest(pile, polygons):
     return best
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def section(pile, polygons, a, b, c, d, tolerance, work, other):
     """The section of a piece by a plane, in `work`; its number of corners."""
     far = 0.0
@@ -127,7 +127,7 @@ def section(pile, polygons, a, b, c, d, tolerance, work, other):
     return size
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def lower_part(piece, polygons, split, a, b, c, d, tolerance, stack, on, corners, work):
     """Put the part of a piece below a plane on a stack, without its new face; `split` is the wall that splits."""
     for p in range(polygons):
@@ -143,7 +143,7 @@ def lower_part(piece, polygons, split, a, b, c, d, tolerance, stack, on, corners
     return stack, on, corners
 
 
-@loop(parallel=False, allocates=True)
+@loop(parallel=False)
 def _taken(stack, first, on, piece):
     """Copy the uppermost piece of a stack, its polygons from `first` on."""
     begin = stack.what[first, START]
@@ -157,7 +157,7 @@ def _taken(stack, first, on, piece):
     return piece
 
 
-@kernel(parallel=False, allocates=True)
+@kernel(parallel=False)
 def _pieces(solids, position, walls, tolerance) -> Any:
     """Split cells; see `trimmed`.
 
