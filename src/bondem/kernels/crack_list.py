@@ -1,7 +1,5 @@
 """The list of cracked facets, in the order in which they began, and the cracks of each cell."""
 
-import math
-
 import numpy as np
 
 from bondem._compile import device, loop
@@ -27,13 +25,9 @@ from bondem.kernels.crack_tables import (
 )
 from bondem.kernels.single_facets import column, facet_of, facets_of, orientation, present_normal, resistance
 from bondem.kernels.stress_index import by_address, strength_along
-from bondem.laws.cell_energy import scalar
-from bondem.laws.softening import opening_force
 
 # What stands for the integrity a step ago of a crack that begins: its rate is found first.
 NEW = 2.0
-# A facet begins at this share of its strength at least.
-LEAST_START = 0.02
 
 
 @device
@@ -93,7 +87,7 @@ def list_cracks(bonds, cracks):
 
 @device
 def bent_stress(s, n, bent):
-    """Mean stress s of two cells with what bending pulls along n beyond it, as it directs the crack [Pa]."""
+    """Mean stress s of two cells with what bending pulls along n beyond it, by which a criterion is judged [Pa]."""
     along = (
         s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2]
         + 2.0 * (s[3] * n[0] * n[1] + s[4] * n[0] * n[2] + s[5] * n[1] * n[2])
@@ -109,28 +103,23 @@ def bent_stress(s, n, bent):
 def begin_cracks(pose, bonds, cells, stress, onset, cracks):
     """Facets that were marked begin to crack, in their order."""
     a, v = np.empty((3, 3)), np.empty((3, 3))
-    marked, strength, force = onset.marked, onset.strength, cells.force
+    marked, force = onset.marked, cells.force
     for k in range(bonds.m):
         if marked[k] == 0:
             continue
         c = cracks.sizes[CRACKS]
-        row, start = cracks.row[c], 0.0
+        row, strength = cracks.row[c], 0.0
         if marked[k] == 1:
-            f, A = column(force, k), cracks.area[k]
+            strength = onset.strength[k]
+        if marked[k] == 1 and onset.judge != 0:
             mean = pair_stress(stress.tensor, bonds.i[k], bonds.j[k])
             i, j = orientation(pose, bonds.i[k]), orientation(pose, bonds.j[k])
             bent = bending_opening(i, j, cells.bends[k], resistance(cells, 1.0, k), mean)
-            normal = present_normal(pose, bonds, cells, k)
-            mean = bent_stress(mean, normal, bent)
-            high, _, one, _ = principal_stresses(mean, a, v)
-            slope = abs(scalar(normal, (v[0, one], v[1, one], v[2, one])))
-            f, _ = opening_force(f, normal)
-            most = strength[k]
-            if onset.judge != 0:
-                most = strength_along(by_address, onset, mean, high, most, a)
-            start = min(math.sqrt(scalar(f, f) / (A * A) + bent * bent), most * max(slope, LEAST_START))
+            mean = bent_stress(mean, present_normal(pose, bonds, cells, k), bent)
+            high, _, _, _ = principal_stresses(mean, a, v)
+            strength = strength_along(by_address, onset, mean, high, strength, a)
         row[:] = 0.0
-        row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
+        row[FACET], row[ONSET], row[BEFORE] = k, strength, NEW
         write_three(cracks.pull, c, 0, column(force, k))
         cracks.sizes[CRACKS] += 1
         cracks.facet[c] = k

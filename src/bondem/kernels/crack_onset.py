@@ -9,19 +9,19 @@ import numpy as np
 from bondem._compile import device, loop, prange
 from bondem.kernels.cell_stress import cell_stresses, pair_stress, surface_stresses
 from bondem.kernels.cell_yield import book_loads, stretch_cells, stretch_grips, yield_cells
-from bondem.kernels.crack_energy import bending_opening
-from bondem.kernels.single_facets import column, orientation, resistance
+from bondem.kernels.crack_energy import bending_opening, bending_traction
+from bondem.kernels.single_facets import column, orientation, present_normal, resistance
 from bondem.kernels.stress_index import by_address, cool_cells, reaches
 from bondem.laws.cell_energy import scalar, turned_by
 from bondem.laws.plasticity import below
-from bondem.laws.softening import plus
+from bondem.laws.softening import left_on_plane, plus
 
 # Below this many cells launching threads costs more than the loop.
 _SERIAL = 1000
 # Cells of one portion of work.
 _PORTION = 500
 # What is done to a portion.
-_STRESSES, _YIELDING, _FACETS = range(3)
+_STRESSES, _YIELDING, _FACETS, _PLANES = range(4)
 
 
 @device
@@ -57,7 +57,7 @@ def pulled_by_bending(t, across, n, bent):
 
 
 @loop(parallel=False)
-def _begin_facets(pose, bonds, cells, stress, onset, first, last):
+def _begin_facets(pose, bonds, cells, stress, onset, plane, first, last):
     """Mark facets that begin to crack: they are pulled or sheared, and σ* reaches the strength of the criterion.
 
     Bending adds to the traction that pulls (`bondem.laws.softening`). The strength is f_t for the largest principal
@@ -74,6 +74,8 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
             continue
         if hot == 2:
             marked[k] = 2
+            continue
+        if plane[k] != 0:
             continue
         n = turned_by(orientation(pose, i), column(normal, k))
         f, A = column(force, k), area[k]
@@ -94,8 +96,27 @@ def _begin_facets(pose, bonds, cells, stress, onset, first, last):
 
 
 @loop(parallel=False)
-def _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet):
-    """What `kind` says, of the cells or facets from the first of a pair of numbers to the second."""
+def _begin_planes(pose, bonds, cells, onset, cracks, first, last):
+    """Mark those of the facets first … last of material planes that begin to crack by their own traction."""
+    listed, marked, area, force = onset.listed, onset.marked, onset.area, cells.force
+    for e in range(first, last):
+        k = onset.plane[e]
+        if listed[k] != 0 or marked[k] != 0:
+            continue
+        f, A, p, q = column(force, k), area[k], orientation(pose, bonds.i[k]), orientation(pose, bonds.j[k])
+        bent = bending_traction(p, q, cells.bends[k], resistance(cells, 1.0, k))
+        t, n = (f[0] / A, f[1] / A, f[2] / A), present_normal(pose, bonds, cells, k)
+        left = left_on_plane(
+            1.0, t, n, bent, onset.strength[k], cracks.last[k], cracks.cohesion[k], cracks.last_slip[k],
+            cracks.friction[k], cracks.kink, cracks.steep,
+        )  # fmt: skip
+        if left < 1.0:
+            marked[k] = 1
+
+
+@loop(parallel=False)
+def _portion(kind, pose, bonds, cells, stress, flow, onset, cracks, cell, facet, plane):
+    """Do what `kind` says to the cells, facets or planes from the first of a pair of numbers to the second."""
     if kind == _STRESSES:
         cell_stresses(cells.moment, stress, cell[0], cell[1])
     elif kind == _YIELDING:
@@ -104,30 +125,40 @@ def _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet):
             cool_cells(stress, onset, cell[0], cell[1])
         if flow.yielding:
             stretch_cells(cells, flow, False, cell[0], cell[1])
+    elif kind == _FACETS:
+        _begin_facets(pose, bonds, cells, stress, onset, cracks.plane, facet[0], facet[1])
     else:
-        _begin_facets(pose, bonds, cells, stress, onset, facet[0], facet[1])
+        _begin_planes(pose, bonds, cells, onset, cracks, plane[0], plane[1])
 
 
 @loop(parallel=True)
-def _portions(kind, pose, bonds, cells, stress, flow, onset, count):
-    n, m = len(pose), bonds.m
+def _portions(kind, pose, bonds, cells, stress, flow, onset, cracks, count):
+    n, m, planes = len(pose), bonds.m, len(onset.plane)
     for d in prange(count):
         cell, facet = (n * d // count, n * (d + 1) // count), (m * d // count, m * (d + 1) // count)
-        _portion(kind, pose, bonds, cells, stress, flow, onset, cell, facet)
+        plane = planes * d // count, planes * (d + 1) // count
+        _portion(kind, pose, bonds, cells, stress, flow, onset, cracks, cell, facet, plane)
 
 
 @loop(parallel=False)
 def judge_body(pose, bonds, body, work, table, threaded):
-    """Stresses of all cells a step ago; cells yield, and facets that begin to crack are marked. Whether any do."""
+    """Find the stresses of all cells a step ago, let cells yield, and mark facets that begin to crack.
+
+    Returns:
+        Whether any facet begins.
+    """
     cells, grips, n = body.cells, body.grips, len(pose)
-    stress, flow, onset = table.stress, table.flow, table.onset
-    for kind in range(3):  # one call in the code, as everything in it is compiled for each
+    stress, flow, onset, cracks = table.stress, table.flow, table.onset, table.facets
+    for kind in range(4):  # one call in the code, as everything in it is compiled for each
         if kind == _FACETS and onset.hotter.max() == 0:
-            return False
+            continue
+        if kind == _PLANES and len(onset.plane) == 0:
+            continue
         if threaded and n >= _SERIAL:
-            _portions(kind, pose, bonds, cells, stress, flow, onset, n // _PORTION)
+            _portions(kind, pose, bonds, cells, stress, flow, onset, cracks, n // _PORTION)
         else:
-            _portion(kind, pose, bonds, cells, stress, flow, onset, (0, n), (0, bonds.m))
+            every = (0, n), (0, bonds.m), (0, len(onset.plane))
+            _portion(kind, pose, bonds, cells, stress, flow, onset, cracks, every[0], every[1], every[2])
         if kind == _STRESSES:
             surface_stresses(pose, grips, body.presses, stress, flow.pressed)
         elif kind == _YIELDING:

@@ -8,6 +8,8 @@ rounding. What is done with a crack or a cell by itself is done on all threads, 
 list: no bit depends on threads. See `bondem.laws.softening`.
 """
 
+import numpy as np
+
 from bondem._compile import loop, prange
 from bondem.kernels.cell_stress import cell_stresses, surface_stresses
 from bondem.kernels.crack_list import begin_cracks, list_cracks
@@ -42,6 +44,7 @@ def _portion(kind, elements, bonds, cells, cracks, share, count):
         listed = TREATED_ONES
     first, last = sizes[listed] * share // count, sizes[listed] * (share + 1) // count
     pose, n = elements.pose, len(elements.pose)
+    a, v = np.empty((3, 3)), np.empty((3, 3))
     if kind == _MOMENTS:
         add_crack_moments(pose, cells, cracks, first, last)
     elif kind == _MEASURE:
@@ -50,9 +53,9 @@ def _portion(kind, elements, bonds, cells, cracks, share, count):
     elif kind in (_RELAX, _RELAX_AGAIN):
         relax_cells(pose, cells, cracks, kind == _RELAX_AGAIN, first, last)
     elif kind == _REST:
-        look_at_rest(pose, bonds, cells, cracks, first, last)
+        look_at_rest(pose, bonds, cells, cracks, a, v, first, last)
     elif kind == _SOFTEN:
-        soften(pose, bonds, cells, cracks, first, last)
+        soften(pose, bonds, cells, cracks, a, v, first, last)
     elif kind == _SUMS:
         hand_out_cracks(cracks, elements.loss, first, last)
     else:

@@ -6,9 +6,12 @@ whatever thread; what concerns others too is done by one thread, in the order of
 
 import math
 
+import numpy as np
+
 from bondem._compile import device, kernel, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_stress import pair_stress
+from bondem.kernels.cell_yield import principal_stresses
 from bondem.kernels.contact_pairs import let_touch
 from bondem.kernels.crack_energy import bending_traction, halves, opened_at_most, opened_by, stretched
 from bondem.kernels.crack_list import NEW, known, link_cracks, read_three, treat, weigh_cracked, write_three
@@ -41,12 +44,12 @@ from bondem.kernels.crack_tables import (
 )
 from bondem.kernels.single_facets import column, frame, orientation, resistance
 from bondem.laws.cell_energy import opened, scalar, turned_by
-from bondem.laws.softening import plus, softened
+from bondem.laws.softening import LEAST_SLOPE, left_in_bulk, left_on_plane, opening_force, plus, softened, softens_at
 
 # By how much the integrity of a facet that softens falls in a step at most.
 _FASTEST = 0.1
-# A resting crack wakes at these shares of the force at which it softens, and of its force across it; it goes to rest
-# well below. Too early costs time only.
+# A resting crack wakes at these shares of the traction at which it softens, and of its force across it; it goes to
+# rest well below. Too early costs time only.
 _CALM, _ASLEEP, _GRAZING = 0.98, 0.9, 0.1
 # Faces whose normals are further apart than this cosine do not bear on each other as planes any more.
 _FACING = 0.7
@@ -162,37 +165,83 @@ def hand_over(bonds, cells, cracks, c, k, sign):
 
 
 @device
-def stays_at_rest(K, gap, u, v, one, other, top, bent):
-    """Whether a resting crack of shares u and v, between cells of stresses `one` and `other`, is far from waking.
+def unsoftened_below(s, strength, last, plane, cohesion, friction, kink, steep):
+    """Traction of a facet of integrity s below which it does not soften, whatever its direction [Pa]."""
+    if s == 0.0:
+        return math.inf
+    if plane != 0:
+        slips = cohesion / math.sqrt(1.0 + friction * friction)
+        return min(strength, slips) if s == 1.0 or last > 0.0 else 0.0
+    return softens_at(s, LEAST_SLOPE * strength, last, kink, steep)
 
-    `bent` is what bending adds to its force [N].
+
+@device
+def stays_at_rest(f, across, size, top):
+    """Whether a resting crack is far from waking: whether it cannot soften, and is open.
+
+    Args:
+        f: its force as if it were whole [N].
+        across: a vector along its normal, about.
+        size: of the force, with what bending adds to it [N].
+        top: force below which it does not soften [N].
     """
-    f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), one, u), other, v)
-    across = plus(u, 1.0, v)  # about along the normal
-    square, along = scalar(f, f), scalar(f, across)
-    calm = square + bent * bent < (_CALM * top) ** 2
-    return calm and along > _GRAZING * math.sqrt(square * scalar(across, across))
+    along = scalar(f, across)
+    return size < _CALM * top and along > _GRAZING * math.sqrt(scalar(f, f) * scalar(across, across))
 
 
 @loop(parallel=False)
-def look_at_rest(pose, bonds, cells, cracks, first, last):
-    """Flag those of the resting cracks first … last that are about to soften or close."""
-    row, flag, facet, resting, tensor = cracks.row, cracks.flag, cracks.facet, cracks.resting, cracks.tensor
-    at_i, at_j, stiff, bends, area = bonds.i, bonds.j, cells.k, cells.bends, cracks.area
+def integrity_at(cracks, c, k, s, t, n, bent, mean, a, v):
+    """Integrity of crack c, of facet k, at most s, by the softening curve alone.
+
+    Args:
+        t: traction that it would have if it were whole [Pa].
+        n: its normal.
+        bent: T_b [Pa].
+        mean: mean stress of its cells [Pa].
+        a, v: (3, 3) to use.
+    """
+    strength, last, kink, steep = cracks.row[c, ONSET], cracks.last[k], cracks.kink, cracks.steep
+    if last == 0.0 and s < 1.0:  # what breaks at once goes on
+        return 0.0
+    if strength == 0.0:  # a cell of it has no cohesion
+        opening, _ = opening_force(t, n)
+        return softened(s, math.sqrt(scalar(opening, opening) + bent * bent), 0.0, last, kink, steep)
+    if cracks.plane[k] != 0:
+        return left_on_plane(
+            s, t, n, bent, strength, last, cracks.cohesion[k], cracks.last_slip[k], cracks.friction[k], kink, steep
+        )
+    bent = opened_by(bent, mean)
+    principal_stresses(mean, a, v)
+    return left_in_bulk(s, t, n, bent, v, strength, last, kink, steep)
+
+
+@device
+def wakes(pose, bonds, cells, cracks, c, place, a, v):
+    """Whether the resting crack c is about to soften or close; `place` is its `frame`, a and v are (3, 3) to use."""
+    k, top = np.int64(cracks.facet[c]), cracks.row[c, TOP]
+    i, j, K, A = bonds.i[k], bonds.j[k], cells.k[k], cracks.area[k]
+    d, p, q, arm_i, arm_j, one, other = place
+    gap, one, other = opened(d, turned_by(p, arm_i), turned_by(q, arm_j)), turned_by(p, one), turned_by(q, other)
+    f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), pose[i, STRESS], one), pose[j, STRESS], other)
+    across, bent = plus(one, 1.0, other), 0.0
+    if top < math.inf:
+        bent = bending_traction(p, q, cells.bends[k], resistance(cells, 1.0, k))
+    if stays_at_rest(f, across, math.sqrt(scalar(f, f) + (A * bent) ** 2), top):
+        return False
+    if top == math.inf or not stays_at_rest(f, across, 0.0, top):
+        return True
+    s, near = cracks.integrity[k], 1.0 / _CALM
+    t, n = (near / A * f[0], near / A * f[1], near / A * f[2]), turned_by(p, column(cells.normal, k))
+    return integrity_at(cracks, c, k, s, t, n, near * bent, pair_stress(cracks.tensor, i, j), a, v) < s
+
+
+@loop(parallel=False)
+def look_at_rest(pose, bonds, cells, cracks, a, v, first, last):
+    """Flag those of the resting cracks first … last that are about to soften or close; a and v are (3, 3) to use."""
+    flag, resting, facet = cracks.flag, cracks.resting, cracks.facet
     for e in range(first, last):
         c = resting[e]
-        k, flag[c] = facet[c], 0
-        d, p, q, a, b, u, v = frame(pose, bonds, cells, k)
-        gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
-        K, one, other, top = stiff[k], pose[at_i[k], STRESS], pose[at_j[k], STRESS], row[c, TOP]
-        if top == math.inf:
-            flag[c] = 0 if stays_at_rest(K, gap, u, v, one, other, top, 0.0) else WAKES
-            continue
-        mean = pair_stress(tensor, at_i[k], at_j[k])
-        bent = bending_traction(p, q, bends[k], resistance(cells, 1.0, k))
-        if not stays_at_rest(K, gap, u, v, one, other, top, area[k] * opened_at_most(bent, mean)):
-            if not stays_at_rest(K, gap, u, v, one, other, top, area[k] * opened_by(bent, mean)):
-                flag[c] = WAKES
+        flag[c] = WAKES if wakes(pose, bonds, cells, cracks, c, frame(pose, bonds, cells, facet[c]), a, v) else 0
 
 
 @device
@@ -233,51 +282,56 @@ def wake_cracks(pose, bonds, cells, contacts, cracks):
 
 
 @loop(parallel=False)
-def soften(pose, bonds, cells, cracks, first, last):
+def soften(pose, bonds, cells, cracks, a, v, first, last):
     """Integrities of the cracks first … last of those that are treated one by one, at their present openings.
 
-    Those that rest or part now are flagged.
+    Those that rest or part now are flagged; a and v are (3, 3) to use.
     """
     rows, active, flag, integrity = cracks.row, cracks.active, cracks.flag, cracks.integrity
     half, geometry, at_i, at_j = cracks.half, cracks.geometry, bonds.i, bonds.j
-    lasting, fastest, area, tensor = cracks.last, cracks.fastest, cracks.area, cracks.tensor
-    bends, kink, steep = cells.bends, cracks.kink, cracks.steep
+    lasting, fastest, area, tensor, bends = cracks.last, cracks.fastest, cracks.area, cracks.tensor, cells.bends
     for e in range(first, last):
         c = active[e]
         flag[c] = 0
         k, K, w, gap, normal, shares, stresses = known(pose, bonds, cells, cracks, c)
-        (one, press_i), (other, press_j) = halves(K, w, gap, normal, shares, stresses)
-        s, before, onset = integrity[k], rows[c, BEFORE], rows[c, ONSET]
-        whole = plus((w * one[0], w * one[1], w * one[2]), 1.0 - w, other)
-        square, new, rows[c, BEFORE] = scalar(whole, whole), 0.0, s
-        pull = force = math.sqrt(square)
+        s, before, strength = integrity[k], rows[c, BEFORE], rows[c, ONSET]
+        rows[c, BEFORE] = s
+        if before == NEW:
+            continue
+        if s == 0.0 and turned_away(geometry, c, area[k]):
+            flag[c] = TO_PART
+            continue
+        f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), stresses[0], shares[0]), stresses[1], shares[1])
+        new, calm = s, s == 0.0
         if s > 0.0:
             i, j, A = at_i[k], at_j[k], area[k]
-            p, q, mean = orientation(pose, i), orientation(pose, j), pair_stress(tensor, i, j)
-            bent = bending_traction(p, q, bends[k], resistance(cells, 1.0, k))
-            most = fastest[k] if onset == 0.0 or lasting[k] == 0.0 else _FASTEST
-            opens = opened_at_most(bent, mean)
-            for exact in range(2):  # the bound alone, where nothing is beyond it
-                force = math.sqrt(square + A * A * opens * opens)
-                new = max(softened(s, force / A, onset, lasting[k], kink, steep), s - most)
-                if exact == 1 or opens == 0.0 or (new == s and before != NEW and force < _ASLEEP * rows[c, TOP]):
-                    break
-                opens = opened_by(bent, mean)
-            if new < 1e-9:
-                new = 0.0
-        if before == NEW:
-            rows[c, TOP] = max(rows[c, TOP], force)
-            continue
+            t, mean = (f[0] / A, f[1] / A, f[2] / A), pair_stress(tensor, i, j)
+            bent = bending_traction(
+                orientation(pose, i), orientation(pose, j), bends[k], resistance(cells, 1.0, k)
+            )
+            opens = bent if cracks.plane[k] != 0 or strength == 0.0 else opened_at_most(bent, mean)
+            least = unsoftened_below(
+                s, strength, lasting[k], cracks.plane[k], cracks.cohesion[k], cracks.friction[k], cracks.kink,
+                cracks.steep,
+            )  # fmt: skip
+            calm = math.sqrt(scalar(t, t) + opens * opens) < _ASLEEP * least
+            rows[c, TOP] = A * least
+            if not calm:
+                most = fastest[k] if strength == 0.0 or lasting[k] == 0.0 else _FASTEST
+                new = max(integrity_at(cracks, c, k, s, t, normal, bent, mean, a, v), s - most)
+                new = 0.0 if new < 1e-9 else new
+                if new == s:
+                    near = 1.0 / _ASLEEP
+                    t = near * t[0], near * t[1], near * t[2]
+                    calm = integrity_at(cracks, c, k, s, t, normal, near * bent, mean, a, v) == s
         if new < s:
             integrity[k] = new
             half[2 * c, LOOSE] = half[2 * c + 1, LOOSE] = (1.0 - new) / K
-            rows[c, TOP] = max(rows[c, TOP], force)
             flag[c] = FELL
-        elif s == 0.0 and turned_away(geometry, c, area[k]):
-            flag[c] = TO_PART
-        elif press_i == 0.0 and press_j == 0.0:
-            calm = s == 0.0 or force < _ASLEEP * rows[c, TOP]
-            if calm and scalar(whole, normal) > 2.0 * _GRAZING * pull:
+        elif calm:
+            (_, press_i), (_, press_j) = halves(K, w, gap, normal, shares, stresses)
+            opened_so = press_i == 0.0 and press_j == 0.0
+            if opened_so and scalar(f, normal) > 2.0 * _GRAZING * math.sqrt(scalar(f, f)):
                 flag[c] = CALMED
 
 

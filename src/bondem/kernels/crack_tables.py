@@ -4,9 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-# Columns of a cracked facet: which, traction it began at [Pa], slip in the frame of cell i [m], -∂U/∂s now [J],
-# how it is treated, integrity a step ago, friction force a step ago in space [N], energy dissipated [J], largest
-# A T [N]. Once faces no longer face each other, the last is the distance of centres at which their cells touch [m].
+# Columns of a cracked facet: which, strength [Pa] (0 where a cell of it had lost its cohesion), slip in the frame of
+# cell i [m], -∂U/∂s now [J], how it is treated, integrity a step ago, friction force a step ago in space [N], energy
+# dissipated [J], and of a crack at rest the force below which it does not soften, whatever its direction [N]. Once
+# faces no longer face each other, the last is the distance of centres at which their cells touch [m].
 FACET, ONSET, SLIP, RATE, STATUS, BEFORE, RUB, SPENT, TOP = 0, 1, 2, 5, 6, 7, 8, 11, 12
 CRACK_COLUMNS = 13
 # How cracked facets are treated: one by one; as facets of less stiffness among all others, while they are open and do
@@ -62,6 +63,7 @@ class Onset(NamedTuple):
 
     strength: np.ndarray  #: f_t of each facet [Pa], (m,)
     area: np.ndarray  #: [m²], (m,)
+    plane: np.ndarray  #: facets of material planes, judged by their traction, (p,)
     hot: float  #: largest principal stress of a cell from which its facets are looked at [Pa]
     judge: int  #: address of the function that judges a stress, 0 for the largest principal stress
     given: np.ndarray  #: parameters of that function
@@ -86,6 +88,9 @@ class CrackedFacets(NamedTuple):
     kink: float  #: of the softening curve, and
     steep: float  #: its first line (`bondem.laws.softening.softened`)
     friction: np.ndarray  #: μ of each facet, (m,)
+    plane: np.ndarray  #: 1 for facets of material planes, uint8, (m,)
+    cohesion: np.ndarray  #: of these [Pa], inf for those that do not slip and for all others, (m,)
+    last_slip: np.ndarray  #: k u / A of these where no cohesion is left [Pa], (m,)
     tensor: np.ndarray  #: that of `CellStresses`
     weight: np.ndarray  #: λ / V of each cell with all its facets [Pa/m³], (n,)
     slack_i: np.ndarray  #: what 1 / weight of cell i gains where the facet parts [m³/Pa], (m,)

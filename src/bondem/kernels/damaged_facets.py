@@ -39,7 +39,8 @@ class Borne(NamedTuple):
 
     traction: np.ndarray  #: (m, 3)
     bending: np.ndarray  #: (m,)
-    opening: np.ndarray  #: |F⁺| / A of facets that have lost integrity, (m,)
+    opening: np.ndarray  #: F / A of facets that have lost integrity, as if they were whole, (m, 3)
+    opened: np.ndarray  #: |F⁺| / A of these, (m,)
     turned: np.ndarray  #: halves of these that close or open, (m, 2)
     moment: np.ndarray  #: V σ of cells, to which facets add, xx, yy, zz, xy, xz, yz, (n, 6)
 
@@ -125,10 +126,13 @@ def load_facets(facets, phi, gap, stress, borne):
             two, open_j, borne.turned[k, 1] = _half(plus(whole, stress[j] / v, share_j), s, facets.closed[k, 1], n)
             force = plus((w * one[0], w * one[1], w * one[2]), v, two)
             opens = plus((w * open_i[0], w * open_i[1], w * open_i[2]), v, open_j)
-            borne.opening[k] = math.sqrt(scalar(opens, opens)) / facets.area[k]
+            borne.opened[k] = math.sqrt(scalar(opens, opens)) / facets.area[k]
+            whole = plus(plus(whole, stress[i], share_i), stress[j], share_j)
+            one_area = 1.0 / facets.area[k]
+            _set(borne.opening, k, (one_area * whole[0], one_area * whole[1], one_area * whole[2]))
         else:
             force = plus(plus(whole, stress[i], share_i), stress[j], share_j)
-            borne.opening[k] = 0.0
+            borne.opened[k] = 0.0
             borne.turned[k, 0] = borne.turned[k, 1] = False
         a = 1.0 / facets.area[k]
         _set(borne.traction, k, (a * force[0], a * force[1], a * force[2]))

@@ -12,7 +12,8 @@ import numpy as np
 from bondem._compile import device, kernel
 from bondem.kernels.damaged_facets import three
 from bondem.laws.cell_energy import scalar
-from bondem.laws.softening import plus
+from bondem.laws.plasticity import principal
+from bondem.laws.softening import LEAST_SLOPE, plus
 
 _ROOT = math.sqrt(3.0)
 
@@ -70,9 +71,24 @@ def _agreed(s, n, a):
     )  # fmt: skip
 
 
+@device
+def _softens(s, n, t, bent, strength, a, v):
+    """Load factor at which a whole facet begins to soften along a principal direction of s, or inf."""
+    principal(s, a, v)
+    least = np.inf
+    for d in range(3):
+        e = v[0, d], v[1, d], v[2, d]
+        slope, pull = scalar(n, e), scalar(t, e)
+        pull = max(pull if slope >= 0.0 else -pull, 0.0)
+        T = math.sqrt(pull * pull + bent * bent * slope * slope)
+        if T > 0.0:
+            least = min(least, strength * max(abs(slope), LEAST_SLOPE) / T)
+    return least
+
+
 @kernel(parallel=False)
 def stress_factors(judged, strength, whole, below, spread, factor):
-    """Load factors at which whole facets begin to crack by their largest principal stress, or inf.
+    """Load factors at which whole facets of the material begin to crack and to soften, or inf.
 
     Facets that are far from it are passed over: σ1 of σ* is at most |σ| + √2 |t - σ n| with what bends added to t.
 
@@ -84,6 +100,7 @@ def stress_factors(judged, strength, whole, below, spread, factor):
         spread: how far above the least of all a factor may be, over it.
         factor: written, inf for those that are passed over, (c,).
     """
+    a, v = np.empty((3, 3)), np.empty((3, 3))
     for e in range(len(whole)):
         k = whole[e]
         i, j = judged.i[k], judged.j[k]
@@ -104,15 +121,6 @@ def stress_factors(judged, strength, whole, below, spread, factor):
             if shear <= 0.0:
                 continue
             reached = max(reached, f * (math.sqrt(pulled**2 + 4.0 * shear) - pulled) / (2.0 * shear))
+        reached = max(reached, _softens(s, n, t, bent, f, a, v))
         factor[e] = reached
         below = min(below, reached)
-
-
-@kernel(parallel=False)
-def add_bending(judged, cracked, opening):
-    """Add what of their bending opens facets to their traction of opening: √(t² + b²), (c,)."""
-    for e in range(len(cracked)):
-        k = cracked[e]
-        least = _range(_mean(judged.tensor, judged.i[k], judged.j[k]))[0]
-        bent = max(judged.bending[k] - max(-least, 0.0), 0.0)
-        opening[e] = math.sqrt(opening[e] ** 2 + bent**2)

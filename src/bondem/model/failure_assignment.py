@@ -26,11 +26,13 @@ class FailurePart:
         criterion: of a kind with those of the other parts.
         bonds: bonds or facets whose strength it is, user's order.
         elements: elements that yield by it, user's order.
+        plane: whether the facets are a material plane, judged by their own traction and not by the stress of cells.
     """
 
     criterion: Criterion
     bonds: Ints
     elements: Ints
+    plane: bool = False
 
 
 def criteria_of(failure: object) -> tuple[Criterion, ...]:
@@ -93,7 +95,8 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
     found = criteria_of(failure)
     i, j = lattice.pairs.T
     if not isinstance(failure, Mapping):
-        return (FailurePart(found[0], np.arange(len(i)), np.arange(len(lattice.particles))),)
+        whole = np.arange(len(i)), np.arange(len(lattice.particles))
+        return (FailurePart(found[0], *whole, plane=_is_plane(found[0], between=False)),)
     of_bond, of_element = np.full(len(i), -1), np.full(len(lattice.particles), -1)
     for number, where in enumerate(failure):
         first, second = ends_of("failure=", where)
@@ -110,6 +113,25 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
             " entry for bd.Everything() before the others, or (region, region): criterion for those between two"
         )
     return tuple(
-        FailurePart(one, np.flatnonzero(of_bond == number), np.flatnonzero(of_element == number))
-        for number, one in enumerate(found)
-    )
+        FailurePart(
+            one, np.flatnonzero(of_bond == number), np.flatnonzero(of_element == number),
+            plane=_is_plane(one, between=isinstance(where, tuple)),
+        )
+        for number, (one, where) in enumerate(zip(found, failure, strict=True))
+    )  # fmt: skip
+
+
+def _is_plane(criterion: Criterion, *, between: bool) -> bool:
+    """Whether facets of a criterion are judged by their own traction; `between` two regions they are unless told.
+
+    Functions of the stress have no traction to judge by.
+    """
+    softening = criterion.softening
+    if softening is None or softening.surface is not None:
+        if criterion.on is not None:
+            raise InputError(
+                f"{type(criterion).__name__}: on = {criterion.on!r} is of bd.Rankine and of bd.MohrCoulomb with a"
+                " fracture energy; leave on= out"
+            )
+        return False
+    return between if criterion.on is None else criterion.on == "traction"

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._calls import Callback, callback
-from bondem._types import Floats, Ints, PerBond, PerElement
+from bondem._types import Floats, Ints, Mask, PerBond, PerElement
 from bondem.errors import InputError
 from bondem.laws.failure.softening import Softening
+from bondem.laws.softening import SNAP
 from bondem.model.cell_constants import CellConstants, body_of
 from bondem.model.failure_assignment import FailurePart
 from bondem.model.layout import Layout
@@ -19,8 +20,6 @@ from bondem.specimen.lattice import Lattice
 _MARGIN = 0.7
 # The same of other criteria, and of the size of a stress at which they are reached, found in a few directions.
 _WIDER, _NEARER = 0.5, 0.7
-# Opening where nothing is left of a facet that is too long for its fracture energy, over that at its strength.
-_SNAP = 1.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +79,9 @@ class SofteningTable:
         least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
         tension: f_t of another criterion without scatter [Pa].
         friction: μ of each facet [-], (m,).
+        plane: whether each facet is of a material plane, judged by its own traction, (m,).
+        cohesion: of such facets [Pa], inf of those that do not slip and of all others, (m,).
+        last_slip: k u / A of such facets at the slip that leaves no cohesion [Pa], (m,).
         slip: how cells yield, or None.
     """
 
@@ -95,6 +97,9 @@ class SofteningTable:
     least: float
     tension: float
     friction: PerBond
+    plane: Mask
+    cohesion: PerBond
+    last_slip: PerBond
     slip: SlipTable | None
 
     @classmethod
@@ -120,6 +125,8 @@ class SofteningTable:
         order, surface = layout.bond_order, softening.surface
         area = facets.area[order]
         strength, last, friction = np.full(len(area), np.inf), np.zeros(len(area)), np.zeros(len(area))
+        plane = np.zeros(len(area), dtype=bool)
+        cohesion, last_slip = np.full(len(area), np.inf), np.full(len(area), np.inf)
         back = np.empty_like(order)
         back[order] = np.arange(len(order))
         for part in parts:
@@ -128,23 +135,39 @@ class SofteningTable:
             factor = part.criterion.factors(facets.area * facets.span, facets.centroid, body.particles.period)
             factor = factor[part.bonds]
             strength[own], friction[own] = soft.tension * factor, soft.friction
+            plane[own] = part.plane
+            if part.plane and soft.slip is not None:
+                cohesion[own] = soft.slip.cohesion * factor
+                last_slip[own] = _last_slip(cells.k[own] / area[own], cohesion[own], soft.slip.fracture_energy)
             if soft.fracture_energy > 0.0:
                 _check_length(facets.span[part.bonds], cells, layout.i[own], soft)
                 # the last opening, as the traction that it takes from a whole facet
                 end = cells.k[own] / area[own] * soft.last * soft.fracture_energy / strength[own]
-                last[own] = np.maximum(end, _SNAP * strength[own] / soft.steep)
+                last[own] = np.maximum(end, SNAP * strength[own] / soft.steep)
         depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])
         other = np.where(layout.flipped, facets.depth_i[order], facets.depth_j[order])
         soft_i, soft_j = depth / cells.G[layout.i], other / cells.G[layout.j]
-        least = float(strength.min(initial=max(soft.tension for soft in materials)))
+        least = float(strength[~plane].min(initial=max(soft.tension for soft in materials)))
         return cls(
             strength=strength, last=last, kink=softening.kink, steep=softening.steep, area=area,
             part=soft_i / (soft_i + soft_j), hot=(_MARGIN if surface is None else _WIDER) * least,
             judge=None if surface is None else callback(surface.function, len(surface.values)),
             given=np.array(() if surface is None else surface.values, dtype=float),
             least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,
-            friction=friction, slip=SlipTable.of(parts, cells.volume, layout.rank),
+            friction=friction, plane=plane, cohesion=cohesion, last_slip=last_slip,
+            slip=SlipTable.of(parts, cells.volume, layout.rank),
         )  # fmt: skip
+
+
+def _last_slip(stiffness: PerBond, cohesion: PerBond, energy: float) -> PerBond:
+    """k u / A of facets at the slip that leaves no cohesion [Pa], (c,).
+
+    Args:
+        stiffness: k / A [Pa/m], (c,).
+        cohesion: [Pa], (c,).
+        energy: G_II [J/m²]; inf where the cohesion stays.
+    """
+    return np.maximum(stiffness * 2.0 * energy / cohesion, SNAP * cohesion)
 
 
 def _check_length(span: PerBond, cells: CellConstants, i: Ints, softening: Softening) -> None:

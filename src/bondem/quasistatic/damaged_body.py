@@ -12,7 +12,6 @@ import numpy as np
 from bondem._types import Floats, Ints, Mask
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET
 from bondem.kernels.damaged_facets import Borne, DamagedFacets, load_facets, part_facets
-from bondem.kernels.stressed_facets import StressedFacets, add_bending
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -36,7 +35,8 @@ class Loaded:
         bending: T_b of each facet, as if it were whole [Pa], (m,).
         tensor: σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6).
         cracked: facets that have lost integrity, (c,).
-        opening: T of these, as if they were whole (`bondem.laws.softening`) [Pa], (c,).
+        opening: traction of these, as if they were whole [Pa], (c, 3).
+        opened: |F⁺| / A of these [Pa], (c,).
         turned: which of their halves close or open now, (c, 2).
         wall: force of the walls on the facets that they hold [N], (g, 3).
     """
@@ -46,6 +46,7 @@ class Loaded:
     tensor: Floats
     cracked: Ints
     opening: Floats
+    opened: Floats
     turned: Mask
     wall: Floats
 
@@ -138,7 +139,7 @@ class DamagedBody:
     def held_by_none(self, found: Loaded) -> float:
         """Energy of the facets that have no integrity left: of that which stands for none [J]."""
         none = found.cracked[self.integrity[found.cracked] <= _NONE]
-        force = self.area[none] * found.opening[self.integrity[found.cracked] <= _NONE]
+        force = self.area[none] * found.opened[self.integrity[found.cracked] <= _NONE]
         return 0.5 * _NONE * float((force**2 / self.constants.k[none]).sum())
 
     def state(self, motion: Floats) -> State:
@@ -197,7 +198,10 @@ class DamagedBody:
         moved = grips.gap(u[rank], phi[rank])  # what walls do is in `given`
         swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
         stress = self.system.matrix.weight * swelling
-        borne = Borne(np.empty((m, 3)), np.empty(m), np.empty(m), np.empty((m, 2), dtype=bool), self._pressed.copy())
+        borne = Borne(
+            np.empty((m, 3)), np.empty(m), np.empty((m, 3)), np.empty(m), np.empty((m, 2), dtype=bool),
+            self._pressed.copy(),
+        )  # fmt: skip
         load_facets(self._facets, phi, gap, stress, borne)
         held = grips.gap(u[rank], phi[rank], grips.motion)
         wall = grips.k[:, None] * held + stress[self._held, None] * grips.share
@@ -205,10 +209,10 @@ class DamagedBody:
         _add_moments(tensor, self._held, grips.lever, wall)
         tensor /= c.volume[:, None]
         cracked = np.flatnonzero(self.integrity < 1.0)
-        opening = borne.opening[cracked]
-        judged = StressedFacets(self.i, self.j, c.normal, borne.traction, borne.bending, tensor)
-        add_bending(judged, cracked, opening)
-        return Loaded(borne.traction, borne.bending, tensor, cracked, opening, borne.turned[cracked], wall)
+        return Loaded(
+            borne.traction, borne.bending, tensor, cracked, borne.opening[cracked], borne.opened[cracked],
+            borne.turned[cracked], wall,
+        )  # fmt: skip
 
     def mean(self, tensor: Floats, facets: Ints) -> Floats:
         """Mean of the stresses (n, 6) of the two cells of some facets [Pa], (c, 6)."""

@@ -1,6 +1,5 @@
 """At which load factor a facet begins to crack or goes on, where everything is proportional to it."""
 
-import math
 from typing import Protocol
 
 import numpy as np
@@ -10,13 +9,12 @@ from bondem.kernels.stressed_facets import StressedFacets, stress_factors
 from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
+from bondem.quasistatic.directions import Opened
 from bondem.quasistatic.teeth import SofteningLine, Teeth
-from bondem.quasistatic.tensors import agreed, full_tensor, largest
+from bondem.quasistatic.tensors import agreed, largest
 
 # By what share factors of the closed form may be off.
 _NEAR = 1e-5
-# Least share of its strength that a facet begins with (`bondem.kernels.crack_list`).
-_LEAST = 0.02
 
 
 class FacetOnset(Protocol):
@@ -35,6 +33,10 @@ class FacetOnset(Protocol):
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
         """How facet k goes on that begins at a load factor."""
+        ...
+
+    def again(self, found: Loaded) -> PerBond:
+        """Load factors at which the facets that have lost integrity soften further by their curve, (c,)."""
         ...
 
 
@@ -60,26 +62,44 @@ class TractionOnset:
         """See `FacetOnset`."""
         return Teeth.of(SofteningLine(1.0, 0.0), ripple)
 
+    def again(self, found: Loaded) -> PerBond:
+        """See `FacetOnset`."""
+        return np.full(len(found.cracked), np.inf)
+
 
 class StressOnset:
-    """When whole facets begin to crack: σ1(σ*) reaches the strength, they are pulled or sheared (`bd.Rankine`)."""
+    """When facets begin to crack by the stress of their cells, and those of material planes by their own traction.
+
+    A facet of the material begins where σ1(σ*) reaches the strength, it is pulled or sheared, and it is opened so far
+    along a principal direction that it softens (`bd.Rankine`).
+    """
 
     def __init__(self, body: DamagedBody, table: SofteningTable) -> None:
         self._body, self._table, self._strength = body, table, table.strength
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
         """See `FacetOnset`."""
-        body, about = self._body, np.empty(len(whole))
+        body, planes = self._body, whole[self._table.plane[whole]]
+        inner = whole if not len(planes) else whole[~self._table.plane[whole]]
+        own = self._opened(found, planes, found.traction[planes]).reached(np.ones(len(planes)))
+        about, below = np.empty(len(inner)), min(below, float(own.min(initial=np.inf)) * (1.0 + close))
         judged = StressedFacets(
             body.i, body.j, body.constants.normal, found.traction, found.bending, found.tensor
         )
-        stress_factors(judged, self._strength, whole, below, (1.0 + close) * (1.0 + _NEAR), about)
+        stress_factors(judged, self._strength, inner, below, (1.0 + close) * (1.0 + _NEAR), about)
         least = min(below, float(about.min(initial=np.inf)) * (1.0 + close))
-        some = whole[about <= least * (1.0 + _NEAR)]
-        return some, self._reached(found, some)
+        some = inner[about <= least * (1.0 + _NEAR)]
+        return np.concatenate([some, planes]), np.concatenate([self._reached(found, some), own])
+
+    def _opened(self, found: Loaded, facets: Ints, traction: Floats) -> Opened:
+        body = self._body
+        return Opened.of(
+            self._table, facets, body.constants.normal[facets], traction, found.bending[facets],
+            body.mean(found.tensor, facets),
+        )  # fmt: skip
 
     def _reached(self, found: Loaded, facets: Ints) -> Floats:
-        """Load factors at which some facets begin, inf for never, (c,)."""
+        """Load factors at which some facets of the material begin, inf for never, (c,)."""
         body = self._body
         mean, bent = body.mean(found.tensor, facets).T, body.bent(found.tensor, found.bending, facets)
         n, t = body.constants.normal[facets].T, found.traction[facets].T
@@ -88,22 +108,23 @@ class StressOnset:
         pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
         high = largest(agreed(mean, n, t + (pulled - across) * n))
         reached = np.divide(f, high, out=np.full(len(f), np.inf), where=high > 0.0)
-        return np.where(pulled > 0.0, reached, np.maximum(reached, _sheared_at(pulled, shear, f)))
+        reached = np.where(pulled > 0.0, reached, np.maximum(reached, _sheared_at(pulled, shear, f)))
+        return np.maximum(reached, self._opened(found, facets, t.T).reached(np.ones(len(facets))))
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
-        """See `FacetOnset`: from the traction of `bondem.laws.softening` on."""
-        body, n, t = self._body, self._body.constants.normal[k], factor * found.traction[k]
+        """See `FacetOnset`: along the direction in which it begins."""
         alone = np.array([k])
-        mean = factor * full_tensor(body.mean(found.tensor, alone)[0])
-        bent = factor * float(body.bent(found.tensor, found.bending, alone)[0])
-        along = max(float(n @ mean @ n), 0.0)
-        direction = np.linalg.eigh(mean + max(bent - along, 0.0) * np.outer(n, n))[1][:, 2]
-        opening = t - min(float(t @ n), 0.0) * n
-        now = math.hypot(float(np.linalg.norm(opening)), bent)
-        begun = min(now, float(self._strength[k]) * max(abs(float(n @ direction)), _LEAST))
-        return Teeth.of(
-            SofteningLine(begun, float(self._table.last[k]), self._table.kink, self._table.steep), ripple, now
+        opened = self._opened(found, alone, found.traction[alone])
+        d = int(opened.steepest()[0])
+        line = SofteningLine(
+            float(opened.strength[0, d]), float(opened.last[0, d]), self._table.kink, self._table.steep
         )
+        return Teeth.of(line, ripple, factor * float(opened.traction[0, d]))
+
+    def again(self, found: Loaded) -> PerBond:
+        """See `FacetOnset`."""
+        opened = self._opened(found, found.cracked, found.opening)
+        return opened.reached(self._body.integrity[found.cracked])
 
 
 def _sheared_at(across: Floats, shear: Floats, strength: PerBond) -> Floats:

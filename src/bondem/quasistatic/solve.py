@@ -171,7 +171,7 @@ def solve_quasistatic(
                 softening[k] = onset.teeth(found, k, factor, band), 0
             line, done = softening[k]
             softening[k] = line, done + 1
-            following[k] = line.limit[done] if done < len(line.limit) else np.inf
+            following[k] = line.beyond[done] if done < len(line.beyond) else np.inf
             left = float(line.integrity[done])
             path.add(k, left)
             body.weaken(k, left, (bool(body.closed[k, 0]), bool(body.closed[k, 1])))
@@ -220,10 +220,9 @@ def _next(
 ) -> tuple[Ints, float]:
     """The facets that fail next, in the user's order, and the factor of the load; none where nothing fails.
 
-    `following` is T of the next event of each facet that softens [Pa], inf for none.
+    `following` says how far beyond its curve each facet that softens is at its next event [-], inf for none.
     """
-    limit, opens = following[found.cracked], found.opening > 0.0
-    limit = np.divide(limit, found.opening, out=np.full(len(limit), np.inf), where=opens)
+    limit = following[found.cracked] * onset.again(found)
     alike = max(close, _TIE)
     least = float(limit.min(initial=np.inf)) * (1.0 + alike)
     whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, alike)
@@ -312,6 +311,11 @@ def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
         )
     if model.constraints.strain_part.size or model.constraints.body_on.size:
         raise InputError("solve_quasistatic scales drives and loads only; leave bd.Eigenstrain and bd.BodyForce out")
+    if soft is not None and np.isfinite(soft.cohesion).any():
+        raise InputError(
+            "solve_quasistatic: facets of a plane with a cohesion slip with friction, which has no path of load"
+            " factors; give planes bd.Rankine(tension=..., fracture_energy=...), or use solve_explicit"
+        )
     system = System.of(replace(model, failure=None))
     equilibrium: Equilibrium
     if prefers_elimination(system):

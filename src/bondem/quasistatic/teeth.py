@@ -74,10 +74,12 @@ class Teeth:
     Attributes:
         integrity: after events 1 … t, falling to 0, (t,).
         limit: T at which events 2 … t come [Pa], (t - 1,).
+        beyond: these over the T at which the curve itself has the facet soften further [-], (t - 1,).
     """
 
     integrity: Floats
     limit: Floats
+    beyond: Floats
 
     @classmethod
     def of(cls, line: SofteningLine, ripple: float, now: float = 0.0) -> "Teeth":
@@ -96,14 +98,15 @@ class Teeth:
         """
         now = max(now, line.onset)
         if line.last <= now:
-            return cls(np.zeros(1), np.zeros(0))
+            return cls(np.zeros(1), np.zeros(0), np.zeros(0))
         integrity, limit = _steps(line, ripple, now)
         if len(limit):
             lost = integrity[:-1] - integrity[1:]
             taken = ripple / (1.0 - ripple) * float(integrity[0]) * now**2 + float(lost[:-1] @ limit[:-1] ** 2)
             before = float(limit[-2]) if len(limit) > 1 else now
             limit[-1] = max(before, math.sqrt(max(line.energy(now) - taken, 0.0) / float(lost[-1])))
-        return cls(integrity, limit)
+        curve = np.array([line.reached(float(s), 1.0) for s in integrity[:-1]])
+        return cls(integrity, limit, limit / curve)
 
 
 def _steps(line: SofteningLine, ripple: float, now: float) -> tuple[Floats, Floats]:

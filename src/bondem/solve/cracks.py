@@ -105,7 +105,8 @@ def crack_table(
     listed = np.zeros(m, dtype=np.uint8)
     facets = CrackedFacets(
         last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0), area=table.area,
-        kink=table.kink, steep=table.steep, friction=table.friction, tensor=tensor, weight=constants.weight,
+        kink=table.kink, steep=table.steep, friction=table.friction, plane=table.plane.astype(np.uint8),
+        cohesion=table.cohesion, last_slip=table.last_slip, tensor=tensor, weight=constants.weight,
         slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
         listed=listed, row=row, sizes=np.array([count, 0, 0, 0, 0], dtype=np.int64), flag=np.zeros(m, dtype=np.uint8),
         facet=np.zeros(m, dtype=np.int64), active=np.zeros(m, dtype=np.int64), resting=np.zeros(m, dtype=np.int64),
@@ -121,7 +122,7 @@ def crack_table(
         stress=CellStresses(volume=constants.volume, tensor=tensor, bending=np.zeros(n)),
         flow=_flow(model, state, table, cells, grips, constants),
         onset=Onset(
-            strength=table.strength, area=table.area, hot=table.hot,
+            strength=table.strength, area=table.area, plane=np.flatnonzero(table.plane), hot=table.hot,
             judge=0 if table.judge is None else table.judge.address, given=table.given, cracked=cracked,
             least=table.least, tension=table.tension, hotter=np.zeros(n, dtype=np.uint8),
             marked=np.zeros(m, dtype=np.uint8), listed=listed,

@@ -3,20 +3,18 @@
 Where a step ends, a thread a cell adds up V σ = sym Σ b⊗f of its facets, with levers and forces of one instant. As
 the next one begins, a thread a cell makes the stress of it, and a thread a facet judges (`begins`); one thread puts
 those that begin into the list of cracks, in the order of the facets, and a thread each of them sets it up. No bit
-depends on the order of threads. `pulled_at_onset`, `begins`, `mean_at_onset` and `bent_traction` hold the rule of
-onset, and call what the CPU calls; criteria that are functions of the stress have kernels of their own
+depends on the order of threads. `pulled_at_onset`, `begins`, `plane_begins`, `mean_at_onset` and `bent_traction` hold
+the rule of onset, and call what the CPU calls; criteria that are functions of the stress have kernels of their own
 (`bondem.kernels.cuda.stress_judging`).
 """
-
-import math
 
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.boundary import value_at
 from bondem.kernels.cell_stress import pair_stress
 from bondem.kernels.cell_yield import is_hot
-from bondem.kernels.crack_energy import bending_opening
-from bondem.kernels.crack_list import LEAST_START, NEW, bent_stress, treat, write_three
+from bondem.kernels.crack_energy import bending_opening, bending_traction
+from bondem.kernels.crack_list import NEW, bent_stress, treat, write_three
 from bondem.kernels.crack_onset import agreed_stress, pulled_by_bending, sheared_off
 from bondem.kernels.crack_tables import ACTIVE, BEFORE, CRACKS, FACET, ONSET, RUBBED_AWAY, TREATED
 from bondem.kernels.cuda.breaking import FOUND, put_in_order
@@ -24,7 +22,7 @@ from bondem.kernels.single_facets import column, lever, orientation, present_nor
 from bondem.kernels.tables import RUBBED
 from bondem.laws.cell_energy import bending_square, scalar, turned_by
 from bondem.laws.plasticity import below, principal
-from bondem.laws.softening import opening_force
+from bondem.laws.softening import left_on_plane
 
 # Entry of `DeviceLists.counts` beside `FOUND`: how many cracks there were before this step.
 BEFORE_STEP = 1
@@ -181,6 +179,8 @@ def begins(pose, body, cracks, onset, k):
         return False
     if hot == 2:
         return True
+    if cracks.plane[k] != 0:
+        return False
     n, t, across, mean = pulled_at_onset(pose, body, cracks, k)
     if across <= 0.0 and not sheared_off(t, across, onset.strength[k]):
         return False
@@ -188,27 +188,36 @@ def begins(pose, body, cracks, onset, k):
 
 
 @device
-def mean_at_onset(pose, body, cracks, k, a, v):
-    """What facet k begins to soften by, as `bondem.kernels.crack_list` has it; a and v are (3, 3) to use.
+def plane_begins(pose, body, cracks, onset, k):
+    """Whether facet k is of a material plane and begins to crack by its own traction."""
+    if cracks.plane[k] == 0 or cracks.listed[k] != 0:
+        return False
+    f, A = _pull(body, k), cracks.area[k]
+    p, q = orientation(pose, body.i[k]), orientation(pose, body.j[k])
+    bent = bending_traction(p, q, body.bends[k], resistance(body, 1.0, k))
+    left = left_on_plane(
+        1.0, (f[0] / A, f[1] / A, f[2] / A), present_normal(pose, body, body, k), bent, onset.strength[k],
+        cracks.last[k], cracks.cohesion[k], cracks.last_slip[k], cracks.friction[k], cracks.kink, cracks.steep,
+    )  # fmt: skip
+    return left < 1.0
 
-    Returns:
-        (mean stress of its cells with bending, its largest principal stress [Pa], cosine between that and the
-        normal, rms of the traction that opens the facet [Pa]).
-    """
+
+@device
+def mean_at_onset(pose, body, cracks, k, a, v):
+    """Mean stress of the cells of facet k with bending, and its largest principal stress [Pa]; a, v (3, 3) to use."""
     bent, normal = bent_traction(pose, body, cracks, k), present_normal(pose, body, body, k)
     mean = bent_stress(pair_stress(cracks.tensor, body.i[k], body.j[k]), normal, bent)
-    high, _, one, _ = principal(mean, a, v)
-    slope = abs(scalar(normal, (v[0, one], v[1, one], v[2, one])))
-    f, _ = opening_force(_pull(body, k), normal)
-    A = cracks.area[k]
-    return mean, high, slope, math.sqrt(scalar(f, f) / (A * A) + bent * bent)
+    high, _, _, _ = principal(mean, a, v)
+    return mean, high
 
 
 @cuda_kernel
 def mark_cracks(pose, body, cracks, onset, lists):
     """Gather the facets that begin to crack."""
     k = cuda.grid(1)
-    if k < body.m and begins(pose, body, cracks, onset, k):
+    if k >= body.m:
+        return
+    if begins(pose, body, cracks, onset, k) or plane_begins(pose, body, cracks, onset, k):
         # in the simulator only the file of a kernel knows of atomics
         lists.found[cuda.atomic.add(lists.counts, FOUND, 1)] = k
 
@@ -228,12 +237,12 @@ def order_beginnings(clock, scheme, cracks, lists):
 
 
 @device
-def set_up(body, cracks, lists, c, k, start):
-    """Crack c of facet k, that softens from the traction `start` on [Pa]."""
+def set_up(body, cracks, lists, c, k, strength):
+    """Crack c of facet k, that has a strength [Pa]."""
     row = cracks.row[c]
     for d in range(row.shape[0]):
         row[d] = 0.0
-    row[FACET], row[ONSET], row[BEFORE] = k, start, NEW
+    row[FACET], row[ONSET], row[BEFORE] = k, strength, NEW
     write_three(cracks.pull, c, 0, _pull(body, k))
     treat(body, cracks, c, k, ACTIVE)
     lists.crack[k] = c
@@ -245,11 +254,7 @@ def begin_cracks(pose, body, cracks, onset, lists):
     c = lists.counts[BEFORE_STEP] + cuda.grid(1)
     if c >= cracks.sizes[CRACKS]:
         return
-    a, v = cuda.local.array((3, 3), "float64"), cuda.local.array((3, 3), "float64")
-    k, start = cracks.facet[c], 0.0
-    if hotness(body, onset, k) != 2:
-        _, _, slope, held = mean_at_onset(pose, body, cracks, k, a, v)
-        start = min(held, onset.strength[k] * max(slope, LEAST_START))
-    set_up(body, cracks, lists, c, k, start)
+    k = cracks.facet[c]
+    set_up(body, cracks, lists, c, k, 0.0 if hotness(body, onset, k) == 2 else onset.strength[k])
     # threads may write this together: it is the same number
     onset.cracked[body.i[k]] = onset.cracked[body.j[k]] = 1

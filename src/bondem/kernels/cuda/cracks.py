@@ -8,8 +8,6 @@ at once where there are no cracks. The forces of a crack stand in the rows of it
 has left zeros: what moves the cells knows nothing of cracks.
 """
 
-import math
-
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.cell_pass import STRESS
@@ -28,8 +26,8 @@ from bondem.kernels.crack_states import (
     part_faces,
     relax_cells,
     soften,
-    stays_at_rest,
     wake_crack,
+    wakes,
 )
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -42,18 +40,16 @@ from bondem.kernels.crack_tables import (
     RUB,
     SHARE_I,
     SHARE_J,
-    TOP,
     TORQUE_I,
     TORQUE_J,
 )
 from bondem.kernels.cracking import crack_forces, log_crack
 from bondem.kernels.cuda.breaking import FOUND, put_in_order
 from bondem.kernels.cuda.cells import book_hold, hand_on_hold, linear_stress
-from bondem.kernels.cuda.crack_beginnings import bent_traction
 from bondem.kernels.cuda.facets import place_of
 from bondem.kernels.cuda.sample import NORMAL as NORMAL_SUM
 from bondem.kernels.single_facets import column, facet_of, facets_of, orientation, resistance
-from bondem.laws.cell_energy import opened, scalar, turned_by
+from bondem.laws.cell_energy import scalar
 from bondem.laws.failure.criterion import SHEAR, TENSION
 
 
@@ -151,14 +147,9 @@ def wake_some(pose, body, cracks):
         return
     k = cracks.facet[c]
     place = place_of(pose, body, k)
-    d, p, q, a, b, u, v = place
-    gap, u, v = opened(d, turned_by(p, a), turned_by(q, b)), turned_by(p, u), turned_by(q, v)
-    one, other = pose[body.i[k], STRESS], pose[body.j[k], STRESS]
+    a, v = cuda.local.array((3, 3), "float64"), cuda.local.array((3, 3), "float64")
     cracks.flag[c] = 0
-    top, bent = cracks.row[c, TOP], 0.0
-    if top < math.inf:
-        bent = cracks.area[k] * bent_traction(pose, body, cracks, k)
-    if not stays_at_rest(body.k[k], gap, u, v, one, other, top, bent):
+    if wakes(pose, body, body, cracks, c, place, a, v):
         if wake_crack(pose, body, body, None, cracks, c, k, place):
             cracks.flag[c] = WAKES
 
@@ -195,7 +186,8 @@ def soften_some(pose, body, cracks, lists):
     c = cuda.grid(1)
     if c >= cracks.sizes[CRACKS] or cracks.listed[cracks.facet[c]] != 1 + ACTIVE:
         return
-    soften(pose, body, body, cracks, c, c + 1)
+    a, v = cuda.local.array((3, 3), "float64"), cuda.local.array((3, 3), "float64")
+    soften(pose, body, body, cracks, a, v, c, c + 1)
     if cracks.flag[c] == TO_PART:
         lists.found[cuda.atomic.add(lists.counts, FOUND, 1)] = c
 

@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
-from bondem.kernels.crack_list import LEAST_START
 from bondem.kernels.crack_onset import agreed_stress
 from bondem.kernels.crack_tables import CRACKS
 from bondem.kernels.cuda.breaking import FOUND
@@ -71,12 +70,11 @@ def judging(function: Callable[..., float], values: tuple[float, ...]) -> Judgin
         if c >= cracks.sizes[CRACKS]:
             return
         a, v = cuda.local.array((3, 3), "float64"), cuda.local.array((3, 3), "float64")
-        k, start = cracks.facet[c], 0.0
+        k, strength = cracks.facet[c], 0.0
         if hotness(body, onset, k) != 2:
-            mean, high, slope, held = mean_at_onset(pose, body, cracks, k, a, v)
-            most = strength_along(index, onset, mean, high, onset.strength[k], a)
-            start = min(held, most * max(slope, LEAST_START))
-        set_up(body, cracks, lists, c, k, start)
+            mean, high = mean_at_onset(pose, body, cracks, k, a, v)
+            strength = strength_along(index, onset, mean, high, onset.strength[k], a)
+        set_up(body, cracks, lists, c, k, strength)
         # threads may write this together: it is the same number
         onset.cracked[body.i[k]] = onset.cracked[body.j[k]] = 1
 

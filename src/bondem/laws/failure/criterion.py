@@ -7,12 +7,13 @@ those whose force and moments reach a bound, which the loop over all bonds looks
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 import numpy as np
 
 from bondem._checks import instance
 from bondem._types import Floats, Ints, PerBond, PerBond3
+from bondem.errors import InputError
 from bondem.laws.bond import BondStiffness, Section
 from bondem.laws.failure.scatter import Normal, Weibull
 from bondem.laws.failure.softening import Softening
@@ -66,14 +67,21 @@ class Criterion(ABC):
 
     Attributes:
         scatter: how strengths differ from bond to bond: `bd.Weibull` or `bd.Normal`, or None for the same in all.
+        on: what a `bd.Rankine`, or a `bd.MohrCoulomb` with a fracture energy, judges facets of cells by: "stress",
+            the principal stresses of their cells, as in a material; or "traction", that of the facet itself, as on an
+            interface, a joint or a bedding plane. None: "traction" for an entry of `failure=` between two regions,
+            "stress" for all others.
     """
 
     scatter: Weibull | Normal | None = None
+    on: Literal["stress", "traction"] | None = None
 
     def __post_init__(self) -> None:
         if self.scatter is not None:
             wanted = "bd.Weibull(...), bd.Normal(...) or None"
             instance(type(self).__name__, "scatter", self.scatter, (Weibull, Normal), wanted)
+        if self.on not in (None, "stress", "traction"):
+            raise InputError(f"{type(self).__name__}: on = {self.on!r}; give 'stress', 'traction' or None")
 
     @property
     @abstractmethod

@@ -1,0 +1,78 @@
+"""How far facets are opened along each of the directions by which they soften (`bondem.laws.softening`)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints, PerBond, PerBond3
+from bondem.laws.softening import LEAST_SLOPE, SNAP
+from bondem.model.softening_table import SofteningTable
+from bondem.quasistatic.tensors import full_tensor
+
+
+@dataclass(frozen=True, eq=False)
+class Opened:
+    """What some facets are judged by at a load factor of 1: principal directions, or their own traction.
+
+    Attributes:
+        traction: T_a that opens them along a direction, as if they were whole [Pa], (c, 3).
+        strength: at which they begin to soften along it [Pa], (c, 3).
+        last: T_a where nothing is left [Pa], (c, 3).
+        kink, steep: of the softening curve (`bondem.laws.softening.softened`) [-].
+    """
+
+    traction: PerBond3
+    strength: PerBond3
+    last: PerBond3
+    kink: float
+    steep: float
+
+    @classmethod
+    def of(
+        cls, table: SofteningTable, facets: Ints, normal: PerBond3, traction: PerBond3, bent: PerBond, mean: Floats
+    ) -> "Opened":
+        """Judge some facets.
+
+        Args:
+            table: strengths and softening curve.
+            facets: which, (c,).
+            normal: of these, (c, 3).
+            traction: that they would have if they were whole [Pa], (c, 3).
+            bent: T_b, likewise [Pa], (c,).
+            mean: mean stress of their cells, xx, yy, zz, xy, xz, yz [Pa], (c, 6).
+        """
+        stress, direction = np.linalg.eigh(full_tensor(mean))
+        open_bent = np.maximum(bent - np.maximum(-stress[:, 0], 0.0), 0.0)
+        slope = np.einsum("cd,cda->ca", normal, direction)
+        pull = np.einsum("cd,cda->ca", traction, direction) * np.where(slope >= 0.0, 1.0, -1.0)
+        opened = np.hypot(np.maximum(pull, 0.0), open_bent[:, None] * slope)
+        strength = table.strength[facets, None] * np.maximum(np.abs(slope), LEAST_SLOPE)
+        last = np.repeat(table.last[facets, None], 3, axis=1)
+        own = np.flatnonzero(table.plane[facets])
+        if len(own):
+            opened[own], strength[own, 0], last[own, 0] = 0.0, table.strength[facets[own]], table.last[facets[own]]
+            across = (traction[own] * normal[own]).sum(axis=1)
+            square = np.maximum((traction[own] ** 2).sum(axis=1) - across**2, 0.0)
+            part = np.maximum(across, 0.0) ** 2 + np.maximum(bent[own] + np.minimum(across, 0.0), 0.0) ** 2
+            opened[own, 0] = np.sqrt(part)
+            share = np.divide(part, part + square, out=np.ones(len(own)), where=part > 0.0)
+            end = np.maximum(share * last[own, 0], SNAP * strength[own, 0] / table.steep)
+            last[own, 0] = np.where(last[own, 0] > 0.0, end, 0.0)
+        return cls(opened, strength, last, table.kink, table.steep)
+
+    def reached(self, integrity: PerBond) -> PerBond:
+        """Load factors at which the integrities of the facets fall below what they are, inf for never, (c,)."""
+        s = integrity[:, None]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            first = np.where(self.last > 0.0, self.strength / (self.steep * self.last), 0.0)
+            least = self.strength / (s * (1.0 - first) + first)
+            if self.kink > 0.0:
+                left = self.last * (1.0 - (1.0 - self.kink) * self.steep)
+                slope = np.where(self.last > 0.0, self.kink * self.strength / left, 0.0)
+                least = np.maximum(least, slope * self.last / (s * (1.0 - slope) + slope))
+            return np.where(self.traction > 0.0, least / self.traction, np.inf).min(axis=1)
+
+    def steepest(self) -> Ints:
+        """The direction along which whole facets begin to soften first, (c,)."""
+        with np.errstate(divide="ignore"):
+            return np.where(self.traction > 0.0, self.strength / self.traction, np.inf).argmin(axis=1)
