@@ -4,7 +4,7 @@ from typing import cast
 
 import numpy as np
 
-from bondem._types import Floats, PerElement
+from bondem._types import Floats
 from bondem.model.cell_constants import body_of
 from bondem.model.grips import Grips, reference_base, turned
 from bondem.model.model import Model
@@ -39,14 +39,17 @@ def taken_walls(model: Model, state: State) -> Floats:
     rest = wall_places(model, state, base)  # of schedules that count from the reference
     base[:, 3:] = state.orientation[grips.cell]
     if state.model.cells is None:
-        base[:, :3] = grips.axes * (_of_facets(model, state) - rest)
+        base[:, :3] = grips.axes * (_of_facets(model, state, grips.axes) - rest)
         return base
     if goes_on(model, state):
         return state.grips.copy()
     before = state.model.cell_constants.grips
     mine, theirs = _both(grips, before)
     base[mine, 3:] = _origins(grips, before, mine, theirs, state)
-    start, held = _of_facets(model, state), before.axes[theirs] > 0.0
+    held = before.axes[theirs] > 0.0
+    fresh = grips.axes.copy()
+    fresh[mine] *= ~held
+    start = _of_facets(model, state, fresh)
     start[mine] = np.where(held, wall_places(cast(Model, state.model), state)[theirs], start[mine])
     base[:, :3] = grips.axes * (start - rest)
     same = held & _same_motion(grips, before, mine, theirs)
@@ -82,25 +85,25 @@ def _origins(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray, 
     return np.where(share == 1.0, origin, _product(back, now))
 
 
-def _of_facets(model: Model, state: State) -> Floats:
-    """Displacements of facets that were free, (g, 3): of the rigid cell, and the opening that its stress makes."""
-    grips, constants = model.cell_constants.grips, model.cell_constants
-    facet, area = grips.holds.facet, body_of(model.lattice)[1].free.area
+def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
+    """Displacements of facets that were free, (g, 3): of the rigid cell, and the opening that its stress makes.
+
+    `fresh` is 1 along the axes along which walls begin to hold them, (g, 3). Loads that go on act there on the cell
+    itself from now on, and do not open the facet: its stress becomes what it is without that.
+    """
+    grips, constants, q = model.cell_constants.grips, model.cell_constants, state.orientation
+    facet, area = grips.holds.facet, body_of(model.lattice)[1].free.area[:, None]
     rigid = state.displacement[grips.cell] + held_arms(model, state) - grips.lever
-    q = state.orientation
-    force = -loads_on_facets(model, state.time, q)
+    going_on = loads_on_facets(model, state.time, q)
+    force, stress = -going_on, np.zeros(len(q))
+    soft, way = constants.softness[facet, None], turned(q[grips.cell], grips.way)
     if state.model.cells is not None:
-        force += loads_on_facets(cast(Model, state.model), state.time, q)
-    traction = (force / area[:, None])[facet]
-    stress = _stress(state)[grips.cell, None] * turned(state.orientation[grips.cell], grips.way)
-    return rigid + constants.softness[facet, None] * (traction - stress)
-
-
-def _stress(state: State) -> PerElement:
-    """λ θ of the cells [Pa], user's order, shape (n,)."""
-    if state.model.cells is None:
-        return np.zeros(len(state.pose))
-    return CellForces.of(cast(Model, state.model), state).stress
+        before = cast(Model, state.model)
+        force += loads_on_facets(before, state.time, q)
+        opened = (fresh * soft * way * going_on[facet]).sum(axis=1)
+        stress = CellForces.of(before, state).stress
+        stress -= before.cell_constants.weight * np.bincount(grips.cell, weights=opened, minlength=len(q))
+    return rigid + soft * ((force / area)[facet] - stress[grips.cell, None] * way)
 
 
 def _conjugate(q: Floats) -> Floats:
