@@ -146,7 +146,7 @@ def _advance(model: Model, system: System, start: State, share: float, motion: F
         if k == 0 and turn > 1.2 * _TURN:
             return _Trial(k, shorter=_TURN / turn)
         state.pose[:, :3] += change[:, :3]
-        state.pose[:, 4:] = _turned(state.pose[:, 4:], change[:, 3:])
+        state.pose[:, 4:] = turned_by(state.pose[:, 4:], change[:, 3:])
     return _Trial(_ROUNDS)
 
 
@@ -161,12 +161,12 @@ def _solved(
         return solver(tangent).solve(right, rtol=1e-8)[0]
     by = Elimination(tangent) if len(tangent.free) <= _ELIMINATED else solver(tangent)
     n, count = len(tangent.free), 3 * len(couples)
-    G, B = np.zeros((n, 6, count)), np.zeros((count, n, 6))
+    G, seen_by = np.zeros((2, n, 6, count))
     for c, (couple, factor) in enumerate(couples):
         given, seen = couple.turning(pose)
         np.add.at(G[:, :, 3 * c : 3 * c + 3], couple.element, share * factor * given)
-        np.add.at(B[3 * c : 3 * c + 3], (slice(None), couple.element), seen)
-    B = B.reshape(count, -1) * tangent.free.ravel()
+        np.add.at(seen_by[:, :, 3 * c : 3 * c + 3], couple.element, seen.transpose(1, 2, 0))
+    B = seen_by.reshape(-1, count).T * tangent.free.ravel()
     moved = np.stack([by.solve(column, rtol=1e-8)[0] for column in G.reshape(-1, count).T], axis=1)
     change = by.solve(right, rtol=1e-8)[0]
     return change + moved @ np.linalg.solve(np.eye(count) - B @ moved, B @ change)
@@ -223,7 +223,7 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
             change[:, dof] = sign * size
             moved = ends.copy()
             moved[rows, :3] += change[:, :3]
-            moved[rows, 4:] = _turned(moved[rows, 4:], change[:, 3:])
+            moved[rows, 4:] = turned_by(moved[rows, 4:], change[:, 3:])
             gradient.append(np.concatenate(_bond_gradient(model, moved, first, second)))
         H[:, :, d] = ((gradient[0] - gradient[1]) / (2.0 * size)).T
     H = 0.5 * (H + np.swapaxes(H, 1, 2))
@@ -245,7 +245,23 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
     return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape), forms, model.cells.weight)
 
 
-def _turned(quaternion: Floats, rotation: Floats) -> Floats:
+def at_pose(model: Model, system: System, pose: Floats) -> Stiffness:
+    """The tangent of a strained model at a pose, in which the stresses of cells are left."""
+    _forces(model, pose)
+    return tangent_matrix(model, system.matrix.bonds, pose)
+
+
+def unbalanced(model: Model, system: System, pose: Floats) -> float:
+    """Unbalanced force under the final loads over that of loads and supports, torques over the mean radius [-]."""
+    metric = np.repeat([1.0, 1.0 / system.length], 3)
+    force, walls = _forces(model, pose)
+    load = model.constraints.final_load(len(pose), pose)
+    rest = np.where(system.free, load - force, 0.0) * metric
+    scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, walls, force) * metric)
+    return float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
+
+
+def turned_by(quaternion: Floats, rotation: Floats) -> Floats:
     """Unit quaternions (n, 4), turned further by rotation vectors (n, 3)."""
     half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
     vector = 0.5 * rotation * np.sinc(half / np.pi)
