@@ -45,6 +45,10 @@ class StageWarning(UserWarning):
     """A schedule of a run that goes on from a state is over before the run begins."""
 
 
+class PrestressWarning(UserWarning):
+    """Modes of the reference of a model with loads, whose stresses would change them."""
+
+
 class UnitWarning(UserWarning):
     """A value that is possible, but so far off that its unit may be another one."""
 

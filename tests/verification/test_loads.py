@@ -72,7 +72,7 @@ def test_a_hanging_rod_stretches_under_its_weight(rod) -> None:
         np.testing.assert_allclose(static.displacement[:, 0], expected, rtol=1e-6 if nonlinear else 1e-9)
         assert static.reaction[0, 0] == pytest.approx(-below[0], rel=1e-7)
     # left alone it swings about that; the grip bears the weight when it has come to rest
-    omega = 2.0 * math.pi * bd.solve_modes(model, count=12).frequency[-1]
+    omega = 2.0 * math.pi * bd.solve_modes(model, count=12, prestress=False).frequency[-1]
     gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
     run = bd.solve_explicit(model, duration=2000.0 / omega, damping=bd.MassDamping(0.05 * omega), gauges=gauges)
     np.testing.assert_allclose(run.state.displacement[:, 0], expected, rtol=1e-4, atol=1e-4 * expected[-1])

@@ -46,13 +46,15 @@ from bondem.solve.plan import Plan
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 7
+SCHEMA = 8
 # From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
 # on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams; from
-# 7 on digests, snapshots and provenance.
+# 7 on digests, snapshots and provenance; from 8 on walls of cells that come from where a stage before left them.
 _OLDEST, _DIGESTED = 2, 7
 # Schema from which on an array of the state is there.
-_SINCE = {"stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6}
+_SINCE = {
+    "stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6, "grips": 8,
+}  # fmt: skip
 # What does not change while a run goes on.
 _STATIC = ("plan", "model", "provenance", "elements", "bonds", "facets", "cells")
 _CHUNK = 1 << 20
@@ -131,6 +133,9 @@ class RunFile:
         if again:
             assert goes_on is not None
             self._file = h5py.File(self._raw, "r+", libver=("v108", "v108"))
+            if goes_on.schema < SCHEMA:  # its next checkpoint is of today
+                self._file.attrs["schema"] = SCHEMA
+                self._file.attrs["digest"] = fixed(_digest_of_rest(self._file))
             if "VTKHDF" in self._file:
                 self._snapshots = Snapshots.of(self._file, model, self._cracks)
                 self._snapshots.cut(goes_on.state.time)
@@ -230,8 +235,8 @@ def _put(group: Any, name: str, values: np.ndarray) -> None:
         data[...] = values
 
 
-def _digest_of_state(state: State, history: History) -> str:
-    arrays = [(name, getattr(state, name)) for name in State.ARRAYS]
+def _digest_of_state(state: State, history: History, schema: int = SCHEMA) -> str:
+    arrays = [(name, getattr(state, name)) for name in State.ARRAYS if _SINCE.get(name, 0) <= schema]
     stands = json.dumps([state.step, state.time, bool(state.stale), list(history.gauges)])
     return digest_of([*arrays, ("records", history.records), ("stands", stands)])
 
@@ -367,7 +372,7 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
     if schema < 5:
         records = np.insert(records, PLASTIC, 0.0, axis=1)
     history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
-    if schema >= _DIGESTED and not agree(_digest_of_state(state, history), kept["digest"]):
+    if schema >= _DIGESTED and not agree(_digest_of_state(state, history, schema), kept["digest"]):
         raise ValueError("the digest of its state is another one")
     return Checkpoint(
         model, decode(_json(file, "plan")), state, history, float(kept.get("seconds", 0.0)), schema

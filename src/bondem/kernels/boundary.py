@@ -8,6 +8,7 @@ import math
 
 from bondem._compile import device, loop
 from bondem.kernels.bond_pass import branch
+from bondem.kernels.couples import add_couple
 from bondem.laws.rotations import rotate
 
 
@@ -53,6 +54,9 @@ def apply_schedules(t, dt, schedules, rows, pose):
             continue
         for d in range(6):
             rows.force[schedules.load_row[e], d] += amplitude * schedules.load_value[e, d]
+    for c in range(len(schedules.couples.schedule)):
+        amplitude = value_at(schedules, schedules.couples.schedule[c], t)
+        add_couple(schedules.couples, c, amplitude, pose, rows.force)
     for e in range(len(schedules.drive_row)):
         s = schedules.drive_schedule[e]
         r, d = schedules.drive_row[e], schedules.drive_dof[e]
@@ -66,10 +70,17 @@ def apply_schedules(t, dt, schedules, rows, pose):
 
 @loop(parallel=False)
 def pull_bodies(t, added, schedules):
-    """Bring body forces to time t."""
-    added.present[:] = 0.0
+    """Bring body forces to time t: groups may be as many as elements, and are left alone where nothing changes."""
+    changed = False
     for b in range(len(added.schedule)):
         amplitude = value_at(schedules, added.schedule[b], t)
+        changed |= amplitude != added.factor[b]
+        added.factor[b] = amplitude
+    if not changed:
+        return
+    added.present[:] = 0.0
+    for b in range(len(added.schedule)):
+        amplitude = added.factor[b]
         for g in range(len(added.present)):
             for d in range(3):
                 added.present[g, d] += added.member[g, b] * amplitude * added.pull[b, d]

@@ -4,7 +4,9 @@ A wall keeps its orientation, so that a gap is measured along fixed axes: with a
 
     δ = P (wall - (x + R b - its reference)),   V θ += s·δ,   U = ½ k |δ|² + 2 v·H v
 
-where P keeps the held axes and v is the vector part of the cell's quaternion; see `bondem.laws.cell_energy`.
+where P keeps the held axes and v is the vector part of q q₀*, the rotation of the cell since the wall holds it; see
+`bondem.laws.cell_energy`. A wall that takes over a face which has moved begins where that is: `base` has the
+displacement there and q₀.
 """
 
 from bondem._compile import device, kernel, loop
@@ -35,9 +37,9 @@ def place_wall(t, grips, g):
             continue
         first, last = grips.start[s], grips.start[s + 1]
         if grips.rate[s]:
-            now = _integral(grips.times, grips.values, first, last, t)
+            now = grips.base[g, d] + _integral(grips.times, grips.values, first, last, t)
         else:
-            now = interpolate(grips.times, grips.values, first, last, t)
+            now = grips.base[g, d] + interpolate(grips.times, grips.values, first, last, t)
         grips.came[g, d] = now - grips.wall[g, d]
         grips.wall[g, d] = now
 
@@ -60,6 +62,18 @@ def _gap(pose, rest, grips, g):
         grips.axes[g, 1] * (grips.wall[g, 1] - (pose[p, 1] - rest[p, 1]) - (arm[1] - b[1])),
         grips.axes[g, 2] * (grips.wall[g, 2] - (pose[p, 2] - rest[p, 2]) - (arm[2] - b[2])),
     ), arm
+
+
+@device
+def _turn(pose, grips, g):
+    """Quaternion of the rotation of a cell since its wall holds it: q q₀*."""
+    p, o = grips.cell[g], grips.base[g]
+    w, x, y, z = pose[p, 4], pose[p, 5], pose[p, 6], pose[p, 7]
+    return w * o[3] + x * o[4] + y * o[5] + z * o[6], (
+        x * o[3] - w * o[4] + z * o[5] - y * o[6],
+        y * o[3] - w * o[5] + x * o[6] - z * o[4],
+        z * o[3] - w * o[6] + y * o[4] - x * o[5],
+    )
 
 
 @device
@@ -87,12 +101,12 @@ def grip_load(pose, rest, grips, g):
         k * gap[1] + stress * grips.share[g, 1],
         k * gap[2] + stress * grips.share[g, 2],
     )
-    v = pose[p, 5], pose[p, 6], pose[p, 7]
+    w, v = _turn(pose, grips, g)
     h = resisted_turn(grips.H[g], v)
     turn, about = cross(v, h), cross(arm, f)
     for d in range(3):
         grips.load[g, d] = f[d]
-        grips.load[g, 3 + d] = about[d] - 2.0 * (pose[p, 4] * h[d] + turn[d])
+        grips.load[g, 3 + d] = about[d] - 2.0 * (w * h[d] + turn[d])
 
 
 @kernel(parallel=False)
@@ -128,9 +142,8 @@ def hand_on(pose, rest, grips, rows):
 @device
 def held_energy(pose, rest, grips, g):
     """Energy of the half facet at a wall, without dilatation [J]."""
-    p = grips.cell[g]
     gap, _ = _gap(pose, rest, grips, g)
-    v = pose[p, 5], pose[p, 6], pose[p, 7]
+    _, v = _turn(pose, grips, g)
     return 0.5 * grips.k[g] * scalar(gap, gap) + 2.0 * scalar(v, resisted_turn(grips.H[g], v))
 
 

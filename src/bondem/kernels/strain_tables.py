@@ -23,3 +23,17 @@ class StrainedCells(NamedTuple):
     factor: np.ndarray  #: of each strain: now, what it has come by, ∂U/∂factor before and now [J], (4, g)
     power: np.ndarray  #: sums of portions of facets [J], (portions, g)
     due: np.ndarray  #: whether ∂U/∂factor is needed, (1,)
+
+
+class Strain(NamedTuple):
+    """Stress-free strains that change in time; e bonds, g strains."""
+
+    schedule: np.ndarray  #: (g,)
+    bond: np.ndarray  #: uint32, (e,)
+    part: np.ndarray  #: strain of each bond at factor 1 [-], (g, e)
+    still: np.ndarray  #: 1 and what does not change [-], (e,)
+    length: np.ndarray  #: L [m], (e,)
+    shear: np.ndarray  #: ks [N/m], (e,)
+    lever: np.ndarray  #: a [m], (e,)
+    factor: np.ndarray  #: rows: present factors, those to come, energy by factor [J] a step ago and now, (4, g)
+    place: int  #: in the list of works

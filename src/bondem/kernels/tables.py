@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem.kernels.couples import CoupleTable
 from bondem.kernels.crack_tables import CrackTable
 from bondem.kernels.strain_tables import StrainedCells
 
@@ -150,6 +151,7 @@ class GripTable(NamedTuple):
     arm: np.ndarray  #: the same with the plastic strain of the cell [m], (g, 3)
     share: np.ndarray  #: A M⁻¹n along the held axes [m²], (g, 3)
     H: np.ndarray  #: xx, yy, zz, xy, xz, yz [N·m], (g, 6)
+    base: np.ndarray  #: where the motion of the wall counts from [m], and the orientation of the cell there, (g, 7)
     axes: np.ndarray  #: 1 where held, along x, y, z, (g, 3)
     drive: np.ndarray  #: which schedule moves the wall along x, y, z, or -1, (g, 3)
     rate: np.ndarray  #: whether a schedule is a velocity, uint8
@@ -228,6 +230,7 @@ class Schedules(NamedTuple):
     load_schedule: np.ndarray
     load_value: np.ndarray  #: [N, N·m], (…, 6)
     load_turns: np.ndarray  #: element with which each turns, or -1; (0,) where none does
+    couples: CoupleTable  #: moments, whose forces turn with their regions
 
 
 class Gauges(NamedTuple):
@@ -281,6 +284,7 @@ class Added(NamedTuple):
     pull: np.ndarray  #: their accelerations [m/s²], (b, 3)
     schedule: np.ndarray  #: and schedules, (b,)
     present: np.ndarray  #: acceleration of each group now [m/s²], (g, 3)
+    factor: np.ndarray  #: of which factors it is, (b,)
     body: np.ndarray  #: work of the body forces on each element [J], (n, 1)
     absorbing: np.ndarray  #: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], (r, 6)
     alpha: float  #: of mass damping [1/s]
@@ -288,20 +292,6 @@ class Added(NamedTuple):
     share: np.ndarray  #: where the contact point divides a bond, from i [-], (m,)
     dashed: np.ndarray  #: dashpots' force and torque on each element, and further rows, as the sums of bonds, (…, 8)
     viscous: bool  #: whether there are any dashpots or mass damping
-
-
-class Strain(NamedTuple):
-    """Stress-free strains that change in time; e bonds, g strains."""
-
-    schedule: np.ndarray  #: (g,)
-    bond: np.ndarray  #: uint32, (e,)
-    part: np.ndarray  #: strain of each bond at factor 1 [-], (g, e)
-    still: np.ndarray  #: 1 and what does not change [-], (e,)
-    length: np.ndarray  #: L [m], (e,)
-    shear: np.ndarray  #: ks [N/m], (e,)
-    lever: np.ndarray  #: a [m], (e,)
-    factor: np.ndarray  #: rows: present factors, those to come, energy by factor [J] a step ago and now, (4, g)
-    place: int  #: in the list of works
 
 
 class Breaks(NamedTuple):

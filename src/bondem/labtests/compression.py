@@ -5,7 +5,7 @@ from collections.abc import Callable
 from bondem._checks import number
 from bondem.errors import InputError
 from bondem.labtests.loading import Loading, load_to_failure
-from bondem.labtests.rig import StrengthTest, require_cells, softening_of
+from bondem.labtests.rig import Moduli, StrengthTest, softenings_of
 from bondem.model.cell_constants import CellAssignment
 from bondem.model.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
@@ -43,14 +43,14 @@ def uniaxial_compression(
     """
     number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
     number("labtests.uniaxial_compression", "reach", reach, above=0.0)
-    matrix = require_cells("uniaxial_compression", body, law, density)
+    moduli = Moduli.of("uniaxial_compression", body, law, density)
     wanted = "bd.MohrCoulomb or bd.DruckerPrager with a fracture_energy"
-    softening = softening_of("uniaxial_compression", failure, wanted)
-    if softening.slip is None:
+    found = [one.slip for one in softenings_of("uniaxial_compression", body, failure, wanted)]
+    strengths = [slip.compressive(pressure) for slip in found if slip is not None]
+    if not strengths:
         raise InputError(f"labtests.uniaxial_compression needs the shear strength of a material; give {wanted}")
-    expected = softening.slip.compressive(pressure)
     loading = Loading(
-        sign=-1.0, expected=expected, reach=reach * expected / matrix.E, opening=0.0, ending=0.5,
+        sign=-1.0, expected=min(strengths), reach=reach * strengths[0] / moduli.soft, opening=0.0, ending=0.5,
         pressure=pressure, traverses=traverses,
     )  # fmt: skip
     return load_to_failure("uniaxial_compression", body, law, failure, loading, density=density, progress=progress)

@@ -181,7 +181,7 @@ def _expected(model: Model, ball: BallSpecimen) -> tuple[float, float, float]:
     """
     found = model.implied_fracture
     assert found is not None
-    strength = found.strength
+    strength = found.weakest
     if model.cells is None and model.non_local is None:  # beams: what their sections make up of a section of the ball
         lattice = model.lattice
         solid = (math.pi * model.stiffness.radius**2 * lattice.length).sum() / lattice.particles.envelope.volume

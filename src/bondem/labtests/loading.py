@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from bondem.labtests.rig import Rig, StrengthTest, check_traverses, require_cells, run_to_failure
+from bondem.labtests.rig import Moduli, Rig, StrengthTest, check_traverses, run_to_failure
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.cell_constants import CellAssignment
 from bondem.model.failure_assignment import FailureAssignment
@@ -53,7 +53,7 @@ def load_to_failure(
         UnstableRunError: the run became unstable.
     """
     check_traverses(test, loading.traverses)
-    matrix = require_cells(test, body, law, density)
+    moduli = Moduli.of(test, body, law, density)
     lower, upper = body.particles.envelope.bounds
     length = float(upper[0] - lower[0])
     section = body.particles.envelope.section()
@@ -63,7 +63,7 @@ def load_to_failure(
 
     rig = Rig(
         axis=0, sign=loading.sign, near=Face("x_min"), far=Face("x_max"), section=section, torn=section,
-        length=length, size=length, expected=loading.expected, way=loading.expected / matrix.E * length,
+        length=length, size=length, expected=loading.expected, way=loading.expected / moduli.stiff * length,
         reach=loading.reach * length + loading.opening, ending=loading.ending, traverses=loading.traverses,
         boundary=platens,
     )  # fmt: skip

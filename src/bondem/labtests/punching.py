@@ -17,7 +17,7 @@ from bondem.labtests.rig import (
     check_traverses,
     require_cells,
     run_to_failure,
-    softening_of,
+    softenings_of,
 )
 from bondem.laws.failure.softening import Softening
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
@@ -111,13 +111,14 @@ def shear(
     check_traverses("shear", traverses)
     share = number(owner, "ending", ending, least=0.0, below=1.0)
     matrix = require_cells("shear", body, law, density)
-    softening = softening_of("shear", failure, "bd.MohrCoulomb with a fracture_energy")
+    found = softenings_of("shear", body, failure, "bd.MohrCoulomb with a fracture_energy")
     core = _Core.of(body)
     plate, piston = core.plate, core.piston
     lower, upper = body.particles.envelope.bounds
     section = math.pi * core.ring * core.height
     compliance = _compliance(body, law, plate, piston) * section
-    expected = _expected(softening)
+    strengths = [_expected(one) for one in found]
+    expected = min(strengths)
 
     def sides(speed: float, begin: float) -> list[BoundaryCondition]:
         return [Fix(plate, translation="x", rotation=""), Drive(piston, vx=Ramp(0.0, speed, begin))]
@@ -125,7 +126,7 @@ def shear(
     rig = Rig(
         axis=0, sign=-1.0, near=plate, far=piston, section=section, torn=section, length=core.height,
         size=float(upper[1] - lower[1]),
-        expected=expected, way=compliance * expected, reach=_REACH * compliance * expected, ending=share,
+        expected=expected, way=compliance * expected, reach=_REACH * compliance * strengths[0], ending=share,
         traverses=traverses, boundary=sides,
     )  # fmt: skip
     test = run_to_failure("shear", body, law, failure, rig, density=density, progress=progress)

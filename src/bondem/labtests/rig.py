@@ -16,7 +16,7 @@ from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening
 from bondem.model.boundary import BoundaryCondition
 from bondem.model.cell_constants import CellAssignment
-from bondem.model.failure_assignment import FailureAssignment
+from bondem.model.failure_assignment import FailureAssignment, failure_parts
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -113,7 +113,7 @@ class Rig:
 
 
 def softening_of(test: str, failure: object, wanted: str) -> Softening:
-    """How a material softens; of criteria by region that of the first, which is of the matrix.
+    """How a material softens; of criteria by region that of the first, which is of the matrix (`softenings_of`: all).
 
     Raises:
         InputError: no criterion, or one without a fracture energy where one is needed.
@@ -124,11 +124,48 @@ def softening_of(test: str, failure: object, wanted: str) -> Softening:
     return found
 
 
+def softenings_of(test: str, body: Lattice, failure: FailureAssignment, wanted: str) -> tuple[Softening, ...]:
+    """How the materials of a body soften: the weakest sets the rate of a test, the first, the matrix, its length.
+
+    Raises:
+        InputError: no criterion, or one without a fracture energy where one is needed.
+    """
+    softening_of(test, failure, wanted)
+    there = [part.criterion for part in failure_parts(body, failure) if len(part.bonds) or len(part.elements)]
+    return tuple(softening_of(test, one, wanted) for one in there)
+
+
+@dataclass(frozen=True)
+class Moduli:
+    """Young's moduli of the cells of a body, by volume.
+
+    Attributes:
+        stiff: their mean [Pa], above that of the specimen: a stress is reached after this way or later.
+        soft: the inverse of the mean of their inverses [Pa], below that of the specimen.
+        sound: 1 / mean of 1 / √E, squared [Pa]: √(sound / ρ) is the speed of sound through all of them.
+    """
+
+    stiff: float
+    soft: float
+    sound: float
+
+    @classmethod
+    def of(cls, test: str, body: Lattice, law: CellAssignment, density: float | None) -> "Moduli":
+        """Those of a body; see `require_cells`."""
+        matrix = require_cells(test, body, law, density)
+        if not isinstance(law, Mapping):
+            return cls(matrix.E, matrix.E, matrix.E)
+        cells = Model(body, law, DENSITY).cell_constants
+        E = cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)
+        share = cells.volume / cells.volume.sum()
+        return cls(float(share @ E), float(1.0 / (share @ (1.0 / E))), float((share @ E**-0.5) ** -2.0))
+
+
 def require_cells(test: str, body: Lattice, law: object, density: float | None) -> CellBond:
     """Make sure of a body of cells, its law and a density.
 
     Returns:
-        The law; of laws by region the first, which is of the matrix: its E and ν set the rate of the test.
+        The law; of laws by region the first, which is of the matrix.
 
     Raises:
         InputError: a lattice without cells, another law, or a density that is not positive.
@@ -168,7 +205,7 @@ def run_to_failure(
         UnstableRunError: the run became unstable.
     """
     rho = DENSITY if density is None else density
-    sound = math.sqrt(require_cells(test, body, law, density).E / rho)
+    sound = math.sqrt(Moduli.of(test, body, law, density).sound / rho)
     rise = rig.traverses * rig.size / sound  # time until the expected peak
     speed = rig.sign * rig.way / rise
     begin = _BEGIN * rise

@@ -17,7 +17,7 @@ from bondem.labtests.rig import (
     check_traverses,
     require_cells,
     run_to_failure,
-    softening_of,
+    softenings_of,
 )
 from bondem.laws.failure.softening import Softening
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
@@ -131,12 +131,14 @@ def brazilian(
     check_traverses("brazilian", traverses)
     share = number(owner, "ending", ending, least=0.0, below=1.0)
     matrix = require_cells("brazilian", body, law, density)
-    softening = softening_of("brazilian", failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
-    expected = splitting_strength(softening)
+    found = softenings_of("brazilian", body, failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
+    strengths = [strength for strength in map(splitting_strength, found) if math.isfinite(strength)]
+    expected = min(strengths, default=math.inf)
     if not math.isfinite(expected):
         raise InputError(f"{owner}: no load reaches {failure}; give a criterion with a tensile strength")
     jaws = _Jaws.of(body, half_angle)
     way, centre = _elastic(body, law, jaws)
+    reach = _REACH * way * strengths[0]
     way *= expected
 
     def platens(speed: float, begin: float) -> list[BoundaryCondition]:
@@ -146,7 +148,7 @@ def brazilian(
     rig = Rig(
         axis=1, sign=-1.0, near=jaws.bottom, far=jaws.top, section=0.5 * math.pi * jaws.diameter * jaws.thickness,
         torn=jaws.diameter * jaws.thickness, length=jaws.diameter, size=jaws.diameter, expected=expected, way=way,
-        reach=_REACH * way, ending=share, traverses=traverses, boundary=platens, gauge=_gauge(body, matrix.nu, jaws),
+        reach=reach, ending=share, traverses=traverses, boundary=platens, gauge=_gauge(body, matrix.nu, jaws),
     )  # fmt: skip
     test = run_to_failure("brazilian", body, law, failure, rig, density=density, progress=progress)
     return BrazilianTest(test=test, centre=centre, factor=jaws.factor, half_angle=jaws.half_angle)

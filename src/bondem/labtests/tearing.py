@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from bondem.labtests.loading import Loading, load_to_failure
-from bondem.labtests.rig import StrengthTest, require_cells, softening_of
+from bondem.labtests.rig import Moduli, StrengthTest, softenings_of
 from bondem.model.cell_constants import CellAssignment
 from bondem.model.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
@@ -35,11 +35,12 @@ def direct_tension(
         InputError: a lattice without cells, or a criterion that knows no tensile strength.
         UnstableRunError: the run became unstable.
     """
-    matrix = require_cells("direct_tension", body, law, density)
-    softening = softening_of("direct_tension", failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
-    opening = softening.last * softening.fracture_energy / softening.tension
+    moduli = Moduli.of("direct_tension", body, law, density)
+    found = softenings_of("direct_tension", body, failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
+    weakest = min(found, key=lambda one: one.tension)
+    opening = max(one.last * one.fracture_energy / one.tension for one in (found[0], weakest))
     loading = Loading(
-        sign=1.0, expected=softening.tension, reach=1.3 * softening.tension / matrix.E, opening=1.5 * opening,
+        sign=1.0, expected=weakest.tension, reach=1.3 * found[0].tension / moduli.soft, opening=1.5 * opening,
         ending=0.002, pressure=0.0, traverses=traverses,
     )  # fmt: skip
     return load_to_failure("direct_tension", body, law, failure, loading, density=density, progress=progress)

@@ -107,7 +107,9 @@ class Load:
     The nodal forces are the smallest (in the sum of squares) whose resultant is `force` through the region's
     anchor (the centre of a face, else the centroid) and whose moment about it is `moment`. Where the elements
     cannot carry a moment by forces (one element, or a row), they get torques for the rest. On a face of a body of
-    cells they are the smallest tractions, on the facets of the face.
+    cells they are the smallest tractions, on the facets of the face. Forces and moments keep their direction; where
+    the region turns, the forces that make up its moment turn with it, in explicit runs and at large rotations
+    (`solve_static(nonlinear=True)`, `solve_relaxed`).
 
     Attributes:
         region: who.
@@ -138,6 +140,15 @@ class Load:
         rest = np.array(self.moment) - np.cross(arms, values[:, :3]).sum(axis=0)
         values[:, 3:] = rest / len(chosen)
         return chosen, values
+
+    def points(self, lattice: Lattice) -> tuple[Ints, Floats, Floats]:
+        """Where it acts: the element of each point, the arm from its centre [m], (k, 3), and its share of 1, (k,)."""
+        if lattice.cells is None or not is_face(self.region):
+            chosen = self.region.select(lattice)
+            return chosen, np.zeros((len(chosen), 3)), np.full(len(chosen), 1.0 / len(chosen))
+        chosen, owner, centre, area = facets_on(self.region, lattice)
+        size = np.linalg.norm(area, axis=1)
+        return chosen[owner], centre - lattice.centre[chosen[owner]], size / size.sum()
 
     def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
         """Facets of a face of a body, numbers in `cells.free`, and the force on each [N], (p, 3), at full load."""

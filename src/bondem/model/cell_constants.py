@@ -292,12 +292,15 @@ def _grips(cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: 
     # a wall that holds the normal keeps the facet plane
     flat = ((axes * normal) ** 2).sum(axis=1)
     H = _resistance(free.moment[facet], normal, stiffness * flat, rotation)
+    whole = _resistance(free.moment[facet], normal, stiffness, rotation)
     if rotation == "full":  # a wall that only keeps the facet plane lets it turn in its plane
         bent = _resistance(free.moment[facet], normal, stiffness * flat, "bending")
-        H = np.where(np.all(axes, axis=1, keepdims=True)[:, :, None], H, bent)
+        every = np.all(axes, axis=1, keepdims=True)[:, :, None]
+        H = np.where(every, H, bent)
+        whole = np.where(every, whole, _resistance(free.moment[facet], normal, stiffness, "bending"))
     lever = free.centroid[facet] - cells.centroid[cell]
     return Grips(
         cell=cell, k=stiffness * free.area[facet], lever=lever, arm=lever,
         share=axes * free.area[facet, None] * n_free[facet], H=H, axes=axes, motion=holds.final_motion(),
-        holds=holds,
+        holds=holds, area=free.area[facet], normal=normal, way=n_free[facet], bend=whole,
     )  # fmt: skip

@@ -1,7 +1,7 @@
 """Boundary conditions resolved to arrays in the kernels' order: elements that are held or loaded own a row."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from bondem.errors import InputError
 from bondem.kernels.tables import Rows, Schedules
 from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
 from bondem.model.cell_constants import CellConstants
+from bondem.model.couples import Couple, couple_table
 from bondem.model.layout import Layout
 from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
 from bondem.model.schedules import Schedule
@@ -30,9 +31,10 @@ class Constraints:
             tells velocities (1) from displacements (0).
         load_row, load_schedule, load_value: one entry a loaded element; values [N, N·m] are (…, 6).
         load_turns: element with which each load turns, or -1; (0,) where none does.
+        couples: moments of loads, whose forces turn with their regions.
         absorbing: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], zero where motion is prescribed,
             shape (r, 6), or (0, 6) without any.
-        body_on: which elements each body force acts on, shape (b, n); body_value, body_schedule: its
+        body_on: how much of each body force acts on each element [-], shape (b, n); body_value, body_schedule: its
             acceleration [m/s²], (b, 3), and schedule, (b,).
         strain_part: stress-free strain of each bond, shape (g, m); strain_schedule: (g,).
         weight: mass of each element that is connected, else 0 [kg], shape (n,).
@@ -54,6 +56,7 @@ class Constraints:
     load_schedule: np.ndarray
     load_value: Floats
     load_turns: np.ndarray
+    couples: tuple[Couple, ...]
     absorbing: Floats
     body_on: np.ndarray
     body_value: Floats
@@ -90,6 +93,7 @@ class Constraints:
         schedules: list[Schedule] = []
         drives: list[tuple[np.ndarray, int, int, bool]] = []
         loads: list[tuple[np.ndarray, int, Floats, bool]] = []
+        couples: list[Couple] = []
         presses: list[tuple[PerElement, int]] = []
         dashpots = np.zeros((n, 6))
         bodies: list[tuple[np.ndarray, tuple[float, float, float], int]] = []
@@ -110,7 +114,11 @@ class Constraints:
                         drives.append((chosen, dof, len(schedules), rate))
                         schedules.append(schedule)
                 case Load() | Pressure():
-                    chosen, nodal = condition.nodal(lattice)
+                    couple = _couple(condition, lattice, layout, len(schedules))
+                    if couple is not None:
+                        couples.append(couple)
+                    straight = condition if couple is None else replace(condition, moment=(0.0, 0.0, 0.0))
+                    chosen, nodal = straight.nodal(lattice)
                     chosen = layout.rank[chosen]
                     loads.append((chosen, len(schedules), nodal, _follows(condition, lattice)))
                     if cells is not None and is_face(condition.region):
@@ -122,9 +130,8 @@ class Constraints:
                     dashpots[chosen] += viscous
                 case BodyForce():
                     condition.region.select(lattice)  # refuses an empty region
-                    bodies.append(
-                        (condition.region.mask(lattice)[layout.order], condition.acceleration, len(schedules))
-                    )
+                    for on, pull in condition.parts(lattice):
+                        bodies.append((on[layout.order], pull, len(schedules)))
                     schedules.append(condition.schedule)
                 case Eigenstrain():
                     strains.append((condition.parts(lattice)[layout.bond_order], len(schedules)))
@@ -161,8 +168,9 @@ class Constraints:
             load_turns=_joined_rows(
                 [np.where(turns, chosen, -1) for chosen, *_, turns in loads] if any(t for *_, t in loads) else []
             ),
+            couples=tuple(couples),
             absorbing=dashpots[element] if dashpots.any() else np.zeros((0, 6)),
-            body_on=np.array([on for on, *_ in bodies], dtype=bool).reshape(len(bodies), n),
+            body_on=np.array([on for on, *_ in bodies], dtype=float).reshape(len(bodies), n),
             body_value=np.array([value for _, value, _ in bodies], dtype=float).reshape(-1, 3),
             body_schedule=np.array([s for *_, s in bodies], dtype=np.int64),
             strain_part=np.array([part for part, _ in strains], dtype=float).reshape(len(strains), m),
@@ -180,7 +188,7 @@ class Constraints:
             times=self.times, values=self.values, start=self.start, drive_row=self.drive_row,
             drive_dof=self.drive_dof, drive_schedule=self.drive_schedule, drive_rate=self.drive_rate,
             load_row=self.load_row, load_schedule=self.load_schedule, load_value=self.load_value,
-            load_turns=self.load_turns,
+            load_turns=self.load_turns, couples=couple_table(self.couples, self.row_of),
         )  # fmt: skip
 
     def rows(self, reaction: Floats, work: Floats) -> Rows:
@@ -191,14 +199,23 @@ class Constraints:
             grip=np.zeros((len(self.element) if self.holding else 0, 6)), work=work,
         )  # fmt: skip
 
-    def final_load(self, n: int) -> Floats:
-        """Forces and torques at the end of all schedules [N, N·m], internal order, shape (n, 6)."""
+    def final_load(self, n: int, pose: Floats | None = None) -> Floats:
+        """Forces and torques at the end of all schedules [N, N·m], internal order, shape (n, 6).
+
+        Those of moments are the ones in a pose, (n, 8): in the reference when None.
+        """
         load = np.zeros((n, 6))
         last = self._final(self.load_schedule)
         np.add.at(load, self.element[self.load_row], last[:, None] * self.load_value)
         pull = self._final(self.body_schedule)[:, None] * self.body_value
-        load[:, :3] += self.weight[:, None] * (self.body_on.T.astype(float) @ pull)
+        load[:, :3] += self.weight[:, None] * (self.body_on.T @ pull)
+        for couple, factor in self.final_couples():
+            couple.add_to(load, pose, factor)
         return load
+
+    def final_couples(self) -> list[tuple[Couple, float]]:
+        """Moments of loads, and their factors at the end of all schedules."""
+        return [(couple, float(self.values[self.start[couple.schedule + 1] - 1])) for couple in self.couples]
 
     def final_strain(self) -> PerBond:
         """Stress-free strain of each bond at the end of all schedules [-], internal order, shape (m,)."""
@@ -236,6 +253,17 @@ class Constraints:
         held = np.zeros((n, 6), dtype=bool)
         held[self.element] = self.fixed.astype(bool)
         return held
+
+
+def _couple(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedule: int) -> Couple | None:
+    """The moment of a load that its forces bear, which turn; None where torques do."""
+    if not isinstance(condition, Load) or not any(condition.moment):
+        return None
+    chosen, arm, share = condition.points(lattice)
+    place = lattice.centre[chosen] + arm
+    if np.ptp(place, axis=0).max() <= 1e-12 * (1.0 + np.abs(place).max()):
+        return None
+    return Couple(layout.rank[chosen], lattice.centre[chosen], arm, share, np.array(condition.moment), schedule)
 
 
 def _follows(condition: Load | Pressure, body: Lattice) -> bool:

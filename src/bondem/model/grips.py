@@ -12,11 +12,15 @@ import numpy as np
 
 from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
 from bondem.kernels.tables import GripTable
+from bondem.kernels.turning import turn_vectors
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.layout import Layout
 from bondem.model.loads import facet_numbers, is_face
 from bondem.model.schedules import Schedule
 from bondem.specimen.lattice import Lattice
+
+#: Columns of where walls come from, `State.grips`: offset [m], 3, and the orientation of the cell there, w x y z.
+BASE = 7
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +66,12 @@ class Holds:
         facet = np.flatnonzero(axes.any(axis=1))
         return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate))
 
+    def same(self, other: "Holds") -> bool:
+        """Whether these facets are held and moved in the same way."""
+        arrays = ((self.facet, other.facet), (self.axes, other.axes), (self.drive, other.drive))
+        moved = self.drives == other.drives and self.rate == other.rate
+        return moved and all(np.array_equal(*each) for each in arrays)
+
     def final_motion(self) -> Floats:
         """Displacements of the walls at the end of all schedules [m], shape (g, 3)."""
         last = np.array([schedule.final for schedule in self.drives] + [0.0])
@@ -88,6 +98,10 @@ class Grips:
         axes: whether the facet is held along x, y, z, as 0 and 1, shape (g, 3).
         motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
         holds: how the walls move.
+        area: of the facets [m²], shape (g,).
+        normal: of the facets [-], shape (g, 3).
+        way: M⁻¹n [-], shape (g, 3).
+        bend: H where the whole normal is held [N·m], shape (g, 3, 3).
     """
 
     cell: Ints
@@ -99,6 +113,26 @@ class Grips:
     axes: Floats
     motion: Floats
     holds: Holds
+    area: Floats
+    normal: Floats
+    way: Floats
+    bend: Floats
+
+    def flatness(self, orientation: Floats) -> Floats:
+        """How much of the normal of each facet is held, 0 … 1, with cells of these quaternions (g, 4), shape (g,)."""
+        return ((self.axes * turned(orientation, self.normal)) ** 2).sum(axis=1)
+
+    def taken(self, base: Floats) -> "Grips":
+        """The same of walls that hold cells from the orientations in `base` on, (g, 7)."""
+        other = (base[:, 4:] != 0.0).any(axis=1)
+        if not other.any():
+            return self
+        q, share, H = base[other, 3:], self.share.copy(), self.H.copy()
+        share[other] = self.area[other, None] * self.axes[other] * turned(q, self.way[other])
+        R = np.stack([turned(q, np.tile(axis, (len(q), 1))) for axis in np.eye(3)], axis=2)
+        held = self.flatness(base[:, 3:])[other, None, None]
+        H[other] = held * (R @ self.bend[other] @ np.swapaxes(R, 1, 2))
+        return replace(self, share=share, H=H)
 
     def grown(self, strain: PerElement) -> "Grips":
         """The same of cells with a stress-free strain [-], user's order, (n,)."""
@@ -147,22 +181,41 @@ class Grips:
         own[:, 3:, 3:] += self.H
         return own, -np.hstack([self.share, np.cross(b, self.share)])
 
-    def table(self, layout: Layout, row_of: Ints, place: int) -> GripTable:
+    def table(self, layout: Layout, row_of: Ints, place: int, base: Floats | None = None) -> GripTable:
         """The grips as kernels take them.
 
         Args:
             layout: order of the elements.
             row_of: row of the boundary of each element, kernels' order.
             place: of the walls in the list of works.
+            base: where the walls come from, (g, 7): the reference when None, or of another number of facets.
         """
+        if base is not None and len(base) == len(self.cell):
+            return self.taken(base)._table(layout, row_of, place, base)
+        return self._table(layout, row_of, place, reference_base(len(self.cell)))
+
+    def _table(self, layout: Layout, row_of: Ints, place: int, base: Floats) -> GripTable:
         cell, count, holds = layout.rank[self.cell], len(self.cell), self.holds
         tables = [schedule.table for schedule in holds.drives]
         return GripTable(
             cell=cell, row=row_of[cell], k=self.k, lever=self.lever, arm=self.arm.copy(),
             share=self.share,
-            H=np.ascontiguousarray(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]), axes=self.axes, drive=holds.drive,
+            H=np.ascontiguousarray(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]), base=base,
+            axes=self.axes, drive=holds.drive,
             rate=np.array(holds.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),
             values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
             start=np.cumsum([0, *(len(t) for t, _ in tables)]).astype(np.int64), place=place,
-            wall=np.zeros((count, 3)), came=np.zeros((count, 3)), load=np.zeros((count, 6)),
+            wall=base[:, :3].copy(), came=np.zeros((count, 3)), load=np.zeros((count, 6)),
         )  # fmt: skip
+
+
+def reference_base(count: int) -> Floats:
+    """Where walls come from that count from the reference, (g, 7)."""
+    base = np.zeros((count, BASE))
+    base[:, 3] = 1.0
+    return base
+
+
+def turned(quaternion: Floats, vectors: Floats) -> Floats:
+    """Vectors (k, 3), each turned by its unit quaternion, (k, 4)."""
+    return turn_vectors(np.ascontiguousarray(quaternion), np.ascontiguousarray(vectors))

@@ -30,6 +30,7 @@ class ImpliedFracture:
     Attributes:
         softens: whether a fracture energy was given.
         strength: f_t, tensile, of a beam its largest axial force over its section [Pa].
+        weakest: the least of the medians of the parts that have a criterion each [Pa].
         E: Young's modulus [Pa].
         density: of the specimen, air included [kg/m³].
         length: L, of bonds or between cells across their facet [m].
@@ -40,6 +41,7 @@ class ImpliedFracture:
 
     softens: bool
     strength: float
+    weakest: float
     E: float
     density: float
     length: float
@@ -109,8 +111,9 @@ def implied_fracture(
         energy = strength * strength * L / E
     else:
         energy = float((stored * length).sum() / (2.0 * volume))
+    weakest = min(float(np.median((pull / area)[part.bonds])) for part in parts if len(part.bonds))
     return ImpliedFracture(
-        softens=softens, strength=strength, E=E, density=float(mass.sum()) / volume, length=L,
+        softens=softens, strength=strength, weakest=weakest, E=E, density=float(mass.sum()) / volume, length=L,
         bond_energy=float(np.median(stored / area)), fracture_energy=energy,
         extent=float(np.max(np.subtract(upper, lower))),
     )  # fmt: skip

@@ -1,13 +1,15 @@
 """Loads that act on faces, volumes and bonds: body forces, pressure, absorbing boundaries, stress-free strain."""
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 from scipy.spatial import KDTree
 
-from bondem._checks import instance, number, vector
-from bondem._types import Floats, Ints, PerBond
+from bondem._checks import array, instance, number, possible, shown, vector
+from bondem._types import Floats, Ints, PerBond, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.model.balance import balanced_forces
 from bondem.model.schedules import Constant, Schedule, as_schedule
@@ -23,22 +25,61 @@ _PATCH = 0.25
 class BodyForce:
     """A force on every element in proportion to its mass, such as weight.
 
-    In explicit runs it acts on loose elements of the region too; a static solution has none of these.
+    In explicit runs it acts on loose elements of the region too; a static solution has none of these. One that varies
+    in space, such as that of a body that spins, keeps for each element the value that it has in the reference.
 
     Attributes:
-        acceleration: force over mass [m/s²], (3,).
+        acceleration: force over mass [m/s²]: (3,), the same everywhere; or (n, 3), one row for each element in the
+            user's order, of which those outside of the region do not count; or a function of the reference centres
+            [m], (n, 3), that returns (n, 3). A run file cannot hold a function: give its values.
         region: who.
         schedule: factor over time [-].
+
+    Raises:
+        InputError: another shape, or values that are not finite; of a function, when a model is made.
     """
 
-    acceleration: tuple[float, float, float]
+    acceleration: tuple[float, float, float] | Sequence[Sequence[float]] | Callable[[PerElement3], PerElement3]
     region: Region = Everything()
     schedule: Schedule = Constant(1.0)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "acceleration", vector("BodyForce", "acceleration", self.acceleration, unit="m/s²"))
+        if not callable(self.acceleration):
+            object.__setattr__(self, "acceleration", _accelerations(self.acceleration))
         as_region("BodyForce", self.region)
         object.__setattr__(self, "schedule", as_schedule("BodyForce", "schedule", self.schedule))
+
+    def parts(self, lattice: Lattice) -> list[tuple[PerElement, tuple[float, float, float]]]:
+        """Uniform accelerations at factor 1 [m/s²], and how much of each acts on each element, user's order, (n,).
+
+        Raises:
+            InputError: an acceleration of another number of elements, or a function that gives one.
+        """
+        inside, n = self.region.mask(lattice).astype(float), len(lattice.particles)
+        given = self.acceleration
+        if not callable(given) and np.ndim(given[0]) == 0:
+            return [(inside, cast(tuple[float, float, float], given))]
+        values = np.asarray(given(lattice.centre.copy()) if callable(given) else given, dtype=float)
+        if values.shape != (n, 3) or not possible(values):
+            raise InputError(
+                f"BodyForce: acceleration = {shown(given)}: its values have shape {values.shape} or are not finite;"
+                f" give ({n}, 3) [m/s²], one an element, or a function of (n, 3) centres that does"
+            )
+        axes = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+        return [(inside * values[:, d], axis) for d, axis in enumerate(axes) if values[:, d].any()]
+
+
+def _accelerations(given: object) -> tuple[float, float, float] | tuple[tuple[float, float, float], ...]:
+    """Three components, or one row an element."""
+    values = array("BodyForce", "acceleration", given, wanted="(3,), or (n, 3) [m/s²], or a function of centres")
+    if values.ndim < 2:
+        return vector("BodyForce", "acceleration", given, unit="m/s²")
+    if values.ndim > 2 or values.shape[1] != 3 or not possible(values):
+        raise InputError(
+            f"BodyForce: acceleration has shape {values.shape} or values that are not finite; give (3,), (n, 3)"
+            " [m/s²], or a function of centres"
+        )
+    return tuple((x, y, z) for x, y, z in values.tolist())
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from bondem.laws.bond import BondStiffness
 from bondem.laws.contact import ContactLaw
 from bondem.model.beam_softening import BeamSoftening
 from bondem.model.boundary import BoundaryCondition
+from bondem.model.cell_constants import CellConstants
 from bondem.model.constraints import Constraints
 from bondem.model.layout import Layout
 from bondem.model.non_local_constants import NonLocalConstants
@@ -35,6 +36,10 @@ class Origin(Protocol):
     def stiffness(self) -> BondStiffness: ...
     @property
     def formulation(self) -> str: ...
+    @cached_property
+    def cells(self) -> CellConstants | None: ...
+    @property
+    def cell_constants(self) -> CellConstants: ...
     @cached_property
     def non_local(self) -> NonLocalConstants | None: ...
     @cached_property

@@ -12,6 +12,7 @@ from bondem.kernels.non_local import STORED, TAKEN
 from bondem.kernels.soft_tables import SOFT_COLUMNS
 from bondem.kernels.tables import BROKEN_COLUMNS, lines
 from bondem.kernels.walls import COLUMNS, FORCE, RATE, WORK
+from bondem.model.grips import reference_base
 from bondem.model.loads import Eigenstrain
 from bondem.model.origin import Origin, difference
 from bondem.model.walls import Free, Servo, Wall
@@ -51,6 +52,7 @@ class State:
         cracks: facets that have begun to crack, in time (`bondem.kernels.crack_tables`), shape (c, 13).
         plastic: plastic strain of cells and what goes with it (as above), (n, 17), or (0, 17) where none yield.
         softened: beams that have begun to soften, in time (`bondem.kernels.soft_tables`), shape (c, 6).
+        grips: where the walls come from that hold facets of cells (`bondem.model.grips`), shape (g, 7).
         facet_force: of each facet on its cell i [N], of a body whose facets may crack, shape (3, m), else (3, 0).
         step: steps done.
         time: [s].
@@ -94,6 +96,7 @@ class State:
         self.plastic = np.zeros((n if soft is not None and soft.slip is not None else 0, PLASTIC_COLUMNS))
         self.facet_force = np.zeros((3, 0 if soft is None else m))
         self.softened = np.zeros((0, SOFT_COLUMNS))
+        self.grips = reference_base(0 if model.cells is None else len(model.cells.grips.cell))
         self.step = 0
         self.time = 0.0
         self.stale = True
@@ -101,7 +104,7 @@ class State:
     ARRAYS = (
         "pose", "motion", "acceleration", "integrity", "history", "stress", "eigenstrain", "reaction", "work", "loss",
         "touching", "stretch", "wall_touching", "wall_stretch", "walls", "broken", "released",
-        "cracks", "plastic", "facet_force", "softened",
+        "cracks", "plastic", "facet_force", "softened", "grips",
     )  # fmt: skip
 
     # Those with as many rows as there are contacts, or broken bonds.
@@ -143,6 +146,7 @@ class State:
         self._set_off(before, model.walls)
         self.walls[:, WORK] = 0.0
         self.released = np.zeros(1)
+        self.grips = reference_base(0 if model.cells is None else len(model.cells.grips.cell))
         self._take_damage(model)
         self.model, self.layout = model, model.layout
         self.step = 0

@@ -109,7 +109,7 @@ def _turned(model: Model, state: State) -> CellForces:
     grips, n = constants.grips, len(cells.volume)
     arm = turned_vectors(q[grips.cell], grips.arm)
     came = state.displacement[grips.cell] + arm - grips.lever
-    opened = grips.axes * (_walls(model, state.time) - came)
+    opened = grips.axes * (wall_places(model, state) - came)
     whole = state.bond_integrity
     constants = constants.damaged(whole, i, j)
     swelling = constants.pressed_by(loads_on_facets(model, state.time))
@@ -140,7 +140,7 @@ def _failing(model: Model, state: State) -> CellForces:
     force = np.empty((len(i), 3))
     force[layout.bond_order] = np.where(layout.flipped[:, None], -1.0, 1.0) * state.facet_force.T
     arm = turned_vectors(q[grips.cell], _deformed(state, grips.cell, grips.arm))
-    opened = grips.axes * (_walls(model, state.time) - (state.displacement[grips.cell] + arm - grips.lever))
+    opened = grips.axes * (wall_places(model, state) - (state.displacement[grips.cell] + arm - grips.lever))
     stress = state.pose[layout.rank, STRESS]
     return CellForces(
         force=force,
@@ -163,6 +163,8 @@ def _deformed(state: State, owner: Ints, arm: Floats) -> Floats:
 def _grown(model: Model, state: State) -> CellConstants:
     """The constants, user's order, with the stress-free strain of a state."""
     constants, layout, strain = model.cell_constants, model.layout, state.stress_free_strain
+    if len(state.grips) == len(constants.grips.cell):
+        constants = replace(constants, grips=constants.grips.taken(state.grips))
     if not strain.size:
         return constants
     stretch = np.empty((len(strain), 1))
@@ -171,8 +173,18 @@ def _grown(model: Model, state: State) -> CellConstants:
     return replace(constants, lever_i=constants.lever_i * stretch, lever_j=constants.lever_j * stretch, grips=grips)
 
 
-def _walls(model: Model, time: float) -> Floats:
-    """Displacement of the walls at a time [m], (g, 3)."""
-    grips = model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0)
-    place_walls(time, grips)
+def held_arms(model: Model, state: State) -> Floats:
+    """From the centres of mass to the facets that walls hold, in a state [m], shape (g, 3)."""
+    grips = _grown(model, state).grips
+    return turned_vectors(state.orientation[grips.cell], _deformed(state, grips.cell, grips.arm))
+
+
+def wall_places(model: Model, state: State, base: Floats | None = None) -> Floats:
+    """Displacement of the walls that hold cells at the time of a state [m], (g, 3).
+
+    They come from where `base`, (g, 7), says, or the state itself.
+    """
+    base = state.grips if base is None else base
+    grips = model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0, base)
+    place_walls(state.time, grips)
     return grips.wall

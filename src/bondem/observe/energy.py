@@ -136,7 +136,7 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
         normal += pressed_energy(state.pose, bonds, state.softened, count, model.hands_over) if count else 0.0
         return EnergyParts(normal, *others)
     layout, constants = model.layout, model.cells.stretched(strain, model.layout)
-    grips = constants.grips.table(layout, model.constraints.row_of, 0)
+    grips = constants.grips.table(layout, model.constraints.row_of, 0, None if wall is not None else state.grips)
     if wall is None:
         place_walls(state.time, grips)
     else:

@@ -1,5 +1,7 @@
 """What loads do on the facets that cells have on the surface."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from bondem._types import Floats
@@ -13,8 +15,8 @@ from bondem.observe.turned_vectors import turned_vectors
 def loads_on_facets(model: Model, time: float | None = None, orientation: Floats | None = None) -> Floats:
     """Forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end.
 
-    Pressures that follow have turned with their cells, whose quaternions are given, (n, 4); without they are in the
-    axes of their cells.
+    Pressures that follow and the forces of moments have turned with their cells, whose quaternions are given, (n, 4);
+    without they are in the axes of their cells.
     """
     _, cells = body_of(model.lattice)
     force = np.zeros((len(cells.free.cell), 3))
@@ -24,5 +26,8 @@ def loads_on_facets(model: Model, time: float | None = None, orientation: Floats
             schedule = condition.schedule
             if orientation is not None and isinstance(condition, Pressure) and condition.follows:
                 values = turned_vectors(orientation[cells.free.cell[numbers]], values)
+            if orientation is not None and isinstance(condition, Load) and any(condition.moment):
+                _, turning = replace(condition, force=(0.0, 0.0, 0.0)).on_facets(model.lattice)
+                values = values - turning + turned_vectors(orientation[cells.free.cell[numbers]], turning)
             force[numbers] += (schedule.final if time is None else schedule.at(time)) * values
     return force

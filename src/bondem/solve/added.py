@@ -4,8 +4,8 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.kernels.cell_strain import PORTION
-from bondem.kernels.strain_tables import StrainedCells
-from bondem.kernels.tables import Added, Strain
+from bondem.kernels.strain_tables import Strain, StrainedCells
+from bondem.kernels.tables import Added
 from bondem.laws.damping import DampingTerms
 from bondem.model.bond_table import with_zeros
 from bondem.model.model import Model
@@ -34,6 +34,7 @@ def added(model: Model, terms: DampingTerms, state: State, rows: int) -> Added |
         pull=held.body_value,
         schedule=held.body_schedule,
         present=np.zeros((len(member), 3)),
+        factor=np.zeros(len(held.body_on)),
         body=state.work[body:strain].reshape(-1, 1),
         absorbing=held.absorbing,
         alpha=terms.alpha,

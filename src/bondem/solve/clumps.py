@@ -121,10 +121,10 @@ class Clumps:
         return self.prolongation @ self._factors.solve(np.asfortranarray(self.restriction @ residual))
 
     def modes(self, mass: bsr_array, count: int) -> Floats:
-        """Lowest modes of the pencil (matrix, mass) among the motions of the clumps, shape (6 n, count)."""
+        """Lowest modes of the pencil (matrix, mass) among the motions of the clumps, (6 n, count) or all but one."""
         coarse = csc_array((self.restriction @ (mass @ self.prolongation)).tocsc())
         start = coarse @ np.random.default_rng(0).standard_normal(self._size)
         solve = self._factors.solve
         return self.prolongation @ lowest_modes(
-            self.matrix, solve, start, mass=coarse, count=count, tolerance=1e-3
+            self.matrix, solve, start, mass=coarse, count=min(count, self._size - 1), tolerance=1e-3
         )[1]

@@ -62,7 +62,7 @@ class CrackForces:
         assert model.cells is not None
         constants = model.cells.stretched(state.eigenstrain, model.layout)
         cells = with_forces(constants.rows(model.layout.i), model, state, 0)
-        grips = constants.grips.table(model.layout, model.constraints.row_of, 0)
+        grips = constants.grips.table(model.layout, model.constraints.row_of, 0, state.grips)
         table = crack_table(model, state, cells, grips, np.zeros((0, 6)), dt)
         assert table is not None
         assert cells.bends is not None

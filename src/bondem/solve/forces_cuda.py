@@ -173,7 +173,7 @@ def starts(rows: np.ndarray, count: int) -> np.ndarray:
 def _holds(cells: CellConstants, held: Constraints, model: Model, state: State) -> tuple[GripTable, DeviceHolds]:
     """Walls and tractions in the order of the rows, each of a row in the order of the CPU."""
     rows = len(held.element)
-    grips = cells.grips.table(model.layout, held.row_of, held.works[2])
+    grips = cells.grips.table(model.layout, held.row_of, held.works[2], state.grips)
     order, count = np.argsort(grips.row, kind="stable"), len(grips.row)
     shared = ("rate", "times", "values", "start")
     each = {name: getattr(grips, name) for name in GripTable._fields if name != "place"}

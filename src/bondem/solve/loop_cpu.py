@@ -106,7 +106,7 @@ class CpuLoop:
             strained = model.cells.stretched(state.eigenstrain, layout)
             if model.softening is None:
                 strained = strained.damaged(state.integrity, layout.i, layout.j)
-            grips = strained.grips.table(layout, held.row_of, held.works[2])
+            grips = strained.grips.table(layout, held.row_of, held.works[2], state.grips)
             presses = PressTable(
                 value=held.press_value, schedule=held.press_schedule, place=held.works[2],
                 factor=np.zeros(len(held.press_schedule)), came=np.zeros(len(held.press_schedule)),

@@ -16,8 +16,9 @@ import numpy as np
 from bondem._compile_cuda import Array, download, launch, missing, recorded, upload, zeros
 from bondem.errors import InputError
 from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUNAWAY
+from bondem.kernels.couples import CoupleTable
 from bondem.kernels.cuda import sample
-from bondem.kernels.cuda.elements import move, open_step, pull_groups, schedule_rows
+from bondem.kernels.cuda.elements import move, open_step, pull_groups, schedule_rows, turn_moments
 from bondem.kernels.cuda.tables import DeviceBodies, DeviceElements, DeviceGauges, RowSchedules
 from bondem.kernels.tables import (
     CONTACT,
@@ -72,6 +73,7 @@ class GpuLoop:
         self._adjacency = Adjacency._make(map(upload, (*ends, layout.out_bond)))
         self._rows, self._schedules = _rows(model.constraints, state), _schedules(model.constraints)
         self._bodies = _bodies(model.constraints)
+        self._couples = _couples(model.constraints)
         run = DeviceRun(
             self._clock, self._scheme, self._elements, self._adjacency, self._rows, self._schedules
         )  # fmt: skip
@@ -148,6 +150,11 @@ class GpuLoop:
     def _schedule(self, ahead: int, stream: Any = 0) -> None:
         clock, scheme, schedules, bodies = self._clock, self._scheme, self._schedules, self._bodies
         launch(schedule_rows, schedules.r, clock, ahead, scheme, schedules, self._rows, stream=stream)
+        if self._couples is not None:
+            launch(
+                turn_moments, 1, clock, ahead, scheme, schedules, self._couples, self._elements.pose, self._rows,
+                stream=stream,
+            )  # fmt: skip
         if bodies.b:
             launch(pull_groups, bodies.present.shape[0], clock, ahead, scheme, schedules, bodies, stream=stream)
 
@@ -278,6 +285,10 @@ def _bodies(held: Constraints) -> DeviceBodies:
         held.body_schedule,
     )  # fmt: skip
     return DeviceBodies._make([count, *map(upload, arrays), held.works[0], zeros(len(member), 3)])
+
+
+def _couples(held: Constraints) -> CoupleTable | None:
+    return CoupleTable._make(map(upload, held.schedules.couples)) if held.couples else None
 
 
 def _schedules(held: Constraints) -> RowSchedules:

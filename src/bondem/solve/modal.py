@@ -1,6 +1,8 @@
 """Natural modes of a model: K φ = ω² M φ."""
 
+import warnings
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from scipy.linalg import eigh
@@ -9,12 +11,17 @@ from scipy.sparse import bsr_array, csc_array, diags_array
 from bondem._checks import count as whole_number
 from bondem._checks import instance
 from bondem._types import Floats
-from bondem.errors import ConvergenceError, InputError
+from bondem.errors import ConvergenceError, InputError, PrestressWarning
+from bondem.model.boundary import Load
+from bondem.model.loads import BodyForce, Eigenstrain, Pressure
 from bondem.model.matrices import mass_diagonal
 from bondem.model.model import Model
+from bondem.model.state import State
 from bondem.solve.lanczos import lowest_modes
 from bondem.solve.linear import Elimination, Iteration, System, normalising, orthonormal, prefers_elimination
+from bondem.solve.prestress import about_equilibrium
 from bondem.solve.solution import Solution
+from bondem.solve.static import StaticResult
 from bondem.solve.threads import one_blas_thread
 
 # Vectors iterated beside the wanted ones, so that a wanted pair is not cut in two.
@@ -22,6 +29,8 @@ _GUARD = 4
 # Error of ω² at which the iteration stops, as a share of ω².
 _TOLERANCE = 1e-8
 _ROUNDS = 300
+# Rounds after which a block is widened, and by how many vectors at least.
+_PATIENCE, _WIDER = 60, 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,14 +50,28 @@ class ModesResult(Solution):
 
 
 @one_blas_thread
-def solve_modes(model: Model, *, count: int = 8) -> ModesResult:
-    """Lowest natural frequencies and modes about the reference configuration, without damping.
+def solve_modes(
+    model: Model, *, count: int = 8, prestress: StaticResult | State | Literal[False] | None = None
+) -> ModesResult:
+    """Lowest natural frequencies and modes, without damping.
 
-    What is fixed or driven is held; rigid motions that the supports permit are left out, as are rattlers. Loads,
-    strains and absorbing boundaries take no part.
+    What is fixed or driven is held; rigid motions that the supports permit are left out, as are rattlers. Absorbing
+    boundaries take no part, and loads and strains only by the stresses of `prestress`: a string gets its stiffness
+    across from its tension, and a column loses some under pressure.
+
+    Args:
+        model: what vibrates.
+        count: how many modes.
+        prestress: the equilibrium to vibrate about, of a specimen that is held: `bd.solve_static(model)`, with
+            nonlinear=True where motions are large, or a state at rest. None for the reference configuration, and
+            False for that without a warning of loads that take no part.
+
+    Warns:
+        PrestressWarning: the model has loads or strains, and no `prestress` is given.
 
     Raises:
-        InputError: more modes than the model has, contacts or walls.
+        InputError: more modes than the model has, contacts or walls, or a `prestress` that is no equilibrium of the
+            model, or an unstable one.
         ConvergenceError: the iteration stopped before the tolerance of 1e-6 on frequencies.
     """
     instance("solve_modes", "model", model, Model, "bd.Model(...)")
@@ -56,6 +79,10 @@ def solve_modes(model: Model, *, count: int = 8) -> ModesResult:
     if model.non_local is not None:
         raise InputError("the non-local law has no potential, and so no modes: use bd.CellBond, or solve_explicit")
     system, mass = System.of(model), mass_diagonal(model)
+    if prestress is None:
+        _warn_of_loads(model)
+    elif prestress is not False:
+        system = about_equilibrium(model, system, prestress)
     available = int(system.free.sum()) - system.loose.shape[1]
     if not 1 <= count <= available:
         raise InputError(f"count = {count}, but the model has {available} modes; ask for at least one, and no more")
@@ -65,6 +92,8 @@ def solve_modes(model: Model, *, count: int = 8) -> ModesResult:
         square, shape, rounds = _inverse_lanczos(system, mass, count)
     else:
         square, shape, rounds = _block_gradients(system, mass, count)
+    if square[0] < -1e-6 * abs(square[-1]):
+        raise InputError("prestress= is an unstable equilibrium: it buckles before its modes have a frequency")
     shape /= np.sqrt((mass[:, None] * shape**2).sum(axis=0))
     shape *= np.sign(shape[np.abs(shape).argmax(axis=0), np.arange(count)])
     frequency = np.sqrt(np.maximum(square, 0.0)) / (2.0 * np.pi)
@@ -72,6 +101,17 @@ def solve_modes(model: Model, *, count: int = 8) -> ModesResult:
         frequency, shape.T.reshape(count, -1, 6)[:, model.layout.rank].copy(),
         iterations=rounds, residual=_residual(system, mass, square, shape),
     )  # fmt: skip
+
+
+def _warn_of_loads(model: Model) -> None:
+    loaded = [one for one in model.boundary if isinstance(one, Load | Pressure | BodyForce | Eigenstrain)]
+    if loaded:
+        warnings.warn(
+            f"solve_modes: {type(loaded[0]).__name__} takes no part in the modes of the reference; give"
+            " prestress=bd.solve_static(model) for those of the loaded specimen, or prestress=False",
+            PrestressWarning,
+            stacklevel=4,
+        )
 
 
 def _residual(system: System, mass: Floats, square: Floats, shape: Floats) -> float:
@@ -115,40 +155,59 @@ def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, 
 
 
 def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
-    """Locally optimal block preconditioned conjugate gradients (Knyazev 2001), begun with the clumps' modes."""
+    """Locally optimal block preconditioned conjugate gradients (Knyazev 2001), begun with the clumps' modes.
+
+    Modes of one frequency, of which a ball has up to 2 l + 1, converge slowly where the block ends among them: a
+    block that has not converged in `_PATIENCE` rounds goes on wider.
+    """
     iteration = Iteration(system)
     n, none = len(iteration.root), system.loose.shape[1]
     root = iteration.root
     blocks = np.swapaxes(root, 1, 2) @ (mass.reshape(n, 6, 1) * root)
-    K, M = iteration.scaled, bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=iteration.scaled.shape)
-    width = min(count + _GUARD, int(system.free.sum()) - none)
+    M = bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=iteration.scaled.shape)
+    most = int(system.free.sum()) - none
     rigid = iteration.unscaled(system.loose)
     rigid = rigid @ normalising(rigid.T @ (M @ rigid))
-    M_rigid = M @ rigid
-    S = iteration.coarse.modes(M, width + none)
-    S -= rigid @ (M_rigid.T @ S)
+    found, rounds, guard = np.zeros((6 * n, 0)), 0, _GUARD
+    while rounds < _ROUNDS:
+        width = min(count + guard, most)
+        S = np.hstack([found, iteration.coarse.modes(M, width + none)])
+        S -= rigid @ ((M @ rigid).T @ S)
+        square, found, new, done = _iterated(iteration, M, rigid, S, count=count, width=width)
+        rounds += new
+        if done:
+            return square[:count], iteration.displacement(found[:, :count]), rounds
+        guard += max(_WIDER, count // 2)
+    raise ConvergenceError(
+        f"the first {count} modes did not converge; ask for fewer with count=, and for bonds with moments where"
+        " elements can roll freely"
+    )
+
+
+def _iterated(
+    iteration: Iteration, M: bsr_array, rigid: Floats, S: Floats, *, count: int, width: int
+) -> tuple[Floats, Floats, int, bool]:
+    """Squares and vectors of a block, how many rounds it took, and whether the first `count` have converged."""
+    K, M_rigid = iteration.scaled, M @ rigid
     KS, MS = K @ S, M @ S
-    last = 0
-    for k in range(_ROUNDS):
+    last, square, X = 0, np.zeros(0), S
+    for k in range(_PATIENCE):
         square, turn = _ritz(S.T @ KS, S.T @ MS, width)
         X, KX, MX = S @ turn, KS @ turn, MS @ turn
         R = KX - MX * square
         W = iteration.approximate(R)
         # bounds the error of each ω², but for the quality of the preconditioner
         error = np.einsum("nk,nk->k", R, W)
-        if (error[:count] <= _TOLERANCE * square[:count]).all():
-            return square[:count], iteration.displacement(X[:, :count]), k + 1
+        if len(square) >= count and (error[:count] <= _TOLERANCE * square[:count]).all():
+            return square, X, k + 1, True
         W -= rigid @ (M_rigid.T @ W)
         turn[:last] = 0.0
-        last = width
+        last = turn.shape[1]
         S, KS, MS = (
             np.hstack([new, fresh, old @ turn])
             for new, fresh, old in ((X, W, S), (KX, K @ W, KS), (MX, M @ W, MS))
         )
-    raise ConvergenceError(
-        f"the first {count} modes did not converge; ask for fewer with count=, and for bonds with moments where"
-        " elements can roll freely"
-    )
+    return square, X, _PATIENCE, False
 
 
 def _ritz(K: Floats, M: Floats, count: int) -> tuple[Floats, Floats]:

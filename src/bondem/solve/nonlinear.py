@@ -1,8 +1,9 @@
 """Equilibrium at large rotations: the least energy of bonds and loads, found by Newton's method.
 
 The tangent is the second derivative of the bond energy in displacements and spins, each bond's by central
-differences of its exact gradient. Loads keep their direction. Load and prescribed motion grow together in
-steps that turn no element by more than a fraction of a radian, so that the path from rest is followed.
+differences of its exact gradient. Loads keep their direction; the forces of a moment turn with its region. Load and
+prescribed motion grow together in steps that turn no element by more than a fraction of a radian, so that the path
+from rest is followed.
 """
 
 from copy import copy
@@ -17,11 +18,12 @@ from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.tables import lines
 from bondem.kernels.turn_guard import rotation_guard
 from bondem.model.bond_table import with_twins
+from bondem.model.couples import Couple
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.model.stiffness import Stiffness
 from bondem.solve.cell_forces import cell_forces, current_forms, facet_gradient, grip_blocks
-from bondem.solve.linear import System, solver
+from bondem.solve.linear import Elimination, System, solver
 
 # Largest rotation of an element in one step of the load [rad].
 _TURN = 0.3
@@ -30,6 +32,8 @@ _TOLERANCE = 1e-9
 _SHORTEST = 1e-4
 # Central differences: error of the tangent h² from the step and ε/h from rounding.
 _DIFFERENCE = 1e-5
+# Up to this many elements the tangent is eliminated where moments act: it need not be definite without what they add.
+_ELIMINATED = 5000
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,13 +67,13 @@ def follow(model: Model, system: System) -> Bent:
     if system.loose.shape[1]:
         raise InputError("nonlinear=True needs a specimen that is held; fix all six rigid motions with Fix")
     n = len(system.free)
-    load, motion = model.constraints.final_load(n), model.constraints.final_motion(n)
+    motion = model.constraints.final_motion(n)
     state = State(model)
     done, step, residual = 0.0, 1.0, 0.0
     rounds = 0
     while done < 1.0:
         step = min(step, 1.0 - done)
-        trial = _advance(strained(model, done + step), system, state, load * (done + step), motion * step)
+        trial = _advance(strained(model, done + step), system, state, done + step, motion * step)
         rounds += trial.rounds
         if trial.state is not None:
             state, done, step, residual = trial.state, done + step, 2.0 * step, trial.residual
@@ -110,14 +114,15 @@ class _Trial:
     shorter: float = 0.5
 
 
-def _advance(model: Model, system: System, start: State, load: Floats, motion: Floats) -> _Trial:
-    """The equilibrium under `load` after a prescribed `motion`."""
+def _advance(model: Model, system: System, start: State, share: float, motion: Floats) -> _Trial:
+    """The equilibrium under a `share` of the loads after a prescribed `motion`."""
     state = start.copy()
     metric = np.repeat([1.0, 1.0 / system.length], 3)
-    noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(load))
+    noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(motion))
     bonds = model.bonds.rows(model.layout, model.period, state.integrity)
     for k in range(_ROUNDS):
         force, walls = _forces(model, state.pose)
+        load = share * model.constraints.final_load(len(motion), state.pose)
         rest = np.where(system.free, load - force, 0.0) * metric
         supports = np.where(system.free, walls, force)
         scale = np.linalg.norm(load * metric) + np.linalg.norm(supports * metric)
@@ -130,7 +135,7 @@ def _advance(model: Model, system: System, start: State, load: Floats, motion: F
         if k == 0 and motion.any():
             right = right - tangent.matrix @ motion.ravel()
         try:
-            change = solver(tangent).solve(right, rtol=1e-8)[0].reshape(-1, 6)
+            change = _solved(tangent, right, model.constraints.final_couples(), share, state.pose).reshape(-1, 6)
         except ConvergenceError:
             return _Trial(k)
         if k == 0:
@@ -141,8 +146,30 @@ def _advance(model: Model, system: System, start: State, load: Floats, motion: F
         if k == 0 and turn > 1.2 * _TURN:
             return _Trial(k, shorter=_TURN / turn)
         state.pose[:, :3] += change[:, :3]
-        state.pose[:, 4:] = _turned(state.pose[:, 4:], change[:, 3:])
+        state.pose[:, 4:] = turned_by(state.pose[:, 4:], change[:, 3:])
     return _Trial(_ROUNDS)
+
+
+def _solved(
+    tangent: System, right: Floats, couples: list[tuple[Couple, float]], share: float, pose: Floats
+) -> Floats:
+    """The change by Newton's method, (6 n,), with forces of moments that turn with their regions.
+
+    These add three columns a moment to the tangent, which are not symmetric: K - G B is solved by K (Woodbury).
+    """
+    if not couples:
+        return solver(tangent).solve(right, rtol=1e-8)[0]
+    by = Elimination(tangent) if len(tangent.free) <= _ELIMINATED else solver(tangent)
+    n, count = len(tangent.free), 3 * len(couples)
+    G, seen_by = np.zeros((2, n, 6, count))
+    for c, (couple, factor) in enumerate(couples):
+        given, seen = couple.turning(pose)
+        np.add.at(G[:, :, 3 * c : 3 * c + 3], couple.element, share * factor * given)
+        np.add.at(seen_by[:, :, 3 * c : 3 * c + 3], couple.element, seen.transpose(1, 2, 0))
+    B = seen_by.reshape(-1, count).T * tangent.free.ravel()
+    moved = np.stack([by.solve(column, rtol=1e-8)[0] for column in G.reshape(-1, count).T], axis=1)
+    change = by.solve(right, rtol=1e-8)[0]
+    return change + moved @ np.linalg.solve(np.eye(count) - B @ moved, B @ change)
 
 
 def _forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
@@ -196,7 +223,7 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
             change[:, dof] = sign * size
             moved = ends.copy()
             moved[rows, :3] += change[:, :3]
-            moved[rows, 4:] = _turned(moved[rows, 4:], change[:, 3:])
+            moved[rows, 4:] = turned_by(moved[rows, 4:], change[:, 3:])
             gradient.append(np.concatenate(_bond_gradient(model, moved, first, second)))
         H[:, :, d] = ((gradient[0] - gradient[1]) / (2.0 * size)).T
     H = 0.5 * (H + np.swapaxes(H, 1, 2))
@@ -218,7 +245,23 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
     return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape), forms, model.cells.weight)
 
 
-def _turned(quaternion: Floats, rotation: Floats) -> Floats:
+def at_pose(model: Model, system: System, pose: Floats) -> Stiffness:
+    """The tangent of a strained model at a pose, in which the stresses of cells are left."""
+    _forces(model, pose)
+    return tangent_matrix(model, system.matrix.bonds, pose)
+
+
+def unbalanced(model: Model, system: System, pose: Floats) -> float:
+    """Unbalanced force under the final loads over that of loads and supports, torques over the mean radius [-]."""
+    metric = np.repeat([1.0, 1.0 / system.length], 3)
+    force, walls = _forces(model, pose)
+    load = model.constraints.final_load(len(pose), pose)
+    rest = np.where(system.free, load - force, 0.0) * metric
+    scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, walls, force) * metric)
+    return float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
+
+
+def turned_by(quaternion: Floats, rotation: Floats) -> Floats:
     """Unit quaternions (n, 4), turned further by rotation vectors (n, 3)."""
     half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
     vector = 0.5 * rotation * np.sinc(half / np.pi)

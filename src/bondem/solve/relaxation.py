@@ -21,6 +21,8 @@ _FREQUENCY = 1.8
 _PACE = 0.01
 # Steps in one compiled call.
 _CHUNK = 2_000
+# The same where forces of moments turn.
+_TURNING = 20
 
 
 def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_000) -> StaticResult:
@@ -73,10 +75,13 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         tolerance=tolerance, noise=1e-14 * float((bonds.kn * bonds.length).max(initial=0.0)) * np.sqrt(n),
     )  # fmt: skip
     done, ratio, finished = 0, np.inf, False
+    turning = bool(constraints.couples)
     while done < most and not finished:
-        goal = min(_CHUNK, most - done)
+        goal = min(_TURNING if turning else _CHUNK, most - done)
+        if turning:  # the forces of moments turn with their regions
+            load[:] = constraints.final_load(n, state.pose)
         gone, ratio = relax_bonds(state.pose, rows, same, relaxation, done, goal)
-        finished = gone < goal
+        finished = gone == 0 if turning else gone < goal
         done += gone
         _, lost, sick = rotation_guard(state.pose, rows, None)
         if lost or sick:

@@ -10,7 +10,7 @@ from bondem._types import Floats
 from bondem.errors import InputError, StageWarning
 from bondem.model.boundary import Drive, Load
 from bondem.model.gauges import Gauge
-from bondem.model.grips import holds_wall
+from bondem.model.grips import Grips, holds_wall
 from bondem.model.loads import BodyForce, Eigenstrain, Pressure
 from bondem.model.model import Model
 from bondem.model.origin import Origin
@@ -19,6 +19,7 @@ from bondem.model.state import State
 from bondem.model.walls import Driven, Servo
 from bondem.solve.nonlinear import rotation_vector
 from bondem.solve.plan import Plan
+from bondem.solve.taken_walls import goes_on, taken_walls
 
 # What a prescribed displacement may differ from where the element is: rounding of many steps, as a share of the
 # displacement and, where anything has moved, of the extent of the specimen or of one radian.
@@ -41,7 +42,11 @@ def begin(model: Model, state: State | None) -> State:
     before = None if state is None or state.time == 0.0 else state.model
     if state is not None:
         own.begin(model)
+        own.grips = taken_walls(model, state)
     _refuse_jumps(model, own, () if before is None else (*before.boundary, *before.walls))
+    if model.cells is not None:
+        at_rest = state is None or (before is None and goes_on(model, state))
+        _refuse_wall_jumps(model.cells.grips, own, at_rest=at_rest)
     if before is not None:
         _warn_of_lost_time(model, before, own.time)
     return own
@@ -77,10 +82,6 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
         if not isinstance(condition, Drive):
             continue
         if model.cells is not None and holds_wall(condition):
-            # a wall counts from the reference: where it is when a run goes on, its own schedule says
-            for dof, schedule, rate in condition.motion if state.time == 0.0 else ():
-                if not rate:
-                    _refuse_jump(f"Drive({_DOF[dof]}=)", schedule, 0.0, np.zeros(1), 0.0)
             continue
         for dof, schedule, rate in condition.motion:
             s += 1
@@ -96,6 +97,19 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
                 where = state.walls[k, component : component + 1]
                 rounding = _ROUNDING * model.lattice.particles.mean_radius if where.any() else 0.0
                 _refuse_jump(f"Driven({_WALL[component]}=)", schedule, state.time, where, rounding)
+
+
+def _refuse_wall_jumps(grips: Grips, state: State, *, at_rest: bool) -> None:
+    """Nor may walls that hold cells; of a state `at_rest` they are in the reference, wherever the cells are."""
+    extent = float(np.ptp(state.rest, axis=0).max()) if state.time > 0.0 else 0.0
+    for s, (schedule, rate) in enumerate(zip(grips.holds.drives, grips.holds.rate, strict=True)):
+        moved = grips.holds.drive == s
+        if not rate and moved.any():
+            where = state.grips[:, :3][moved] + schedule.at(state.time)
+            dof = int(np.flatnonzero(moved.any(axis=0))[0])
+            _refuse_jump(
+                f"Drive({_DOF[dof]}=)", schedule, state.time, np.zeros(1) if at_rest else where, _ROUNDING * extent
+            )
 
 
 def _refuse_jump(owner: str, schedule: Schedule, time: float, where: Floats, slack: float) -> None:

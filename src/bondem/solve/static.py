@@ -72,7 +72,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     n = len(layout.order)
     bent = follow(model, System.of(model))
     values = bent.motion[layout.rank]
-    reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n), 0.0)
+    reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n, bent.state.pose), 0.0)
     end = strained(model, 1.0)
     wall = None if end.cells is None else end.cells.grips.motion
     energy = energy_of(end, bent.state, bent.state.eigenstrain, wall=wall)

@@ -8,6 +8,7 @@ both, with its dozen arrays, it would take the CPU twice the time for a step.)
 from bondem._compile import device
 from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.boundary import interpolate
+from bondem.kernels.couples import add_couple
 from bondem.kernels.element_rows import gripped, loaded, prescribed, react, row_power, switched_energy
 from bondem.kernels.tables import DAMPED, INVERSE_INERTIA, INVERSE_MASS, POWER
 from bondem.laws.damping import direction, local_damping
@@ -79,6 +80,16 @@ def schedule_rows(clock, ahead, scheme, schedules, rows):
         else:
             rows.half[r, d] = (_value(schedules, s, t + dt) - now) / dt
             rows.full[r, d] = rows.half[r, d]
+
+
+@cuda_kernel
+def turn_moments(clock, ahead, scheme, schedules, couples, pose, rows):
+    """Add the forces of moments to those of the rows; one thread, as rows may have several."""
+    if cuda.grid(1) > 0:
+        return
+    t = scheme.origin + (clock[0] + ahead) * scheme.dt
+    for c in range(couples.schedule.shape[0]):
+        add_couple(couples, c, _value(schedules, couples.schedule[c], t), pose, rows.force)
 
 
 @cuda_kernel
