@@ -3,15 +3,22 @@
 import warnings
 
 import numpy as np
+from scipy.spatial import KDTree
 
 from bondem._types import Floats
 from bondem.errors import ContactWarning
+from bondem.kernels.crack_tables import FACET, PARTED, STATUS
 from bondem.kernels.tables import ContactTable
 from bondem.kernels.walls import RATE
 from bondem.model.contacts import ContactModel
+from bondem.model.model import Model
+from bondem.model.state import State
 
 # Relative displacement per step over the smaller radius from which a contact is not resolved.
 _FAST = 0.1
+# Distance of centres over the sum of radii below which elements that nothing joins are inside each other, and over
+# the distance at rest where a bond or facet joined them.
+_SUNK, _SUNK_PAIR = 0.6, 0.75
 
 
 class ContactCheck:
@@ -42,8 +49,8 @@ class ContactCheck:
             self._deep = True
             warnings.warn(
                 f"a contact overlaps by {c.far[2]:.2g} of the smaller radius at t = {time:.6g} s, beyond the"
-                f" {self._deepest:.2g} up to which {self._law} describes it; use a stiffer law, a lower speed or load, or"
-                " a smaller dt",
+                f" {self._deepest:.2g} up to which {self._law} describes it; use a stiffer law, a lower speed"
+                " or load, or a smaller dt",
                 ContactWarning, stacklevel=5,
             )  # fmt: skip
         if not self._fast:
@@ -67,3 +74,54 @@ class ContactCheck:
         p = np.repeat(np.arange(len(self._radius)), np.diff(c.wall_start))
         speed.append(np.linalg.norm(velocity[p] - c.walls[c.wall, RATE : RATE + 3], axis=1) / self._radius[p])
         return max(float(values.max(initial=0.0)) for values in speed)
+
+
+class SinkingCheck:
+    """Gives one warning where elements that have parted sink into each other, as no contact law is given.
+
+    Only elements with a bond that is broken, or a facet whose faces have parted, are looked at.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self._model, self._warned = model, False
+        self._radius = model.contact_radius[model.layout.order]
+
+    def look(self, state: State) -> None:
+        """Look at a state.
+
+        Warns:
+            ContactWarning: once, elements sink into each other.
+        """
+        if self._warned:
+            return
+        layout, n = self._model.layout, len(self._radius)
+        parted = state.integrity <= 0.0
+        facing = state.cracks[state.cracks[:, STATUS] != PARTED, FACET].astype(np.int64)
+        parted[facing] = False
+        if not parted.any():
+            return
+        some = np.unique(np.concatenate([layout.i[parted], layout.j[parted]])).astype(np.int64)
+        position, period = state.pose[some, :3], self._model.lattice.particles.period
+        if not np.isfinite(position).all():
+            return
+        reach = 2.0 * _SUNK * float(self._radius[some].max())
+        tree = KDTree(position) if period is None else KDTree(position % period, boxsize=period)
+        pairs = tree.query_pairs(reach, output_type="ndarray")
+        low, high = np.sort(some[pairs], axis=1).T
+        apart = state.pose[high, :3] - state.pose[low, :3]
+        if period is not None:
+            apart -= period * np.rint(apart / period)
+        limit = _SUNK * (self._radius[low] + self._radius[high])
+        key = np.minimum(layout.i, layout.j).astype(np.int64) * n + np.maximum(layout.i, layout.j)
+        order = np.argsort(key)
+        place = order[np.minimum(np.searchsorted(key, low * n + high, sorter=order), len(key) - 1)]
+        bonded = key[place] == low * n + high
+        limit = np.where(bonded, _SUNK_PAIR * np.minimum(self._model.bonds.length[place], limit / _SUNK), limit)
+        sunk = np.linalg.norm(apart, axis=1) < np.where(bonded & ~parted[place], 0.0, limit)
+        if sunk.any():
+            self._warned = True
+            warnings.warn(
+                f"elements that have parted sink into each other at t = {state.time:.6g} s ({int(sunk.sum())} pairs),"
+                " as no contact law was given; pass contact=bd.LinearContact(...) to bd.Model",
+                ContactWarning, stacklevel=4,
+            )  # fmt: skip

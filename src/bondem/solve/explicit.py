@@ -10,6 +10,7 @@ from bondem.errors import InputError
 from bondem.kernels.advance import FINE, NOT_FINITE, RUNAWAY
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.solve.contact_check import SinkingCheck
 from bondem.solve.energy_check import EnergyCheck
 from bondem.solve.halting import Halt
 from bondem.solve.history import History
@@ -84,6 +85,7 @@ def integrate(
     check = None
     if plan.imbalance is not None and plan.scheme.conserves:
         check = EnergyCheck(model, state, dt, plan.imbalance, first)
+    sinking = SinkingCheck(model) if model.failure is not None and model.contacts is None else None
     missed = "" if check is None else check.examine(history.records[1:])
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop and not missed:
@@ -109,6 +111,8 @@ def integrate(
             break
         if wide:
             turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {beyond}"
+        if sinking is not None:
+            sinking.look(state)
         if check is not None:
             missed = check.examine(records if plan.every else loop.look())
             if missed:
