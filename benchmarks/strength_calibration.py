@@ -91,7 +91,7 @@ def of_non_local(test: str, count: int, seed: int, failure: bd.Criterion, fricti
         model, duration=way / speed, damping=bd.LocalDamping(DAMPING), every=200,
         gauges={"moving": bd.WallGauge(1, "force")}, until=Fallen(asked.axis, 0.3e6 * asked.section),
     )  # fmt: skip
-    if run.status is bd.Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(run.message)
     return float(np.abs(run.history["moving"][:, asked.axis]).max()) / asked.section
 

@@ -37,6 +37,14 @@ class StepWarning(UserWarning):
     """A time step so close to the stability limit that large strains may take the run across it."""
 
 
+class ContactWarning(UserWarning):
+    """Contacts that their law does not describe: overlaps too deep, motion too fast for the step, or none given."""
+
+
+class ImbalanceWarning(UserWarning):
+    """An explicit run whose energy ledger misses more than a small share of its energies."""
+
+
 class FaceWarning(UserWarning):
     """A face of particles without a shape has far fewer elements than lie near it."""
 

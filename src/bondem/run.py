@@ -41,6 +41,7 @@ def solve_explicit(
     snapshot_every: int = 0,
     until: Event | Sequence[Event] = (),
     safety: float = 0.9,
+    imbalance: tuple[float, float] | None = (0.01, 0.10),
     state: State | None = None,
     device: str = "cpu",
     out: str | Path | None = None,
@@ -61,6 +62,10 @@ def solve_explicit(
         snapshot_every: steps between snapshots into `out`, which ParaView 6 shows as it grows; 0 for none.
         until: an event that ends the run early, or several.
         safety: share of the critical step to use when dt is None [-].
+        imbalance: shares of the largest energy so far (work, losses, stored energies), beyond which the balance of
+            the energy ledger gives a warning and stops the run with the status IMBALANCED [-]; None for no check,
+            and `math.inf` in place of one share for never. It is checked with each record, or now and then where
+            `every` is 0; not with `bd.TchamwaWielgosz`, which dissipates what no line of the ledger holds.
         state: where to start, such as the end of another run of the same elements and bonds; it stays as it is. Its
             time goes on, and with it that of all schedules: those of a second stage begin at `state.time`.
         device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`): beams of the total formulation
@@ -74,10 +79,11 @@ def solve_explicit(
 
     Returns:
         status, state, history, dt, steps and a message; a run that became unstable says so in its status and
-        returns the last good state.
+        returns the last good state, one that lost its energy balance returns the present state and all records.
 
     Warns:
         StepWarning: the given dt is above 0.9 of the critical step; the message says so too.
+        ImbalanceWarning: the balance of the energy ledger is beyond the first share of `imbalance`.
         StageWarning: a schedule that is new in this stage began before it.
 
     Raises:
@@ -102,6 +108,7 @@ def solve_explicit(
         snapshot_every=snapshot_every,
         until=until,
         safety=safety,
+        imbalance=imbalance,
     )
     loop_of = _loop_on(device, model, plan)
     check_gauges(model, plan)

@@ -69,7 +69,9 @@ def test_a_free_lattice_keeps_momentum_and_angular_momentum_to_rounding(record: 
     p0, h0 = momenta(model, state)
     # bonds turn by tens of degrees, which raises the highest frequency: above 0.895 of the step at rest energy grows
     dt = 0.8 * critical_step(model, bd.VelocityVerlet())
-    result = integrate(model, Plan(duration=10_000 * dt, dt=dt, every=0), state=state)
+    # noise is motion of the shortest waves, whose energy the scheme swings by a tenth at this step
+    plan = Plan(duration=10_000 * dt, dt=dt, every=0, imbalance=None)
+    result = integrate(model, plan, state=state)
     assert result.status is Status.COMPLETED
     assert result.steps == 10_000
     p1, h1 = momenta(model, result.state)

@@ -26,7 +26,6 @@ from bondem.model.state import State
 from bondem.packing import pack
 from bondem.run import solve_explicit
 from bondem.solve.history import History
-from bondem.solve.plan import Status
 from bondem.specimen.bonding import connect
 from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
@@ -102,6 +101,6 @@ def _pulled(
         model, duration=_REACH * rise, every=20, gauges={"end": Gauge(Face("x_max"), "force")}, callback=ended,
         damping=MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
     )  # fmt: skip
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(run.message)
     return float(np.max(run.history["end"][:, 0])) / section

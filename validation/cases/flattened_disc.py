@@ -22,7 +22,6 @@ from bondem.model.state import State
 from bondem.packing import EVEN, pack
 from bondem.run import solve_explicit
 from bondem.solve.history import History
-from bondem.solve.plan import Status
 from bondem.specimen.bonding import connect
 from bondem.specimen.geometry import Box, Cylinder
 from bondem.specimen.lattice import Lattice
@@ -117,7 +116,7 @@ class FlattenedDisc:
             damping=MassDamping(alpha=0.1 * math.pi * sound / self.diameter),
             gauges={name: Gauge(Face(name), "force") for name in ("top", "bottom")},
         )  # fmt: skip
-        if run.status is Status.UNSTABLE:
+        if run.status.failed:
             raise UnstableRunError(run.message)
         time, both = run.history.time, [-run.history["top"][:, 1], run.history["bottom"][:, 1]]
         moved = np.where(time < begin, 0.5 * time**2 / begin, time - 0.5 * begin) * 2.0 * speed

@@ -17,7 +17,7 @@ from bondem.model.schedules import Ramp
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.history import History
-from bondem.solve.plan import Plan, Status, settled
+from bondem.solve.plan import Plan, settled
 from bondem.solve.schemes import TchamwaWielgosz
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -150,7 +150,7 @@ def explicit_tension(
     began, busy = time.perf_counter(), time.process_time()
     run = integrate(model, replace(plan, duration=steps * plan.dt), callback=read, progress=progress)
     seconds, busy = time.perf_counter() - began, time.process_time() - busy
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(run.message)
     return ExplicitTension(
         time=run.history.time[: len(strain)],

@@ -15,7 +15,7 @@ from bondem.model.schedules import Ramp
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.history import History
-from bondem.solve.plan import Plan, Status, settled
+from bondem.solve.plan import Plan, settled
 from bondem.solve.schemes import TchamwaWielgosz
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -104,6 +104,6 @@ def ramped_load(
         answer.append(rigid_motion(position, moved)[3] if kind == "torsion" else moved[:, component].mean())
 
     run = integrate(model, replace(plan, duration=steps * plan.dt), callback=read)
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(run.message)
     return RampedLoad(np.array(time), np.array(answer), growing, theory)

@@ -20,7 +20,7 @@ from bondem.model.state import State
 from bondem.packing import pack
 from bondem.run import solve_explicit
 from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult, Status
+from bondem.solve.plan import ExplicitResult
 from bondem.specimen.bonding import connect
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Everything, Face, Index
@@ -50,7 +50,7 @@ def _calibrated(bonds: BeamBonds) -> dict[str, float]:
 
 
 def _completed(run: ExplicitResult) -> ExplicitResult:
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(run.message)
     return run
 

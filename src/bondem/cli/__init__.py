@@ -1,7 +1,8 @@
 """The command `bondem`.
 
 Exit status 0 when all went well, 2 for a bad study or bad input (one line on stderr that says what to do),
-3 when a run became unstable. Each command is loaded when it is called, so that `bondem --version` is instant.
+3 when a run became unstable or lost its energy balance. Each command is loaded when it is called, so that
+`bondem --version` is instant.
 """
 
 import importlib

@@ -7,7 +7,6 @@ import click
 from bondem.cli import UNSTABLE
 from bondem.cli.terminal import on_threads, progress_bars
 from bondem.run import resume
-from bondem.solve.plan import Status
 
 
 @click.command("resume")
@@ -19,5 +18,5 @@ def command(context: click.Context, run_file: Path, count: int | None) -> None:
     with on_threads(count), progress_bars() as progress:
         result = resume(run_file, progress=lambda share: progress("run", share))
     click.echo(f"{result.status.value} at t = {result.state.time:.6g} s, step {result.steps}: {result.message}")
-    if result.status is Status.UNSTABLE:
+    if result.status.failed:
         context.exit(UNSTABLE)

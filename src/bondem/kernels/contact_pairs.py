@@ -25,10 +25,11 @@ _PORTION = 250
 def measure_pairs(pose, period, c, most):
     """How far both elements of each pair may move from here before they touch, by more than rounding.
 
-    Those that may touch before an element has moved by `most` [m] are listed, and those that do.
+    Those that may touch before an element has moved by `most` [m] are listed, and those that do. The deepest overlap
+    so far, over the smaller radius, is kept in `far`.
     """
     slack, radius, first, second, gap, touch = c.slack, c.radius, c.first, c.second, c.gap, c.touch
-    bond, joined, near, count = c.bond, c.joined, c.near, 0
+    bond, joined, near, count, deepest = c.bond, c.joined, c.near, 0, c.far[2]
     for k in range(len(slack)):
         if bond[k] >= 0 and joined[max(bond[k], 0)] > 0.0:
             continue
@@ -37,7 +38,8 @@ def measure_pairs(pose, period, c, most):
         slack[k] = 0.5 * (math.sqrt(x * x + y * y + z * z) - (1.0 + 1e-9) * (radius[a] + radius[b] + gap[k]))
         near[count] = k
         count += 1 if (slack[k] <= most) | (touch[k] != 0) else 0
-    c.nears[0] = count
+        deepest = max(deepest, -2.0 * slack[k] / min(radius[a], radius[b]))
+    c.nears[0], c.far[2] = count, deepest
     for p in range(len(pose)):
         for d in range(3):
             c.measured[p, d] = pose[p, d]

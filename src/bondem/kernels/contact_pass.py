@@ -43,6 +43,16 @@ def outdated(pose, c):
 
 
 @loop(parallel=False)
+def _measure_walls(pose, c):
+    """Keep the deepest overlap with a wall so far, over the radius, in `far`."""
+    for p in range(len(pose) if len(c.wall) > 0 else 0):
+        for e in range(c.wall_start[p], c.wall_start[p + 1]):
+            r = c.radius[p]
+            distance, _, _, _ = wall_gap(pose[p, 0], pose[p, 1], pose[p, 2], r, c.shape, c.walls, c.wall[e])
+            c.far[2] = max(c.far[2], (c.wall_gap[e] - distance) / r)
+
+
+@loop(parallel=False)
 def contact_loads(elements, period, dt, contacts, threaded):
     """Contact forces at the present, into `load` and on the walls; memory and losses go on by dt.
 
@@ -51,6 +61,7 @@ def contact_loads(elements, period, dt, contacts, threaded):
     moved = contacts.far[0]
     if not moved <= _FRESH * contacts.reach:
         measure_pairs(elements.pose, period, contacts, _FRESH * contacts.reach)
+        _measure_walls(elements.pose, contacts)
         contacts.far[0], contacts.far[1] = 0.0, farthest(elements.pose, contacts.listed)
         moved = 0.0
     if threaded and contacts.nears[0] >= SERIAL_PAIRS:

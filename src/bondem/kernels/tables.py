@@ -338,7 +338,8 @@ class ContactTable(NamedTuple):
     gap: np.ndarray  #: from which the overlap counts [m], (c,)
     slack: np.ndarray  #: how far both may move from where they were measured before they touch [m], (c,)
     measured: np.ndarray  #: centres then [m], (n, 3)
-    far: np.ndarray  #: the farthest that a centre is from there, and was then from where it was listed [m], (2,)
+    far: np.ndarray  #: farthest that a centre is from there, and was then from where it was listed [m]; and the
+    #: deepest overlap so far over the smaller radius; (3,)
     near: np.ndarray  #: pairs that may touch before distances are measured anew, ascending, (c,)
     nears: np.ndarray  #: how many, and how many of them stand in `close` where one thread looks at all, (2,)
     close: np.ndarray  #: those of them that touch or have just parted, uint32, (c,)

@@ -21,7 +21,7 @@ from bondem.model.state import State
 from bondem.model.walls import Driven, PlaneWall
 from bondem.run import solve_explicit
 from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult, Status
+from bondem.solve.plan import ExplicitResult
 from bondem.solve.schemes import VelocityVerlet
 from bondem.solve.timestep import choose_step
 from bondem.specimen.lattice import Lattice
@@ -154,7 +154,7 @@ def sphere_crushing(
         callback=ended, progress=progress,
         gauges={"near": WallGauge(0, "force"), "far": WallGauge(1, "force")},
     )  # fmt: skip
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(f"{owner}: {run.message}")
     return _read(run, specimen, speed, begin, fine)
 

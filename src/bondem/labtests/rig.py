@@ -22,7 +22,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.run import solve_explicit
 from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult, Status
+from bondem.solve.plan import ExplicitResult
 from bondem.solve.schemes import VelocityVerlet
 from bondem.solve.timestep import choose_step
 from bondem.specimen.lattice import Lattice
@@ -227,7 +227,7 @@ def run_to_failure(
         model, duration=duration, dt=dt, every=every, damping=damping, callback=ended, progress=progress,
         gauges={"near": Gauge(rig.near, "force"), "far": Gauge(rig.far, "force")},
     )  # fmt: skip
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(f"labtests.{test}: {run.message}")
     return _read(run, rig, speed, begin, strains)
 

@@ -19,7 +19,7 @@ from bondem.model.model import Model
 from bondem.model.schedules import Table
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.solve.plan import ExplicitResult, Status
+from bondem.solve.plan import ExplicitResult
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -186,7 +186,7 @@ def spall(
         model, duration=3.0 * way if duration is None else duration, every=_EVERY, progress=progress,
         gauges={"end": Gauge(Face("x_max"), "velocity")},
     )  # fmt: skip
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(f"{owner}: {run.message}")
     velocity = run.history["end"][:, 0]
     highest, fallen = pulled_back(velocity, _REBOUND * thin.velocity if rebound is None else rebound)

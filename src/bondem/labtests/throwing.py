@@ -19,7 +19,7 @@ from bondem.model.state import State
 from bondem.model.walls import PlaneWall
 from bondem.run import solve_explicit
 from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult, Status
+from bondem.solve.plan import ExplicitResult
 from bondem.specimen.lattice import Lattice
 
 # Steps between records; the impulse is their sum.
@@ -136,7 +136,7 @@ def sphere_impact(
         model, duration=longest if duration is None else duration, every=_EVERY, state=state, callback=ended,
         progress=progress, gauges={"wall": WallGauge(0, "force")},
     )  # fmt: skip
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(f"{owner}: {run.message}")
     return _read(run, specimen, flight, normal, fine)
 

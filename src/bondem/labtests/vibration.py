@@ -17,7 +17,7 @@ from bondem.model.model import Model
 from bondem.model.schedules import Constant, Ramp, Schedule
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.solve.plan import ExplicitResult, Plan, Status, settled
+from bondem.solve.plan import ExplicitResult, Plan, settled
 from bondem.solve.static import solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -184,7 +184,7 @@ def _gauges(depth: float) -> dict[str, Gauge]:
 
 
 def _recorded(run: ExplicitResult, released: float, energy: float) -> FreeVibration:
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(run.message)
     history = run.history
     whole = slice(0, run.steps // _EVERY + 1)  # the last record of a run may come early

@@ -13,7 +13,6 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.run import solve_explicit
 from bondem.solve.history import History
-from bondem.solve.plan import Status
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -106,7 +105,7 @@ def strike(
         state=state,
         callback=look if slices or waiting else None,
     )
-    if run.status is Status.UNSTABLE:
+    if run.status.failed:
         raise UnstableRunError(run.message)
     return Wave(
         time=run.history.time,

@@ -25,6 +25,8 @@ from bondem._types import Floats
 KISSING = 12
 # Places in the parameters of a law.
 MODULUS, SOFT, FRICTION, DASHPOT, HERTZIAN = range(5)
+# Overlap over the smaller radius from which spheres of a linear law are no bodies that touch any more.
+_DEEPEST = 0.5
 # A Hertzian dashpot over a linear one of the same stiffness dF/du: both lose the same share of a collision.
 HERTZIAN_DASHPOT = math.sqrt(5.0 / 6.0)
 
@@ -53,6 +55,22 @@ class ContactLaw(ABC):
         Returns:
             For motion along the normal, and for rolling where there is friction: the angular frequency [rad/s]
             and the ratio c / k of dashpot to spring [s].
+        """
+
+    @property
+    @abstractmethod
+    def deepest(self) -> float:
+        """Overlap over the smaller radius up to which the law describes a contact [-]."""
+
+    @abstractmethod
+    def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
+        """Duration of the shortest elastic collision of two free spheres, or of one with a wall [s].
+
+        Args:
+            radius: of the spheres [m], (n,).
+            mass: of the spheres [kg], (n,).
+            platens: masses of the walls that a force moves [kg], (s,).
+            walled: whether there are walls.
         """
 
 
@@ -96,6 +114,23 @@ def fastest(
         return (along,)
     rolling = math.sqrt(float((7.0 * KISSING * kn / kappa / light).max()))
     return along, (rolling, delay * math.sqrt(kappa))
+
+
+def slowest_root(pair: Floats, wall: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
+    """Least √(m̄ / k) of two equal spheres, and of a sphere at a wall [s].
+
+    Args:
+        pair: stiffness of two spheres of each size [N/m], (n,).
+        wall: that of a sphere of each size and a wall [N/m], (n,).
+        mass: [kg], (n,).
+        platens: masses of the walls that a force moves [kg], (s,).
+        walled: whether there are walls.
+    """
+    least = float((0.5 * mass / pair).min())
+    if walled:
+        meets = mass if not len(platens) else mass * platens.min() / (mass + platens.min())
+        least = min(least, float((meets / wall).min()))
+    return math.sqrt(least)
 
 
 @dataclass(frozen=True)
@@ -148,6 +183,16 @@ class LinearContact(ContactLaw):
         kn = 0.5 * math.pi * self.E * radius
         delay = 2.0 * self.damping * float(np.sqrt(0.5 * mass / kn).max())
         return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
+
+    @property
+    def deepest(self) -> float:
+        """See `ContactLaw.deepest`."""
+        return _DEEPEST
+
+    def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
+        """See `ContactLaw.shortest`; π √(m / k) at every speed."""
+        kn = 0.5 * math.pi * self.E * radius
+        return math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)
 
 
 @device

@@ -8,10 +8,14 @@ import numpy as np
 
 from bondem._checks import instance, number
 from bondem._types import Floats
-from bondem.laws.contact import HERTZIAN_DASHPOT, ContactLaw, fastest, rebound
+from bondem.laws.contact import HERTZIAN_DASHPOT, ContactLaw, fastest, rebound, slowest_root
 
 # Rebound below which a dashpot would cost more of the time step than anyone means.
 _LEAST_REBOUND = 0.01
+# Duration of an elastic collision over √(m̄ / k), k = dF/du at its deepest overlap.
+_DURATION = 2.9432 * math.sqrt(15.0 / 8.0)
+# Overlap over the smaller radius up to which strains are small: the contact then has a third of that radius.
+_DEEPEST = 0.1
 
 
 @dataclass(frozen=True)
@@ -87,3 +91,13 @@ class HertzMindlin(ContactLaw):
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         delay = 2.0 * HERTZIAN_DASHPOT * self.damping * float(np.sqrt(0.5 * mass / kn).max())
         return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
+
+    @property
+    def deepest(self) -> float:
+        """See `ContactLaw.deepest`: a tenth, or `overlap` where more is asked for."""
+        return max(_DEEPEST, self.overlap)
+
+    def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
+        """See `ContactLaw.shortest`; at the deepest overlap."""
+        kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
+        return _DURATION * slowest_root(kn, 2.0 * math.sqrt(2.0) * kn, mass, platens, walled=walled)

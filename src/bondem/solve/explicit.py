@@ -10,6 +10,8 @@ from bondem.errors import InputError
 from bondem.kernels.advance import FINE, NOT_FINITE, RUNAWAY
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.solve.contact_check import SinkingCheck
+from bondem.solve.energy_check import EnergyCheck
 from bondem.solve.halting import Halt
 from bondem.solve.history import History
 from bondem.solve.loop_cpu import CpuLoop
@@ -80,8 +82,13 @@ def integrate(
         sink.checkpoint(state, history)  # a file that can be seen can be gone on from
         sink.snapshot(state)
     pulse, first = None, (history.records if len(history) else begun)[:1]
+    check = None
+    if plan.imbalance is not None and plan.scheme.conserves:
+        check = EnergyCheck(model, state, dt, plan.imbalance, first)
+    sinking = SinkingCheck(model) if model.failure is not None and model.contacts is None else None
+    missed = "" if check is None else check.examine(history.records[1:])
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
-    while state.step < total and not stop:
+    while state.step < total and not stop and not missed:
         goal = min(total, kept[-1].step + _CHUNK, state.step + pace)
         looked = plan.every if plan.events or callback is not None else 0
         for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, looked):
@@ -104,6 +111,12 @@ def integrate(
             break
         if wide:
             turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {beyond}"
+        if sinking is not None:
+            sinking.look(state)
+        if check is not None:
+            missed = check.examine(records if plan.every else loop.look())
+            if missed:
+                break
         if progress is not None:
             progress(state.step / total)
         if heard():
@@ -129,6 +142,10 @@ def integrate(
             break
     if stop:
         status, message = Status.STOPPED, f"stopped by the callback at t = {state.time:.6g} s"
+    if missed:
+        status, message = Status.IMBALANCED, f"stopped at step {state.step}: {missed}"
+    elif check is not None and check.remark:
+        warning = f"; {check.remark}{warning}"
     history = history.extended(*fresh)
     if sink is not None and status is not Status.UNSTABLE:
         sink.checkpoint(state, history)

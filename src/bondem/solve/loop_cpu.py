@@ -29,6 +29,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added, changing_cells, changing_strain
 from bondem.solve.breakage import breaking, keep_broken, keep_softened, soft_bonds
+from bondem.solve.contact_check import ContactCheck
 from bondem.solve.cracks import crack_table, joints, keep_cracks, take_up, with_forces
 from bondem.solve.neighbour_list import ContactList
 from bondem.solve.plan import Plan
@@ -85,6 +86,7 @@ class CpuLoop:
         self._contacts = None
         if model.contacts is not None:
             self._contacts = ContactList(model, model.contacts, state, joints(model, state, rows.integrity))
+            self._check = ContactCheck(model.contacts, dt)
         load = np.zeros(0)
         if self._contacts is not None:
             load = self._contacts.arrays.load
@@ -136,12 +138,14 @@ class CpuLoop:
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
         state, budget = self.state, self._run.budget
+        begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
         records = np.empty((1, self._width))
         self._advance(Span(state.step, 0, 0, moved=False, looks=True, stale=state.stale), records)
         if state.stale:
             self._keep()
             state.stale = False
-        budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
+        if begins:
+            budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
         return records
 
     def _advance(self, span: Span, records: np.ndarray) -> tuple[int, int, int, int, int, bool]:
@@ -166,12 +170,15 @@ class CpuLoop:
             if not moved or self._contacts is None:
                 break
             self._contacts.keep()
+            now = self._origin + (state.step + done) * self._scheme.dt
+            self._check.look(self._contacts.arrays, state.motion, now)
             sick = FINE if self._contacts.renew(state.step + done) else NOT_FINITE
         state.step += done
         state.time = self._origin + state.step * self._scheme.dt
         self._keep()
         if self._contacts is not None and sick == FINE:
             self._contacts.keep()
+            self._check.look(self._contacts.arrays, state.motion, state.time)
         return records[:written], wide, lost, sick
 
     def _keep(self) -> None:

@@ -102,6 +102,7 @@ class GpuLoop:
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
         self._clock.copy_to_device(np.array([self.state.step]))
+        begins = self.state.stale or self._budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
         if self.state.stale:
             self._schedule(0)
             self._step(0, still=True)
@@ -113,7 +114,8 @@ class GpuLoop:
         self._schedule(0)
         self._sample(0, records)
         record = self._finished(records, [self.state.step])
-        self._budget[0] = max(self._budget[0], self._still + record[0, TRANSLATION : CONTACT + 1].sum())
+        if begins:
+            self._budget[0] = max(self._budget[0], self._still + record[0, TRANSLATION : CONTACT + 1].sum())
         return record
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:

@@ -45,6 +45,7 @@ class ContactList:
         self._breaking = model.failure is not None
         self._joined, self._apart = joints
         self._own = contacts.own
+        self._depth = 0.0
         self._skin = _SKIN_LEAST
         self._made = state.step - _LASTING
         self.renew(state.step)
@@ -86,7 +87,7 @@ class ContactList:
             law=contacts.law.parameters, radius=self._radius, load=self._load, listed=position, reach=0.5 * skin,
             first=first, second=second, gap=gap, bond=bond, joined=self._joined, apart=self._apart,
             own=own, of_bond=of_bond,
-            slack=np.zeros(len(first)), measured=np.full((n, 3), np.inf), far=np.full(2, np.inf),
+            slack=np.zeros(len(first)), measured=np.full((n, 3), np.inf), far=np.array([np.inf, np.inf, self._depth]),
             near=np.zeros(len(first), dtype=np.int64), nears=np.zeros(2, dtype=np.int64),
             close=np.zeros(len(first) + 1, dtype=np.uint32),
             stretch=stretch, touch=touch, output=np.zeros((len(first), 8)),
@@ -124,6 +125,7 @@ class ContactList:
     def keep(self) -> None:
         """Write the memory of what touches into the state."""
         c, state = self.arrays, self._state
+        self._depth = float(c.far[2])
         touching = c.touch == TOUCHING
         state.touching = np.column_stack([c.first[touching], c.second[touching]]).astype(np.int64)
         state.stretch = c.stretch[touching, :6]

@@ -6,7 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
-from bondem._checks import count, instance, number, several
+from bondem._checks import count, instance, number, several, shown
 from bondem.errors import InputError
 from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.model.gauges import AnyGauge, Gauge, WallGauge
@@ -43,6 +43,8 @@ class Plan:
         snapshot_every: steps between snapshots for ParaView; 0 for none.
         until: an event that ends the run, or several.
         safety: share of the critical time step to use when dt is None [-].
+        imbalance: shares of the largest energy so far, beyond which the balance of the energy ledger gives a warning
+            and stops the run [-]; None for no check.
     """
 
     duration: float
@@ -55,6 +57,7 @@ class Plan:
     snapshot_every: int = 0
     until: Event | Sequence[Event] = ()
     safety: float = 0.9
+    imbalance: tuple[float, float] | None = (0.01, 0.10)
 
     def __post_init__(self) -> None:
         number("", "duration", self.duration, unit="s", least=0.0, advice="a time of zero or more")
@@ -66,6 +69,7 @@ class Plan:
         for name in ("every", "save_every", "snapshot_every"):
             whole = count("", name, getattr(self, name), advice="a whole number of steps, 0 for never")
             object.__setattr__(self, name, whole)
+        object.__setattr__(self, "imbalance", _limits(self.imbalance))
         instance("", "scheme", self.scheme, Scheme, "a scheme such as bd.VelocityVerlet()")
         instance("", "gauges", self.gauges, Mapping, 'gauges by name, {"end": bd.Gauge(region, "displacement")}')
         for name, gauge in self.gauges.items():
@@ -140,6 +144,25 @@ class Loop(Protocol):
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
         """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` found."""
         ...
+
+
+def _limits(given: tuple[float, float] | None) -> tuple[float, float] | None:
+    """Both limits of the imbalance, checked.
+
+    Raises:
+        InputError: no pair of positive shares in ascending order.
+    """
+    if given is None:
+        return None
+    advice = "(warning, stop) as shares of the largest energy, such as (0.01, 0.10), or None for no check"
+    if not isinstance(given, tuple | list) or len(given) != 2:
+        raise InputError(f"imbalance = {shown(given)}; give {advice}")
+    for share in given:
+        if isinstance(share, bool) or not isinstance(share, int | float | np.number) or not share > 0.0:
+            raise InputError(f"imbalance = {shown(given)}; give {advice}")
+    if given[0] > given[1]:
+        raise InputError(f"imbalance = {shown(given)}: the run would stop before it warns; give {advice}")
+    return float(given[0]), float(given[1])
 
 
 def settled(model: Model, plan: Plan) -> Plan:

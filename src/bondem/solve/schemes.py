@@ -19,6 +19,11 @@ class Scheme(ABC):
     def critical(self) -> float:
         """Largest stable ω_max dt [-]."""
 
+    @property
+    @abstractmethod
+    def conserves(self) -> bool:
+        """Whether the energy ledger closes, to second order in the step."""
+
     @abstractmethod
     def coefficients(self, dt: float) -> tuple[float, float, float]:
         """finish [s], begin [s] and extra [s²] for a step dt [s]."""
@@ -34,6 +39,10 @@ class VelocityVerlet(Scheme):
     @property
     def critical(self) -> float:
         return 2.0
+
+    @property
+    def conserves(self) -> bool:
+        return True
 
     def coefficients(self, dt: float) -> tuple[float, float, float]:
         return 0.5 * dt, 0.5 * dt, 0.0
@@ -58,6 +67,10 @@ class TchamwaWielgosz(Scheme):
     @property
     def critical(self) -> float:
         return 2.0 / math.sqrt(2.0 * self.phi - 1.0)
+
+    @property
+    def conserves(self) -> bool:
+        return False
 
     def coefficients(self, dt: float) -> tuple[float, float, float]:
         return 0.0, dt, (self.phi - 1.0) * dt * dt

@@ -10,6 +10,12 @@ class Status(Enum):
     COMPLETED = "completed"
     STOPPED = "stopped by an event"
     UNSTABLE = "unstable"
+    IMBALANCED = "stopped by its energy balance"
+
+    @property
+    def failed(self) -> bool:
+        """Whether the end of the run is no result: it became unstable, or its energy balance was lost."""
+        return self in (Status.UNSTABLE, Status.IMBALANCED)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -19,8 +19,8 @@ from bondem.model.bond_table import BondTable
 from bondem.model.local_stiffness import local_stiffness
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
-from bondem.solve.added import bond_delay
 from bondem.solve.cell_forces import body_loads, body_tables
+from bondem.solve.dashpot_rate import fastest_decay
 from bondem.solve.lagged_step import SHARES, stable_share
 from bondem.solve.schemes import Scheme
 from bondem.solve.threads import one_blas_thread
@@ -32,6 +32,10 @@ _LEAST, _MOST, _EVERY = 24, 600, 4
 _SMALL = 1e-5
 # A given step above this share of the critical one is warned of: what a run does to bonds may raise ω_max.
 _WARNED = 0.9
+# How much dashpots lower the default step before a message says so, and before a warning does.
+_DAMPED, _MUCH = 2.0, 10.0
+# Steps in which a collision of free elements is resolved: the ledger then closes to a few parts in a thousand.
+_PER_CONTACT = 20
 
 
 def highest_frequency(
@@ -139,8 +143,8 @@ def critical_step(
     """The largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
     It holds for contacts before they appear, as each is counted with the most that can touch at once. Local damping
-    raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots of bonds and contacts
-    lower the limit by √(1 + ζ²) - ζ, with ζ = ω c / 2 k. Mass damping and absorbing boundaries do not. Of the
+    raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots lower the limit by
+    √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing boundaries do not. Of the
     non-local law it is the largest share that its own steps bear (`bondem.solve.lagged_step`).
 
     Args:
@@ -149,12 +153,23 @@ def critical_step(
         damping: of elements and bonds.
         integrity: of the bonds as they are now (`State.integrity`), (m,); all intact when None.
     """
-    terms = DampingTerms.of(damping)
+    return _limits(model, scheme, DampingTerms.of(damping), integrity)[0]
+
+
+def _limits(
+    model: Model, scheme: Scheme, terms: DampingTerms, integrity: PerBond | None = None
+) -> tuple[float, float]:
+    """`critical_step`, and what it would be without dashpots beside the bonds [s]."""
     raised = math.sqrt(1.0 + terms.gamma)
-    if model.non_local is not None:
-        return _lagged_step(model, scheme, terms, highest_frequency(model, integrity=integrity))
-    dashpots = bond_delay(model, terms)
     bonds, decay = highest_frequency(model, integrity=integrity), 0.0
+    if model.non_local is not None:
+        limit = free = _lagged_step(model, scheme, terms, bonds)
+        if terms.eta > 0.0 or terms.beta > 0.0:
+            free = _lagged_step(model, scheme, replace(terms, eta=0.0, beta=0.0), bonds)
+        return limit, free
+    damped = terms.beta * bonds**2
+    if terms.eta > 0.0:
+        damped += fastest_decay(model, replace(terms, beta=0.0))
     if model.failure is not None:
         bonds, decay = _with_broken(model, bonds)
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
@@ -162,13 +177,20 @@ def critical_step(
         motions += model.contacts.law.stiffest(
             model.contact_radius, model.mass, model.contacts.walls.platens
         )
-    limits = [math.inf]
+    limit = free = math.inf
     for frequency, delay in motions:
         omega = raised * math.hypot(bonds, frequency)
         if omega > 0.0:
-            zeta = 0.5 * (decay + dashpots * bonds**2 + delay * frequency**2) / omega
-            limits.append(scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
-    return min(limits)
+            lost = decay + delay * frequency**2
+            limit = min(limit, _damped_limit(scheme, omega, lost + damped))
+            free = min(free, _damped_limit(scheme, omega, lost))
+    return limit, free
+
+
+def _damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
+    """Critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
+    zeta = 0.5 * decay / omega
+    return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
 
 
 def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: float) -> float:
@@ -296,13 +318,14 @@ def choose_step(
         UnstableStepError: dt is not positive or above the critical step.
 
     Warns:
-        StepWarning: the given dt is above 0.9 of the critical step.
+        StepWarning: the given dt is above 0.9 of the critical step, or dashpots of bonds make the default step more
+            than ten times smaller.
     """
-    critical = critical_step(model, scheme, damping)
+    critical, free = _limits(model, scheme, DampingTerms.of(damping))
     if dt is None:
         if math.isinf(critical):
             raise UnstableStepError("the lattice has no stiffness to derive a time step from; pass dt= in seconds")
-        return Step(safety * critical)
+        return _default_step(model, critical, free, safety)
     if not (math.isfinite(dt) and dt > 0.0):
         raise UnstableStepError(f"dt = {dt} s; pass a positive time step, or dt=None for the best stable one")
     if dt > critical:
@@ -317,3 +340,43 @@ def choose_step(
     )
     warnings.warn(remark, StepWarning, stacklevel=3)
     return Step(dt, remark)
+
+
+def _default_step(model: Model, critical: float, free: float, safety: float) -> Step:
+    """The step of a run without dt=, and what governs it where that is not the stiffness.
+
+    Args:
+        model: what will move.
+        critical: critical step [s].
+        free: the same without dashpots of bonds [s].
+        safety: share of it [-].
+    """
+    step, remark = safety * critical, ""
+    if free > _DAMPED * critical:
+        remark = (
+            f"dashpots of bonds lower the time step to {step:.4g} s from {safety * free:.4g} s;"
+            " BondDamping with a smaller eta= or beta= allows a longer one"
+        )
+        if free > _MUCH * critical:
+            warnings.warn(remark, StepWarning, stacklevel=4)
+    shortest = _shortest_contact(model)
+    if shortest < _PER_CONTACT * step:
+        step = shortest / _PER_CONTACT
+        remark = (
+            f"the time step {step:.4g} s resolves the shortest contact of free elements with {_PER_CONTACT} steps;"
+            f" stability alone allows {safety * critical:.4g} s, as dt="
+        )
+    return Step(step, remark)
+
+
+def _shortest_contact(model: Model) -> float:
+    """Least duration of a collision of elements that no bond holds [s]; infinite without any."""
+    contacts, layout = model.contacts, model.layout
+    if contacts is None:
+        return math.inf
+    bonded = np.bincount(layout.i, minlength=len(layout.order)) + np.bincount(layout.j, minlength=len(layout.order))
+    free = layout.order[bonded == 0]
+    if not len(free):
+        return math.inf
+    walled = len(contacts.walls.friction) > 0
+    return contacts.law.shortest(model.contact_radius[free], model.mass[free], contacts.walls.platens, walled=walled)
