@@ -69,6 +69,10 @@ class FillingWarning(UserWarning):
     """Particles that do not fill the shape they are said to fill, or stick out of it."""
 
 
+class ThinBodyWarning(UserWarning):
+    """A body of cells that is one cell thick somewhere, where it bends too softly or has no stiffness against twist."""
+
+
 class UnstableRunError(BondemError):
     """A run on which a result depends became unstable."""
 

@@ -157,6 +157,7 @@ def test_bulk_moduli_are_those_of_the_material():
         assert moduli.nu == pytest.approx(nu, abs=1e-3)
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.ThinBodyWarning")
 def test_plane_stress_of_a_plate_one_cell_thick():
     """Free facets on both sides open until they bear no traction: E and ν are those of plane stress."""
     x = points((6, 6, 1), jitter=0.0)

@@ -161,10 +161,18 @@ class Grips:
         return np.hstack([force, np.cross(self.lever, force) + moment])
 
     def constraint(self, motion: Floats) -> Floats:
-        """Motion of the held points along the held axes, (3 g, k), of motions (n, 6, k) of the elements."""
+        """What the walls resist of motions (n, 6, k) of the elements [m], (6 g, k).
+
+        The motion of the held points along the held axes, and √(H/k) θ: a wall that holds the normal of a facet
+        holds a plane, which resists a rotation also where no other facet is held.
+        """
         own = motion[self.cell]
         moved = own[:, :3] + np.cross(own[:, 3:], self.lever[:, :, None], axis=1)
-        return (self.axes[:, :, None] * moved).reshape(-1, motion.shape[-1])
+        size, axis = np.linalg.eigh(self.H / self.k[:, None, None])
+        arm = np.sqrt(np.where(size > 1e-9 * size[:, -1:], size, 0.0))
+        turned = arm[:, :, None] * (np.swapaxes(axis, 1, 2) @ own[:, 3:])
+        held = self.axes[:, :, None] * moved
+        return np.concatenate([held, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
         """What the grips add to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of their cells, (g, 6).

@@ -20,6 +20,7 @@ from bondem.model.beam_softening import BeamSoftening
 from bondem.model.bond_table import BondTable
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.cell_constants import CellAssignment, CellConstants, body_of
+from bondem.model.cell_doubts import question_cells
 from bondem.model.constraints import Constraints
 from bondem.model.contacts import ContactModel
 from bondem.model.failure_assignment import FailureAssignment, FailurePart, failure_parts
@@ -92,6 +93,7 @@ class Model:
         self.breaking  # noqa: B018  as is the criterion of failure
         self.beam_softening  # noqa: B018  and whether bonds are short enough to soften
         self._check_strain()
+        question_cells(self.lattice, self.bond)
         implied = self.implied_fracture
         if implied is not None:
             question_strength(implied.strength, implied.E, implied.density, implied.fracture_energy)

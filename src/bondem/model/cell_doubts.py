@@ -1,0 +1,81 @@
+"""What bodies of cells do less well than their users may expect, as far as a model shows it: warnings."""
+
+import warnings
+from collections.abc import Mapping
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.errors import ThinBodyWarning
+from bondem.laws.cell_bond import CellBond
+from bondem.specimen.lattice import Lattice
+
+# A cell is one of a layer where its facets without a neighbour are this share of all of them along some axis: 1 of a
+# plate one cell thick, 1/2 at a plain wall. So many of all cells, and as many in number, make a layer.
+_THIN, _PART, _FEW = 0.9, 0.1, 8
+# Poisson's ratio times this is what a layer bends too softly; less is no matter.
+_MATTERS = 0.01
+
+
+def question_cells(body: Lattice, bond: object) -> None:
+    """Warn of a body of cells that is one cell thick somewhere.
+
+    Args:
+        body: the lattice of a model.
+        bond: its laws; others than `CellBond` are of no account.
+    """
+    laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
+    if body.cells is None or body.facets is None or not all(isinstance(law, CellBond) for law in laws):
+        return
+    cell_laws = [law for law in laws if isinstance(law, CellBond)]
+    _question_thin(body, cell_laws)
+
+
+def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
+    """Warn of parts of a body that are one cell thick, and of those that are one cell wide as well."""
+    assert body.cells is not None
+    thin = (free_shares(body) > _THIN).sum(axis=1)
+    count = int((thin > 0).sum())
+    if count < max(_FEW, _PART * len(thin)):
+        return
+    nu = max((law.nu for law in laws), key=abs)
+    twisted = int((thin > 1).sum()) >= max(_FEW, _PART * len(thin)) and laws[0].facet_rotation != "full"
+    if twisted:
+        _warn(
+            f"{count} of {len(thin)} cells have no neighbour on opposite sides, and the body is one cell thick both"
+            " ways there: it has no stiffness against twist; pack smaller cells, four across the thickness, or give"
+            ' CellBond(..., facet_rotation="full")', ThinBodyWarning,
+        )  # fmt: skip
+    elif abs(nu) >= _MATTERS:
+        _warn(
+            f"{count} of {len(thin)} cells have no neighbour on opposite sides: the body is one cell thick there and"
+            f" bends with about E / (1 + ν), a deflection {100.0 * nu:+.0f} % off or more (two cells 3 %, four 0.2 %);"
+            " pack smaller cells, four across the thickness", ThinBodyWarning,
+        )  # fmt: skip
+
+
+def free_shares(body: Lattice) -> Floats:
+    """What free facets have of (1/V) Σ A d n⊗n of each cell, along three axes of its own [-], (n, 3)."""
+    cells, facets = body.cells, body.facets
+    assert cells is not None
+    assert facets is not None
+    n, free = len(cells.volume), cells.free
+    open_part = _sums(free.cell, free.area * free.depth, free.normal, n)
+    whole = open_part + _sums(body.pairs[:, 0], facets.area * facets.depth_i, facets.normal, n)
+    whole += _sums(body.pairs[:, 1], facets.area * facets.depth_j, facets.normal, n)
+    root = np.linalg.inv(np.linalg.cholesky(whole))
+    return np.linalg.eigvalsh(root @ open_part @ np.swapaxes(root, 1, 2))
+
+
+def _sums(cell: np.ndarray, weight: Floats, normal: Floats, n: int) -> Floats:
+    """Σ weight n⊗n of each cell, (n, 3, 3)."""
+    found = np.zeros((n, 3, 3))
+    for a in range(3):
+        for b in range(3):
+            found[:, a, b] = np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
+    return found
+
+
+def _warn(text: str, category: type[Warning]) -> None:
+    # the caller of the frozen dataclass whose __post_init__ asks
+    warnings.warn(text, category, stacklevel=6)
