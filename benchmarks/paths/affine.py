@@ -9,7 +9,7 @@ import numpy as np
 import bondem as bd
 from paths.driving import E, LAW, RHO, RISE, TENSION, TRAVERSES, Floats, edges, travel
 
-_EVERY = 200
+_EVERY = 50
 
 
 @dataclass(frozen=True, eq=False)

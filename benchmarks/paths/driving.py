@@ -23,9 +23,9 @@ MOHR = bd.MohrCoulomb(
 #: Edge of cubes [m], of a third of the length 2 E G_f / f_t² above which a bar snaps back.
 SIDE = 80e-3
 #: How often sound runs along a body until it has been stretched by f_t / E, and the share of it in which speeds change.
-TRAVERSES, RISE = 60.0, 0.2
+TRAVERSES, RISE = 100.0, 0.2
 # Share of the critical damping of the first axial vibration, steps between records.
-_DAMPING, _EVERY = 0.05, 50
+_DAMPING, _EVERY = 0.05, 10
 _RAMP = 9
 AXES = "xyz"
 

@@ -25,7 +25,7 @@ _STRETCH = TENSION / E * SIDE
 def pulled(criterion: str, reach: float, seed: int, count: int) -> Course:
     """A cube after a first load along x, unloaded and at rest."""
     return course(
-        cube(seed, count), CRITERIA[criterion], {"x": (0.0, reach * _STRETCH, 0.0, 0.0)}, traverses=40.0
+        cube(seed, count), CRITERIA[criterion], {"x": (0.0, reach * _STRETCH, 0.0, 0.0)}
     )  # fmt: skip
 
 

@@ -1,10 +1,11 @@
 """Boxes of cells with a flat plane of facets: cells beside the plane are mirrored about it."""
 
-import math
+import warnings
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+from scipy.spatial import KDTree
 
 import bondem as bd
 from paths.driving import Floats
@@ -33,36 +34,38 @@ class Halves:
 
 
 @cache
-def halves(size: tuple[float, float, float], normal: tuple[float, float, float], seed: int, count: int) -> Halves:
+def halves(edges: tuple[float, float, float], normal: tuple[float, float, float], seed: int, count: int) -> Halves:
     """A box about whose middle runs a plane of facets.
 
     Args:
-        size: of the box [m].
+        edges: of the box [m].
         normal: of the plane, of length 1.
         seed, count: of the packing it is made from; the body has about as many cells.
 
     Raises:
         RuntimeError: a facet between both parts that does not lie in the plane.
     """
-    box, n = bd.Box(size), np.array(normal)
-    middle = 0.5 * np.array(size)
-    cell = (math.prod(size) / count) ** (1.0 / 3.0)
+    box, n, size = bd.Box(edges), np.array(normal), np.array(edges)
+    middle = 0.5 * size
+    cell = (box.volume / count) ** (1.0 / 3.0)
 
     def mirrored(place: Floats) -> Floats:
         return place - 2.0 * ((place - middle) @ n)[:, None] * n
 
     place = bd.pack(box, count=count, method="even", seed=seed).position
     height = (place - middle) @ n
+    margin = 0.02 * cell
     whole = bool(np.isclose(np.abs(n), 1.0).any())  # the box is its own mirror image
     near = np.abs(height) < (np.inf if whole else _BAND * cell)
     one = place[near & (height > 0.0)]
-    inside = ((mirrored(one) > 0.02 * cell) & (mirrored(one) < np.array(size) - 0.02 * cell)).all(axis=1)
-    one = one[inside]
+    one = one[((mirrored(one) > margin) & (mirrored(one) < size - margin)).all(axis=1)]
     pairs = len(one)
     place = np.concatenate([one, mirrored(one), place[~near]])
     for _ in range(_ROUNDS):
         centroid = _cut(place, box, cell).cells.centroid
         one = 0.5 * (centroid[:pairs] + mirrored(centroid[pairs : 2 * pairs]))
+        for _ in range(_ROUNDS):  # back into the box, both of each pair
+            one = mirrored(np.clip(mirrored(np.clip(one, margin, size - margin)), margin, size - margin))
         place = np.concatenate([one, mirrored(one), centroid[2 * pairs :]])
     body = _cut(place, box, cell)
     above = (place - middle) @ n > 0.0
@@ -76,4 +79,8 @@ def halves(size: tuple[float, float, float], normal: tuple[float, float, float],
 
 
 def _cut(place: Floats, box: bd.Box, cell: float) -> bd.Lattice:
-    return bd.connect(bd.Particles(place, np.full(len(place), 0.5 * cell), shape=box), method="laguerre")
+    apart = KDTree(place).query(place, k=2)[0][:, 1].min()
+    radius = np.full(len(place), min(0.5 * cell, 0.5 * apart))  # of equal ones nothing depends on it
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", bd.errors.FillingWarning)  # spheres are small where pairs are close
+        return bd.connect(bd.Particles(place, radius, shape=box), method="laguerre")

@@ -36,7 +36,7 @@ def _pulled(found: Halves, weak: bd.Rankine, reach: float, lateral: float = 0.0)
 
     failure = {bd.Everything(): STRONG, (found.above, found.below): weak}
     return course(
-        found.body, failure, {"x": (0.0, reach)}, others=sides, strength=weak.tension, ending=0.01, traverses=40.0
+        found.body, failure, {"x": (0.0, reach)}, others=sides, strength=weak.tension, ending=0.01
     )  # fmt: skip
 
 
