@@ -66,7 +66,11 @@ def halves(edges: tuple[float, float, float], normal: tuple[float, float, float]
         one = 0.5 * (centroid[:pairs] + mirrored(centroid[pairs : 2 * pairs]))
         for _ in range(_ROUNDS):  # back into the box, both of each pair
             one = mirrored(np.clip(mirrored(np.clip(one, margin, size - margin)), margin, size - margin))
-        place = np.concatenate([one, mirrored(one), centroid[2 * pairs :]])
+        rest = centroid[2 * pairs :]
+        height = (rest - middle) @ n
+        off = np.maximum(_BAND * cell - np.abs(height), 0.0) * np.sign(height)
+        rest = np.clip(rest + off[:, None] * n, margin, size - margin)  # away from the plane, which they would tilt
+        place = np.concatenate([one, mirrored(one), rest])
     body = _cut(place, box, cell)
     above = (place - middle) @ n > 0.0
     i, j = body.pairs.T
