@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from kept import RESULTS, commit, keep, origin
-from paths import compressive_strength, first_loads, softening_energy, stress_states, turned_plates, weak_planes
+from paths import bimetal, compressive_strength, first_loads, softening_energy, stress_states, turned_plates, weak_planes
 from paths.rows import CaseFunction, Row, table, verdicts
 
 #: Cases by name, and the numbers of cells they are done with unless --counts says otherwise.
@@ -37,6 +37,7 @@ CASES: dict[str, tuple[CaseFunction, tuple[int, ...]]] = {
     "inclined": (weak_planes.inclined, (400,)),
     "lateral": (weak_planes.lateral, (400,)),
     "beams": (weak_planes.beams, (400,)),
+    "bimetal": (bimetal.bimetal, (400, 1000)),
     "plain": (softening_energy.plain, (200, 400, 1000)),
     "notched": (softening_energy.notched, (200, 400, 1000)),
     "compact": (softening_energy.compact_tension, (400, 800, 1600)),

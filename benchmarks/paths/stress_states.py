@@ -49,7 +49,7 @@ def held(seed: int, count: int) -> list[Row]:
 
 
 def dead(seed: int, count: int) -> list[Row]:
-    """Tension under a constant stress across y."""
+    """Tension under a constant stress across y, which is there first."""
     rows = []
     for share in DEAD:
 
@@ -57,7 +57,7 @@ def dead(seed: int, count: int) -> list[Row]:
             grows = bd.Ramp(0.0, 1.0, 2.0 * rise, begin=begin)
             return [bd.Pressure(bd.Face(name), -share * TENSION, schedule=grows) for name in ("y_min", "y_max")]
 
-        found = course(cube(seed, count), RANKINE, {"x": (0.0, torn())}, others=sides, ending=0.005)
+        found = course(cube(seed, count), RANKINE, {"x": (0.0, 0.0, torn())}, others=sides, ending=0.005)
         told = f"dead stress {share:g} f_t across"
         rows += _pair(told, found.peak("x"), found.dissipated("x"), seed, count, found.note)
     return rows

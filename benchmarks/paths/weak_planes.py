@@ -36,7 +36,7 @@ def _pulled(found: Halves, weak: bd.Rankine, reach: float, lateral: float = 0.0)
 
     failure = {bd.Everything(): STRONG, (found.above, found.below): weak}
     return course(
-        found.body, failure, {"x": (0.0, reach)}, others=sides, strength=weak.tension, ending=0.01
+        found.body, failure, {"x": (0.0, 0.0, reach)}, others=sides, strength=weak.tension, ending=0.01
     )  # fmt: skip
 
 
@@ -61,7 +61,7 @@ def inclined(seed: int, count: int) -> list[Row]:
 
 
 def lateral(seed: int, count: int) -> list[Row]:
-    """Peak and work of a plane across the load with a dead tension beside it."""
+    """Peak and work of a plane across the load with a dead tension beside it, which is there first."""
     found = halves(SIZE, (1.0, 0.0, 0.0), seed, count)
     rows = []
     for share in LATERAL:
