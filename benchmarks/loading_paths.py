@@ -23,7 +23,15 @@ from pathlib import Path
 from typing import Any
 
 from kept import RESULTS, commit, keep, origin
-from paths import bimetal, compressive_strength, first_loads, softening_energy, stress_states, turned_plates, weak_planes
+from paths import (
+    bimetal,
+    compressive_strength,
+    first_loads,
+    softening_energy,
+    stress_states,
+    turned_plates,
+    weak_planes,
+)
 from paths.rows import CaseFunction, Row, table, verdicts
 
 #: Cases by name, and the numbers of cells they are done with unless --counts says otherwise.
@@ -43,7 +51,7 @@ CASES: dict[str, tuple[CaseFunction, tuple[int, ...]]] = {
     "compact": (softening_energy.compact_tension, (400, 800, 1600)),
     "solvers": (softening_energy.solvers, (200,)),
     "compression": (compressive_strength.compression, (400,)),
-    "splitting": (compressive_strength.splitting, (1000,)),
+    "splitting": (compressive_strength.splitting, (3000,)),
     "cycles": (first_loads.cycles, (100,)),
     "turned": (turned_plates.turned, (500,)),
     "many_cycles": (first_loads.many_cycles, (100,)),
@@ -53,8 +61,10 @@ USUAL = tuple(name for name in CASES if name != "many_cycles")
 SEEDS = (1, 2, 3, 4, 5)
 
 
-def tasks(cases: Sequence[str], seeds: Sequence[int], counts: Sequence[int], quick: bool) -> list[tuple[str, int, int]]:
-    """Case, packing and number of cells of all that is to be done; of a quick run packing 1 and the smallest bodies."""
+def tasks(
+    cases: Sequence[str], seeds: Sequence[int], counts: Sequence[int], *, quick: bool
+) -> list[tuple[str, int, int]]:
+    """Case, packing and number of cells of what is to be done; of a quick run packing 1 and the smallest bodies."""
     found = []
     for name in cases:
         own = tuple(counts) or CASES[name][1]
@@ -90,7 +100,7 @@ def main(arguments: list[str] | None = None) -> None:
         return
     begun = origin()
     (given.out / "origin.json").write_text(json.dumps(begun))
-    wanted = tasks(given.cases, given.seeds, given.counts, given.quick)
+    wanted = tasks(given.cases, given.seeds, given.counts, quick=given.quick)
     waiting = [task for task in wanted if given.anew or not file_of(given.out, task).exists()]
     if given.processes > 1:
         with multiprocessing.get_context("spawn").Pool(given.processes) as pool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import bondem as bd
-from paths.driving import E, LAW, RHO, RISE, TENSION, TRAVERSES, Floats, edges, travel
+from paths.driving import LAW, RHO, RISE, TENSION, TRAVERSES, E, Floats, edges, travel
 
 _EVERY = 50
 
@@ -47,7 +47,7 @@ class Sheared:
 
 def sheared(
     body: bd.Lattice,
-    failure: object,
+    failure: bd.FailureAssignment,
     points: Sequence[tuple[float, float]],
     *,
     state: bd.State | None = None,

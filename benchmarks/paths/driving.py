@@ -1,5 +1,6 @@
 """Bodies between smooth faces that follow a path, slowly and without jumps of their speed."""
 
+import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,7 +23,7 @@ MOHR = bd.MohrCoulomb(
 )
 #: Edge of cubes [m], of a third of the length 2 E G_f / f_t² above which a bar snaps back.
 SIDE = 80e-3
-#: How often sound runs along a body until it has been stretched by f_t / E, and the share of it in which speeds change.
+#: How often sound runs along a body until it is stretched by f_t / E, and the share of that in which speeds change.
 TRAVERSES, RISE = 100.0, 0.2
 # Share of the critical damping of the first axial vibration, steps between records.
 _DAMPING, _EVERY = 0.05, 10
@@ -33,10 +34,10 @@ AXES = "xyz"
 @cache
 def cube(seed: int, count: int, side: float = SIDE) -> bd.Lattice:
     """A cube of cells."""
-    return bd.connect(bd.pack(bd.Box((side,) * 3), count=count, method="even", seed=seed), method="laguerre")
+    return bd.connect(bd.pack(bd.Box((side, side, side)), count=count, method="even", seed=seed), method="laguerre")
 
 
-def travel(points: Sequence[Sequence[float]], speed: float, rise: float, begin: float = 0.0) -> tuple[Floats, Floats]:
+def travel(points: Floats | Sequence[Sequence[float]], speed: float, rise: float, begin: float = 0.0) -> tuple[Floats, Floats]:
     """A path through points, each leg from rest to rest, as times [s], (m,), and values, (m, d).
 
     Args:
@@ -48,15 +49,16 @@ def travel(points: Sequence[Sequence[float]], speed: float, rise: float, begin: 
     """
     place = np.asarray(points, dtype=float)
     times, values = [begin], [place[0]]
-    for before, after in zip(place[:-1], place[1:], strict=True):
+    for before, after in itertools.pairwise(place):
         way = float(np.abs(after - before).max())
         ramp, plateau = (rise, way / speed - rise) if way > speed * rise else (math.sqrt(way * rise / speed), 0.0)
         if way == 0.0:  # a rest
             ramp = plateau = rise
         along = np.linspace(0.0, 1.0, _RAMP)
         top = ramp + plateau  # time at the largest speed, ramps counting half
-        t = np.concatenate([ramp * along, ramp + plateau + ramp * along[0 if plateau else 1 :]])
-        s = np.concatenate([0.5 * ramp * along**2, top - 0.5 * ramp * (1.0 - along[0 if plateau else 1 :]) ** 2]) / top
+        back = along[0 if plateau else 1 :]
+        t = np.concatenate([ramp * along, ramp + plateau + ramp * back])
+        s = np.concatenate([0.5 * ramp * along**2, top - 0.5 * ramp * (1.0 - back) ** 2]) / top
         times += (times[-1] + t[1:]).tolist()
         values += [before + share * (after - before) for share in s[1:]]
     return np.array(times), np.array(values)
@@ -114,7 +116,7 @@ def edges(body: bd.Lattice) -> Floats:
 
 def course(
     body: bd.Lattice,
-    failure: object,
+    failure: bd.FailureAssignment,
     knots: Mapping[str, Sequence[float]],
     *,
     slide: Sequence[float] = (),

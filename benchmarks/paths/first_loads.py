@@ -9,7 +9,7 @@ import numpy as np
 
 import bondem as bd
 from paths.affine import sheared
-from paths.driving import E, LAW, MOHR, NU, RANKINE, RHO, SIDE, TENSION, Course, course, cube
+from paths.driving import LAW, MOHR, NU, RANKINE, RHO, SIDE, TENSION, Course, E, course, cube
 from paths.rows import Row
 
 #: First loads along x over f_t / E, and how far strength and stiffness of the second load may be off [-].

@@ -62,7 +62,9 @@ def halves(edges: tuple[float, float, float], normal: tuple[float, float, float]
     pairs = len(one)
     place = np.concatenate([one, mirrored(one), place[~near]])
     for _ in range(_ROUNDS):
-        centroid = _cut(place, box, cell).cells.centroid
+        cells = _cut(place, box, cell).cells
+        assert cells is not None
+        centroid = cells.centroid
         one = 0.5 * (centroid[:pairs] + mirrored(centroid[pairs : 2 * pairs]))
         for _ in range(_ROUNDS):  # back into the box, both of each pair
             one = mirrored(np.clip(mirrored(np.clip(one, margin, size - margin)), margin, size - margin))
@@ -75,6 +77,7 @@ def halves(edges: tuple[float, float, float], normal: tuple[float, float, float]
     above = (place - middle) @ n > 0.0
     i, j = body.pairs.T
     across = np.flatnonzero(above[i] != above[j])
+    assert body.facets is not None
     tilted = np.abs(np.abs(body.facets.normal[across] @ n) - 1.0) > _FLAT
     area = body.facets.area[across]
     if area[tilted].sum() > _FLAT * area.sum():

@@ -46,7 +46,8 @@ class Row:
     def from_json(cls, found: dict[str, Any]) -> "Row":
         """The row of a result file."""
         given = math.nan if found["measured"] is None else found["measured"]
-        return cls(**(found | {"measured": given}))
+        values: dict[str, Any] = found | {"measured": given}
+        return cls(**values)
 
 
 #: A case: packing and number of cells in, rows out.

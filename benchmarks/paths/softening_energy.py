@@ -5,13 +5,13 @@ import math
 from functools import cache
 
 import bondem as bd
-from paths.driving import E, LAW, RHO, RISE, TENSION
+from paths.driving import LAW, RHO, RISE, TENSION, E
 from paths.rows import Row
 
 #: Fracture energies [J/m²] and curves.
 ENERGIES = (50.0, 200.0)
 CURVES: dict[str, bd.Bilinear | None] = {"linear": None, "bilinear": bd.Bilinear()}
-#: Limits: of the mean fracture energy of a kind, of the strength of a bar, of explicit beside quasi-static results [-].
+#: Limits: of the mean fracture energy of a kind, the strength of a bar, explicit beside quasi-static results [-].
 ENERGY_LIMIT, STRENGTH_LIMIT, SOLVER_LIMIT = 0.04, 0.005, 0.01
 #: Bars, and the notch on one side: width along x and depth along y [m].
 BAR, NOTCH = (80e-3, 40e-3, 40e-3), (4e-3, 13e-3)
@@ -44,7 +44,8 @@ def plain(seed: int, count: int) -> list[Row]:
     """Strength and fracture energy of a bar."""
     rows = []
     for energy, curve in _kinds():
-        test = bd.labtests.direct_tension(bar("plain", seed, count), LAW, _material(energy, curve), traverses=_TRAVERSES)
+        material = _material(energy, curve)
+        test = bd.labtests.direct_tension(bar("plain", seed, count), LAW, material, traverses=_TRAVERSES)
         note = f"G_f = {energy:g} J/m², {curve}, residual {test.residual:.1e}"
         rows += [
             Row("energy", "plain bar: f_t", test.peak / TENSION, 1.0, STRENGTH_LIMIT, seed, count, note=note),
@@ -61,9 +62,8 @@ def notched(seed: int, count: int) -> list[Row]:
             bar("notched", seed, count), LAW, _material(energy, curve), traverses=_TRAVERSES
         )
         note = f"G_f = {energy:g} J/m², {curve}, residual {test.residual:.1e}"
-        rows.append(
-            Row("energy", "notched bar: G_f", test.work / energy, 1.0, ENERGY_LIMIT, seed, count, mean=True, note=note)
-        )
+        ratio = test.work / energy
+        rows.append(Row("energy", "notched bar: G_f", ratio, 1.0, ENERGY_LIMIT, seed, count, mean=True, note=note))
     return rows
 
 
@@ -97,7 +97,8 @@ def _torn(body: bd.Lattice, energy: float, curve: str) -> tuple[float, str]:
         for way in (1.0, -1.0)
     ]  # fmt: skip
     strong = bd.Rankine(tension=10.0 * TENSION, fracture_energy=100.0 * energy, curve=CURVES[curve])
-    about = [bd.Within(bd.Box((0.5 * WIDTH, 0.52 * WIDTH, 3.0 * THICK)).moved((-1e-3, y * WIDTH, -THICK))) for y in (-0.01, 0.69)]
+    block = bd.Box((0.5 * WIDTH, 0.52 * WIDTH, 3.0 * THICK))  # about the pins, where nothing is to fail
+    about = [bd.Within(block.moved((-1e-3, y * WIDTH, -THICK))) for y in (-0.01, 0.69)]
     opening = (3.6 if CURVES[curve] else 2.0) * energy / TENSION
     long = 1.2 * WIDTH
     sound = math.sqrt(E / RHO)
@@ -133,8 +134,7 @@ def solvers(seed: int, count: int) -> list[Row]:
     for kind in ("plain", "notched"):
         body, material = bar(kind, seed, count), _material(ENERGIES[0], "linear")
         test = bd.labtests.direct_tension(body, LAW, material, traverses=2.0 * _TRAVERSES)
-        ends = [bd.Fix(bd.Face("x_min"), translation="xyz", rotation=""), bd.Drive(bd.Face("x_max"), x=1e-6)]
-        ends[0] = bd.Fix(bd.Face("x_min"), translation="x", rotation="")
+        ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=1e-6)]
         held = _held(body)
         path = bd.solve_quasistatic(
             bd.Model(body, LAW, RHO, failure=material, boundary=[*ends, *held]), bd.Face("x_max"), until=0.002
@@ -157,4 +157,6 @@ def _held(body: bd.Lattice) -> list[bd.BoundaryCondition]:
     place = body.particles.position
     near = int(((place - [0.0, 0.5 * BAR[1], 0.5 * BAR[2]]) ** 2).sum(axis=1).argmin())
     far = int(((place - [0.0, 0.5 * BAR[1], BAR[2]]) ** 2).sum(axis=1).argmin())
-    return [bd.Fix(bd.Index([near]), translation="yz", rotation=""), bd.Fix(bd.Index([far]), translation="y", rotation="")]
+    return [
+        bd.Fix(bd.Index([near]), translation="yz", rotation=""), bd.Fix(bd.Index([far]), translation="y", rotation="")
+    ]  # fmt: skip

@@ -1,8 +1,8 @@
-"""Tension with another stress beside it: peak and fracture energy, when the principal axes stay and when they turn."""
+"""Tension with another stress beside it: peak and fracture energy, where principal axes stay and where they turn."""
 
 import bondem as bd
 from paths.affine import sheared
-from paths.driving import E, ENERGY, NU, RANKINE, SIDE, TENSION, course, cube, torn
+from paths.driving import ENERGY, NU, RANKINE, SIDE, TENSION, E, course, cube, torn
 from paths.rows import Row
 
 #: How far the peak may be from σ1 = f_t, and what cracks dissipate over the ligament from G_f [-].

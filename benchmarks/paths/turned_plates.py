@@ -28,7 +28,7 @@ def plate(angle: float, seed: int, count: int) -> bd.Lattice:
     shape = bd.Box(SIZE).cut(slot.moved((0.5 * (SIZE[0] - NOTCH[0]), -NOTCH[1], -SIZE[2])), name="notch")
     cell = (math.prod(SIZE) / count) ** (1.0 / 3.0)
     place = place[shape.depth(place) > _DEPTH * cell]
-    return bd.connect(bd.Particles(place, np.full(len(place), 0.5 * cell), shape=shape), method="laguerre")
+    return bd.connect(bd.Particles(place, np.full(len(place), 0.1 * cell), shape=shape), method="laguerre")
 
 
 def turned(seed: int, count: int) -> list[Row]:
