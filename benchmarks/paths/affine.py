@@ -1,0 +1,102 @@
+"""Boxes whose faces across x and y follow a homogeneous strain, so that principal axes may turn; z is free."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+import bondem as bd
+from paths.driving import LAW, RHO, RISE, TENSION, TRAVERSES, E, Floats, edges, travel
+
+_EVERY = 50
+
+
+@dataclass(frozen=True, eq=False)
+class Sheared:
+    """What was measured along the path, one row a record.
+
+    Attributes:
+        run: the explicit run.
+        strain: ε_xx and γ_xy that were prescribed [-], (s, 2).
+        stress: mean over the volume [Pa], (s, 3, 3).
+    """
+
+    run: bd.ExplicitResult
+    strain: Floats
+    stress: Floats
+
+    @property
+    def principal(self) -> Floats:
+        """Largest principal stress of the mean stress [Pa], (s,)."""
+        return np.linalg.eigvalsh(self.stress)[:, 2]
+
+    @property
+    def peak(self) -> float:
+        """The largest of it [Pa]."""
+        return float(self.principal.max())
+
+    @property
+    def shear_modulus(self) -> float:
+        """Slope of τ over γ up to half of the largest τ [Pa]."""
+        shear = self.stress[:, 0, 1]
+        chosen = np.flatnonzero((shear > 0.1 * shear.max()) & (shear < 0.5 * shear.max()))
+        chosen = chosen[chosen < shear.argmax()]
+        return float(np.polyfit(self.strain[chosen, 1], shear[chosen], 1)[0]) if len(chosen) > 2 else math.nan
+
+
+def sheared(
+    body: bd.Lattice,
+    failure: bd.FailureAssignment,
+    points: Sequence[tuple[float, float]],
+    *,
+    state: bd.State | None = None,
+    ending: float = 0.8,
+) -> Sheared:
+    """Prescribe ε_xx and γ_xy on the faces across x and y, with ε_yy = -ν ε_xx, so that σ_yy is nothing.
+
+    The facets of each cell on a face move as one.
+
+    Args:
+        body: cells of a box.
+        failure: criterion.
+        points: ε_xx and γ_xy at the points of the path [-].
+        state: where to go on from, in its reference.
+        ending: share of the largest σ1 at which it ends, once it was above half of f_t.
+    """
+    long = float(edges(body)[0])
+    until = TRAVERSES * long / math.sqrt(E / RHO)
+    begin = 0.0 if state is None else state.time
+    times, values = travel(points, TENSION / E / until, RISE * until, begin)
+    boundary = []
+    assert body.cells is not None
+    free = body.cells.free
+    for name in ("x_min", "x_max", "y_min", "y_max"):
+        facets = body.on_face(name)
+        for cell in np.unique(free.cell[facets]):
+            own = facets[free.cell[facets] == cell]
+            x, y, _ = np.average(free.centroid[own], axis=0, weights=free.area[own])
+            u = values[:, 0] * x + 0.5 * values[:, 1] * y, -LAW.nu * values[:, 0] * y + 0.5 * values[:, 1] * x
+            boundary.append(
+                bd.Drive(bd.Face(name) & bd.Index([int(cell)]), x=bd.Table(times, u[0]), y=bd.Table(times, u[1]))
+            )
+    boundary.append(bd.Fix(bd.Face("z_min"), translation="z", rotation=""))
+    model = bd.Model(body, LAW, RHO, failure=failure, boundary=boundary)
+    share = body.cells.volume / body.cells.volume.sum()
+    found: list[Floats] = []
+    top = [0.0]
+
+    def read(now: bd.State, _record: bd.History) -> bool:
+        moving = now.step > 0 and now.time > begin
+        found.append(np.einsum("n,nab->ab", share, bd.cell_stress(model, now)) if moving else np.zeros((3, 3)))
+        largest = float(np.linalg.eigvalsh(found[-1])[2])
+        top[0] = max(top[0], largest)
+        return top[0] > 0.5 * TENSION and largest < ending * top[0]
+
+    run = bd.solve_explicit(
+        model, duration=float(times[-1] - begin), state=state, every=_EVERY, callback=read,
+        damping=bd.MassDamping(alpha=0.1 * math.pi * math.sqrt(E / RHO) / long),
+    )  # fmt: skip
+    t = run.history.time[-len(found) :]
+    strain = np.column_stack([np.interp(t, times, values[:, k]) for k in range(2)])
+    return Sheared(run=run, strain=strain, stress=np.array(found))

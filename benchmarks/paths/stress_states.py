@@ -1,0 +1,76 @@
+"""Tension with another stress beside it: peak and fracture energy, where principal axes stay and where they turn."""
+
+import bondem as bd
+from paths.affine import sheared
+from paths.driving import ENERGY, NU, RANKINE, SIDE, TENSION, E, course, cube, torn
+from paths.rows import Row
+
+#: How far the peak may be from σ1 = f_t, and what cracks dissipate over the ligament from G_f [-].
+PEAK, WORK = 0.03, 0.08
+#: Dead stresses on the sides, over f_t.
+DEAD = (-1.0, -0.5, 0.5, 0.9)
+#: Poisson's ratios of tension with held sides.
+HELD = (0.2, 0.4)
+#: Strains along x and y over f_t / E at which σ_x = f_t, by ratio of the stresses along y and x.
+RATIOS = {1.0: "biaxial 1:1", 0.5: "biaxial 1:1/2", -1.0: "pure shear"}
+#: Where the proportional path ends, over the strain at which σ_x = f_t.
+PAST = 1.02
+_STRETCH = TENSION / E * SIDE
+
+
+def _pair(told: str, peak: float, work: float, seed: int, count: int, note: str) -> list[Row]:
+    return [
+        Row("states", f"{told}: peak", peak / TENSION, 1.0, PEAK, seed, count, note=note),
+        Row("states", f"{told}: G_f", work / ENERGY, 1.0, WORK, seed, count, note=note),
+    ]
+
+
+def proportional(seed: int, count: int) -> list[Row]:
+    """σ_x and σ_y in proportion until the strain of the peak; from there on only x goes on, and y is held."""
+    rows = []
+    for ratio, told in RATIOS.items():
+        x, y = (1.0 - NU * ratio) * PAST * _STRETCH, (ratio - NU) * PAST * _STRETCH
+        knots = {"x": (0.0, x, x + torn()), "y": (0.0, y, y)}
+        found = course(cube(seed, count), RANKINE, knots, ending=0.005)
+        rows += _pair(told, found.peak("x"), found.dissipated("x"), seed, count, found.note)
+    return rows
+
+
+def held(seed: int, count: int) -> list[Row]:
+    """Tension between held sides."""
+    rows = []
+    for nu in HELD:
+        law = bd.CellBond(E=E, nu=nu)
+        stretch = (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu) * _STRETCH
+        knots = {"x": (0.0, stretch + torn()), "y": (0.0, 0.0), "z": (0.0, 0.0)}
+        found = course(cube(seed, count), RANKINE, knots, law=law, ending=0.005)
+        rows += _pair(f"sides held, nu = {nu:g}", found.peak("x"), found.dissipated("x"), seed, count, found.note)
+    return rows
+
+
+def dead(seed: int, count: int) -> list[Row]:
+    """Tension under a constant stress across y, which is there first."""
+    rows = []
+    for share in DEAD:
+
+        def sides(begin: float, rise: float, share: float = share) -> list[bd.BoundaryCondition]:
+            grows = bd.Ramp(0.0, 1.0, 2.0 * rise, begin=begin)
+            return [bd.Pressure(bd.Face(name), -share * TENSION, schedule=grows) for name in ("y_min", "y_max")]
+
+        found = course(cube(seed, count), RANKINE, {"x": (0.0, 0.0, torn())}, others=sides, ending=0.005)
+        told = f"dead stress {share:g} f_t across"
+        rows += _pair(told, found.peak("x"), found.dissipated("x"), seed, count, found.note)
+    return rows
+
+
+def turning(seed: int, count: int) -> list[Row]:
+    """Tension to 0.9 f_t and then shear, in a homogeneous strain; tension past the peak, then opening and sliding."""
+    body = cube(seed, count)
+    first = 0.9 * TENSION / E
+    found = sheared(body, RANKINE, [(0.0, 0.0), (first, 0.0), (first, 3.0 * TENSION / E)])
+    rows = [Row("states", "tension, then shear: peak", found.peak / TENSION, 1.0, PEAK, seed, count)]
+    knots = {"x": (0.0, 1.2 * _STRETCH, 1.2 * _STRETCH + torn())}
+    slid = course(body, RANKINE, knots, slide=(0.0, 0.0, torn()), ending=0.005)
+    told, work = "tension past the peak, then opening and sliding: G_f", slid.dissipated("x")
+    rows.append(Row("states", told, work / ENERGY, 1.0, WORK, seed, count, note=slid.note))
+    return rows
