@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._types import Floats, PerBond, PerElement
+from bondem._types import PerBond, PerBond3, PerElement
 from bondem.laws.cell_energy import bending_square
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
@@ -17,7 +17,7 @@ def crack_index(model: Model, state: State) -> PerBond:
     """Index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength), user's order.
 
     0 of facets that are not pulled (but of `bd.Rankine` the smaller one of that and of the traction by itself), 1 of
-    those that soften, 0 of broken ones.
+    those that soften, 0 of broken ones. Facets of material planes have the index of their own traction.
 
     Returns:
         Index [-], user's order, shape (m,).
@@ -29,7 +29,8 @@ def crack_index(model: Model, state: State) -> PerBond:
     stress = mean_stress(model, forces)
     mean = 0.5 * (stress[i] + stress[j])
     n, t = turned_vectors(state.orientation[i], facets.normal), forces.force / facets.area[:, None]
-    across, bent = (t * n).sum(axis=1), _bending(model, state, mean)
+    bending, own, traction = _bending(model, state), table.plane, t
+    across, bent = (t * n).sum(axis=1), np.maximum(bending - np.maximum(-np.linalg.eigvalsh(mean)[:, 0], 0.0), 0.0)
     pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
     t, across = t + (pulled - across)[:, None] * n, pulled
     off = t - np.einsum("mab,mb->ma", mean, n)
@@ -47,6 +48,9 @@ def crack_index(model: Model, state: State) -> PerBond:
         index = np.array([table.judge.function(one, *table.given) for one in scaled])
         index[across <= 0.0] = 0.0
     index = np.maximum(index, 0.0)
+    if own.any():
+        planes = model.layout.bond_order[own]
+        index[planes] = _plane_index(table, n[planes], traction[planes], bending[planes])
     whole = state.bond_integrity
     return np.where(whole == 1.0, index, np.where(whole > 0.0, 1.0, 0.0))
 
@@ -82,11 +86,19 @@ def _table(model: Model) -> SofteningTable:
     return model.softening
 
 
-def _bending(model: Model, state: State, mean: Floats) -> PerBond:
-    """T_b of facets less the largest pressure of the mean stress of their cells, at least 0 [Pa], (m,)."""
+def _plane_index(table: SofteningTable, n: PerBond3, t: PerBond3, bending: PerBond) -> PerBond:
+    """Index of the facets of material planes by their tractions t and bending T_b [Pa], in the order of the table."""
+    own = table.plane
+    across = (t * n).sum(axis=1)
+    opened = np.hypot(np.maximum(across, 0.0), np.maximum(bending + np.minimum(across, 0.0), 0.0))
+    shear = np.sqrt(np.maximum((t * t).sum(axis=1) - across**2, 0.0)) + table.friction[own] * across
+    return np.maximum(opened / table.strength[own], np.maximum(shear, 0.0) / table.cohesion[own])
+
+
+def _bending(model: Model, state: State) -> PerBond:
+    """T_b of facets [Pa], user's order, (m,)."""
     facets, _ = body_of(model.lattice)
     constants, turns = model.cell_constants, state.orientation[model.lattice.pairs]
     H = constants.H.reshape(-1, 9).T[[0, 4, 8, 1, 2, 5]]
     square = bending_square(turns[:, 0].T, turns[:, 1].T, 4.0 * constants.k / facets.area**2, H)
-    pressure = np.maximum(-np.linalg.eigvalsh(mean)[:, 0], 0.0)
-    return np.maximum(np.sqrt(np.maximum(square, 0.0)) - pressure, 0.0)
+    return np.sqrt(np.maximum(square, 0.0))

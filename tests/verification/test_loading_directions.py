@@ -1,0 +1,240 @@
+"""Softening along present directions of stress: strength and fracture energy whatever the path and the facet."""
+
+import functools
+import math
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.errors import InputError
+from bondem.io.runfile import _judge_anew
+from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, ONSET, RESTING, STATUS, TOP
+from bondem.laws.softening import LEAST_SLOPE, left_in_bulk, left_on_plane, softened, softens_at
+from bondem.quasistatic.directions import Opened
+
+E, RHO, F_T, G_F = 40e9, 2500.0, 4e6, 50.0
+LAW = bd.CellBond(E=E, nu=0.2)
+SOFT = bd.Rankine(tension=F_T, fracture_energy=G_F)
+WEAK = bd.Rankine(tension=1e6, fracture_energy=4.0)
+# k / A of the facets that are judged alone [Pa/m]; opening where nothing is left of them, as a traction
+STIFF = 3e13
+LAST = STIFF * 2.0 * G_F / F_T
+
+
+def directions(rng: np.random.Generator) -> np.ndarray:
+    """Three perpendicular unit vectors, in columns."""
+    return np.linalg.qr(rng.standard_normal((3, 3)))[0]
+
+
+@functools.cache
+def cube(seed: int) -> bd.Lattice:
+    particles = bd.pack(bd.Box((30e-3, 30e-3, 30e-3)), count=300, method="even", seed=seed)
+    return bd.connect(particles, method="laguerre")
+
+
+@functools.cache
+def blocks() -> tuple[bd.Lattice, bd.Index, bd.Index]:
+    """Cubic cells, and those on both sides of the plane x = 2 mm."""
+    centres = np.stack(np.meshgrid(*[1e-3 * (np.arange(4) + 0.5)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    body = bd.connect(bd.Particles(centres, 0.5e-3, shape=bd.Box((4e-3, 4e-3, 4e-3))), method="laguerre")
+    left = centres[:, 0] < 2e-3
+    return body, bd.Index(np.flatnonzero(left).tolist()), bd.Index(np.flatnonzero(~left).tolist())
+
+
+def test_every_facet_begins_at_the_strength_of_the_material() -> None:
+    """σ_1 = f_t, whatever the normal, the other principal stresses and the frame; but for facets along the crack."""
+    rng = np.random.default_rng(1)
+    for _ in range(200):
+        v, n = directions(rng), rng.standard_normal(3)
+        n /= np.linalg.norm(n)
+        if np.abs(n @ v).min() < LEAST_SLOPE:
+            continue
+        stress = v @ np.diag([1.0, rng.uniform(-8.0, 1.0), rng.uniform(-8.0, 1.0)]) @ v.T
+        for size, begins in ((1.0 - 1e-9, False), (1.0 + 1e-6, True)):
+            t = tuple(size * F_T * stress @ n)
+            left = left_in_bulk(1.0, t, tuple(n), 0.0, v, F_T, LAST, 0.0, 1.0)
+            assert (left < 1.0) == begins
+
+
+def test_pressure_along_other_axes_softens_nothing() -> None:
+    """Uniaxial compression has σ_1 = 0, and inclined facets are sheared by it."""
+    rng = np.random.default_rng(2)
+    for _ in range(100):
+        v, n = directions(rng), rng.standard_normal(3)
+        n /= np.linalg.norm(n)
+        t = tuple(v @ np.diag([-100.0 * F_T, 0.0, 0.0]) @ v.T @ n)
+        # of the frame, which is any in the plane of the two equal stresses
+        assert left_in_bulk(1.0, t, tuple(n), 0.0, v, F_T, LAST, 0.0, 1.0) == 1.0
+
+
+@pytest.mark.parametrize("curve", [None, bd.Bilinear()])
+@pytest.mark.parametrize("slope", [0.3, 0.7, 1.0])
+def test_a_crack_dissipates_its_projection(slope: float, curve: bd.Bilinear | None) -> None:
+    """∫ |t|² (-ds) A / 2k is G_f A |n·e_1| for an opening along e_1: G_f per area projected on the crack."""
+    softening = bd.Rankine(tension=F_T, fracture_energy=G_F, curve=curve).softening
+    last = STIFF * softening.last * G_F / F_T
+    n, s, taken = (slope, math.sqrt(1.0 - slope**2), 0.0), 1.0, 0.0
+    for T in np.linspace(0.9 * slope * F_T, 1.001 * last, 40_000):
+        left = left_in_bulk(s, (float(T), 0.0, 0.0), n, 0.0, np.eye(3), F_T, last, softening.kink, softening.steep)
+        taken += 0.5 * T**2 * (s - left) / STIFF
+        s = left
+    assert s == 0.0
+    assert taken == pytest.approx(G_F * slope, rel=1e-3)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.5, 1.0])
+def test_a_plane_dissipates_its_own_area(angle: float) -> None:
+    """G_f per area of the facet, whatever the angle between opening and normal; from t_n = f_w on."""
+    n, s, taken, begun = (1.0, 0.0, 0.0), 1.0, 0.0, 0.0
+    for T in np.linspace(0.5 * F_T, 2.0 * LAST, 40_000):
+        t = (float(T) * math.cos(angle), float(T) * math.sin(angle), 0.0)
+        left = left_on_plane(s, t, n, 0.0, F_T, LAST, math.inf, math.inf, 0.0, 0.0, 1.0)
+        begun = t[0] if s == 1.0 else begun
+        taken += 0.5 * T**2 * (s - left) / STIFF
+        s = left
+    assert s == 0.0
+    assert begun == pytest.approx(F_T, rel=1e-3)
+    assert taken == pytest.approx(G_F, rel=2e-3)
+
+
+def test_a_plane_under_pressure_loses_its_cohesion_and_keeps_its_friction() -> None:
+    """s (|t_s| - μ p) follows the curve from c on: with the friction of closed cracks the plane bears the rest."""
+    cohesion, mu, pressure, last = 2e6, 0.5, 3e6, 40e6
+    for slip in np.linspace(1e6, 60e6, 200):
+        t = (-pressure, 0.0, float(slip))
+        s = left_on_plane(1.0, t, (1.0, 0.0, 0.0), 0.0, F_T, LAST, cohesion, last, mu, 0.0, 1.0)
+        over = slip - mu * pressure
+        curve = over if over <= cohesion else max(0.0, cohesion * (1.0 - over / last) / (1.0 - cohesion / last))
+        assert s * over == pytest.approx(curve, rel=1e-12, abs=1e-6) or over < 0.0
+        assert s == 1.0 or over > cohesion
+
+
+@pytest.mark.parametrize(("kink", "steep"), [(0.0, 1.0), (1.0 / 3.0, bd.Bilinear().steep)])
+def test_the_curve_and_its_inverse_agree(kink: float, steep: float) -> None:
+    for s in (1.0, 0.7, 0.2, 0.01):
+        T = softens_at(s, F_T, LAST, kink, steep)
+        assert softened(s, T * (1.0 - 1e-9), F_T, LAST, kink, steep) == s
+        assert softened(s, T * (1.0 + 1e-6), F_T, LAST, kink, steep) < s
+
+
+def test_equilibria_and_runs_judge_alike() -> None:
+    """Load factors of `Opened` are those at which the functions of the kernels begin to change an integrity."""
+    rng = np.random.default_rng(3)
+    body, left, right = blocks()
+    model = bd.Model(body, LAW, density=RHO, failure={bd.Everything(): SOFT, (left, right): WEAK})
+    table = model.softening
+    assert table is not None
+    facets = np.concatenate([np.flatnonzero(table.plane)[:5], np.flatnonzero(~table.plane)[:15]])
+    normal = rng.standard_normal((20, 3))
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    traction, mean = 1e6 * rng.standard_normal((20, 3)), 1e6 * rng.standard_normal((20, 6))
+    traction[(traction * normal).sum(axis=1) < 0.0] *= -1.0
+    opened = Opened.of(table, facets, normal, traction, np.zeros(20), mean)
+    for s in (1.0, 0.6):
+        for e, factor in enumerate(opened.reached(np.full(20, s))):
+            k, n = facets[e], tuple(normal[e])
+            for near, falls in ((1.0 - 1e-6, False), (1.0 + 1e-6, True)):
+                t = tuple(near * factor * traction[e])
+                if table.plane[k]:
+                    now = left_on_plane(
+                        s, t, n, 0.0, table.strength[k], table.last[k], math.inf, math.inf, 0.0, 0.0, 1.0
+                    )
+                else:
+                    full = mean[e][[[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
+                    v = np.linalg.eigh(full)[1]
+                    now = left_in_bulk(s, t, n, 0.0, v, table.strength[k], table.last[k], 0.0, 1.0)
+                assert (now < s) == falls
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_first_load_leaves_the_strength_across(seed: int) -> None:
+    """A cube pulled along x to 1.02 f_t/E and unloaded has its strength and stiffness along y (was 0.61 and 0.64)."""
+    body, size = cube(seed), 30e-3
+    stretch = F_T / E * size
+    period = 2.0 * size / math.sqrt(E / RHO)
+    damping = bd.MassDamping(alpha=0.6 / period)
+    state, found = None, []
+    for axis, ways in (("x", (0.0, 1.02 * stretch, 0.0)), ("y", (0.0, 1.2 * stretch))):
+        begin = 0.0 if state is None else state.time
+        times = begin + 12.0 * period * np.arange(len(ways))
+        model = bd.Model(body, LAW, density=RHO, failure=SOFT, boundary=[
+            bd.Fix(bd.Face(f"{axis}_min"), translation=axis, rotation=""),
+            bd.Drive(bd.Face(f"{axis}_max"), **{axis: bd.Table(times, ways)}),
+        ])  # fmt: skip
+        run = bd.solve_explicit(
+            model, duration=float(times[-1] - begin), state=state, damping=damping, every=20,
+            gauges={"wall": bd.Gauge(bd.Face(f"{axis}_max"), "force")},
+        )  # fmt: skip
+        assert (np.diff(run.history.energy["fracture"]) >= 0.0).all()
+        state, found = run.state, [run.history.time - begin, run.history["wall"][:, "xyz".index(axis)] / size**2]
+    time, stress = found
+    strain = np.interp(time, [0.0, 12.0 * period], [0.0, 1.2 * F_T / E])
+    straight = (stress > 0.1 * F_T) & (stress < 0.4 * F_T) & (np.arange(len(stress)) < stress.argmax())
+    assert stress.max() == pytest.approx(F_T, rel=0.05)
+    assert np.polyfit(strain[straight], stress[straight], 1)[0] == pytest.approx(E, rel=0.05)
+
+
+@pytest.mark.parametrize("on", [None, "stress"])
+def test_stress_along_a_plane_has_no_influence(on: str | None) -> None:
+    """A plane across the load under a dead tension of 1.1 f_w beside it: f_w and G_w (were 0.19 and 0.02 of them).
+
+    Judged by the stress of cells it is gone before the load.
+    """
+    body, left, right = blocks()
+    weak = bd.Rankine(tension=WEAK.tension, fracture_energy=WEAK.fracture_energy, on=on)
+    failure = {bd.Everything(): bd.Rankine(tension=2e7, fracture_energy=1000.0), (left, right): weak}
+    size, period = 4e-3, 8e-3 / math.sqrt(E / RHO)
+    begin, end = 20.0 * period, 2.2 * WEAK.fracture_energy / WEAK.tension + 2.0 * WEAK.tension / E * size
+    sides = bd.Ramp(0.0, 1.0, 0.5 * begin)
+    model = bd.Model(body, LAW, density=RHO, failure=failure, boundary=[
+        *(bd.Pressure(bd.Face(name), -1.1 * weak.tension, schedule=sides) for name in ("y_min", "y_max")),
+        bd.Fix(bd.Face("x_min"), translation="x", rotation=""),
+        bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, end / (200.0 * period), begin, begin=begin)),
+    ])  # fmt: skip
+    run = bd.solve_explicit(
+        model, duration=240.0 * period, damping=bd.MassDamping(alpha=0.6 / period), every=20,
+        gauges={"wall": bd.Gauge(bd.Face("x_max"), "force")},
+    )  # fmt: skip
+    peak = float(run.history["wall"][:, 0].max()) / size**2
+    dissipated = float(run.history.energy["fracture"][-1]) / size**2
+    if on is None:
+        assert peak == pytest.approx(weak.tension, rel=0.01)
+        assert dissipated == pytest.approx(weak.fracture_energy, rel=0.02)
+    else:
+        assert peak < 0.5 * weak.tension
+
+
+def test_a_plane_along_the_load_stays_whole() -> None:
+    """At four times its strength it bears no traction (it kept 0.25 of its integrity)."""
+    body, left, right = blocks()
+    failure = {bd.Everything(): bd.Rankine(tension=2e7, fracture_energy=1000.0), (left, right): WEAK}
+    period, size = 8e-3 / math.sqrt(E / RHO), 4e-3
+    model = bd.Model(body, LAW, density=RHO, failure=failure, boundary=[
+        bd.Fix(bd.Face("y_min"), translation="y", rotation=""),
+        bd.Drive(bd.Face("y_max"), y=bd.Ramp(0.0, 4.0 * WEAK.tension / E * size, 20.0 * period)),
+    ])  # fmt: skip
+    run = bd.solve_explicit(model, duration=20.0 * period, damping=bd.MassDamping(alpha=0.6 / period), every=100)
+    assert run.state.bond_integrity.min() == 1.0
+
+
+def test_what_decides_is_checked() -> None:
+    body, _, _ = blocks()
+    with pytest.raises(InputError, match=r"on = .tension.; give"):
+        bd.Rankine(tension=F_T, on="tension")  # type: ignore[arg-type]
+    cone = bd.DruckerPrager(tension=F_T, compression=1e7, fracture_energy=G_F, on="traction")
+    with pytest.raises(InputError, match=r"DruckerPrager: on = .traction. is of bd\.Rankine"):
+        _ = bd.Model(body, LAW, density=RHO, failure=cone).softening
+
+
+def test_cracks_of_older_files_get_the_strength_of_their_facet() -> None:
+    """They had the traction at which they began, and the largest force so far, by which they slept."""
+    body, _, _ = blocks()
+    model = bd.Model(body, LAW, density=RHO, failure=SOFT)
+    state = model.state()
+    state.cracks = np.zeros((3, CRACK_COLUMNS))
+    state.cracks[:, FACET], state.cracks[:, ONSET] = [0, 1, 2], [1e6, 0.0, 3e6]
+    state.cracks[:, STATUS], state.cracks[:, TOP] = RESTING, [2.0, 3.0, math.inf]
+    _judge_anew(model, state)
+    np.testing.assert_array_equal(state.cracks[:, ONSET], [F_T, 0.0, F_T])
+    np.testing.assert_array_equal(state.cracks[:, TOP], [0.0, 0.0, math.inf])
