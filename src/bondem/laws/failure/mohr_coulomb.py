@@ -32,6 +32,8 @@ class MohrCoulomb(BondCriterion):
 
     on their mean stress; the cohesion falls (r from 1 to 0) as slip dissipates the fracture energy of shear, and
     friction stays. Facets of a cell without cohesion break.
+    Between two regions with an entry of their own the criterion is that of a plane, on the traction of the facet: it
+    opens from t_n = tension on and slips from |t_s| + t_n tan φ = c on, with G_f and G_II per facet area.
 
     Bonds of `bd.NonLocal` break at once where the mean stress of their two elements reaches it, whatever their own
     direction, after Celigueta et al. (2020), eq (9):

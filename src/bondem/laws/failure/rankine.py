@@ -16,10 +16,13 @@ class Rankine(Criterion):
 
     with σ̄ the mean stress of the two cells and t the traction of the facet: σ* is the mean tensor made to agree with
     that traction. A facet that is pressed cracks where its traction alone has such a principal stress, too:
-    t_s² ≥ tension (tension - t_n). A crack softens linearly in its opening, from the traction that the facet has then
-    (its shear where it is pressed) to the opening 2 G_f / f_t, so that it dissipates G_f per area of the crack
-    whatever way its facets zigzag; or along the two lines of a `bd.Bilinear`, as concrete. Without a fracture energy
-    it breaks at once. Bonds of `bd.NonLocal` break at once where σ1 of the mean stress σ̄ itself reaches the strength;
+    t_s² ≥ tension (tension - t_n). From then on the facet softens by what it bears along the three present principal
+    directions e_a of that stress: t·e_a follows a straight line from f_t |n·e_a| to the opening 2 G_f / f_t, or the
+    two lines of a `bd.Bilinear`, as concrete. A crack so dissipates G_f per area of the crack whatever way its facets
+    zigzag, and a load in another direction finds the strength of that direction (`bondem.laws.softening`). Without a
+    fracture energy it breaks at once. Between two regions with an entry of their own the traction of the facet alone
+    decides: t_n ≥ tension, and G_f per facet area. Bonds of `bd.NonLocal` break at once where σ1 of the mean stress σ̄
+    itself reaches the strength;
     the friction of their faces is that of the contact law. No beams.
 
     Attributes:
