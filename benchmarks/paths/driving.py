@@ -37,7 +37,9 @@ def cube(seed: int, count: int, side: float = SIDE) -> bd.Lattice:
     return bd.connect(bd.pack(bd.Box((side, side, side)), count=count, method="even", seed=seed), method="laguerre")
 
 
-def travel(points: Floats | Sequence[Sequence[float]], speed: float, rise: float, begin: float = 0.0) -> tuple[Floats, Floats]:
+def travel(
+    points: Floats | Sequence[Sequence[float]], speed: float, rise: float, begin: float = 0.0, hurry: float = 1.0
+) -> tuple[Floats, Floats]:
     """A path through points, each leg from rest to rest, as times [s], (m,), and values, (m, d).
 
     Args:
@@ -46,11 +48,13 @@ def travel(points: Floats | Sequence[Sequence[float]], speed: float, rise: float
         rise: time in which the speed grows and falls at both ends of a leg; legs that are too short for it never
             reach `speed` [s].
         begin: when it begins [s].
+        hurry: how much faster all legs but the first are.
     """
     place = np.asarray(points, dtype=float)
-    times, values = [begin], [place[0]]
+    times, values, hurried = [begin], [place[0]], hurry * speed
     for before, after in itertools.pairwise(place):
         way = float(np.abs(after - before).max())
+        speed = speed if len(times) == 1 else hurried
         ramp, plateau = (rise, way / speed - rise) if way > speed * rise else (math.sqrt(way * rise / speed), 0.0)
         if way == 0.0:  # a rest
             ramp = plateau = rise
@@ -127,6 +131,7 @@ def course(
     ending: float | None = None,
     strength: float = TENSION,
     traverses: float = TRAVERSES,
+    hurry: float = 1.0,
 ) -> Course:
     """Drive opposite smooth faces of a box along a path, all axes at the same time; a first stage or a later one.
 
@@ -143,6 +148,7 @@ def course(
         ending: share of the largest stress at which it ends, once it was above half of the strength.
         strength: whose strain is reached after so many traverses of sound [Pa].
         traverses: number of them.
+        hurry: how much faster all legs but the first are.
     """
     size = edges(body)
     long = float(size[AXES.index(watch)])
@@ -150,7 +156,7 @@ def course(
     until = traverses * long / sound
     begin, rise = 0.0 if state is None else state.time, RISE * until
     points = np.column_stack([*(np.asarray(way, dtype=float) for way in knots.values()), *([slide] if slide else [])])
-    times, values = travel(points, strength / law.E * long / until, rise, begin)
+    times, values = travel(points, strength / law.E * long / until, rise, begin, hurry)
     boundary = [] if others is None else others(begin, rise)
     gauges, section = {}, {}
     for k, axis in enumerate(knots):
