@@ -37,7 +37,7 @@ from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.io.journal import JournaledFile, committed
 from bondem.io.snapshots import Outlined, Snapshots
-from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
+from bondem.kernels.tables import BROKEN_PLACE, FRACTURE, NON_LOCAL, PLASTIC
 from bondem.laws.failure.criterion import Criterion
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -362,7 +362,7 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
         if (name not in State.GROWING and values.shape != wanted) or values.shape[1:] != wanted[1:]:
             raise ValueError(f"state/{name} has shape {values.shape}")
         setattr(state, name, values)
-    kept = _attributes(file["state"])
+    kept, origin = _attributes(file["state"]), state.origin
     state.step, state.time, state.stale = int(kept["step"]), float(kept["time"]), bool(kept["stale"])
     records = _array(file, "history/records")
     if schema < 3:
@@ -374,6 +374,9 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
     history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
     if schema >= _DIGESTED and not agree(_digest_of_state(state, history, schema), kept["digest"]):
         raise ValueError("the digest of its state is another one")
+    if schema < _SINCE["grips"] and origin.any():  # places counted from zero
+        state.pose[:, :3] -= origin
+        state.broken[:, BROKEN_PLACE : BROKEN_PLACE + 3] -= origin
     return Checkpoint(
         model, decode(_json(file, "plan")), state, history, float(kept.get("seconds", 0.0)), schema
     )
