@@ -11,7 +11,7 @@ LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
 
 def beams(shift) -> bd.Lattice:
     # places that are whole multiples of what doubles tell apart at 5e6 m
-    grid = 0.125 * np.stack(np.meshgrid(np.arange(6), np.arange(3), np.arange(3), indexing="ij"), axis=-1).reshape(-1, 3)
+    grid = 0.125 * np.indices((6, 3, 3)).reshape(3, -1).T
     return bd.connect(bd.Particles(grid + shift, 0.0625))
 
 
@@ -43,7 +43,7 @@ def test_stages_files_and_equilibria_are_the_same_far_away(tmp_path) -> None:
     np.testing.assert_array_equal(kept.position, whole.state.position)
     again = model.state()
     again.set_pose(position=run.state.position, orientation=run.state.orientation)
-    np.testing.assert_allclose(again.displacement, run.state.displacement, atol=2e-9)  # what the user's own places tell
+    np.testing.assert_allclose(again.displacement, run.state.displacement, atol=2e-9)  # of the places given
     near = pulled(beams(0.0), LAW)[0]
     for nonlinear in (False, True):
         here, there = (bd.solve_static(one, nonlinear=nonlinear).displacement for one in (near, model))

@@ -48,7 +48,7 @@ def test_a_bar_bends_to_a_full_circle() -> None:
     turn = 2.0 * math.pi
     found = bd.solve_static(model_of(bd.Load(RIGHT, moment=moment_for(turn))), nonlinear=True)
     end = RIGHT.select(bar())
-    tip = found.displacement[end].mean(axis=0) + [1e-3 * LONG, 0.0, 0.0]
+    tip = found.displacement[end].mean(axis=0) + np.array([1e-3 * LONG, 0.0, 0.0])
     assert np.linalg.norm(tip) < 0.05 * 1e-3 * LONG  # strains of 5 %
     assert abs(found.rotation[end, 2].mean()) < 0.25  # a full turn, as a rotation vector has it
 
@@ -87,7 +87,8 @@ def test_a_face_of_cells_under_a_moment_turns_by_what_it_is() -> None:
     size = (0.06, 0.012, 0.012)
     body = bd.connect(bd.pack(bd.Box(size=size), count=500, spread=0.2, seed=3), method="laguerre")
     law, end = bd.CellBond(E=1e9, nu=0.2), RIGHT.select(body)
-    small = bd.solve_static(bd.Model(body, law, 2e3, boundary=[bd.Fix(LEFT), bd.Load(RIGHT, moment=(0.0, 0.0, 1e-3))]))
+    little = bd.Load(RIGHT, moment=(0.0, 0.0, 1e-3))
+    small = bd.solve_static(bd.Model(body, law, 2e3, boundary=[bd.Fix(LEFT), little]))
     M = 1.0 / small.rotation[end, 2].mean() * 1e-3
     model = bd.Model(body, law, 2e3, boundary=[bd.Fix(LEFT), bd.Load(RIGHT, moment=(0.0, 0.0, M))])
     found = bd.solve_static(model, nonlinear=True)
