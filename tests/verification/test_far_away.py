@@ -17,9 +17,10 @@ def beams(shift) -> bd.Lattice:
 
 def pulled(lattice: bd.Lattice, law, **options):
     first, last = bd.Face("x_min"), bd.Face("x_max")
-    model = bd.Model(lattice, law, 2000.0, boundary=[
-        bd.Fix(first), bd.Load(last, force=(1e3, 200.0, 0.0), schedule=bd.Ramp(0.0, 1.0, 2e-4))], **options)  # fmt: skip
-    run = bd.solve_explicit(model, duration=1e-3, gauges={"F": bd.Gauge(first, "force"), "u": bd.Gauge(last, "displacement")})
+    load = bd.Load(last, force=(1e3, 200.0, 0.0), schedule=bd.Ramp(0.0, 1.0, 2e-4))
+    model = bd.Model(lattice, law, 2000.0, boundary=[bd.Fix(first), load], **options)
+    gauges = {"F": bd.Gauge(first, "force"), "u": bd.Gauge(last, "displacement")}
+    run = bd.solve_explicit(model, duration=1e-3, gauges=gauges)
     return model, run
 
 

@@ -29,7 +29,7 @@ def moment_for(turn: float, axis: int = 2) -> tuple[float, ...]:
 
 
 def check_circle(displacement, rotation, turn: float) -> None:
-    """Elastica: a cantilever under an end moment is an arc of M / EI; strains of h / 2R are not small: their square."""
+    """Elastica: a cantilever under an end moment is an arc of M / EI, to the square of strains h / 2R."""
     end = RIGHT.select(bar())
     length, strain = 1e-3 * LONG, turn / (2.0 * LONG)
     assert rotation[end, 2].mean() == pytest.approx(turn, rel=12.0 * strain**2)
