@@ -59,6 +59,29 @@ def test_a_bar_of_two_materials_in_series_is_as_strong_as_the_weaker_and_as_stif
     assert not set(bar.pairs[broken].ravel().tolist()) <= set(far.select(bar).tolist())
 
 
+@pytest.mark.parametrize("name", ["direct_tension", "uniaxial_compression"])
+def test_the_weakest_of_several_criteria_sets_the_speed_of_a_test(bar, name, monkeypatch):
+    """A weak plane listed last had the speed that the strength of the first entry asks for: ten times its own."""
+    test = getattr(bd.labtests, name)
+    solid, plane = (
+        bd.MohrCoulomb(tension=size * 4e6, cohesion=size * 10e6, friction_angle=0.5, fracture_energy=energy)
+        for size, energy in ((1.0, 60.0), (0.1, 6.0))
+    )
+    rigs = []
+    monkeypatch.setattr("bondem.labtests.loading.run_to_failure", lambda *given, **_: rigs.append(given[4]))
+    far = halves(bar)
+    within = {bd.Everything(): solid, (bd.Everything() - far, far): plane}
+    swapped = {bd.Everything(): plane, far: plane, bd.Everything() - far: plane}
+    stiff = {bd.Everything(): SOFT, far: HARD}
+    for law, failure in ((SOFT, plane), (SOFT, within), (SOFT, swapped), (SOFT, solid), (stiff, plane)):
+        test(bar, law, failure)
+    alone, plane_last, all_plane, whole, two = rigs
+    assert plane_last.expected == all_plane.expected == alone.expected
+    assert plane_last.way == all_plane.way == alone.way
+    assert plane_last.reach >= 0.9 * whole.reach  # it goes on to where the solid would fail
+    assert two.way < alone.way  # stiffer than the first law
+
+
 def test_one_material_named_by_region_is_that_material(bar):
     far = halves(bar)
     plain = bd.labtests.direct_tension(bar, SOFT, PLAIN)

@@ -22,7 +22,7 @@ from tests.bits import EnoughError, assert_same_bits
 
 DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
-_SOFT = ("cracks", "plastic", "facet_force", "softened")
+_SOFT = ("cracks", "plastic", "facet_force", "softened", "grips")
 MISSING = {
     2: (("stress", "broken", "released", *_SOFT), (NON_LOCAL, FRACTURE, PLASTIC)),
     3: (("broken", "released", *_SOFT), (FRACTURE, PLASTIC)),
@@ -72,7 +72,7 @@ def test_the_models_of_older_files_come_back(tmp_path: Path) -> None:
 
 def aged(path: Path, schema: int) -> None:
     """Make a run file of today one of an older schema: without what that one did not have."""
-    arrays, columns = MISSING.get(schema, ((), ()))
+    arrays, columns = MISSING.get(schema, (("grips",), ()))
     with h5py.File(path, "a") as file:
         file.attrs["schema"] = schema
         for name in arrays:
@@ -110,7 +110,7 @@ def test_a_run_goes_on_from_an_older_file_to_the_bit(schema: int, tmp_path: Path
     assert_same_bits(whole, resumed)
     np.testing.assert_array_equal(whole.history.records, resumed.history.records)
     with h5py.File(place) as file:  # what it leaves is of today
-        assert file.attrs["schema"] == 7
+        assert file.attrs["schema"] == 8
         assert "state/broken" in file
 
 

@@ -8,7 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.io.runfile import _judge_anew
+from bondem.io.older_states import judge_anew
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, ONSET, RESTING, STATUS, TOP
 from bondem.laws.softening import LEAST_SLOPE, left_in_bulk, left_on_plane, softened, softens_at
 from bondem.quasistatic.directions import Opened
@@ -235,6 +235,6 @@ def test_cracks_of_older_files_get_the_strength_of_their_facet() -> None:
     state.cracks = np.zeros((3, CRACK_COLUMNS))
     state.cracks[:, FACET], state.cracks[:, ONSET] = [0, 1, 2], [1e6, 0.0, 3e6]
     state.cracks[:, STATUS], state.cracks[:, TOP] = RESTING, [2.0, 3.0, math.inf]
-    _judge_anew(model, state)
+    judge_anew(model, state)
     np.testing.assert_array_equal(state.cracks[:, ONSET], [F_T, 0.0, F_T])
     np.testing.assert_array_equal(state.cracks[:, TOP], [0.0, 0.0, math.inf])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.errors import InputError
+from bondem.errors import InputError, PrestressWarning
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
 from bondem.solve import modal as modes_module
 
@@ -95,3 +95,88 @@ def test_more_modes_than_there_are_is_an_error():
     assert len(bd.solve_modes(model, count=6).frequency) == 6
     with pytest.raises(InputError, match="has 6 modes"):
         bd.solve_modes(model, count=7)
+
+
+def test_a_block_that_ends_among_equal_frequencies_converges() -> None:
+    """A free ball has modes of 2 l + 1 equal frequencies: 29 of them are 28 and one of five, and did not converge."""
+    ball = bd.connect(bd.pack(bd.Ball(radius=0.05), count=1000, spread=0.2, seed=2), method="laguerre")
+    model = bd.Model(ball, bd.CellBond(E=30e9, nu=0.3), 2400.0)
+    found, more = (bd.solve_modes(model, count=count).frequency for count in (29, 44))
+    np.testing.assert_allclose(found, more[:29], rtol=1e-6)
+
+
+STEEL = bd.EulerBernoulli(E=200e9, nu=0.3, radius=0.5e-3)
+
+
+def string(tension: float, *, bonds: int = 60, nonlinear: bool = False):
+    """A wire that is held at one end and pulled at the other."""
+    x = np.zeros((bonds + 1, 3))
+    x[:, 0] = np.linspace(0.0, 1.0, bonds + 1)
+    lattice = bd.Lattice(bd.Particles(x, 0.5 / bonds), [(k, k + 1) for k in range(bonds)])
+    last = bd.Index(bonds)
+    model = bd.Model(lattice, STEEL, 7800.0, boundary=[
+        bd.Fix(bd.Index(0)), bd.Fix(last, translation="yz"), bd.Load(last, force=(tension, 0.0, 0.0))])  # fmt: skip
+    return model, bd.solve_static(model, nonlinear=nonlinear)
+
+
+@pytest.mark.parametrize("nonlinear", [False, True])
+def test_a_string_vibrates_by_its_tension(nonlinear: bool) -> None:
+    """Clamped at both ends, with a little bending: f = √(T/μ) / 2 L · (1 + 2 √(EI/T) / L)."""
+    tension = 300.0
+    model, loaded = string(tension, nonlinear=nonlinear)
+    mu = 60.0 * model.mass[0]
+    EI = STEEL.E * math.pi * STEEL.radius**4 / 4.0
+    wave = 0.5 * math.sqrt(tension / mu) * (1.0 + 2.0 * math.sqrt(EI / tension))
+    found = across(bd.solve_modes(model, count=4, prestress=loaded))
+    assert found == pytest.approx(wave, rel=5e-3)  # strains of 0.2 %, and (π / 2 N)²
+    with pytest.warns(PrestressWarning, match="Load takes no part"):
+        slack = across(bd.solve_modes(model, count=4))
+    assert slack < 0.1 * found
+    assert across(bd.solve_modes(model, count=4, prestress=False)) == pytest.approx(slack, rel=1e-9)
+
+
+def across(modes: bd.ModesResult) -> float:
+    """The lowest frequency of motion across a string, not of turns about its axis [Hz]."""
+    return float(modes.frequency[np.abs(modes.shape[:, :, 1:3]).max(axis=(1, 2)) > 0.1][0])
+
+
+def test_a_column_of_cells_loses_its_frequency_as_it_comes_to_buckle() -> None:
+    """f² = f0² (1 - P / P_c) of a column clamped at the foot, to the mode that buckling has."""
+    column = bd.connect(bd.pack(bd.Box(size=(0.06, 0.012, 0.012)), count=500, spread=0.2, seed=3), method="laguerre")
+    law, top = bd.CellBond(E=1e9, nu=0.2), bd.Face("x_max")
+
+    def lowest(P: float, **options) -> float:
+        model = bd.Model(column, law, 2e3, boundary=[bd.Fix(bd.Face("x_min")), bd.Load(top, force=(-P, 0.0, 0.0))])
+        return bd.solve_modes(model, count=1, prestress=bd.solve_static(model), **options).frequency[0] ** 2
+
+    rest, little, more = lowest(1e-6), lowest(20.0), lowest(200.0)
+    critical = math.pi**2 * 1e9 * 0.012**4 / 12.0 / (4.0 * 0.06**2)
+    slope = (rest - little) / rest / 20.0 * critical
+    assert slope == pytest.approx(1.0, rel=0.12)  # its EI is that of a bar of few cells, with shear
+    assert (rest - more) / rest / 200.0 * critical == pytest.approx(slope, rel=0.03)
+    with pytest.raises(InputError, match="unstable equilibrium"):
+        lowest(3.0 * critical)
+
+
+def test_prestress_of_something_else_is_refused() -> None:
+    model, loaded = string(1e3)
+    other, _ = string(1e3, bonds=40)
+    with pytest.raises(InputError, match="has 61 elements; give a solution of this model"):
+        bd.solve_modes(other, count=1, prestress=loaded)
+    pulled, _ = string(5e3)
+    with pytest.raises(InputError, match="is no equilibrium of this model"):
+        bd.solve_modes(pulled, count=1, prestress=loaded)
+    with pytest.raises(InputError, match="prestress = 'tension'"):
+        bd.solve_modes(model, count=1, prestress="tension")
+
+
+def test_prestress_of_a_state_is_that_of_a_solution() -> None:
+    model, loaded = string(2e3)
+    state = model.state()
+    half = 0.5 * loaded.rotation
+    state.set_pose(
+        position=state.position + loaded.displacement,
+        orientation=np.column_stack([np.sqrt(1.0 - (half**2).sum(axis=1)), half]),
+    )
+    a, b = (bd.solve_modes(model, count=3, prestress=one).frequency for one in (loaded, state))
+    np.testing.assert_allclose(a, b, rtol=1e-7)

@@ -80,4 +80,4 @@ def moved_points(lattice: Lattice, state: State, facet: Ints, points: Floats) ->
     a = turned_vectors(q[i], np.einsum("kab,kb->ka", P[i], grown * arm))
     b = turned_vectors(q[j], np.einsum("kab,kb->ka", P[j], grown * other))
     on_i = state.position[i] + a
-    return on_i, lattice.particles.nearest(state.position[j] - state.position[i]) + b - a
+    return on_i, lattice.particles.nearest(state.local_position[j] - state.local_position[i]) + b - a

@@ -37,7 +37,7 @@ from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.io.journal import JournaledFile, committed
 from bondem.io.snapshots import Outlined, Snapshots
-from bondem.kernels.crack_tables import FACET, ONSET, RESTING, STATUS, TOP
+from bondem.io.older_states import brought_up
 from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
 from bondem.laws.failure.criterion import Criterion
 from bondem.model.model import Model
@@ -50,10 +50,9 @@ FORMAT = "bondem run"
 SCHEMA = 8
 # From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
 # on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams; from
-# 7 on digests, snapshots and provenance; from 8 on walls of cells that come from where a stage before left them.
+# 7 on digests, snapshots and provenance; from 8 on walls of cells that come from where a stage before left them,
+# and cracks judged by the strength of their facet.
 _OLDEST, _DIGESTED = 2, 7
-# From here on cracks are judged along present directions of stress, by the strength of their facet.
-_ALONG_STRESS = 8
 # Schema from which on an array of the state is there.
 _SINCE = {
     "stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6, "grips": 8,
@@ -337,16 +336,6 @@ def _json(file: h5py.File, name: str) -> Any:
     return json.loads(_array(file, name).item())
 
 
-def _judge_anew(model: Model, state: State) -> None:
-    """Give cracks the strength of their facets, where they had the traction at which they began; wake all at rest."""
-    if model.softening is None:
-        return
-    rows = state.cracks
-    strength = model.softening.strength[rows[:, FACET].astype(np.int64)]
-    rows[:, ONSET] = np.where(rows[:, ONSET] > 0.0, strength, 0.0)
-    rows[np.isfinite(rows[:, TOP]) & (rows[:, STATUS] == RESTING), TOP] = 0.0
-
-
 def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Checkpoint:
     text = _json(file, "model")
     if failure is not None and encode(failure) != text.pop("failure", None):
@@ -387,8 +376,7 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
     history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
     if schema >= _DIGESTED and not agree(_digest_of_state(state, history, schema), kept["digest"]):
         raise ValueError("the digest of its state is another one")
-    if schema < _ALONG_STRESS:
-        _judge_anew(model, state)
+    brought_up(model, state, schema)
     return Checkpoint(
         model, decode(_json(file, "plan")), state, history, float(kept.get("seconds", 0.0)), schema
     )

@@ -26,7 +26,7 @@ def uniaxial_compression(
 
     Args:
         body: cut into cells.
-        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
+        law: its material, or laws by region; their moduli and the weakest criterion set the speed of the test.
         failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy; or by region.
         pressure: on the sides, a membrane that turns with the cells [Pa]; 0 is uniaxial compression.
         density: of the material [kg/m³]; no result depends on it.

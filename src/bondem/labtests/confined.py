@@ -75,7 +75,7 @@ def triaxial(
 
     Args:
         body: cut into cells.
-        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
+        law: its material, or laws by region; their moduli and the weakest criterion set the speed of the test.
         failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy; or by region.
         pressure: on the sides, positive [Pa]; the membrane turns with the cells.
         density: of the material [kg/m³]; no result depends on it.

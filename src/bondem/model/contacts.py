@@ -10,6 +10,7 @@ from bondem.kernels.neighbour_grid import neighbours
 from bondem.kernels.walls import COLUMNS
 from bondem.laws.contact import ContactLaw
 from bondem.model.layout import Layout
+from bondem.model.local_origin import local_rest
 from bondem.model.walls import WallTable
 from bondem.specimen.lattice import Lattice
 
@@ -73,7 +74,7 @@ class ContactModel:
         n, radius = len(lattice.particles), np.ascontiguousarray(radius[layout.order])
         if not law.stress_free:
             return cls(law, radius, walls, RestGaps.none(n), RestGaps.none(n), own)
-        position = np.ascontiguousarray(lattice.centre[layout.order])
+        position = np.ascontiguousarray(local_rest(lattice)[layout.order])
         start, partner = near(position, radius, lattice.particles.period, 0.0)
         later = np.repeat(np.arange(n), np.diff(start))
         kept = partner < later

@@ -28,6 +28,7 @@ from bondem.model.failure_table import FailureTable, check_failure
 from bondem.model.grips import Holds, holds_wall
 from bondem.model.implied_fracture import ImpliedFracture, implied_fracture
 from bondem.model.layout import Layout
+from bondem.model.local_origin import local_origin
 from bondem.model.non_local_constants import NonLocalConstants
 from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
@@ -188,7 +189,8 @@ class Model:
         """Contacts before anything has moved, or None."""
         if self.contact is None:
             return None
-        table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()))
+        origin = local_origin(self.lattice)
+        table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()), origin)
         own = None
         if self.contact.stress_free and not self.contact.parallel:
             own = self.bonds.kn

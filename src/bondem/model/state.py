@@ -14,6 +14,7 @@ from bondem.kernels.tables import BROKEN_COLUMNS, lines
 from bondem.kernels.walls import COLUMNS, FORCE, RATE, WORK
 from bondem.model.grips import reference_base
 from bondem.model.loads import Eigenstrain
+from bondem.model.local_origin import local_origin, local_rest
 from bondem.model.origin import Origin, difference
 from bondem.model.walls import Free, Servo, Wall
 
@@ -26,6 +27,7 @@ class State:
 
     Attributes:
         model: the model that it is a state of; that of the last run.
+        origin: what x, y, z in `pose` count from [m], shape (3,): zero but of a specimen far from there.
         pose: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
         motion: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
         acceleration: translational and rotational at the present pose, shape (n, 6).
@@ -67,7 +69,8 @@ class State:
         n, m, rows = len(order), len(model.layout.i), len(model.constraints.element)
         self.layout = model.layout
         self.rest = np.zeros((n, 3))
-        self.rest[:] = model.lattice.centre[order]
+        self.origin = local_origin(model.lattice)
+        self.rest[:] = local_rest(model.lattice)[order]
         self.pose = lines(n)
         self.pose[:, :3] = self.rest
         self.pose[:, 4] = 1.0
@@ -211,6 +214,11 @@ class State:
     @property
     def position(self) -> PerElement3:
         """Centres [m], shape (n, 3)."""
+        return self.local_position + self.origin
+
+    @property
+    def local_position(self) -> PerElement3:
+        """The same from `origin` [m], for what needs their differences, shape (n, 3)."""
         return self._by_user(self.pose[:, :3])
 
     @property
@@ -332,5 +340,5 @@ class State:
                 raise InputError(f"poses have shape {given.shape}; give finite {shape}")
             if shape[1] == 4 and np.abs((given**2).sum(axis=1) - 1.0).max() > 1e-6:
                 raise InputError("orientations are no unit quaternions (w, x, y, z); divide each by its length")
-            self.pose[:, columns] = given[self.layout.order]
+            self.pose[:, columns] = (given - self.origin if shape[1] == 3 else given)[self.layout.order]
             self.stale = True

@@ -275,8 +275,11 @@ class WallTable:
         return np.concatenate([self.servo_mass, self.free_mass])
 
     @classmethod
-    def of(cls, walls: Sequence[Wall], friction: float, elements: float) -> "WallTable":
-        """The walls of a model whose contact law has `friction` and whose elements weigh `elements` in all [kg]."""
+    def of(cls, walls: Sequence[Wall], friction: float, elements: float, origin: Floats) -> "WallTable":
+        """The walls of a model whose contact law has `friction` and whose elements weigh `elements` in all [kg].
+
+        Their places count from `origin` [m], (3,), as those of the elements do.
+        """
         tables: list[tuple[Floats, Floats]] = []
         drives: list[tuple[int, int, int, bool]] = []
         servos: list[tuple[int, int, float, float]] = []
@@ -293,7 +296,7 @@ class WallTable:
         lengths = [len(times) for times, _ in tables]
         drive = np.array(drives, dtype=np.int64).reshape(-1, 4)
         return cls(
-            shape=np.array([wall.row for wall in walls]).reshape(-1, 9),
+            shape=_from(np.array([wall.row for wall in walls]).reshape(-1, 9), origin),
             friction=np.array([friction if wall.friction is None else wall.friction for wall in walls], dtype=float),
             start=np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64),
             times=np.concatenate([np.zeros(0), *(times for times, _ in tables)]),
@@ -310,3 +313,14 @@ class WallTable:
             free_mass=np.array([body.mass for _, body in free], dtype=float),
             free_force=np.array([body.force for _, body in free], dtype=float).reshape(-1, 3),
         )
+
+
+def _from(shape: Floats, origin: Floats) -> Floats:
+    """Shapes of walls from another origin; of a plane the nearest point to that."""
+    if not origin.any():
+        return shape
+    point = shape[:, :3] - origin
+    plane = shape[:, 7] == PLANE  # the column of kinds
+    normal = shape[plane, 3:6]
+    point[plane] = normal * (point[plane] * normal).sum(axis=1, keepdims=True)
+    return np.hstack([point, shape[:, 3:]])

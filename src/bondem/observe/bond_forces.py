@@ -89,7 +89,7 @@ def bond_forces(model: Model, state: State) -> BondForces:
     own[layout.bond_order], back[layout.bond_order] = found, layout.flipped
     sign, turned = np.where(back, -1.0, 1.0)[:, None], back[:, None]
     one, other_end = own[:, TURN_I : TURN_I + 3], own[:, TURN_J : TURN_J + 3]
-    position = state.position
+    position = state.local_position
     between = model.lattice.particles.nearest(position[pairs[:, 1]] - position[pairs[:, 0]])
     length = np.linalg.norm(between, axis=1)
     axis = between / length[:, None]

@@ -64,7 +64,7 @@ class BrokenBonds:
             mode=np.array(MODES)[rows[:, BROKEN_MODE].astype(np.int64)],
             gap=rows[:, BROKEN_GAP].copy(),
             energy=rows[:, BROKEN_ENERGY].copy(),
-            position=rows[:, BROKEN_PLACE : BROKEN_PLACE + 3].copy(),
+            position=rows[:, BROKEN_PLACE : BROKEN_PLACE + 3] + state.origin,
         )
 
     def __len__(self) -> int:

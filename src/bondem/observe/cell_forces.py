@@ -104,7 +104,7 @@ def _turned(model: Model, state: State) -> CellForces:
         return _failing(model, state)
     q, constants = state.orientation, _grown(model, state)
     a, b = turned_vectors(q[i], constants.lever_i), turned_vectors(q[j], constants.lever_j)
-    gap = body.particles.nearest(state.position[j] - state.position[i]) + b - a
+    gap = body.particles.nearest(state.local_position[j] - state.local_position[i]) + b - a
     share_i, share_j = turned_vectors(q[i], constants.share_i), turned_vectors(q[j], constants.share_j)
     grips, n = constants.grips, len(cells.volume)
     arm = turned_vectors(q[grips.cell], grips.arm)

@@ -9,6 +9,7 @@ from bondem.kernels.grip_pass import grip_loads, swell_grips
 from bondem.kernels.tables import Body, Bonds, PressTable, lines
 from bondem.model.bond_table import with_twins
 from bondem.model.cell_constants import CellConstants
+from bondem.model.local_origin import local_rest
 from bondem.model.model import Model
 from bondem.observe.turned_vectors import turned_vectors
 
@@ -48,7 +49,7 @@ def cell_forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
     order = model.layout.order
     bonds, body = body_tables(model, np.ones(len(model.layout.i)))
     sums, walls = lines(len(pose)), np.zeros((len(pose), 6))
-    body_loads(pose, model.lattice.centre[order], bonds, body, sums)
+    body_loads(pose, local_rest(model.lattice)[order], bonds, body, sums)
     np.add.at(walls, body.grips.cell, body.grips.load)
     return -sums[:, [0, 1, 2, 4, 5, 6]], walls
 
@@ -99,7 +100,7 @@ def grip_blocks(model: Model, pose: Floats) -> tuple[np.ndarray, Floats]:
     order, grips = model.layout.order, _cells(model).grips
     held = model.layout.rank[grips.cell]
     arm = turned_vectors(pose[held, 4:], grips.arm)
-    moved = pose[held, :3] + arm - model.lattice.centre[order][held] - grips.lever
+    moved = pose[held, :3] + arm - local_rest(model.lattice)[order][held] - grips.lever
     force = grips.k[:, None] * grips.axes * (grips.motion - moved) + pose[held, STRESS, None] * grips.share
     own, _ = grips.blocks(arm)
     # the lever turns under the force

@@ -31,6 +31,8 @@ _TOLERANCE = 1e-8
 _ROUNDS = 300
 # Rounds after which a block is widened, and by how many vectors at least.
 _PATIENCE, _WIDER = 60, 8
+# Share of the largest ω² below minus which the least one is that of an equilibrium that buckles.
+_UNSTABLE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +94,7 @@ def solve_modes(
         square, shape, rounds = _inverse_lanczos(system, mass, count)
     else:
         square, shape, rounds = _block_gradients(system, mass, count)
-    if square[0] < -1e-6 * abs(square[-1]):
+    if square[0] < -_UNSTABLE * np.abs(square).max():
         raise InputError("prestress= is an unstable equilibrium: it buckles before its modes have a frequency")
     shape /= np.sqrt((mass[:, None] * shape**2).sum(axis=0))
     shape *= np.sign(shape[np.abs(shape).argmax(axis=0), np.arange(count)])
@@ -196,6 +198,8 @@ def _iterated(
         X, KX, MX = S @ turn, KS @ turn, MS @ turn
         R = KX - MX * square
         W = iteration.approximate(R)
+        if square[0] < -_UNSTABLE * np.abs(square[:count]).max():  # Ritz values are above the least: it buckles
+            return square, X, k + 1, True
         # bounds the error of each ω², but for the quality of the preconditioner
         error = np.einsum("nk,nk->k", R, W)
         if len(square) >= count and (error[:count] <= _TOLERANCE * square[:count]).all():

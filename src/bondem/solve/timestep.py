@@ -16,6 +16,7 @@ from bondem.kernels.tables import lines
 from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.laws.non_local import NonLocal
 from bondem.model.bond_table import BondTable
+from bondem.model.local_origin import local_rest
 from bondem.model.local_stiffness import local_stiffness
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
@@ -82,7 +83,7 @@ def stiffest(
         body.grips.wall[:] = 0.0
     bonds, sums = table.rows(layout, model.period, intact, alike=same is not None), lines(n)
     pose = lines(n)
-    rest = model.lattice.centre[layout.order]
+    rest = local_rest(model.lattice)[layout.order]
     shortest = float(table.length.min())
     root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
 
