@@ -39,7 +39,10 @@ class LongSlip:
     def held(self, n: int) -> Floats:
         """How stiffly each cell is held against turning, about [N·m], (n,)."""
         stiff = (self.k + self.swollen) * self.slip**2
-        return np.bincount(self.i, stiff, n) + np.bincount(self.j, stiff, n)
+        found = np.zeros(n)
+        np.add.at(found, self.i, stiff)
+        np.add.at(found, self.j, stiff)
+        return found
 
     def forces(self, motion: Floats) -> Floats:
         """Forces and torques against small displacements and rotations, beside those without slip, (n, 6)."""
@@ -82,7 +85,8 @@ def long_slips(model: Model) -> tuple[LongSlip, ...]:
     lost = np.linalg.norm(first, axis=1) < 1e-3
     first[lost] = np.cross(normal[lost], np.roll(axis, 1))
     first /= np.linalg.norm(first, axis=1)[:, None]
-    directions = first, -first, np.cross(normal, first), -np.cross(normal, first)
+    second: Floats = np.cross(normal, first).real
+    directions = first, -first, second, -second
     swollen = np.maximum(cells.weight[i], cells.weight[j]) * A**2
     return tuple(
         LongSlip(i, j, np.sqrt(A), cells.k[f], swollen, normal, across, cells.lever_i[f], cells.lever_j[f])
