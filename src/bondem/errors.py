@@ -65,6 +65,10 @@ class RaggedInterfaceWarning(UserWarning):
     """Two materials meet along facets that zigzag about the surface between them, as cells do not end on it."""
 
 
+class IncompressibleWarning(UserWarning):
+    """Cells of a Poisson's ratio so near to ½ that a body that cannot bulge is too soft."""
+
+
 class UnstableRunError(BondemError):
     """A run on which a result depends became unstable."""
 
