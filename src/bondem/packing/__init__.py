@@ -1,10 +1,10 @@
 """Packings: spheres that fill a shape, dense, random and isotropic."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from bondem._checks import choice, instance
+from bondem._checks import choice, instance, shown
 from bondem._checks import count as whole
 from bondem.errors import InputError
 from bondem.io.packing_cache import PackingCache, wanted
@@ -18,6 +18,7 @@ from bondem.packing.quench import quench
 from bondem.packing.shear import sheared
 from bondem.packing.sizes import SPREAD, SizeLaw, Uniform
 from bondem.packing.targets import chosen
+from bondem.packing.two_sided import Around, around_surfaces
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
@@ -43,7 +44,7 @@ def pack(
     *,
     count: int | None = None,
     size: SizeField | None = None,
-    around: Aggregates | None = None,
+    around: Around | Sequence[Around] | None = None,
     spread: float | None = None,
     sizes: SizeLaw | None = None,
     method: str = METHOD,
@@ -81,8 +82,10 @@ def pack(
         size: of cells, the cube root of their volume, for "even", in place of `count`: one size [m], `bd.Graded`, or
             a function of points (k, 3) [m] that gives sizes (k,) [m] and changes by no more than the distance. How
             many cells there are follows.
-        around: balls that cells of "even" end at, from `bd.aggregates`; cells have one size then, 0.8 of the smallest
-            radius at most.
+        around: what cells of "even" end on, for an interface between materials that is not ragged: `bd.Plane`s,
+            shapes, `bd.Surface`s, one or a sequence, at least 1.6 cells apart; or balls from `bd.aggregates`. Cells
+            have one size then, of balls 0.8 of the smallest radius at most. They end exactly on plane faces, and on a
+            polyhedron of the same volume about curved ones; at edges within one face of a `bd.Surface`, about.
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
             `sizes` is given. Equal spheres (0) order at walls.
         sizes: law of the radii: Uniform, Lognormal, Sieve; in place of `spread`.
@@ -111,7 +114,7 @@ def pack(
     if size is not None and method != EVEN:
         raise InputError(f'pack: size= is for cells; give method="even" with it, or count= for {method!r}')
     if around is not None:
-        instance("pack", "around", around, Aggregates, "balls from bd.aggregates(...), or None")
+        around = _surfaces(around)
         if method != EVEN or callable(size) or shape.period is not None:
             raise InputError(
                 'pack: around= is for cells of one size in a shape with walls; give method="even", and count= or'
@@ -140,9 +143,12 @@ def pack(
         request: dict[str, object] = {"shape": shape, "count": count, "method": method, "seed": seed}
         if around is not None:
             assert count is not None
-            cells, balls = count, around
-            request["around"] = balls
-            return _kept(request, lambda: around_balls(shape, cells, balls, random, told), told, cache=cache)
+            cells = count
+            if isinstance(around, Aggregates):
+                balls = request["around"] = around
+                return _kept(request, lambda: around_balls(shape, cells, balls, random, told), told, cache=cache)
+            ends = request["around"] = around
+            return _kept(request, lambda: around_surfaces(shape, cells, ends, random, told), told, cache=cache)
         if count is not None:
             return _kept(request, lambda: even(shape, count, random, told), told, cache=cache)
         assert callable(size)
@@ -165,6 +171,24 @@ def pack(
 
     request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
     return _kept(request, make, told, cache=cache)
+
+
+def _surfaces(around: object) -> Aggregates | tuple[Around, ...]:
+    """Aggregates alone, or all that cells are to end on.
+
+    Raises:
+        InputError: something else.
+    """
+    listed = tuple(around) if isinstance(around, list | tuple) else (around,)
+    given = tuple(one for one in listed if isinstance(one, Around))
+    periodic = any(isinstance(one, Shape) and one.period is not None for one in given)
+    if periodic or not given or len(given) < len(listed):
+        raise InputError(
+            f"pack: around = {shown(around)}; give bd.Plane(point=, normal=), a shape such as bd.Box(...).moved(...),"
+            " bd.Surface(...), a list of them, or balls from bd.aggregates(...)"
+        )
+    first = given[0]
+    return first if len(given) == 1 and isinstance(first, Aggregates) else given
 
 
 def _kept(

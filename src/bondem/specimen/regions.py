@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from bondem._checks import count, instance, number, shown
-from bondem._types import ArrayLike, Ints, Mask, Vector
+from bondem._checks import count, instance, number, shown, vector
+from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3, Vector
 from bondem.errors import EmptyRegionError, FaceWarning, InputError
 from bondem.specimen.geometry import Shape
 from bondem.specimen.lattice import Lattice
@@ -163,6 +163,39 @@ class Within(Region):
 
     def mask(self, lattice: Lattice) -> Mask:
         return self.shape.contains(lattice.particles.position)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plane(Region):
+    """Elements on the side of a plane that its normal points to: one of two layers.
+
+    `bd.pack(..., around=plane)` makes cells end on the plane.
+
+    Attributes:
+        point: any point of the plane [m], (3,).
+        normal: to the side that is meant, of any length, (3,).
+
+    Raises:
+        InputError: values that are not finite, or a normal of no length.
+    """
+
+    point: tuple[float, float, float]
+    normal: tuple[float, float, float]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "point", vector("Plane", "point", self.point, unit="m"))
+        normal = vector("Plane", "normal", self.normal)
+        length = float(np.linalg.norm(normal))
+        if not length > 0.0:
+            raise InputError(f"Plane: normal = {shown(self.normal)} has no length; give a vector across the plane")
+        object.__setattr__(self, "normal", tuple(float(v) / length for v in normal))
+
+    def depth(self, points: PerElement3) -> Floats:
+        """Distance of points (n, 3) [m] from the plane, positive on the side of the normal [m], (n,)."""
+        return (np.atleast_2d(points) - self.point) @ np.array(self.normal)
+
+    def mask(self, lattice: Lattice) -> Mask:
+        return self.depth(lattice.particles.position) > 0.0
 
 
 @dataclass(frozen=True)

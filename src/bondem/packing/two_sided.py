@@ -1,0 +1,232 @@
+"""Centres of cells that end on surfaces: planes, the walls of shapes, closed triangulated surfaces.
+
+A centre inside at half the size of a cell from a face has its mirror image outside, and the plane half-way between
+the two is the face, or touches it where it is curved. As long as no point of the face is nearer to any other centre,
+cells end there and nowhere else: exactly on plane faces, on a polyhedron of the same volume about curved ones. Near a
+convex edge a centre is at half a size from both faces and has an image behind each. Concave edges are only followed
+about: 0.13 sizes off, root mean square over an L.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._types import Floats, Mask, PerElement, PerElement3
+from bondem.errors import InputError
+from bondem.packing.even import kept_inside, points_of, usual_radius
+from bondem.packing.graded import nearest_others, pushed
+from bondem.specimen.aggregates import Aggregates
+from bondem.specimen.cells.tessellation import cell_centroids
+from bondem.specimen.geometry import Shape
+from bondem.specimen.particles import Particles, filled
+from bondem.specimen.regions import Plane
+
+#: What cells can end on.
+Around = Plane | Shape | Aggregates
+
+# All over the size of a cell: distance of pins from a face; of faces that a pin belongs to; that free centres keep
+# from surfaces; between pins that are one too many, and of pins of two surfaces; of centres from walls.
+_HALF, _NEAR_FACE, _CLEAR, _TWIN, _MARGIN, _PIN_MARGIN = 0.5, 0.8, 1.25, 0.5, 0.33, 0.45
+# Curvature is told apart from an edge up to this shift of a surface, over the size of a cell.
+_SHIFT = 0.08
+# Times that centres are pushed apart with new neighbours, with the same ones, how many, and steps of Lloyd.
+_ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
+# Farthest that a point of a layer is from a pin, over the size of a cell, and times that pins are put into holes.
+_HOLE, _FILLED = 0.8, 3
+# Points of the body that area is measured by, points of a layer to a pin, and times that free centres are thrown.
+_SAMPLES, _POINTS, _TRIES = 400_000, 150, 1000
+
+_Depth = Callable[[PerElement3], PerElement]
+
+
+@dataclass(frozen=True)
+class _Sided:
+    """A surface: depth behind all of its faces, positive inside, and behind each of them."""
+
+    depth: _Depth
+    faces: tuple[_Depth, ...]
+
+    @classmethod
+    def of(cls, surface: Around) -> "_Sided":
+        if isinstance(surface, Shape):
+            return cls(surface.depth, tuple(partial(surface.face_depth, face) for face in surface.faces))
+        return cls(surface.depth, (surface.depth,))
+
+
+def around_surfaces(
+    shape: Shape, count: int, surfaces: Sequence[Around], random: np.random.Generator, told: Callable[[float], None]
+) -> Particles:
+    """Equal spheres for cells that end on surfaces.
+
+    Args:
+        shape: what to fill.
+        count: how many.
+        surfaces: within it or across it, apart from each other by 1.6 cells or more.
+        random: where the randomness comes from.
+        told: called with the done share.
+
+    Raises:
+        InputError: cells too large, surfaces outside of the shape, or too near to each other.
+    """
+    h = float(np.cbrt(shape.volume / count))
+    sided = [_Sided.of(surface) for surface in surfaces]
+    layers = [_layers(shape, surface, one, h, random) for surface, one in zip(surfaces, sided, strict=True)]
+    for k, layer in enumerate(layers):
+        for other in layers[:k]:
+            if KDTree(layer).query(other)[0].min() < _TWIN * h:
+                raise InputError(
+                    f"pack: two of the surfaces of around= come nearer to each other than 1.6 cells of {h:.3g} m; ask"
+                    " for more and smaller cells, or give surfaces that keep apart"
+                )
+    pins = np.concatenate(layers)
+    if count <= len(pins):
+        raise InputError(f"pack: {count} cells are all taken by the surfaces of around=; ask for more")
+    x = np.concatenate([pins, _thrown(shape, count - len(pins), sided, h, random)])
+    still, margin = np.arange(count) < len(pins), np.full(count, _MARGIN * h)
+    for _ in range(_ROUNDS):
+        other = nearest_others(x, min(_NEAR, count))[1]
+        for _ in range(_SAME):
+            x = _moved(shape, pushed(x, np.full(count, h), other), x, still, margin, sided, h)
+    for step in range(_LLOYD):
+        told((step + 1) / (_LLOYD + 2))
+        x = _moved(shape, cell_centroids(points_of(shape, x, h)), x, still, margin, sided, h)
+    return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
+
+
+def _moved(
+    shape: Shape, x: PerElement3, before: PerElement3, still: Mask, margin: Floats, sided: list[_Sided], h: float
+) -> PerElement3:
+    """Free centres where they go, inside the walls and clear of surfaces; the others stay."""
+    x = kept_inside(shape, np.where(still[:, None], before, x), before, margin)
+    stay = still | (_nearest(sided, x) < _CLEAR * h)
+    return np.where(stay[:, None], before, x)
+
+
+def _nearest(sided: list[_Sided], x: PerElement3) -> PerElement:
+    """Distance from the nearest surface [m], (n,)."""
+    return np.min([np.abs(one.depth(x)) for one in sided], axis=0)
+
+
+def _layers(
+    shape: Shape, surface: Around, sided: _Sided, h: float, random: np.random.Generator
+) -> PerElement3:
+    """Centres on both sides of a surface [m], (k, 3)."""
+    lower, upper = shape.bounds
+    x = lower + (upper - lower) * random.random((_SAMPLES, 3))
+    x = x[shape.depth(x) > 0.0]
+    depth = sided.depth(x)
+    # the surface has the volume within half a size of it, over that size
+    area = float((np.abs(depth) < 0.5 * h).mean()) * shape.volume / h
+    inside = x[(depth > 0.0) & (depth < h)]
+    wanted = round(area / h**2)
+    if not wanted or not len(inside):
+        raise InputError(
+            f"pack: around= has {surface}, with no room for cells of {h:.3g} m inside of it and of the shape; check"
+            " its position and its unit (metres), or ask for smaller cells"
+        )
+    # points of the layer, as many to each pin as decide its place
+    inside = _onto(sided, inside[: _POINTS * wanted], h)
+    pin = _spread(shape, sided, inside, min(wanted, len(inside)), h)
+    pin = pin[(shape.depth(pin) >= _MARGIN * h) & (sided.depth(pin) > 0.25 * h)]
+    pin = _apart(pin, _TWIN * h)
+    images = []
+    for face in sided.faces:
+        near = pin[face(pin) < _NEAR_FACE * h]
+        if not len(near):
+            continue
+        image = near - 2.0 * (face(near) - _shift(face, near, h))[:, None] * _slope(face, near, h)
+        images.append(image[(shape.depth(image) >= _MARGIN * h) & (sided.depth(image) < -0.25 * h)])
+    outside = np.concatenate([np.empty((0, 3)), *images])
+    if not len(pin) or not len(outside):
+        raise InputError(
+            f"pack: around= has {surface}, which has no cells of {h:.3g} m on both sides within the shape; check its"
+            " position, or ask for smaller cells"
+        )
+    return np.concatenate([pin, _apart(outside, _TWIN * h)])
+
+
+def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: float) -> PerElement3:
+    """Some of the points of a layer, pushed apart, holes filled, each moved amid the points nearest to it."""
+    pin = points[:count].copy()
+    if count == 1:
+        return pin
+    for _ in range(_ROUNDS):
+        other = nearest_others(pin, min(_NEAR, len(pin)))[1]
+        for _ in range(_SAME):
+            moved = pushed(pin, np.full(len(pin), h), other)
+            pin = _onto(sided, kept_inside(shape, moved, pin, np.full(len(pin), _PIN_MARGIN * h)), h)
+    for _ in range(_FILLED):
+        far = np.asarray(KDTree(pin).query(points)[0])
+        hole = _apart(points[np.argsort(-far)][: int((far > _HOLE * h).sum())], _HOLE * h)
+        for _ in range(_LLOYD):
+            pin, hole = np.concatenate([pin, hole]), hole[:0]
+            own = np.asarray(KDTree(pin).query(points)[1])
+            number = np.bincount(own, minlength=len(pin))
+            middle = np.column_stack([np.bincount(own, weights=points[:, d], minlength=len(pin)) for d in range(3)])
+            pin = _onto(sided, (middle / np.maximum(number, 1)[:, None])[number > 0], h)
+    # in a corner of the body a point pushed off one wall comes to another: the nearest that is clear of all is taken
+    deep = points[shape.depth(points) > 1.02 * _MARGIN * h]
+    if len(deep):
+        shallow = np.flatnonzero(shape.depth(pin) < _MARGIN * h)
+        pin[shallow] = deep[np.asarray(KDTree(deep).query(pin[shallow])[1])]
+    return pin
+
+
+def _onto(sided: _Sided, x: PerElement3, h: float) -> PerElement3:
+    """Points moved to half a size behind the faces that they are near to, the nearest at least."""
+    for _ in range(3):
+        depth = np.array([face(x) for face in sided.faces])
+        nearest = np.abs(depth - _HALF * h).argmin(axis=0)
+        for k, face in enumerate(sided.faces):
+            own = np.flatnonzero((depth[k] < _NEAR_FACE * h) | (nearest == k))
+            if len(own):
+                wanted = _HALF * h + _shift(face, x[own], h)
+                x[own] += (wanted - face(x[own]))[:, None] * _slope(face, x[own], h)
+    return x
+
+
+def _slope(face: _Depth, x: PerElement3, h: float) -> PerElement3:
+    """Inward unit normals of a face at points (n, 3) [-]."""
+    tiny = 1e-3 * h
+    slope = np.column_stack([(face(x + tiny * axis) - face(x - tiny * axis)) / (2.0 * tiny) for axis in np.eye(3)])
+    return slope / np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), 0.1)
+
+
+def _shift(face: _Depth, x: PerElement3, h: float) -> PerElement:
+    """How far inside a curved face planes that touch it lie, for the volume to be right [m], (n,).
+
+    Tiles h wide rise above a surface of principal curvatures κ by h² (κ₁ + κ₂) / 24 on average.
+    """
+    at = x - face(x)[:, None] * _slope(face, x, h)
+    step, middle = 0.3 * h, face(at)
+    bend = sum(face(at + step * axis) + face(at - step * axis) - 2.0 * middle for axis in np.eye(3)) / step**2
+    shift = np.clip(-bend * h**2 / 24.0, -_SHIFT * h, _SHIFT * h)
+    return np.where(np.abs(shift) < 1e-9 * h, 0.0, shift)
+
+
+def _apart(x: PerElement3, least: float) -> PerElement3:
+    """The points without those that are nearer to one before them than `least` [m]."""
+    kept = np.ones(len(x), dtype=bool)
+    pairs = KDTree(x).query_pairs(least, output_type="ndarray") if len(x) > 1 else np.empty((0, 2), dtype=int)
+    for a, b in pairs[np.lexsort(pairs.T[::-1])]:
+        if kept[a] and kept[b]:
+            kept[b] = False
+    return x[kept]
+
+
+def _thrown(
+    shape: Shape, count: int, sided: list[_Sided], h: float, random: np.random.Generator
+) -> PerElement3:
+    """Centres at random that are in no layer [m], (count, 3)."""
+    lower, upper = shape.bounds
+    found = np.empty((0, 3))
+    for _ in range(_TRIES):
+        x = lower + (upper - lower) * random.random((2 * count, 3))
+        x = x[shape.depth(x) > _MARGIN * h]
+        found = np.concatenate([found, x[_nearest(sided, x) > _CLEAR * h]])
+        if len(found) >= count:
+            return found[:count]
+    raise InputError("pack: surfaces of around= leave no room for other cells; ask for more and smaller cells")
