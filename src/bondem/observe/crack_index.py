@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._types import PerBond, PerBond3, PerElement
+from bondem._types import Ints, PerBond, PerBond3, PerElement
 from bondem.laws.cell_energy import bending_square
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
@@ -10,14 +10,16 @@ from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import mean_stress
+from bondem.observe.opened_facets import Opened
 from bondem.observe.turned_vectors import turned_vectors
 
 
 def crack_index(model: Model, state: State) -> PerBond:
-    """Index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength), user's order.
+    """Index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength).
 
     0 of facets that are not pulled (but of `bd.Rankine` the smaller one of that and of the traction by itself), 1 of
-    those that soften, 0 of broken ones. Facets of material planes have the index of their own traction.
+    those that soften, 0 of broken ones. Of `bd.Rankine` it is no more than what the traction opens along the principal
+    directions, over the strength along them. Facets of material planes have the index of their own traction.
 
     Returns:
         Index [-], user's order, shape (m,).
@@ -29,7 +31,11 @@ def crack_index(model: Model, state: State) -> PerBond:
     stress = mean_stress(model, forces)
     mean = 0.5 * (stress[i] + stress[j])
     n, t = turned_vectors(state.orientation[i], facets.normal), forces.force / facets.area[:, None]
-    bending, own, traction = _bending(model, state), table.plane, t
+    bending, order = _bending(model, state), model.layout.bond_order
+    place = np.empty_like(order)
+    place[order] = np.arange(len(order))
+    opened = Opened.of(table, place, n, t, bending, mean).reached(np.ones(len(order)))
+    slip = _slip_index(table, place, n, t)
     across, bent = (t * n).sum(axis=1), np.maximum(bending - np.maximum(-np.linalg.eigvalsh(mean)[:, 0], 0.0), 0.0)
     pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
     t, across = t + (pulled - across)[:, None] * n, pulled
@@ -43,14 +49,13 @@ def crack_index(model: Model, state: State) -> PerBond:
         index = np.linalg.eigvalsh(agreed)[:, 2]
         alone = 0.5 * across + np.sqrt(np.maximum((t * t).sum(axis=1) - 0.75 * across**2, 0.0))
         index = np.where(across > 0.0, index, np.minimum(index, alone)) / strength
+        index = np.minimum(index, 1.0 / opened)
     else:
         scaled = agreed * (table.tension / strength)[:, None, None]
         index = np.array([table.judge.function(one, *table.given) for one in scaled])
         index[across <= 0.0] = 0.0
     index = np.maximum(index, 0.0)
-    if own.any():
-        planes = model.layout.bond_order[own]
-        index[planes] = _plane_index(table, n[planes], traction[planes], bending[planes])
+    index = np.where(table.plane[place], np.maximum(1.0 / opened, slip), index)
     whole = state.bond_integrity
     return np.where(whole == 1.0, index, np.where(whole > 0.0, 1.0, 0.0))
 
@@ -86,13 +91,11 @@ def _table(model: Model) -> SofteningTable:
     return model.softening
 
 
-def _plane_index(table: SofteningTable, n: PerBond3, t: PerBond3, bending: PerBond) -> PerBond:
-    """Index of the facets of material planes by their tractions t and bending T_b [Pa], in the order of the table."""
-    own = table.plane
+def _slip_index(table: SofteningTable, place: Ints, n: PerBond3, t: PerBond3) -> PerBond:
+    """|t_s| + t_n tan φ over the cohesion of facets of planes, 0 of all others; `place` in the table, (m,)."""
     across = (t * n).sum(axis=1)
-    opened = np.hypot(np.maximum(across, 0.0), np.maximum(bending + np.minimum(across, 0.0), 0.0))
-    shear = np.sqrt(np.maximum((t * t).sum(axis=1) - across**2, 0.0)) + table.friction[own] * across
-    return np.maximum(opened / table.strength[own], np.maximum(shear, 0.0) / table.cohesion[own])
+    shear = np.sqrt(np.maximum((t * t).sum(axis=1) - across**2, 0.0)) + table.friction[place] * across
+    return np.maximum(shear, 0.0) / table.cohesion[place]
 
 
 def _bending(model: Model, state: State) -> PerBond:

@@ -8,10 +8,10 @@ from bondem._types import Floats, Ints, PerBond
 from bondem.kernels.stressed_facets import StressedFacets, stress_factors
 from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
+from bondem.observe.opened_facets import Opened
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
-from bondem.quasistatic.directions import Opened
 from bondem.quasistatic.teeth import SofteningLine, Teeth
-from bondem.quasistatic.tensors import agreed, largest
+from bondem.quasistatic.tensors import agreed, full_tensor, largest
 
 # By what share factors of the closed form may be off.
 _NEAR = 1e-5
@@ -95,7 +95,7 @@ class StressOnset:
         body = self._body
         return Opened.of(
             self._table, facets, body.constants.normal[facets], traction, found.bending[facets],
-            body.mean(found.tensor, facets),
+            full_tensor(body.mean(found.tensor, facets)),
         )  # fmt: skip
 
     def _reached(self, found: Loaded, facets: Ints) -> Floats:

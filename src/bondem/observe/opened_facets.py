@@ -7,7 +7,6 @@ import numpy as np
 from bondem._types import Floats, Ints, PerBond, PerBond3
 from bondem.laws.softening import LEAST_SLOPE, SNAP
 from bondem.model.softening_table import SofteningTable
-from bondem.quasistatic.tensors import full_tensor
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,9 +38,9 @@ class Opened:
             normal: of these, (c, 3).
             traction: that they would have if they were whole [Pa], (c, 3).
             bent: T_b, likewise [Pa], (c,).
-            mean: mean stress of their cells, xx, yy, zz, xy, xz, yz [Pa], (c, 6).
+            mean: mean stress of their cells [Pa], (c, 3, 3).
         """
-        stress, direction = np.linalg.eigh(full_tensor(mean))
+        stress, direction = np.linalg.eigh(mean)
         open_bent = np.maximum(bent - np.maximum(-stress[:, 0], 0.0), 0.0)
         slope = np.einsum("cd,cda->ca", normal, direction)
         pull = np.einsum("cd,cda->ca", traction, direction) * np.where(slope >= 0.0, 1.0, -1.0)
