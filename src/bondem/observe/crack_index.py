@@ -18,8 +18,8 @@ def crack_index(model: Model, state: State) -> PerBond:
     """Index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength).
 
     0 of facets that are not pulled (but of `bd.Rankine` the smaller one of that and of the traction by itself), 1 of
-    those that soften, 0 of broken ones. Of `bd.Rankine` it is no more than what the traction opens along the principal
-    directions, over the strength along them. Facets of material planes have the index of their own traction.
+    those that soften, 0 of broken ones. Of `bd.Rankine` it is no more than what the traction opens along the present
+    principal directions, over the strength along them. Facets of material planes have the index of their traction.
 
     Returns:
         Index [-], user's order, shape (m,).
