@@ -22,6 +22,7 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
+import bondem as bd
 from kept import RESULTS, commit, keep, origin
 from paths import (
     bimetal,
@@ -103,7 +104,7 @@ def main(arguments: list[str] | None = None) -> None:
     wanted = tasks(given.cases, given.seeds, given.counts, quick=given.quick)
     waiting = [task for task in wanted if given.anew or not file_of(given.out, task).exists()]
     if given.processes > 1:
-        with multiprocessing.get_context("spawn").Pool(given.processes) as pool:
+        with multiprocessing.get_context("spawn").Pool(given.processes, bd.set_threads, (1,)) as pool:
             for found in pool.imap_unordered(done, waiting):
                 _take(given.out, found)
     else:
@@ -140,4 +141,5 @@ def sum_up(folder: Path, results: Path = RESULTS) -> None:
 
 
 if __name__ == "__main__":
+    bd.set_threads(1)  # bodies are small: a second thread costs more than it brings, and cases run beside each other
     main()

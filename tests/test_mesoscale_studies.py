@@ -60,6 +60,7 @@ def test_a_bar_of_two_materials_in_series_is_as_strong_as_the_weaker_and_as_stif
     assert not set(bar.pairs[broken].ravel().tolist()) <= set(far.select(bar).tolist())
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.RaggedInterfaceWarning")
 @pytest.mark.parametrize("name", ["direct_tension", "uniaxial_compression"])
 def test_the_weakest_of_several_criteria_sets_the_speed_of_a_test(bar, name, monkeypatch):
     """A weak plane listed last had the speed that the strength of the first entry asks for: ten times its own."""
@@ -103,6 +104,7 @@ def test_bending_takes_materials_by_region(bar):
     assert less.peak < 0.9 * one.peak
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.RaggedInterfaceWarning")
 def test_a_test_of_several_materials_has_no_closed_form(bar):
     far = halves(bar)
     law, failure = {bd.Everything(): SOFT, far: HARD}, {bd.Everything(): PLAIN, far: STRONG}

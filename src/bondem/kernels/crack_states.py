@@ -6,15 +6,13 @@ whatever thread; what concerns others too is done by one thread, in the order of
 
 import math
 
-import numpy as np
-
 from bondem._compile import device, kernel, loop
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.cell_stress import pair_stress
-from bondem.kernels.cell_yield import principal_stresses
 from bondem.kernels.contact_pairs import let_touch
-from bondem.kernels.crack_energy import bending_traction, halves, opened_at_most, opened_by, stretched
+from bondem.kernels.crack_energy import bending_traction, halves, opened_at_most, stretched
 from bondem.kernels.crack_list import NEW, known, link_cracks, read_three, treat, weigh_cracked, write_three
+from bondem.kernels.crack_nearness import GRAZING, integrity_at, unsoftened_below, wakes
 from bondem.kernels.crack_tables import (
     ACTIVE,
     ALONG,
@@ -44,13 +42,12 @@ from bondem.kernels.crack_tables import (
 )
 from bondem.kernels.single_facets import column, frame, orientation, resistance
 from bondem.laws.cell_energy import opened, scalar, turned_by
-from bondem.laws.softening import LEAST_SLOPE, left_in_bulk, left_on_plane, opening_force, plus, softened, softens_at
+from bondem.laws.softening import plus
 
 # By how much the integrity of a facet that softens falls in a step at most.
 _FASTEST = 0.1
-# A resting crack wakes at these shares of the traction at which it softens, and of its force across it; it goes to
-# rest well below. Too early costs time only.
-_CALM, _ASLEEP, _GRAZING = 0.98, 0.9, 0.1
+# A crack goes to rest at this share of the traction at which it softens, and twice `GRAZING` of its force across it.
+_ASLEEP = 0.9
 # Faces whose normals are further apart than this cosine do not bear on each other as planes any more.
 _FACING = 0.7
 # What is to be done with a crack, beside nothing: its integrity fell, it goes to rest, its faces part, or it wakes.
@@ -164,77 +161,6 @@ def hand_over(bonds, cells, cracks, c, k, sign):
     weigh_cracked(cells, cracks, bonds.j[k])
 
 
-@device
-def unsoftened_below(s, strength, last, plane, cohesion, friction, kink, steep):
-    """Traction of a facet of integrity s below which it does not soften, whatever its direction [Pa]."""
-    if s == 0.0:
-        return math.inf
-    if plane != 0:
-        slips = cohesion / math.sqrt(1.0 + friction * friction)
-        return min(strength, slips) if s == 1.0 or last > 0.0 else 0.0
-    return softens_at(s, LEAST_SLOPE * strength, last, kink, steep)
-
-
-@device
-def stays_at_rest(f, across, size, top):
-    """Whether a resting crack is far from waking: whether it cannot soften, and is open.
-
-    Args:
-        f: its force as if it were whole [N].
-        across: a vector along its normal, about.
-        size: of the force, with what bending adds to it [N].
-        top: force below which it does not soften [N].
-    """
-    along = scalar(f, across)
-    return size < _CALM * top and along > _GRAZING * math.sqrt(scalar(f, f) * scalar(across, across))
-
-
-@loop(parallel=False)
-def integrity_at(cracks, c, k, s, t, n, bent, mean, a, v):
-    """Integrity of crack c, of facet k, at most s, by the softening curve alone.
-
-    Args:
-        t: traction that it would have if it were whole [Pa].
-        n: its normal.
-        bent: T_b [Pa].
-        mean: mean stress of its cells [Pa].
-        a, v: (3, 3) to use.
-    """
-    strength, last, kink, steep = cracks.row[c, ONSET], cracks.last[k], cracks.kink, cracks.steep
-    if last == 0.0 and s < 1.0:  # what breaks at once goes on
-        return 0.0
-    if strength == 0.0:  # a cell of it has no cohesion
-        opening, _ = opening_force(t, n)
-        return softened(s, math.sqrt(scalar(opening, opening) + bent * bent), 0.0, last, kink, steep)
-    if cracks.plane[k] != 0:
-        return left_on_plane(
-            s, t, n, bent, strength, last, cracks.cohesion[k], cracks.last_slip[k], cracks.friction[k], kink, steep
-        )
-    bent = opened_by(bent, mean)
-    principal_stresses(mean, a, v)
-    return left_in_bulk(s, t, n, bent, v, strength, last, kink, steep)
-
-
-@device
-def wakes(pose, bonds, cells, cracks, c, place, a, v):
-    """Whether the resting crack c is about to soften or close; `place` is its `frame`, a and v are (3, 3) to use."""
-    k, top = np.int64(cracks.facet[c]), cracks.row[c, TOP]
-    i, j, K, A = bonds.i[k], bonds.j[k], cells.k[k], cracks.area[k]
-    d, p, q, arm_i, arm_j, one, other = place
-    gap, one, other = opened(d, turned_by(p, arm_i), turned_by(q, arm_j)), turned_by(p, one), turned_by(q, other)
-    f = plus(plus((K * gap[0], K * gap[1], K * gap[2]), pose[i, STRESS], one), pose[j, STRESS], other)
-    across, bent = plus(one, 1.0, other), 0.0
-    if top < math.inf:
-        bent = bending_traction(p, q, cells.bends[k], resistance(cells, 1.0, k))
-    if stays_at_rest(f, across, math.sqrt(scalar(f, f) + (A * bent) ** 2), top):
-        return False
-    if top == math.inf or not stays_at_rest(f, across, 0.0, top):
-        return True
-    s, near = cracks.integrity[k], 1.0 / _CALM
-    t, n = (near / A * f[0], near / A * f[1], near / A * f[2]), turned_by(p, column(cells.normal, k))
-    return integrity_at(cracks, c, k, s, t, n, near * bent, pair_stress(cracks.tensor, i, j), a, v) < s
-
-
 @loop(parallel=False)
 def look_at_rest(pose, bonds, cells, cracks, a, v, first, last):
     """Flag those of the resting cracks first … last that are about to soften or close; a and v are (3, 3) to use."""
@@ -331,7 +257,7 @@ def soften(pose, bonds, cells, cracks, a, v, first, last):
         elif calm:
             (_, press_i), (_, press_j) = halves(K, w, gap, normal, shares, stresses)
             opened_so = press_i == 0.0 and press_j == 0.0
-            if opened_so and scalar(f, normal) > 2.0 * _GRAZING * math.sqrt(scalar(f, f)):
+            if opened_so and scalar(f, normal) > 2.0 * GRAZING * math.sqrt(scalar(f, f)):
                 flag[c] = CALMED
 
 

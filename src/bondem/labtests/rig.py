@@ -157,6 +157,8 @@ class Moduli:
             return cls(matrix.E, matrix.E, matrix.E)
         cells = Model(body, law, DENSITY).cell_constants
         E = cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)
+        if len(set(E.tolist())) == 1:  # one material, by other names: no digit is to differ
+            return cls(matrix.E, matrix.E, matrix.E)
         share = cells.volume / cells.volume.sum()
         return cls(float(share @ E), float(1.0 / (share @ (1.0 / E))), float((share @ E**-0.5) ** -2.0))
 

@@ -120,7 +120,7 @@ class Grips:
 
     def flatness(self, orientation: Floats) -> Floats:
         """How much of the normal of each facet is held, 0 … 1, with cells of these quaternions (g, 4), shape (g,)."""
-        return ((self.axes * turned(orientation, self.normal)) ** 2).sum(axis=1)
+        return ((self.axes * turned_rows(orientation, self.normal)) ** 2).sum(axis=1)
 
     def taken(self, base: Floats) -> "Grips":
         """The same of walls that hold cells from the orientations in `base` on, (g, 7)."""
@@ -128,8 +128,8 @@ class Grips:
         if not other.any():
             return self
         q, share, H = base[other, 3:], self.share.copy(), self.H.copy()
-        share[other] = self.area[other, None] * self.axes[other] * turned(q, self.way[other])
-        R = np.stack([turned(q, np.tile(axis, (len(q), 1))) for axis in np.eye(3)], axis=2)
+        share[other] = self.area[other, None] * self.axes[other] * turned_rows(q, self.way[other])
+        R = np.stack([turned_rows(q, np.tile(axis, (len(q), 1))) for axis in np.eye(3)], axis=2)
         held = self.flatness(base[:, 3:])[other, None, None]
         H[other] = held * (R @ self.bend[other] @ np.swapaxes(R, 1, 2))
         return replace(self, share=share, H=H)
@@ -224,6 +224,6 @@ def reference_base(count: int) -> Floats:
     return base
 
 
-def turned(quaternion: Floats, vectors: Floats) -> Floats:
+def turned_rows(quaternion: Floats, vectors: Floats) -> Floats:
     """Vectors (k, 3), each turned by its unit quaternion, (k, 4)."""
     return turn_vectors(np.ascontiguousarray(quaternion), np.ascontiguousarray(vectors))

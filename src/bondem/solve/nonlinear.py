@@ -146,7 +146,7 @@ def _advance(model: Model, system: System, start: State, share: float, motion: F
         if k == 0 and turn > 1.2 * _TURN:
             return _Trial(k, shorter=_TURN / turn)
         state.pose[:, :3] += change[:, :3]
-        state.pose[:, 4:] = turned_by(state.pose[:, 4:], change[:, 3:])
+        state.pose[:, 4:] = turned_further(state.pose[:, 4:], change[:, 3:])
     return _Trial(_ROUNDS)
 
 
@@ -223,7 +223,7 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
             change[:, dof] = sign * size
             moved = ends.copy()
             moved[rows, :3] += change[:, :3]
-            moved[rows, 4:] = turned_by(moved[rows, 4:], change[:, 3:])
+            moved[rows, 4:] = turned_further(moved[rows, 4:], change[:, 3:])
             gradient.append(np.concatenate(_bond_gradient(model, moved, first, second)))
         H[:, :, d] = ((gradient[0] - gradient[1]) / (2.0 * size)).T
     H = 0.5 * (H + np.swapaxes(H, 1, 2))
@@ -261,7 +261,7 @@ def unbalanced(model: Model, system: System, pose: Floats) -> float:
     return float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
 
 
-def turned_by(quaternion: Floats, rotation: Floats) -> Floats:
+def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
     """Unit quaternions (n, 4), turned further by rotation vectors (n, 3)."""
     half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
     vector = 0.5 * rotation * np.sinc(half / np.pi)

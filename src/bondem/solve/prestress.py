@@ -14,7 +14,7 @@ from bondem.model.state import State
 from bondem.observe.cell_forces import wall_places
 from bondem.observe.facet_loads import loads_on_facets
 from bondem.solve.linear import System
-from bondem.solve.nonlinear import at_pose, strained, turned_by, unbalanced
+from bondem.solve.nonlinear import at_pose, strained, turned_further, unbalanced
 from bondem.solve.static import StaticResult
 
 # Unbalanced force over what loads and supports bear, above which nothing rests there.
@@ -57,7 +57,7 @@ def _posed(model: Model, result: StaticResult) -> Floats:
     order = model.layout.order
     pose = State(model).pose
     pose[:, :3] += result.displacement[order]
-    pose[:, 4:] = turned_by(pose[:, 4:], result.rotation[order])
+    pose[:, 4:] = turned_further(pose[:, 4:], result.rotation[order])
     return pose
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.model.cell_constants import body_of
-from bondem.model.grips import Grips, reference_base, turned
+from bondem.model.grips import Grips, reference_base, turned_rows
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces, held_arms, wall_places
@@ -96,7 +96,7 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
     rigid = state.displacement[grips.cell] + held_arms(model, state) - grips.lever
     going_on = loads_on_facets(model, state.time, q)
     force, stress = -going_on, np.zeros(len(q))
-    soft, way = constants.softness[facet, None], turned(q[grips.cell], grips.way)
+    soft, way = constants.softness[facet, None], turned_rows(q[grips.cell], grips.way)
     if state.model.cells is not None:
         before = cast(Model, state.model)
         force += loads_on_facets(before, state.time, q)

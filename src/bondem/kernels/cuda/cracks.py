@@ -13,6 +13,7 @@ from bondem._compile_cuda import cuda, cuda_kernel
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.crack_energy import bending, crack_energy, halves
 from bondem.kernels.crack_list import known, read_three, weigh_cracked
+from bondem.kernels.crack_nearness import wakes
 from bondem.kernels.crack_states import (
     CALMED,
     TO_PART,
@@ -27,7 +28,6 @@ from bondem.kernels.crack_states import (
     relax_cells,
     soften,
     wake_crack,
-    wakes,
 )
 from bondem.kernels.crack_tables import (
     ACTIVE,
