@@ -20,7 +20,7 @@ def test_a_run_tells_how_far_it_is_and_what_broke() -> None:
     told: list[Pulse] = []
     with listening(told.append):
         assert heard()
-        run = bd.solve_explicit(bar(), duration=2e-4, every=20, save_every=0)
+        run = bd.solve_explicit(bar(), duration=2e-4, every=20, save_every=0, imbalance=None)
     assert not heard()
     last = told[-1]
     assert (last.step, last.steps, last.time) == (run.iterations, run.iterations, run.state.time)
@@ -28,13 +28,13 @@ def test_a_run_tells_how_far_it_is_and_what_broke() -> None:
     assert last.balance == pytest.approx(run.history.imbalance, rel=1e-12)
     assert last.left == 0.0
     assert last.rate > 0.0
-    bd.solve_explicit(bar(), duration=2e-5)
+    bd.solve_explicit(bar(), duration=2e-5, imbalance=None)
     assert told[-1] is last
 
 
 def test_the_log_has_the_run_beside_the_stage(tmp_path) -> None:
     with progress_bars(tmp_path / "log") as progress:
-        bd.solve_explicit(bar(), duration=2e-4, every=20, progress=lambda share: progress("pulled", 0.5 * share))
+        bd.solve_explicit(bar(), duration=2e-4, every=20, imbalance=None, progress=lambda share: progress("pulled", 0.5 * share))
         progress("pulled", 1.0)
     lines = (tmp_path / "log").read_text().splitlines()
     assert any("pulled 100 %: step" in line and "broken" in line and "steps/s" in line for line in lines)
