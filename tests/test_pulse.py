@@ -34,7 +34,9 @@ def test_a_run_tells_how_far_it_is_and_what_broke() -> None:
 
 def test_the_log_has_the_run_beside_the_stage(tmp_path) -> None:
     with progress_bars(tmp_path / "log") as progress:
-        bd.solve_explicit(bar(), duration=2e-4, every=20, imbalance=None, progress=lambda share: progress("pulled", 0.5 * share))
+        bd.solve_explicit(
+            bar(), duration=2e-4, every=20, imbalance=None, progress=lambda share: progress("pulled", 0.5 * share)
+        )
         progress("pulled", 1.0)
     lines = (tmp_path / "log").read_text().splitlines()
     assert any("pulled 100 %: step" in line and "broken" in line and "steps/s" in line for line in lines)

@@ -17,8 +17,8 @@ _SUSTAINED = 200
 # Displacement per step over the mean radius, and in units of the rounding of a coordinate: energies of motions below
 # it are those of rounding errors.
 _STILL, _ROUNDING = 1e-9, 1e3
-# Velocity Verlet swings the energy of the shortest waves, by a quarter of that of noise at 0.9 of the critical step. It
-# neither grows nor breaks anything, and so much of the vibration there is stops no run.
+# Velocity Verlet swings the energy of the shortest waves, by a quarter of that of noise at 0.9 of the critical step.
+# That neither grows nor breaks anything, and so much of the vibration there is stops no run.
 _SWING = 0.25
 _STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
 
@@ -62,7 +62,8 @@ class EnergyCheck:
         sizes[0][0] = max(sizes[0][0], self._scale)
         scale = np.maximum.accumulate(np.max(sizes, axis=0))[1:]
         self._scale = float(scale[-1])
-        vibration = np.minimum(*(sum(ledger[name][1:] for name in names) for names in (_STORED[:2], _STORED[2:])))
+        kinetic, elastic = (np.sum([ledger[name][1:] for name in part], axis=0) for part in (_STORED[:2], _STORED[2:]))
+        vibration = np.minimum(kinetic, elastic)
         missing = np.abs(balance), np.abs(balance) - _SWING * np.maximum(vibration, 0.0)
         shares = [one / np.where(scale > 0.0, scale, np.inf) for one in missing]
         texts = [self._beyond(level, records[:, 0], shares[level], balance) for level in (0, 1)]
