@@ -185,7 +185,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "radial_distribution": {"particles": Later(lambda: BAR.made().particles), "reach": 2.0, "bins": 10},
     "solve_explicit": {"model": MODEL, "duration": 1e-4, "dt": 1e-5, "scheme": None, "damping": None, "gauges": None,
                        "every": 5, "save_every": 0, "until": (), "safety": 0.9, "state": None, "device": "cpu"},
-    "solve_modes": {"model": MODEL, "count": 2},
+    "solve_modes": {"model": MODEL, "count": 2, "prestress": False},
     "solve_quasistatic": {"model": PULLED, "drive": bd.Face("x_max"), "ripple": 0.2, "together": 0.01, "until": 0.5,
                           "most": 3, "gauges": None},
     "solve_relaxed": {"model": MODEL, "tolerance": 1e-3, "most": 1000},

@@ -62,7 +62,8 @@ class EnergyCheck:
         sizes[0][0] = max(sizes[0][0], self._scale)
         scale = np.maximum.accumulate(np.max(sizes, axis=0))[1:]
         self._scale = float(scale[-1])
-        kinetic, elastic = (np.sum([ledger[name][1:] for name in part], axis=0) for part in (_STORED[:2], _STORED[2:]))
+        parts = _STORED[:2], _STORED[2:]
+        kinetic, elastic = (np.sum([ledger[name][1:] for name in part], axis=0) for part in parts)
         vibration = np.minimum(kinetic, elastic)
         missing = np.abs(balance), np.abs(balance) - _SWING * np.maximum(vibration, 0.0)
         shares = [one / np.where(scale > 0.0, scale, np.inf) for one in missing]
