@@ -22,7 +22,7 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
-import bondem as bd
+from bondem._compile import threads
 from kept import RESULTS, commit, keep, origin
 from paths import (
     bimetal,
@@ -77,7 +77,8 @@ def done(task: tuple[str, int, int]) -> dict[str, Any]:
     """The rows of one case on one packing, and how long they took."""
     name, seed, count = task
     begun = time.perf_counter()
-    rows = CASES[name][0](seed, count)
+    with threads(1):  # bodies are small: a second thread costs more than it brings, and cases run beside each other
+        rows = CASES[name][0](seed, count)
     return {
         "task": name, "seed": seed, "count": count, "seconds": time.perf_counter() - begun, "commit": commit(),
         "rows": [row.as_json() for row in rows],
@@ -104,7 +105,7 @@ def main(arguments: list[str] | None = None) -> None:
     wanted = tasks(given.cases, given.seeds, given.counts, quick=given.quick)
     waiting = [task for task in wanted if given.anew or not file_of(given.out, task).exists()]
     if given.processes > 1:
-        with multiprocessing.get_context("spawn").Pool(given.processes, bd.set_threads, (1,)) as pool:
+        with multiprocessing.get_context("spawn").Pool(given.processes) as pool:
             for found in pool.imap_unordered(done, waiting):
                 _take(given.out, found)
     else:
@@ -141,5 +142,4 @@ def sum_up(folder: Path, results: Path = RESULTS) -> None:
 
 
 if __name__ == "__main__":
-    bd.set_threads(1)  # bodies are small: a second thread costs more than it brings, and cases run beside each other
     main()
