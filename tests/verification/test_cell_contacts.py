@@ -81,6 +81,7 @@ def test_two_cells_that_parted_collide_as_a_spring_of_their_facet(failure: str, 
     assert run.residual < (math.pi / 200.0) ** 2 / 4.0  # (ω dt)²/8 of the energy, and as much for the edges
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 @pytest.mark.parametrize(
     ("failure", "speed", "closes"), [("softening", 20.0, 3e-4), ("brittle", 20.0, 1e-3), ("softening", 100.0, 1e-3)]
 )
@@ -95,6 +96,7 @@ def test_the_ledger_closes_through_an_impact(failure: str, speed: float, closes:
     assert len(bd.fragments(model.lattice, run.state)) > 100
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 def test_pieces_that_parted_under_pressure_touch_without_a_jump() -> None:
     """From where they are, if that is nearer than at rest."""
     model, state = impact(FAILURES["softening"], 100.0)

@@ -53,7 +53,7 @@ def test_every_facet_begins_at_the_strength_of_the_material() -> None:
         stress = v @ np.diag([1.0, rng.uniform(-8.0, 1.0), rng.uniform(-8.0, 1.0)]) @ v.T
         for size, begins in ((1.0 - 1e-9, False), (1.0 + 1e-6, True)):
             t = tuple(size * F_T * stress @ n)
-            left = left_in_bulk(1.0, t, tuple(n), 0.0, v, F_T, LAST, 0.0, 1.0)
+            left = left_in_bulk(1.0, t, tuple(n), 0.0, v.T @ stress @ v, v, F_T, LAST, 0.0, 1.0)
             assert (left < 1.0) == begins
 
 
@@ -63,9 +63,10 @@ def test_pressure_along_other_axes_softens_nothing() -> None:
     for _ in range(100):
         v, n = directions(rng), rng.standard_normal(3)
         n /= np.linalg.norm(n)
-        t = tuple(v @ np.diag([-100.0 * F_T, 0.0, 0.0]) @ v.T @ n)
+        pressed = np.diag([-100.0 * F_T, 0.0, 0.0])
+        t = tuple(v @ pressed @ v.T @ n)
         # of the frame, which is any in the plane of the two equal stresses
-        assert left_in_bulk(1.0, t, tuple(n), 0.0, v, F_T, LAST, 0.0, 1.0) == 1.0
+        assert left_in_bulk(1.0, t, tuple(n), 0.0, pressed, v, F_T, LAST, 0.0, 1.0) == 1.0
 
 
 @pytest.mark.parametrize("curve", [None, bd.Bilinear()])
@@ -76,7 +77,9 @@ def test_a_crack_dissipates_its_projection(slope: float, curve: bd.Bilinear | No
     last = STIFF * softening.last * G_F / F_T
     n, s, taken = (slope, math.sqrt(1.0 - slope**2), 0.0), 1.0, 0.0
     for T in np.geomspace(0.9 * slope * F_T, 1.001 * last, 20_000):
-        left = left_in_bulk(s, (float(T), 0.0, 0.0), n, 0.0, np.eye(3), F_T, last, softening.kink, softening.steep)
+        left = left_in_bulk(
+            s, (float(T), 0.0, 0.0), n, 0.0, np.eye(3), np.eye(3), F_T, last, softening.kink, softening.steep
+        )
         taken += 0.5 * T**2 * (s - left) / STIFF
         s = left
     assert s == 0.0
@@ -142,8 +145,8 @@ def test_equilibria_and_runs_judge_alike() -> None:
                         s, t, n, 0.0, table.strength[k], table.last[k], math.inf, math.inf, 0.0, 0.0, 1.0
                     )
                 else:
-                    v = np.linalg.eigh(full[e])[1]
-                    now = left_in_bulk(s, t, n, 0.0, v, table.strength[k], table.last[k], 0.0, 1.0)
+                    size, v = np.linalg.eigh(full[e])
+                    now = left_in_bulk(s, t, n, 0.0, np.diag(size), v, table.strength[k], table.last[k], 0.0, 1.0)
                 assert (now < s) == falls
 
 
@@ -156,9 +159,10 @@ def test_a_first_load_leaves_the_strength_across(seed: int) -> None:
     damping = bd.MassDamping(alpha=0.6 / period)
     rise, speed = 12.0 * period, stretch / (12.0 * period)
     first = bd.Table([0.0, rise, 2.0 * rise], [0.0, 1.02 * stretch, 0.0])
-    second = bd.Ramp(0.0, speed, 0.2 * rise, begin=2.0 * rise)
     state, ended = None, 0.0
-    for axis, motion, long in (("x", {"x": first}, 2.0 * rise), ("y", {"vy": second}, 1.3 * rise)):
+    for axis, long in (("x", 2.0 * rise), ("y", 1.3 * rise)):
+        begin = 0.0 if state is None else state.time
+        motion = {"x": first} if axis == "x" else {"vy": bd.Ramp(0.0, speed, 0.2 * rise, begin=begin)}
         model = bd.Model(body, LAW, density=RHO, failure=SOFT, boundary=[
             bd.Fix(bd.Face(f"{axis}_min"), translation=axis, rotation=""), bd.Drive(bd.Face(f"{axis}_max"), **motion),
         ])  # fmt: skip
@@ -186,10 +190,10 @@ def test_stress_along_a_plane_has_no_influence() -> None:
     model = bd.Model(body, LAW, density=RHO, failure=failure, boundary=[
         *(bd.Pressure(bd.Face(name), -1.1 * WEAK.tension, schedule=sides) for name in ("y_min", "y_max")),
         bd.Fix(bd.Face("x_min"), translation="x", rotation=""),
-        bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, end / (200.0 * period), begin, begin=begin)),
+        bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, end / (1000.0 * period), begin, begin=begin)),
     ])  # fmt: skip
     run = bd.solve_explicit(
-        model, duration=240.0 * period, damping=bd.MassDamping(alpha=0.6 / period), every=20,
+        model, duration=1040.0 * period, damping=bd.MassDamping(alpha=0.6 / period), every=20,
         gauges={side: bd.Gauge(bd.Face(f"x_{side}"), "force") for side in ("min", "max")},
     )  # fmt: skip
     peak = float(0.5 * (run.history["max"] - run.history["min"])[:, 0].max()) / size**2

@@ -27,7 +27,8 @@ def unsoftened_below(s, strength, last, plane, cohesion, friction, kink, steep):
     if plane != 0:
         slips = cohesion / math.sqrt(1.0 + friction * friction)
         return min(strength, slips) if s == 1.0 or last > 0.0 else 0.0
-    return softens_at(s, LEAST_SLOPE * strength, last, kink, steep)
+    # a facet that is pulled and bent begins at 1/√2 of its strength, by the rms of its points
+    return softens_at(s, 0.7 * LEAST_SLOPE * strength, last, kink, steep)
 
 
 @device
@@ -67,7 +68,7 @@ def integrity_at(cracks, c, k, s, t, n, bent, mean, a, v):
         )
     bent = opened_by(bent, mean)
     principal_stresses(mean, a, v)
-    return left_in_bulk(s, t, n, bent, v, strength, last, kink, steep)
+    return left_in_bulk(s, t, n, bent, a, v, strength, last, kink, steep)
 
 
 @device

@@ -13,7 +13,7 @@ from bondem._compile import device, kernel
 from bondem.kernels.damaged_facets import three
 from bondem.laws.cell_energy import scalar
 from bondem.laws.plasticity import principal
-from bondem.laws.softening import LEAST_SLOPE, plus
+from bondem.laws.softening import LEAST_SLOPE, plus, pulled_along
 
 _ROOT = math.sqrt(3.0)
 
@@ -75,14 +75,15 @@ def _agreed(s, n, a):
 def _softens(s, n, t, bent, strength, a, v):
     """Load factor at which a whole facet begins to soften along a principal direction of s, or inf."""
     principal(s, a, v)
-    least = np.inf
+    least, most = np.inf, 0.0
+    for d in range(3):
+        most = max(most, abs(scalar(n, (v[0, d], v[1, d], v[2, d]))))
     for d in range(3):
         e = v[0, d], v[1, d], v[2, d]
-        slope, pull = scalar(n, e), scalar(t, e)
-        pull = max(pull if slope >= 0.0 else -pull, 0.0)
-        T = math.sqrt(pull * pull + bent * bent * slope * slope)
-        if T > 0.0:
-            least = min(least, strength * max(abs(slope), LEAST_SLOPE) / T)
+        slope = scalar(n, e)
+        both = pulled_along(t, e, slope, a[d, d]) + bent * abs(slope) / most
+        if both > 0.0:
+            least = min(least, strength * max(abs(slope), LEAST_SLOPE) / both)
     return least
 
 

@@ -21,13 +21,16 @@ From then on its integrity is a function of what it bears now, and nothing of th
 integrity so far. With t = F / A the traction that it would have if it were whole, and e_1, e_2, e_3 the present
 principal directions of the mean stress of its cells, the facet is judged along each of them:
 
-    T_a² = ⟨t·e_a sign(n·e_a)⟩² + (b n·e_a)²,     c_a = max(|n·e_a|, 0.2)
+    T_a² = p_a² + b_a²,     b_a = b |n·e_a| / max_d |n·e_d|
+    strength f_t c_a T_a / (p_a + b_a),     c_a = max(|n·e_a|, 0.2)
 
-Where t = σ n this is T_a = σ_a |n·e_a|, so that every facet begins to soften at σ_1 = f_t, whatever its direction.
-The integrity falls to the least that the softening curve gives for any direction, with f_t c_a as its strength and,
-the same for all, 2 G_f / f_t as its last opening (of a straight line): s T_a falls from f_t c_a to 0 as the opening
-u = (1 - s) A T_a / k grows. A facet across which a crack opens along e_a dissipates G_f A c_a, which is G_f per area
-projected on the crack. A load in another direction finds the strength that belongs to that direction.
+with p_a = |t·e_a| where σ_a is a tension, and else what of t·e_a opens the facet, ⟨t·e_a sign(n·e_a)⟩. A facet that is
+pulled and bent so begins to soften at p_a + b_a = f_t c_a, and softens by the rms of its points, whose energy T² is.
+Where t = σ n, T_a = σ_a |n·e_a|: every facet begins to soften at σ_1 = f_t, whatever its direction. The integrity falls
+to the least that the softening curve gives for any direction, with the last opening 2 G_f / f_t (of a straight line)
+the same for all: s T_a falls from f_t c_a to 0 as the opening u = (1 - s) A T_a / k grows. A facet across which a crack
+opens along e_a dissipates G_f A c_a, which is G_f per area projected on the crack. A load in another direction finds
+the strength that belongs to that direction. (A facet that overhangs, t·e_a n·e_a < 0, softens with the others.)
 
 A facet of a material plane (an interface, joint or bedding) is judged by its own traction: T = √(⟨t·n⟩² + b²) from
 the strength of the plane on, and, where it has a cohesion c, |t_s| + t_n tan φ from c on, which friction outlasts.
@@ -108,29 +111,47 @@ def softens_at(s, onset, last, kink, steep):
 
 
 @device
-def left_along(s, t, e, n, bent, strength, last, kink, steep):
-    """Integrity of a facet of traction t and normal n by what opens along the direction e."""
-    pull, slope = scalar(t, e), scalar(n, e)
-    pull = max(pull if slope >= 0.0 else -pull, 0.0)
-    bent *= slope
-    slope = max(abs(slope), LEAST_SLOPE)
-    return softened(s, math.sqrt(pull * pull + bent * bent), strength * slope, last, kink, steep)
+def pulled_along(t, e, slope, stress):
+    """p_a of a traction t [Pa] along e, where the principal stress is `stress` and n·e is `slope`."""
+    pull = scalar(t, e)
+    if stress > 0.0:
+        return abs(pull)
+    return max(pull if slope >= 0.0 else -pull, 0.0)
 
 
 @device
-def left_in_bulk(s, t, n, bent, v, strength, last, kink, steep):
+def left_along(s, t, e, n, bent, stress, strength, last, kink, steep):
+    """Integrity of a facet of traction t and normal n by what opens along e; `bent` is b over the largest |n·e_d|."""
+    slope = scalar(n, e)
+    pull = pulled_along(t, e, slope, stress)
+    bent *= abs(slope)
+    both = pull + bent
+    if both == 0.0:
+        return s
+    T = math.sqrt(pull * pull + bent * bent)
+    return softened(s, T, strength * max(abs(slope), LEAST_SLOPE) * T / both, last, kink, steep)
+
+
+@device
+def left_in_bulk(s, t, n, bent, a, v, strength, last, kink, steep):
     """Integrity of a facet of the material, at most s.
 
     Args:
         t: traction that it would have if it were whole [Pa].
         n: its normal.
         bent: b [Pa].
-        v: principal directions of the mean stress of its cells, in columns, (3, 3).
+        a: mean stress of its cells in its principal directions, of which the diagonal is read [Pa], (3, 3).
+        v: these directions, in columns, (3, 3).
         strength: f_t [Pa].
         last, kink, steep: of `softened`.
     """
+    most = 0.0
     for d in range(3):
-        s = left_along(s, t, (v[0, d], v[1, d], v[2, d]), n, bent, strength, last, kink, steep)
+        most = max(most, abs(scalar(n, (v[0, d], v[1, d], v[2, d]))))
+    bent /= most
+    for d in range(3):
+        e = v[0, d], v[1, d], v[2, d]
+        s = left_along(s, t, e, n, bent, a[d, d], strength, last, kink, steep)
     return s
 
 

@@ -43,9 +43,13 @@ class Opened:
         stress, direction = np.linalg.eigh(mean)
         open_bent = np.maximum(bent - np.maximum(-stress[:, 0], 0.0), 0.0)
         slope = np.einsum("cd,cda->ca", normal, direction)
-        pull = np.einsum("cd,cda->ca", traction, direction) * np.where(slope >= 0.0, 1.0, -1.0)
-        opened = np.hypot(np.maximum(pull, 0.0), open_bent[:, None] * slope)
-        strength = table.strength[facets, None] * np.maximum(np.abs(slope), LEAST_SLOPE)
+        pull = np.einsum("cd,cda->ca", traction, direction)
+        pull = np.where(stress > 0.0, np.abs(pull), pull * np.where(slope >= 0.0, 1.0, -1.0))
+        pull, size = np.maximum(pull, 0.0), np.abs(slope)
+        bend = open_bent[:, None] * size / size.max(axis=1, keepdims=True)
+        opened, both = np.hypot(pull, bend), pull + bend
+        share = np.divide(opened, both, out=np.ones_like(both), where=both > 0.0)
+        strength = table.strength[facets, None] * np.maximum(size, LEAST_SLOPE) * share
         last = np.repeat(table.last[facets, None], 3, axis=1)
         own = np.flatnonzero(table.plane[facets])
         if len(own):
