@@ -22,15 +22,16 @@ integrity so far. With t = F / A the traction that it would have if it were whol
 principal directions of the mean stress of its cells, the facet is judged along each of them:
 
     T_a² = p_a² + b_a²,     b_a = b |n·e_a| / max_d |n·e_d|
-    strength f_t c_a T_a / (p_a + b_a),     c_a = max(|n·e_a|, 0.2)
+    strength r f_t c_a,     c_a = max(|n·e_a|, 0.2),     r = T_a / (p_a + b_a)
 
-with p_a = |t·e_a| where σ_a is a tension, and else what of t·e_a opens the facet, ⟨t·e_a sign(n·e_a)⟩. A facet that
-is pulled and bent so begins to soften at p_a + b_a = f_t c_a, and softens by the rms of its points, whose energy T² is.
-Where t = σ n, T_a = σ_a |n·e_a|: every facet begins to soften at σ_1 = f_t, whatever its direction. The integrity
-falls to the least that the softening curve gives for any direction, with the last opening 2 G_f / f_t (of a straight
-line) the same for all: s T_a falls from f_t c_a to 0 as the opening u = (1 - s) A T_a / k grows. A facet across which
-a crack opens along e_a dissipates G_f A c_a, which is G_f per area projected on the crack. A load in another
-direction finds the strength that belongs to that direction. (A facet that overhangs, t·e_a n·e_a < 0, softens with the others.)
+with p_a = |t·e_a| where σ_a is a tension, and else what of t·e_a opens the facet, ⟨t·e_a sign(n·e_a)⟩. A facet
+that is pulled and bent begins to soften at p_a + b_a = f_t c_a, as points at its edge do, and softens by the rms
+of its points, whose energy T² is. Where t = σ n, T_a = σ_a |n·e_a|: every facet begins to soften at σ_1 = f_t,
+whatever its direction. The integrity falls to the least that the softening curve gives for any direction, with
+the last opening 2 G_f / f_t (of a straight line; over r) the same for all: s T_a falls from r f_t c_a to 0 as the
+opening u = (1 - s) A T_a / k grows. A facet across which a crack opens along e_a dissipates G_f A c_a, which is
+G_f per area projected on the crack. A load in another direction finds the strength that belongs to that
+direction. (A facet that overhangs, t·e_a n·e_a < 0, softens with the others.)
 
 A facet of a material plane (an interface, joint or bedding) is judged by its own traction: T = √(⟨t·n⟩² + b²) from
 the strength of the plane on, and, where it has a cohesion c, |t_s| + t_n tan φ from c on, which friction outlasts.
@@ -129,7 +130,8 @@ def left_along(s, t, e, n, bent, stress, strength, last, kink, steep):
     if both == 0.0:
         return s
     T = math.sqrt(pull * pull + bent * bent)
-    return softened(s, T, strength * max(abs(slope), LEAST_SLOPE) * T / both, last, kink, steep)
+    share = T / both
+    return softened(s, T, strength * max(abs(slope), LEAST_SLOPE) * share, last / share, kink, steep)
 
 
 @device

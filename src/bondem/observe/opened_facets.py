@@ -50,7 +50,7 @@ class Opened:
         opened, both = np.hypot(pull, bend), pull + bend
         share = np.divide(opened, both, out=np.ones_like(both), where=both > 0.0)
         strength = table.strength[facets, None] * np.maximum(size, LEAST_SLOPE) * share
-        last = np.repeat(table.last[facets, None], 3, axis=1)
+        last = table.last[facets, None] / share
         own = np.flatnonzero(table.plane[facets])
         if len(own):
             opened[own], strength[own, 0], last[own, 0] = 0.0, table.strength[facets[own]], table.last[facets[own]]
