@@ -194,7 +194,7 @@ def test_the_ledger_closes_and_is_of_second_order(failure: bd.Criterion) -> None
     """A quarter of the step: what breaks at once breaks otherwise in another step, and scatters from half to half."""
     coarse, fine = torn(failure), torn(failure, 0.225)
     assert len(coarse.state.cracks) > 20
-    assert coarse.residual < (1e-4 if failure in SOFT else 2e-3)
+    assert coarse.residual < (2e-4 if failure in SOFT else 2e-3)
     assert fine.residual < 0.35**2 * coarse.residual
 
 

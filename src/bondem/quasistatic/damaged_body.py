@@ -139,7 +139,8 @@ class DamagedBody:
     def held_by_none(self, found: Loaded) -> float:
         """Energy of the facets that have no integrity left: of that which stands for none [J]."""
         none = found.cracked[self.integrity[found.cracked] <= _NONE]
-        force = self.area[none] * found.opened[self.integrity[found.cracked] <= _NONE]
+        opened = found.opened[self.integrity[found.cracked] <= _NONE]
+        force = self.area[none] * np.hypot(opened, found.bending[none])
         return 0.5 * _NONE * float((force**2 / self.constants.k[none]).sum())
 
     def state(self, motion: Floats) -> State:
