@@ -28,7 +28,7 @@ SHARED: dict[str, Any] = {
     "material": {"name": "concrete", "E": 40e9, "nu": 0.2, "rho": 2400.0},
     "failure": {
         "criterion": "MohrCoulomb", "tension": "4 MPa", "cohesion": "14.3 MPa", "friction_angle": "35 deg",
-        "fracture_energy": 2.0,  # a brittle disc
+        "fracture_energy": 20.0,
     },
     "bond": {"law": "CellBond"},
 }  # fmt: skip

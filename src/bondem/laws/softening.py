@@ -31,7 +31,8 @@ whatever its direction. The integrity falls to the least that the softening curv
 the last opening 2 G_f / f_t (of a straight line; over r) the same for all: s T_a falls from r f_t c_a to 0 as the
 opening u = (1 - s) A T_a / k grows. A facet across which a crack opens along e_a dissipates G_f A c_a, which is
 G_f per area projected on the crack. A load in another direction finds the strength that belongs to that
-direction. (A facet that overhangs, t·e_a n·e_a < 0, softens with the others.)
+direction. (A facet that overhangs, t·e_a n·e_a < 0, softens with the others, and one that has begun is gone where
+|F⁺| / A reaches the last opening: as the stress vanishes its directions say little.)
 
 A facet of a material plane (an interface, joint or bedding) is judged by its own traction: T = √(⟨t·n⟩² + b²) from
 the strength of the plane on, and, where it has a cohesion c, |t_s| + t_n tan φ from c on, which friction outlasts.
@@ -154,6 +155,10 @@ def left_in_bulk(s, t, n, bent, a, v, strength, last, kink, steep):
     for d in range(3):
         e = v[0, d], v[1, d], v[2, d]
         s = left_along(s, t, e, n, bent, a[d, d], strength, last, kink, steep)
+    if 0.0 < s < 1.0:
+        opening, _ = opening_force(t, n)
+        if scalar(opening, opening) >= last * last:
+            return 0.0
     return s
 
 

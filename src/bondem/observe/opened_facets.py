@@ -18,6 +18,7 @@ class Opened:
         strength: at which they begin to soften along it [Pa], (c, 3).
         last: T_a where nothing is left [Pa], (c, 3).
         kink, steep: of the softening curve (`bondem.laws.softening.softened`) [-].
+        gone: load factors at which nothing is left of those that have begun, whatever the direction, (c,).
     """
 
     traction: PerBond3
@@ -25,6 +26,7 @@ class Opened:
     last: PerBond3
     kink: float
     steep: float
+    gone: PerBond
 
     @classmethod
     def of(
@@ -61,7 +63,11 @@ class Opened:
             share = np.divide(part, part + square, out=np.ones(len(own)), where=part > 0.0)
             end = np.maximum(share * last[own, 0], SNAP * strength[own, 0] / table.steep)
             last[own, 0] = np.where(last[own, 0] > 0.0, end, 0.0)
-        return cls(opened, strength, last, table.kink, table.steep)
+        across = np.minimum((traction * normal).sum(axis=1, keepdims=True), 0.0)
+        size = np.linalg.norm(traction - across * normal, axis=1)
+        ends = np.where(table.plane[facets] | (size == 0.0), np.inf, table.last[facets])
+        gone = np.divide(ends, size, out=np.full(len(size), np.inf), where=size > 0.0)
+        return cls(opened, strength, last, table.kink, table.steep, gone)
 
     def reached(self, integrity: PerBond) -> PerBond:
         """Load factors at which the integrities of the facets fall below what they are, inf for never, (c,)."""
@@ -73,7 +79,8 @@ class Opened:
                 left = self.last * (1.0 - (1.0 - self.kink) * self.steep)
                 slope = np.where(self.last > 0.0, self.kink * self.strength / left, 0.0)
                 least = np.maximum(least, slope * self.last / (s * (1.0 - slope) + slope))
-            return np.where(self.traction > 0.0, least / self.traction, np.inf).min(axis=1)
+            reached = np.where(self.traction > 0.0, least / self.traction, np.inf).min(axis=1)
+        return np.where(integrity < 1.0, np.minimum(reached, self.gone), reached)
 
     def steepest(self) -> Ints:
         """The direction along which whole facets begin to soften first, (c,)."""
