@@ -51,7 +51,7 @@ def test_cracks_do_all_that_a_device_knows(outcomes) -> None:
     integrity = cpu["soft/integrity"]
     assert ((integrity > 0.0) & (integrity < 1.0)).any()
     half, whole = cpu["soft/half_cracks"], cpu["soft/cracks"]
-    assert len(whole) > len(half)
+    assert len(whole) >= len(half) > 0
     rested = np.flatnonzero(half[:, STATUS] == RESTING)  # half way; some of them have woken since
     assert (whole[rested, STATUS] == ACTIVE).any()
 
