@@ -65,8 +65,8 @@ class Opened:
             last[own, 0] = np.where(last[own, 0] > 0.0, end, 0.0)
         across = np.minimum((traction * normal).sum(axis=1, keepdims=True), 0.0)
         size = np.linalg.norm(traction - across * normal, axis=1)
-        ends = np.where(table.plane[facets] | (size == 0.0), np.inf, table.last[facets])
-        gone = np.divide(ends, size, out=np.full(len(size), np.inf), where=size > 0.0)
+        ends = (size > 0.0) & ~table.plane[facets] & (table.last[facets] > 0.0)
+        gone = np.divide(table.last[facets], size, out=np.full(len(size), np.inf), where=ends)
         return cls(opened, strength, last, table.kink, table.steep, gone)
 
     def reached(self, integrity: PerBond) -> PerBond:
