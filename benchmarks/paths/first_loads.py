@@ -16,7 +16,7 @@ from paths.rows import Row
 FIRST = {1.02: 0.05, 2.0: 0.08}
 #: Of the modulus in compression after such a tension.
 PRESSED = 0.03
-#: Criteria and edges of the cubes [m]: the smaller and tougher one softens all over before a crack is told from it.
+#: Criteria and edges of the cubes [m]: the smaller and tougher one softens all over before a crack localises.
 CUBES: dict[str, tuple[bd.Criterion, float]] = {
     "Rankine, 80 mm": (RANKINE, SIDE),
     "Rankine, 40 mm": (replace(RANKINE, fracture_energy=100.0), 40e-3),

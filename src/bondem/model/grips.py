@@ -123,7 +123,7 @@ class Grips:
         return ((self.axes * turned_rows(orientation, self.normal)) ** 2).sum(axis=1)
 
     def taken(self, base: Floats) -> "Grips":
-        """The same of walls that hold cells from the orientations in `base` on, (g, 7)."""
+        """Return these grips with turned shares and H, for walls that took over cells at the poses `base`, (g, 7)."""
         other = (base[:, 4:] != 0.0).any(axis=1)
         if not other.any():
             return self

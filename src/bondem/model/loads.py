@@ -63,7 +63,7 @@ class BodyForce:
         if values.shape != (n, 3) or not possible(values):
             raise InputError(
                 f"BodyForce: acceleration = {shown(given)}: its values have shape {values.shape} or are not finite;"
-                f" give ({n}, 3) [m/s²], one an element, or a function of (n, 3) centres that does"
+                f" give ({n}, 3) [m/s²], a row per element, or a function of (n, 3) centres that does"
             )
         axes = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
         return [(inside * values[:, d], axis) for d, axis in enumerate(axes) if values[:, d].any()]

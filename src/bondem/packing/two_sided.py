@@ -30,7 +30,7 @@ Around = Plane | Shape | Aggregates
 # All over the size of a cell: distance of pins from a face; of faces that a pin belongs to; that free centres keep
 # from surfaces; between pins that are one too many, and of pins of two surfaces; of centres from walls.
 _HALF, _NEAR_FACE, _CLEAR, _TWIN, _MARGIN, _PIN_MARGIN = 0.5, 0.8, 1.25, 0.5, 0.33, 0.45
-# Curvature is told apart from an edge up to this shift of a surface, over the size of a cell.
+# A shift of the surface up to this share of the size of a cell counts as curvature, a larger one as an edge.
 _SHIFT = 0.08
 # Times that centres are pushed apart with new neighbours, with the same ones, how many, and steps of Lloyd.
 _ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
