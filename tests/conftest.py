@@ -9,12 +9,13 @@ os.environ["BONDEM_PACKING_CACHE"] = "off"
 
 pytest_plugins = ("tests.recording",)
 
-_OPTIONS = {"validate": "--validate", "gpu": "--gpu"}
+_OPTIONS = {"validate": "--validate", "gpu": "--gpu", "sanitize": "--sanitize"}
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--validate", action="store_true", help="run the slow tests too: published numbers, studies")
     parser.addoption("--gpu", action="store_true", help="run the tests that need a CUDA device too")
+    parser.addoption("--sanitize", action="store_true", help="run the tests of the core with g++'s sanitizers too")
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -6,8 +6,8 @@ import pytest
 import bondem as bd
 from bondem._compile import threads
 from bondem.errors import InputError, PackingError
-from bondem.kernels.neighbour_grid import neighbours
 from bondem.packing.walls import walls
+from bondem.specimen.neighbours import neighbours
 
 SHAPES = [
     bd.Cylinder(radius=5e-3, length=20e-3),

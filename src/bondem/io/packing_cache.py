@@ -21,6 +21,8 @@ import scipy
 
 import bondem
 from bondem._compile import cache_directory
+from bondem._core import compiled_level
+from bondem._core_build import source_digest
 from bondem.errors import RunFileError
 from bondem.io.particles_file import load_particles, save_particles
 from bondem.specimen.particles import Particles, filled
@@ -87,8 +89,10 @@ def written(value: Any, *, packages: tuple[str, ...] = ("bondem",)) -> Any:
 
 @cache
 def _program() -> str:
-    # The name of the compiled cache is a hash of all kernel sources and of Numba's version.
-    versions = (bondem.__version__, np.__version__, scipy.__version__, cache_directory.name)
+    # The name of the compiled cache is a hash of all kernel sources and of Numba's version. Levels of instructions
+    # with fused multiply-add share their bits.
+    core = source_digest() + ("-unfused" if compiled_level() == "x86_64_v2" else "")
+    versions = (bondem.__version__, np.__version__, scipy.__version__, cache_directory.name, core)
     digest = hashlib.sha256(" ".join(versions).encode())
     package = Path(bondem.__file__).parent
     for source in sorted(path for room in _ROOMS for path in package.joinpath(room).rglob("*.py")):

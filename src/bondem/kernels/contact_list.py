@@ -38,7 +38,7 @@ def pair_candidates(
     """Pairs of neighbours that no bond joins, and pairs of bonds that are asked for.
 
     Args:
-        start, neighbour: neighbours of each element, as `kernels.neighbour_grid.neighbours` gives them.
+        start, neighbour: neighbours of each element, as `specimen.neighbours.neighbours` gives them.
         bond_start, bond_first: earlier element of the bonds of each later one, and where they begin.
         listed: whether the pair of a bond is wanted, however far apart, uint8, (m,).
         rest_start, rest_first, rest_gap: the same of pairs that overlapped at first, and their gaps [m].

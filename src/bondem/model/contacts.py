@@ -4,15 +4,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._compile import current_threads
 from bondem._types import Floats, Ints, PerBond, PerElement
 from bondem.kernels.contact_list import wall_candidates
-from bondem.kernels.neighbour_grid import neighbours
 from bondem.kernels.walls import COLUMNS
 from bondem.laws.contact import ContactLaw
 from bondem.model.layout import Layout
 from bondem.model.local_origin import local_rest
 from bondem.model.walls import WallTable
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.neighbours import neighbours
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,14 +100,14 @@ class ContactModel:
 
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:
-    """Neighbours with gaps up to `skin` [m], as `kernels.neighbour_grid.neighbours` gives them."""
+    """Neighbours with gaps up to `skin` [m], as `specimen.neighbours.neighbours` gives them."""
     sphere = np.column_stack([position, radius])
     if period is None:
         lower, upper = sphere[:, :3].min(axis=0), sphere[:, :3].max(axis=0)
         margin = 1e-9 * max(float((upper - lower).max()), float(radius.max()))
-        return neighbours(sphere, lower - margin, upper + margin, np.zeros(3), skin)
+        return neighbours(sphere, lower - margin, upper + margin, np.zeros(3), skin, threads=current_threads())
     sphere[:, :3] %= period
-    return neighbours(sphere, np.zeros(3), period.copy(), period.copy(), skin)
+    return neighbours(sphere, np.zeros(3), period, period, skin, threads=current_threads())
 
 
 def _starts(later: Ints, n: int) -> Ints:

@@ -8,14 +8,17 @@ from collections.abc import Callable
 
 import numpy as np
 
+from bondem._core import Pass
 from bondem._types import Floats
 from bondem.errors import InputError, PackingError
-from bondem.kernels import growth as kernels
-from bondem.kernels.packing_tables import Growing
+from bondem.packing import packing_tables as tables
+from bondem.packing.packing_tables import Flight, Growing, Near, PackingWalls, Spheres
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
+
+_fly = Pass("fly_and_grow", Spheres, PackingWalls, Near, Growing, Flight)
 
 # Spheres take off at this volume fraction, or at this share of the one asked for.
 _START_FRACTION, _START_SHARE = 0.45, 0.9
@@ -66,7 +69,7 @@ def grow(
     velocity = spheres.table.velocity
     velocity[:] = random.standard_normal((n, 3))
     last = spheres.scale_for(target.volume_fraction) if isinstance(target, Fraction) else np.inf
-    report, pressure, collisions = np.zeros(kernels.REPORTED), 0.0, 0.0
+    pressure, collisions = 0.0, 0.0
     while spheres.scale < last and pressure < _JAMMED:
         if collisions > _COLLISIONS * n:
             raise PackingError(
@@ -79,15 +82,15 @@ def grow(
         # Two neighbours may grow by this much before spheres that are not in the list can meet.
         gain = min(0.5 * _GROWTH_SHARE * skin / float(spheres.unit.max()), last - spheres.scale)
         heat = float((velocity**2).sum())
-        growing = Growing(spheres.scale, _RATE, gain / _RATE, 20 * n)
-        kernels.fly_and_grow(spheres.table, spheres.walls, near, growing, report)
-        gone, virial = float(report[kernels.TIME]), float(report[kernels.VIRIAL])
+        growing = Growing.of(spheres.scale, _RATE, gain / _RATE, 20 * n)
+        _fly(spheres.table, spheres.walls, near, growing, Flight.of(n))
+        gone, virial, met = (float(growing.report[k]) for k in (tables.TIME, tables.VIRIAL, tables.COLLISIONS))
         spheres.scale += _RATE * gone
         if last - spheres.scale < 1e-12:
             spheres.scale = last
-        collisions += report[kernels.COLLISIONS]
+        collisions += met
         heat = 0.5 * (heat + float((velocity**2).sum()))
-        if report[kernels.COLLISIONS] > n:
+        if met > n:
             pressure = 1.0 + virial / (heat * gone)
         spheres.steps += 1
         spheres.on_step(spheres.steps)

@@ -1,17 +1,20 @@
-"""Soft spheres at rest: the state that the packing kernel advances, and its neighbour lists."""
+"""Soft spheres at rest: the state that the relaxation advances, and its neighbour lists."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._compile import threads
+from bondem._compile import current_threads
+from bondem._core import Pass
 from bondem._types import Floats
-from bondem.kernels import packing as kernels
-from bondem.kernels.neighbour_grid import neighbours
-from bondem.kernels.packing_tables import Near, RelaxLimits, Spheres
+from bondem.packing import packing_tables as tables
+from bondem.packing.packing_tables import Near, PackingWalls, Relaxing, Spheres
 from bondem.packing.walls import walls
 from bondem.specimen.geometry import Shape
+from bondem.specimen.neighbours import neighbours
+
+_relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
 
 # Gap up to which spheres enter the neighbour list, over the mean radius: wide while they still wander.
 _SKIN_WANDERING, _SKIN_SETTLED = 0.5, 0.15
@@ -48,8 +51,8 @@ class SoftSpheres:
     """Spheres in a shape, relaxed at one scale of their radii after another.
 
     Attributes:
-        table: the spheres in the form the kernels take.
-        walls: the walls of the shape in the form the kernels take.
+        table: the spheres in the form the passes take.
+        walls: the walls of the shape in the form the passes take.
         scale: factor on the radii they were made with [-].
         steps: minimisation steps taken so far.
         on_step: told `steps`, now and then.
@@ -103,32 +106,29 @@ class SoftSpheres:
         self.scale = scale
         self.sphere[:, 3] = scale * self.unit
         self.table.velocity[:] = 0.0
-        fire = np.array([kernels.DT_START, kernels.ALPHA, 0.0])
-        report = np.zeros(kernels.REPORTED)
-        barely = loose * self.mean_radius
-        taken = 0
-        with threads(1 if len(self.sphere) < _THREADED else None):
-            while True:
-                near = self.near(self._skin * self.mean_radius, 0.499)
-                limits = RelaxLimits(float(tolerance), float(barely), steps - taken)
-                status = kernels.relax(self.table, self.walls, near, fire, limits, report)
-                done = int(report[kernels.STEPS]) + (status == kernels.STALE)
-                taken += done
-                self.steps += done
-                self.on_step(self.steps)
-                if status != kernels.STALE:
-                    break
+        begun = Relaxing.of(len(self.sphere), float(tolerance), float(loose * self.mean_radius))
+        threads = 1 if len(self.sphere) < _THREADED else current_threads()
+        taken, ended = 0, "out_of_date"
+        while ended == "out_of_date":
+            near = self.near(self._skin * self.mean_radius, 0.499, threads=threads)
+            ended = _relax(self.table, self.walls, near, begun._replace(steps=steps - taken), threads=threads)
+            done = int(begun.report[tables.STEPS]) + (ended == "out_of_date")
+            taken += done
+            self.steps += done
+            self.on_step(self.steps)
         self._skin = _SKIN_SETTLED
         mean = self.mean_radius
-        overlap, largest = float(report[kernels.MEAN_OVERLAP]), float(report[kernels.LARGEST_OVERLAP])
-        z = 2.0 * float(report[kernels.CONTACTS]) / len(self.sphere)
-        free = overlap < barely  # no forces at all count as balanced for the kernel
-        settled = status == kernels.CONVERGED and not free
+        overlap, largest = float(begun.report[tables.MEAN_OVERLAP]), float(begun.report[tables.LARGEST_OVERLAP])
+        z = 2.0 * float(begun.report[tables.CONTACTS]) / len(self.sphere)
+        free = overlap < begun.loose  # no forces at all count as balanced for the pass
+        settled = ended == "converged" and not free
         return Rest(z, overlap / mean, largest / mean, taken, settled, free)
 
-    def near(self, skin: float, share: float) -> Near:
+    def near(self, skin: float, share: float, *, threads: int = 1) -> Near:
         """Neighbours up to `skin` apart [m], until a centre has moved by `share` of it. Centres enter the cell."""
         periodic = self.table.period > 0.0
         self.sphere[:, :3][:, periodic] %= self.table.period[periodic]
-        start, neighbour = neighbours(self.sphere, self._lower, self._upper, self.table.period, skin)
+        start, neighbour = neighbours(
+            self.sphere, self._lower, self._upper, self.table.period, skin, threads=threads
+        )
         return Near(start, neighbour, self.sphere[:, :3].copy(), share * skin)

@@ -1,4 +1,4 @@
-"""Rigid walls of a shape, in the form the packing kernel takes."""
+"""Rigid walls of a shape, in the form the packing passes take."""
 
 import math
 
@@ -7,7 +7,7 @@ from scipy.ndimage import map_coordinates
 
 from bondem._types import Floats, PerElement
 from bondem.errors import InputError
-from bondem.kernels.packing_tables import PackingWalls
+from bondem.packing.packing_tables import PackingWalls
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
 
 # Spacing of the grid of depths over the mean radius. Where the shape has an edge the wall is rounded by about

@@ -6,86 +6,39 @@ outside follow from the normal at the nearest point; at edges and corners from t
 normals, weighted by angle (Bærentzen & Aanæs, IEEE Trans. Vis. Comput. Graph. 11, 2005), which is never wrong.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
-from bondem._compile import device, kernel, prange
+from bondem._compile import current_threads
+from bondem._core import Pass
 from bondem._types import Floats, Ints, PerElement, PerElement3
 
 _PIECES = 10_000  # more pieces: tighter boxes, more levels
 
 
-@device
-def _to_box(x, y, z, low, high):
-    """Square of the distance of a point to a box [m²]."""
-    dx = max(low[0] - x, x - high[0], 0.0)
-    dy = max(low[1] - y, y - high[1], 0.0)
-    dz = max(low[2] - z, z - high[2], 0.0)
-    return dx * dx + dy * dy + dz * dz
+class TriangleTree(NamedTuple):
+    """Triangles, t of them, and a tree of boxes around p pieces of them, as `core/tables/surface_tables.hpp` has it.
 
-
-@device
-def _to_triangle(x, y, z, corner, side, normal):
-    """Square of the distance of a point to a triangle [m²]."""
-    nearest, within = np.inf, True
-    for k in range(3):
-        px, py, pz = x - corner[k, 0], y - corner[k, 1], z - corner[k, 2]
-        ex, ey, ez = side[k, 0], side[k, 1], side[k, 2]
-        t = (px * ex + py * ey + pz * ez) / max(ex * ex + ey * ey + ez * ez, 1e-300)
-        t = min(max(t, 0.0), 1.0)
-        dx, dy, dz = px - t * ex, py - t * ey, pz - t * ez
-        nearest = min(nearest, dx * dx + dy * dy + dz * dz)
-        inward = (
-            (normal[1] * ez - normal[2] * ey) * px
-            + (normal[2] * ex - normal[0] * ez) * py
-            + (normal[0] * ey - normal[1] * ex) * pz
-        )
-        within = within and inward > 0.0
-    if within:
-        height = (
-            normal[0] * (x - corner[0, 0]) + normal[1] * (y - corner[0, 1]) + normal[2] * (z - corner[0, 2])
-        )
-        nearest = height * height
-    return nearest
-
-
-@kernel(parallel=True)
-def _nearest(points, lower, upper, owner, corner, side, normal, triangle):
-    """Find the nearest triangle of each point.
-
-    Args:
-        points: (n, 3) [m].
-        lower: lower corners of the boxes, (2 p, 3) [m]: box 1 holds all, box b boxes 2 b and 2 b + 1, and
-            the last p boxes one piece each.
-        upper: upper corners, (2 p, 3) [m].
-        owner: which triangle each piece is of, (p,).
-        corner: of the triangles, (t, 3, 3) [m].
-        side: from each corner to the next, (t, 3, 3) [m].
-        normal: unit normals, (t, 3), 0 where there is none.
-        triangle: filled with the nearest, (n,).
+    Box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p boxes one piece each.
     """
-    pieces = owner.size
-    for i in prange(points.shape[0]):
-        x, y, z = points[i, 0], points[i, 1], points[i, 2]
-        waiting = np.empty(64, np.int64)
-        waiting[0], count = 1, 1
-        best, found = np.inf, owner[0]
-        while count > 0:
-            count -= 1
-            box = waiting[count]
-            if _to_box(x, y, z, lower[box], upper[box]) >= best:
-                continue
-            if box >= pieces:
-                t = owner[box - pieces]
-                d = _to_triangle(x, y, z, corner[t], side[t], normal[t])
-                if d < best:
-                    best, found = d, t
-                continue
-            a, b = 2 * box, 2 * box + 1
-            if _to_box(x, y, z, lower[a], upper[a]) < _to_box(x, y, z, lower[b], upper[b]):
-                a, b = b, a
-            waiting[count], waiting[count + 1] = a, b
-            count += 2
-        triangle[i] = found
+
+    lower: Floats  #: lower corners of the boxes [m], (2 p, 3)
+    upper: Floats  #: upper corners of the boxes [m], (2 p, 3)
+    owner: Ints  #: which triangle each piece is of, (p,)
+    corner: Floats  #: of the triangles [m], (t, 3, 3)
+    side: Floats  #: from each corner to the next [m], (t, 3, 3)
+    normal: Floats  #: unit normals, 0 where there is none, (t, 3)
+
+
+class Nearest(NamedTuple):
+    """Points, and the triangle nearest to each."""
+
+    points: PerElement3  #: [m], (n, 3)
+    triangle: Ints  #: (n,)
+
+
+_find_nearest = Pass("find_nearest_triangles", TriangleTree, Nearest)
 
 
 class Triangles:
@@ -105,8 +58,8 @@ class Triangles:
         self._normal = normal / np.where(size > 0.0, size, 1.0)[:, None]
         self._length2 = np.maximum((self._side**2).sum(axis=2), 1e-300)
         self._outward = self._outward_normals(triangles, len(vertices))
-        piece, self._owner = _in_order(*_pieces(self._corner, 0.5 * float(size.sum())))
-        self._lower, self._upper = _boxes(piece)
+        piece, owner = _in_order(*_pieces(self._corner, 0.5 * float(size.sum())))
+        self._tree = TriangleTree(*_boxes(piece), owner, self._corner, self._side, self._normal)
 
     def _outward_normals(self, triangles: Ints, vertices: int) -> Floats:
         """Normals on the inside of each triangle, its three sides and its three corners, (t, 7, 3)."""
@@ -135,10 +88,8 @@ class Triangles:
 
     def _nearest(self, points: PerElement3) -> Ints:
         triangle = np.empty(len(points), dtype=np.int64)
-        _nearest(
-            np.ascontiguousarray(points), self._lower, self._upper, self._owner, self._corner, self._side,
-            self._normal, triangle,
-        )  # fmt: skip
+        found = Nearest(np.ascontiguousarray(points, dtype=float), triangle)
+        _find_nearest(self._tree, found, threads=current_threads())
         return triangle
 
     def _closest(self, points: PerElement3, triangle: Ints) -> tuple[PerElement, Ints, PerElement3]:
@@ -194,7 +145,7 @@ def _in_order(piece: Floats, owner: Ints) -> tuple[Floats, Ints]:
 
 
 def _boxes(piece: Floats) -> tuple[Floats, Floats]:
-    """Lower and upper corners of the boxes of the tree, as `_nearest` wants them."""
+    """Lower and upper corners of the boxes of the tree, as `TriangleTree` has them."""
     lower, upper = [piece.min(axis=1)], [piece.max(axis=1)]
     while len(lower[0]) > 1:
         lower.insert(0, np.minimum(lower[0][::2], lower[0][1::2]))

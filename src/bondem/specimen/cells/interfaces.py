@@ -8,24 +8,28 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._compile import kernel, loop
+from bondem._core import Pass
 from bondem._types import Floats, Ints, PerElement3
-from bondem.specimen.cells.pile import KIND, SIZE, START, TAG, new_pile, put
-from bondem.specimen.cells.polygon import MOST_CORNERS, ROW, area, clip, copy
+from bondem.specimen.cells.pile import KIND, TAG, Pile, new_pile, polygon_buffer
 from bondem.specimen.cells.solids import SPLIT, Solids, polygon_measures, ranges
 
-# What is on the other side of a free patch, as a number that is no literal: see ROW.
-_NOTHING = np.int64(-1)
 
-
-class _Groups(NamedTuple):
+class FaceGroups(NamedTuple):
     """Faces in one plane: of group g, from one side plus[first[g]] …, and from the other minus[second[g]] …"""
 
+    of_face: Ints  #: the solid that each face is of, (f,)
     plus: Ints
-    first: Ints
+    first: Ints  #: (groups + 1,)
     minus: Ints
-    second: Ints
+    second: Ints  #: (groups + 1,)
     shift: Floats  #: from the centre that corners of the first are measured from to that of the others, (groups, 3)
+    tolerance: float  #: patches of less area are left out [m²]
+    work: Floats  #: polygons, (MOST_CORNERS, 3)
+    other: Floats
+    done: Ints  #: groups matched, (1,)
+
+
+_match_faces = Pass("match_faces", Solids, FaceGroups, Pile, Pile, Pile)
 
 
 class Patches(NamedTuple):
@@ -57,97 +61,23 @@ class Patches(NamedTuple):
     expected: Ints
 
 
-@loop(parallel=False)
-def _part(rest, count, solids, of_face, g, x, y, z, tolerance, f, done, patches, corners, work, other):
-    """Divide polygons by the piece that face g is of: what lies in its face goes to `done`, the rest is returned.
-
-    Args:
-        rest: the polygons.
-        count: how many.
-        x, y, z: from the centre that `rest` is measured from to that of the piece [m].
-        f: the face that they are of; -1 if what lies in face g is not wanted.
-    """
-    q, left, kept, rows = of_face[g], new_pile(8, 64), ROW, ROW
-    for p in range(count):
-        start, whole = rest.what[p, START], rest.what[p, SIZE]
-        copy(rest.vertex, start, whole, work, ROW)
-        size = whole
-        for h in range(solids.face[q], solids.face[q + 1]):
-            if h != g:
-                a, b, c, d = solids.plane[h, 0], solids.plane[h, 1], solids.plane[h, 2], solids.plane[h, 3]
-                size = clip(work, ROW, size, other, a, b, c, d + a * x + b * y + c * z)
-                copy(other, ROW, size, work, ROW)
-                if size == 0:
-                    break
-        if size == 0 or area(work, ROW, size) <= tolerance:
-            copy(rest.vertex, start, whole, work, ROW)
-            left = put(left, kept, rows, ROW, ROW, 0.0, 0.0, 0.0, 0.0, work, whole)
-            kept, rows = kept + 1, rows + whole
-            continue
-        if f >= 0:
-            done = put(done, patches, corners, f, g, 0.0, 0.0, 0.0, 0.0, work, size)
-            patches, corners = patches + 1, corners + size
-        copy(rest.vertex, start, whole, work, ROW)
-        size = whole
-        for h in range(solids.face[q], solids.face[q + 1]):
-            if h != g:
-                a, b, c, d = solids.plane[h, 0], solids.plane[h, 1], solids.plane[h, 2], solids.plane[h, 3]
-                d += a * x + b * y + c * z
-                out = clip(work, ROW, size, other, -a, -b, -c, -d)
-                if out > 0 and area(other, ROW, out) > tolerance:
-                    left = put(left, kept, rows, ROW, ROW, 0.0, 0.0, 0.0, 0.0, other, out)
-                    kept, rows = kept + 1, rows + out
-                size = clip(work, ROW, size, other, a, b, c, d)
-                copy(other, ROW, size, work, ROW)
-    return left, kept, done, patches, corners
-
-
-@kernel(parallel=False)
-def _side(solids, of_face, groups, g, sign, tolerance, done, patches, corners, work, other):
-    """Lay the faces of one side of a group over those of the other, from where `sign` 1 also wants what is shared."""
-    mine, first, theirs, second = groups.plus, groups.first, groups.minus, groups.second
-    if sign < 0:
-        mine, first, theirs, second = groups.minus, groups.second, groups.plus, groups.first
-    x, y, z = sign * groups.shift[g, 0], sign * groups.shift[g, 1], sign * groups.shift[g, 2]
-    for k in range(first[g], first[g + 1]):
-        f = mine[k]
-        size = solids.corner[f + 1] - solids.corner[f]
-        copy(solids.vertex, solids.corner[f], size, work, ROW)
-        rest, count = put(new_pile(8, 64), ROW, ROW, ROW, ROW, 0.0, 0.0, 0.0, 0.0, work, size), np.int64(1)
-        wanted = f if sign > 0 else _NOTHING
-        for h in range(second[g], second[g + 1]):
-            rest, count, done, patches, corners = _part(
-                rest, count, solids, of_face, theirs[h], x, y, z, tolerance, wanted, done, patches, corners, work,
-                other,
-            )  # fmt: skip
-        for p in range(count):
-            size = rest.what[p, SIZE]
-            copy(rest.vertex, rest.what[p, START], size, work, ROW)
-            if area(work, ROW, size) > tolerance:
-                done = put(done, patches, corners, f, _NOTHING, 0.0, 0.0, 0.0, 0.0, work, size)
-                patches, corners = patches + 1, corners + size
-    return done, patches, corners
-
-
-@kernel(parallel=False)
-def _match(solids, of_face, groups, tolerance):
+def _match(solids: Solids, groups: FaceGroups) -> tuple[Ints, Ints, Ints, Floats]:
     """Patches of all groups: the face, that on the other side or -1, where corners begin, and corners."""
-    done, patches, corners = new_pile(1024, 8192), ROW, ROW
-    work, other = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
-    for g in range(groups.first.size - 1):
-        for sign in (1, -1):
-            done, patches, corners = _side(
-                solids, of_face, groups, g, sign, tolerance, done, patches, corners, work, other
-            )
-    start = np.zeros(patches + 1, np.int64)
-    for p in range(patches):
-        start[p + 1] = start[p] + done.what[p, SIZE]
-    return done.what[:patches, KIND].copy(), done.what[:patches, TAG].copy(), start, done.vertex[:corners]
+    rest, left, pile = new_pile(64, 512), new_pile(64, 512), new_pile(1024, 8192)
+    while (ended := _match_faces(solids, groups, rest, left, pile)) != "all_matched":
+        if ended == "patches_full":
+            pile = pile.roomier()
+        else:
+            rest, left = rest.roomier(), left.roomier()
+    count = pile.size
+    return pile.what[:count, KIND].copy(), pile.what[:count, TAG].copy(), pile.corner, pile.corners
 
 
-def _grouped(pieces: Solids, cell: Ints, inner: Ints, position: PerElement3) -> _Groups:
+def _grouped(
+    pieces: Solids, of_face: Ints, inner: Ints, position: PerElement3, tolerance: float
+) -> FaceGroups:
     """Group the faces `inner` of pieces by the plane between cells, or between pieces of one, that they lie in."""
-    n, tag, own = len(position), pieces.tag[inner], cell[inner]
+    n, tag, own = len(position), pieces.tag[inner], pieces.cell[of_face[inner]]
     split = tag <= SPLIT
     number = np.unique(np.where(split, (SPLIT - tag) // 2, 0), return_inverse=True)[1]
     low = np.where(split, own, np.minimum(own, tag))
@@ -160,7 +90,10 @@ def _grouped(pieces: Solids, cell: Ints, inner: Ints, position: PerElement3) -> 
     between = ~split[one]
     shift = np.zeros((len(one), 3))
     shift[between] = position[high[one][between]] - position[low[one][between]]
-    return _Groups(plus, first, minus, second, shift)
+    work, other = polygon_buffer(), polygon_buffer()
+    return FaceGroups(
+        of_face, plus, first, minus, second, shift, tolerance, work, other, np.zeros(1, np.int64)
+    )
 
 
 def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:
@@ -176,8 +109,8 @@ def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:
     is_cut = np.zeros(len(position), dtype=bool)
     is_cut[pieces.cell] = True
     inner = (tag <= SPLIT) | ((tag >= 0) & is_cut[np.maximum(tag, 0)])
-    groups = _grouped(pieces, cell, np.flatnonzero(inner), position)
-    face, opposite, corner, vertex = _match(pieces, of_face, groups, tolerance)
+    groups = _grouped(pieces, of_face, np.flatnonzero(inner), position, tolerance)
+    face, opposite, corner, vertex = _match(pieces, groups)
     expected = np.unique(tag[face[(opposite < 0) & (tag[face] >= 0)]])
     plain = np.flatnonzero(~inner & (polygon_measures(pieces.corner, pieces.vertex)[0] > tolerance))
     corners, begin = ranges(pieces.corner, plain)

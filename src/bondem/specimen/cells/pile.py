@@ -1,38 +1,57 @@
-"""A pile of polygons that grows as one after another is put on it."""
+"""Piles of polygons, in which the passes that cut cells write one polygon after another."""
 
 from typing import NamedTuple
 
 import numpy as np
 
-from bondem._compile import loop
+from bondem._core import room_for
 from bondem._types import Floats, Ints
-from bondem.specimen.cells.polygon import copy, roomy
 
 #: Columns of the integers of a polygon.
 KIND, TAG, START, SIZE = 0, 1, 2, 3
+#: Most corners of one polygon, and so the rows of a buffer for one.
+MOST_CORNERS = 512
 
 
 class Pile(NamedTuple):
-    """Polygons one after another."""
+    """Polygons one after another, with room for more; `core/tables/tessellation_tables.hpp` declares it.
+
+    A pass that finds it full ends, and goes on where it was when there is more room.
+    """
 
     what: Ints  #: kind, tag, first corner, number of corners, shape (p, 4)
     plane: Floats  #: shape (p, 4)
     vertex: Floats  #: shape (v, 3)
+    used: Ints  #: polygons, corners, 1 where it was full, shape (3,)
+
+    @property
+    def size(self) -> int:
+        """How many polygons there are."""
+        return int(self.used[0])
+
+    @property
+    def corner(self) -> Ints:
+        """Where the corners of each polygon begin, and where the last one ends, shape (size + 1,)."""
+        return np.append(self.what[: self.size, START], self.used[1])
+
+    @property
+    def corners(self) -> Floats:
+        """Corners of all polygons [m], shape (v, 3)."""
+        return self.vertex[: self.used[1]]
+
+    def roomier(self) -> "Pile":
+        """The same polygons with twice the room."""
+        used = np.array([*self.used[:2], 0])
+        what, plane, vertex = (room_for(values, 2 * len(values)) for values in self[:3])
+        return Pile(what, plane, vertex, used)
 
 
-@loop(parallel=False)
-def new_pile(polygons, corners):
+def new_pile(polygons: int, corners: int) -> Pile:
     """An empty pile with room for some polygons and corners."""
-    return Pile(np.empty((polygons, 4), np.int64), np.empty((polygons, 4)), np.empty((corners, 3)))
+    what, used = np.empty((polygons, 4), np.int64), np.zeros(3, np.int64)
+    return Pile(what, np.empty((polygons, 4)), np.empty((corners, 3)), used)
 
 
-@loop(parallel=False)
-def put(pile, polygons, corners, kind, tag, a, b, c, d, work, size):
-    """Put a polygon on a pile that has some; returns the pile, which may have grown."""
-    pile = Pile(roomy(pile.what, polygons + 1), roomy(pile.plane, polygons + 1), roomy(pile.vertex, corners + size))
-    pile.what[polygons, KIND], pile.what[polygons, TAG] = kind, tag
-    pile.what[polygons, START], pile.what[polygons, SIZE] = corners, size
-    pile.plane[polygons, 0], pile.plane[polygons, 1] = a, b
-    pile.plane[polygons, 2], pile.plane[polygons, 3] = c, d
-    copy(work, 0, size, pile.vertex, corners)
-    return pile
+def polygon_buffer() -> Floats:
+    """Room for one polygon, shape (MOST_CORNERS, 3)."""
+    return np.empty((MOST_CORNERS, 3))

@@ -4,12 +4,11 @@ Corners are measured from the centre of the element whose cell it is, so that no
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from bondem._compile import kernel
+from bondem._core import Pass
 from bondem._types import Floats, Ints
 
 # What is behind a face: an element from 0 up, or one of these; from SPLIT down, a plane that cut the cell.
@@ -76,97 +75,28 @@ def joined(parts: Sequence[Solids]) -> Solids:
     )
 
 
-@kernel(parallel=False)
-def _areas(corner, vertex, area, centroid, moment):
-    for f in range(corner.size - 1):
-        start, end = corner[f], corner[f + 1]
-        ox, oy, oz = vertex[start, 0], vertex[start, 1], vertex[start, 2]
-        nx, ny, nz = 0.0, 0.0, 0.0
-        for k in range(start + 1, end - 1):
-            px, py, pz = vertex[k, 0] - ox, vertex[k, 1] - oy, vertex[k, 2] - oz
-            qx, qy, qz = vertex[k + 1, 0] - ox, vertex[k + 1, 1] - oy, vertex[k + 1, 2] - oz
-            nx += py * qz - pz * qy
-            ny += pz * qx - px * qz
-            nz += px * qy - py * qx
-        size = np.sqrt(nx * nx + ny * ny + nz * nz)
-        area[f] = 0.5 * size
-        per = 1.0 / size if size > 0.0 else 0.0
-        cx, cy, cz = 0.0, 0.0, 0.0
-        xx, yy, zz, xy, xz, yz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-        for k in range(start + 1, end - 1):
-            px, py, pz = vertex[k, 0] - ox, vertex[k, 1] - oy, vertex[k, 2] - oz
-            qx, qy, qz = vertex[k + 1, 0] - ox, vertex[k + 1, 1] - oy, vertex[k + 1, 2] - oz
-            part = 0.5 * per * (
-                (py * qz - pz * qy) * nx + (pz * qx - px * qz) * ny + (px * qy - py * qx) * nz
-            )
-            sx, sy, sz = px + qx, py + qy, pz + qz
-            cx, cy, cz = cx + part * sx, cy + part * sy, cz + part * sz
-            xx += part * (sx * sx + px * px + qx * qx)
-            yy += part * (sy * sy + py * py + qy * qy)
-            zz += part * (sz * sz + pz * pz + qz * qz)
-            xy += part * (sx * sy + px * py + qx * qy)
-            xz += part * (sx * sz + px * pz + qx * qz)
-            yz += part * (sy * sz + py * pz + qy * qz)
-        per = 2.0 * per / 3.0
-        cx, cy, cz = cx * per, cy * per, cz * per
-        centroid[f, 0], centroid[f, 1], centroid[f, 2] = ox + cx, oy + cy, oz + cz
-        moment[f, 0, 0] = xx / 12.0 - area[f] * cx * cx
-        moment[f, 1, 1] = yy / 12.0 - area[f] * cy * cy
-        moment[f, 2, 2] = zz / 12.0 - area[f] * cz * cz
-        moment[f, 0, 1] = moment[f, 1, 0] = xy / 12.0 - area[f] * cx * cy
-        moment[f, 0, 2] = moment[f, 2, 0] = xz / 12.0 - area[f] * cx * cz
-        moment[f, 1, 2] = moment[f, 2, 1] = yz / 12.0 - area[f] * cy * cz
+class PolygonMeasures(NamedTuple):
+    """Polygons, f of them, and what is measured of each."""
+
+    corner: Ints  #: corners of polygon q are corner[q] … corner[q + 1] - 1, (f + 1,)
+    vertex: Floats  #: corners [m], (v, 3)
+    area: Floats  #: [m²], (f,)
+    centroid: Floats  #: [m], (f, 3)
+    moment: Floats  #: second moments about the centroid [m⁴], (f, 3, 3)
+
+
+_measure_polygons = Pass("measure_polygons", PolygonMeasures)
 
 
 def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floats]:
     """Area [m²], (f,), centroid [m], (f, 3), and second moments about it [m⁴], (f, 3, 3), of polygons."""
     count = len(corner) - 1
-    area, centroid, moment = np.empty(count), np.empty((count, 3)), np.empty((count, 3, 3))
-    _areas(corner, vertex, area, centroid, moment)
-    return area, centroid, moment
+    measures = PolygonMeasures(corner, vertex, np.empty(count), np.empty((count, 3)), np.empty((count, 3, 3)))
+    _measure_polygons(measures)
+    return measures[2:]
 
 
-@kernel(parallel=False)
-def _volumes(solids, volume, first, second, middle, farthest, beyond):
-    face, plane, corner, vertex = solids.face, solids.plane, solids.corner, solids.vertex
-    for s in range(face.size - 1):
-        v, far, out = 0.0, 0.0, -np.inf
-        mx, my, mz, corners = 0.0, 0.0, 0.0, max(corner[face[s + 1]] - corner[face[s]], 1)
-        fx, fy, fz = 0.0, 0.0, 0.0
-        xx, yy, zz, xy, xz, yz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-        for f in range(face[s], face[s + 1]):
-            out = max(out, -plane[f, 3])
-            start = corner[f]
-            ax, ay, az = vertex[start, 0], vertex[start, 1], vertex[start, 2]
-            for k in range(start, corner[f + 1]):
-                far = max(far, vertex[k, 0] ** 2 + vertex[k, 1] ** 2 + vertex[k, 2] ** 2)
-                mx, my, mz = mx + vertex[k, 0], my + vertex[k, 1], mz + vertex[k, 2]
-            for k in range(start + 1, corner[f + 1] - 1):
-                bx, by, bz = vertex[k, 0], vertex[k, 1], vertex[k, 2]
-                cx, cy, cz = vertex[k + 1, 0], vertex[k + 1, 1], vertex[k + 1, 2]
-                part = (
-                    ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
-                ) / 6.0
-                v += part
-                sx, sy, sz = ax + bx + cx, ay + by + cy, az + bz + cz
-                fx, fy, fz = fx + part * sx, fy + part * sy, fz + part * sz
-                xx += part * (sx * sx + ax * ax + bx * bx + cx * cx)
-                yy += part * (sy * sy + ay * ay + by * by + cy * cy)
-                zz += part * (sz * sz + az * az + bz * bz + cz * cz)
-                xy += part * (sx * sy + ax * ay + bx * by + cx * cy)
-                xz += part * (sx * sz + ax * az + bx * bz + cx * cz)
-                yz += part * (sy * sz + ay * az + by * bz + cy * cz)
-        volume[s], farthest[s], beyond[s] = v, np.sqrt(far), out
-        middle[s, 0], middle[s, 1], middle[s, 2] = mx / corners, my / corners, mz / corners
-        first[s, 0], first[s, 1], first[s, 2] = 0.25 * fx, 0.25 * fy, 0.25 * fz
-        second[s, 0, 0], second[s, 1, 1], second[s, 2, 2] = 0.05 * xx, 0.05 * yy, 0.05 * zz
-        second[s, 0, 1] = second[s, 1, 0] = 0.05 * xy
-        second[s, 0, 2] = second[s, 2, 0] = 0.05 * xz
-        second[s, 1, 2] = second[s, 2, 1] = 0.05 * yz
-
-
-@dataclass(frozen=True, eq=False)
-class Bulk:
+class Bulk(NamedTuple):
     """What solids are as wholes, all about the centre of the element.
 
     Attributes:
@@ -187,12 +117,15 @@ class Bulk:
 
     def chosen(self, solids: Ints) -> "Bulk":
         """Those of some solids, by number."""
-        return Bulk(*(values[solids] for values in vars(self).values()))
+        return Bulk(*(values[solids] for values in self))
+
+
+_measure_solids = Pass("measure_solids", Solids, Bulk)
 
 
 def bulk(solids: Solids) -> Bulk:
     """Volumes and moments of solids."""
     k = solids.number
     found = Bulk(np.empty(k), np.empty((k, 3)), np.empty((k, 3, 3)), np.empty((k, 3)), np.empty(k), np.empty(k))
-    _volumes(solids, *vars(found).values())
+    _measure_solids(solids, found)
     return found

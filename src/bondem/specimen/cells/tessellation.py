@@ -207,7 +207,7 @@ def tessellation(
 
 
 def _joined_bulk(parts: list[Bulk]) -> Bulk:
-    return Bulk(*(np.concatenate(column) for column in zip(*(vars(p).values() for p in parts), strict=True)))
+    return Bulk(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
 def tessellate(

@@ -1,0 +1,322 @@
+"""Load the core, the compiled passes, and call them with tables.
+
+`core/` contains the C++ sources; installing bondem compiles them (`_core_build.py`). This module loads the library
+for this CPU: the highest level of instructions that the CPU offers, or the one that BONDEM_ISA names ("v2", "v3",
+"v4"). In a source tree whose sources have changed since, it compiles them again first. BONDEM_CORE names another
+library, such as one with sanitizers. No other module imports ctypes.
+
+A pass takes tables, named tuples of arrays and numbers. The C++ headers declare them, the library describes itself,
+and each `Pass` compares the named tuples with the description when it is made. A call checks type, contiguity and
+lengths of the arrays. Passes do not check them again.
+"""
+
+import ctypes
+import functools
+import os
+import re
+import struct
+import sys
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from bondem._core_build import LIBRARIES, SOURCES, Target, compile_core, source_digest
+from bondem._lock import alone
+from bondem.errors import InputError
+
+__all__ = ["Pass", "compiled_level", "room_for", "table_fields"]
+
+# How long a process waits for what another one compiles [s].
+_PATIENCE = 300.0
+# Bytes of a number, of a pointer, and of the length of an axis.
+_WORD = 8
+
+
+# ---- the library
+
+
+def _is_source_tree() -> bool:
+    """Whether this is a checkout, whose sources may change, rather than an installed wheel."""
+    return (SOURCES.parents[2] / "hatch_build.py").is_file()
+
+
+def _found(level: str, suffix: str, digest: str = "*") -> Path | None:
+    """A compiled library of a level, the newest one."""
+    made = list((SOURCES / LIBRARIES).glob(f"{level}.{digest}{suffix}"))
+    return max(made, key=lambda path: path.stat().st_mtime_ns, default=None)
+
+
+def _compiled(target: Target, level: str) -> Path:
+    """The library of a level, of the sources as they are.
+
+    Raises:
+        ImportError: there is none, and none can be compiled.
+    """
+    if not _is_source_tree():
+        found = _found(level, target.suffix)
+        if found is None:
+            raise ImportError(
+                f"bondem was installed without the library {level}{target.suffix} of its core: install a wheel for"
+                " this machine, or install bondem from its sources"
+            )
+        return found
+    digest = source_digest()
+    found = _found(level, target.suffix, digest)
+    if found is not None:
+        return found
+    with alone(SOURCES / LIBRARIES / "lock", patience=_PATIENCE):
+        found = _found(level, target.suffix, digest)
+        if found is not None:
+            return found
+        print(f"bondem: compiling its core ({level}), whose sources have changed", file=sys.stderr)
+        try:
+            return compile_core(target, [level])[0]
+        except RuntimeError as error:
+            raise ImportError(str(error)) from None
+
+
+def _level(target: Target) -> str:
+    """The level of instructions to use: of this CPU, or the one that BONDEM_ISA names.
+
+    Raises:
+        InputError: BONDEM_ISA names none, or one that this CPU does not offer.
+    """
+    levels = target.levels
+    if len(levels) == 1:
+        return levels[0]
+    lowest = _found(levels[0], target.suffix) or _compiled(target, levels[0])
+    offered = levels[: int(ctypes.CDLL(str(lowest)).bondem_level()) - 1]
+    asked = os.environ.get("BONDEM_ISA", "")
+    names = {level.rpartition("_")[2]: level for level in offered}
+    if asked and asked not in names:
+        raise InputError(f"BONDEM_ISA = {asked}: this CPU offers {', '.join(names)}; choose one of them")
+    return names[asked] if asked else offered[-1]
+
+
+class _FieldDescription(ctypes.Structure):
+    _fields_ = (
+        ("name", ctypes.c_char_p), ("type", ctypes.c_char_p), ("shape", ctypes.c_char_p), ("offset", ctypes.c_int64)
+    )  # fmt: skip
+
+
+class _TableDescription(ctypes.Structure):
+    _fields_ = (
+        ("name", ctypes.c_char_p), ("size", ctypes.c_int64), ("fields", ctypes.POINTER(_FieldDescription)),
+        ("count", ctypes.c_int64),
+    )  # fmt: skip
+
+
+class _PassDescription(ctypes.Structure):
+    _fields_ = (
+        ("name", ctypes.c_char_p), ("outcomes", ctypes.c_char_p), ("address", ctypes.c_void_p),
+        ("tables", ctypes.POINTER(ctypes.c_char_p)), ("count", ctypes.c_int64),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Field:
+    """A number or an array of a table, as the header declares it.
+
+    Attributes:
+        name: of the field.
+        dtype: of the number, or of the numbers of the array.
+        written: whether passes write to the array; None for a number.
+        shape: for each axis a symbol, or "", and what is added to it.
+        offset: in the table [bytes].
+    """
+
+    name: str
+    dtype: np.dtype[Any]
+    written: bool | None
+    shape: tuple[tuple[str, int], ...]
+    offset: int
+
+    @classmethod
+    def of(cls, description: _FieldDescription) -> "_Field":
+        """Read a description of the library."""
+        dtype, _, use = description.type.decode().partition(" ")
+        axes = []
+        for axis in description.shape.decode().split():
+            match = re.fullmatch(r"(\*|[a-z_]*)\+?(\d*)", axis)
+            assert match is not None, axis
+            axes.append((match[1], int(match[2] or 0)))
+        written = {"": None, "read": False, "written": True}[use]
+        return cls(description.name.decode(), np.dtype(dtype), written, tuple(axes), description.offset)
+
+    @property
+    def words(self) -> int:
+        """Words of the field in the table: a pointer and the lengths of the axes, or a number."""
+        return 1 if self.written is None else 1 + len(self.shape)
+
+    def __str__(self) -> str:
+        if self.written is None:
+            return f"a number, {self.dtype}"
+        axes = (f"{symbol}{f'+{more}' if symbol and more else more or ''}" for symbol, more in self.shape)
+        return f"a contiguous array of {self.dtype} of shape ({', '.join(axes)})"
+
+
+@dataclass(frozen=True)
+class _Library:
+    """A loaded library and what it says of itself.
+
+    Attributes:
+        level: of its instructions.
+        tables: fields of each table.
+        passes: of each, its function, its tables and how it may end.
+    """
+
+    level: str
+    tables: dict[str, tuple[_Field, ...]]
+    passes: dict[str, tuple[Any, tuple[str, ...], tuple[str, ...]]]
+
+
+@functools.cache
+def _library() -> _Library:
+    """The library for this CPU.
+
+    Raises:
+        ImportError: there is none, or it does not lay tables out as this module does.
+    """
+    target = Target.named(None)
+    level = _level(target)
+    loaded = ctypes.CDLL(os.environ.get("BONDEM_CORE") or str(_compiled(target, level)))
+    tables = {}
+    for table in _described(loaded.bondem_tables, _TableDescription):
+        fields = tuple(_Field.of(table.fields[k]) for k in range(table.count))
+        _check_layout(table.name.decode(), fields, table.size)
+        tables[table.name.decode()] = fields
+    passes = {}
+    for one in _described(loaded.bondem_passes, _PassDescription):
+        kind = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * one.count)
+        names = tuple(one.tables[k].decode() for k in range(one.count))
+        passes[one.name.decode()] = kind(one.address), names, tuple(one.outcomes.decode().split())
+    return _Library(level, tables, passes)
+
+
+def _described(function: Any, kind: type[ctypes.Structure]) -> Iterable[Any]:
+    """Read an array of descriptions."""
+    function.restype = ctypes.POINTER(kind)
+    count = ctypes.c_int64()
+    first = function(ctypes.byref(count))
+    return [first[k] for k in range(count.value)]
+
+
+def _check_layout(name: str, fields: tuple[_Field, ...], size: int) -> None:
+    """Refuse a library whose compiler lays a table out otherwise than word by word."""
+    offset = 0
+    for field in fields:
+        if field.offset != offset:
+            raise ImportError(f"bondem's core: {name}.{field.name} is at byte {field.offset}, not at {offset}")
+        offset += _WORD * field.words
+    if size != offset:
+        raise ImportError(f"bondem's core: {name} has {size} bytes, not {offset}; describe all fields in index.cpp")
+
+
+def compiled_level() -> str:
+    """The level of instructions of the library in use, such as "x86_64_v3"."""
+    return _library().level
+
+
+def table_fields(name: str) -> tuple[str, ...]:
+    """Names of the fields of a table of the core."""
+    return tuple(field.name for field in _library().tables[name])
+
+
+# ---- passes
+
+
+class Pass:
+    """A pass of the core. It is called with its tables, and returns the name of how it ended.
+
+    Args:
+        name: of the pass.
+        kinds: named tuples of its tables, each with the name and the fields that the header declares.
+
+    Raises:
+        ImportError: tables other than those of the library.
+    """
+
+    def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
+        self.name = name
+        library = _library()
+        self._function, tables, self._outcomes = library.passes[name]
+        if tables != tuple(kind.__name__ for kind in kinds):
+            raise ImportError(f"{name} takes the tables {', '.join(tables)}")
+        self._kinds = tuple((kind, library.tables[kind.__name__]) for kind in kinds)
+        for kind, fields in self._kinds:
+            if kind._fields != tuple(field.name for field in fields):  # type: ignore[attr-defined]
+                raise ImportError(f"{kind.__name__} has the fields {', '.join(field.name for field in fields)}")
+
+    def __call__(self, *tables: tuple[Any, ...], threads: int = 1) -> str:
+        """Run the pass.
+
+        Args:
+            tables: in the order of their kinds.
+            threads: how many share the work; no result depends on it.
+
+        Returns:
+            How it ended, one of the names that the library gives; "" where it can end in one way only.
+
+        Raises:
+            InputError: an array of another type, shape or order in memory than declared.
+        """
+        lengths: dict[str, tuple[int, str]] = {}
+        filled = [
+            _filled(kind.__name__, fields, table, lengths)
+            for (kind, fields), table in zip(self._kinds, tables, strict=True)
+        ]
+        ended = self._function(int(threads), *filled)
+        return self._outcomes[ended] if self._outcomes else ""
+
+
+def _filled(
+    name: str, fields: tuple[_Field, ...], table: tuple[Any, ...], lengths: dict[str, tuple[int, str]]
+) -> Any:
+    """A table in memory as the core takes it.
+
+    Args:
+        name: of the table.
+        fields: as the header declares them.
+        table: their values.
+        lengths: of axes known so far by their symbols, and of which array; those of this table are added.
+    """
+    words: list[int] = []
+    for field, value in zip(fields, table, strict=True):
+        if field.written is None:
+            packed = struct.pack("=d", float(value)) if field.dtype == np.float64 else struct.pack("=q", int(value))
+            words += struct.unpack("=q", packed)
+            continue
+        where = f"{name}.{field.name}"
+        _check_array(where, field, value)
+        for (symbol, more), length in zip(field.shape, value.shape, strict=True):
+            if symbol == "*":
+                continue
+            known, source = lengths.setdefault(symbol, (length - more, where)) if symbol else (0, where)
+            if length != known + more:
+                raise InputError(
+                    f"{where} = array of shape {value.shape}: an axis has to be {known + more} long"
+                    f" ({symbol or 'fixed'}, as of {source}); pass {field}"
+                )
+        words += [value.ctypes.data, *value.shape]
+    return (ctypes.c_int64 * len(words))(*words)
+
+
+def _check_array(where: str, field: _Field, value: Any) -> None:
+    """Raise InputError for what is no array as a field declares it, the lengths of its axes apart."""
+    if not isinstance(value, np.ndarray):
+        raise InputError(f"{where} = {value!r}: not an array; pass {field}")
+    if value.dtype != field.dtype or value.ndim != len(field.shape) or not value.flags.c_contiguous:
+        what = f"{value.dtype} of shape {value.shape}{'' if value.flags.c_contiguous else ', not contiguous'}"
+        raise InputError(f"{where} = array of {what}: the core cannot read it; pass {field}")
+    if field.written and not value.flags.writeable:
+        raise InputError(f"{where} = read-only array: the core writes to it; pass a copy")
+
+
+def room_for(values: np.ndarray, rows: int) -> np.ndarray:
+    """A longer copy of an array, with room for more rows, (rows, …); what is added is undefined."""
+    longer = np.empty((rows, *values.shape[1:]), values.dtype)
+    longer[: len(values)] = values
+    return longer

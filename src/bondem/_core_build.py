@@ -1,0 +1,173 @@
+"""Compile the core: one library for each level of instructions, by the compiler that the package `ziglang` contains.
+
+The build hook (`hatch_build.py`) loads this file by its path, before bondem is installed; `_core.py` imports it where
+the sources have changed since. It imports the standard library only.
+"""
+
+import hashlib
+import importlib.util
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+#: Sources of the core, and the folder of its libraries among them.
+SOURCES = Path(__file__).parent / "core"
+LIBRARIES = "libraries"
+
+# Contraction within expressions only: the same bits on every level that has fused multiply-add. The SLP vectoriser
+# makes the passes over lanes slower.
+_FLAGS = [
+    "-x", "c++", "-std=c++17", "-O3", "-fno-math-errno", "-ffp-contract=on", "-fno-exceptions", "-fno-rtti",
+    "-fno-slp-vectorize", "-fno-sanitize=undefined", "-fvisibility=hidden", "-fPIC", "-shared", "-s",
+]  # fmt: skip
+_CHECKED = ["-O1", "-g", "-DBONDEM_CHECKED", "-fsanitize=undefined", "-fsanitize-trap=undefined"]
+_LEVELS = {
+    "x86_64": {
+        "x86_64_v2": ["-mcpu=x86_64_v2"],
+        "x86_64_v3": ["-mcpu=x86_64_v3"],
+        "x86_64_v4": ["-mcpu=x86_64_v4", "-mprefer-vector-width=512"],
+    },
+    "aarch64": {"aarch64": ["-mcpu=generic"]},
+}
+# What `platform` calls them.
+_MACHINES = {"amd64": "x86_64", "x86_64": "x86_64", "arm64": "aarch64", "aarch64": "aarch64"}
+_SYSTEMS = {"Linux": "linux", "Darwin": "macos", "Windows": "windows"}
+
+
+@dataclass(frozen=True)
+class Target:
+    """A kind of machine that libraries are compiled for.
+
+    Attributes:
+        machine: "x86_64" or "aarch64".
+        system: "linux", "macos" or "windows".
+    """
+
+    machine: str
+    system: str
+
+    @classmethod
+    def named(cls, name: str | None) -> "Target":
+        """The target of a name such as "aarch64-linux"; None is the machine that runs this.
+
+        Raises:
+            ValueError: a machine or system for which the core is not compiled.
+        """
+        here = f"{platform.machine().lower()}-{_SYSTEMS.get(platform.system(), platform.system())}"
+        machine, _, system = (name or here).partition("-")
+        machine = _MACHINES.get(machine, machine)
+        if machine not in _LEVELS or system not in _SYSTEMS.values():
+            known = ", ".join(f"{m}-{s}" for m in _LEVELS for s in _SYSTEMS.values())
+            raise ValueError(f"target = {machine}-{system}: the core is not compiled for it; choose one of {known}")
+        return cls(machine, system)
+
+    @property
+    def triple(self) -> str:
+        """What the compiler calls it."""
+        return {
+            "linux": f"{self.machine}-linux-gnu.2.17",
+            "macos": f"{self.machine}-macos.11.0",
+            "windows": f"{self.machine}-windows-gnu",
+        }[self.system]
+
+    @property
+    def tag(self) -> str:
+        """Tag of its wheels: any Python, as the libraries know nothing of it."""
+        machine = {"macos": {"aarch64": "arm64"}, "windows": {"x86_64": "amd64", "aarch64": "arm64"}}.get(
+            self.system, {}
+        ).get(self.machine, self.machine)
+        system = {"linux": "manylinux_2_17", "macos": "macosx_11_0", "windows": "win"}[self.system]
+        return f"py3-none-{system}_{machine}"
+
+    @property
+    def suffix(self) -> str:
+        """Of its libraries."""
+        return {"linux": ".so", "macos": ".dylib", "windows": ".dll"}[self.system]
+
+    @property
+    def levels(self) -> tuple[str, ...]:
+        """Names of the levels of instructions it is compiled for, the lowest first."""
+        return tuple(_LEVELS[self.machine])
+
+    def flags(self, level: str) -> list[str]:
+        """Flags of the compiler for a level."""
+        threads = [] if self.system == "windows" else ["-lpthread"]
+        return ["-target", self.triple, *_LEVELS[self.machine][level], *threads]
+
+
+def source_digest(folder: Path = SOURCES) -> str:
+    """Hash of all sources and of the flags, 12 hexadecimal digits: part of the name of each library."""
+    digest = hashlib.sha256(" ".join([*_FLAGS, str(_LEVELS)]).encode())
+    for path in _sources(folder, "*.cpp", "*.hpp"):
+        digest.update(f"{path.relative_to(folder)}\n".encode() + path.read_bytes())
+    return digest.hexdigest()[:12]
+
+
+def compiler() -> list[str] | None:
+    """The command that compiles, or None where `ziglang` is not installed."""
+    return [sys.executable, "-m", "ziglang", "cc"] if importlib.util.find_spec("ziglang") else None
+
+
+def compile_core(
+    target: Target, levels: Iterable[str], *, folder: Path = SOURCES, checked: bool = False
+) -> list[Path]:
+    """Compile libraries of some levels, and remove older ones of these levels.
+
+    The compiler keeps the objects of sources in the folder `build`, and compiles those again that have changed.
+
+    Args:
+        target: the machine to compile for.
+        levels: some of its levels.
+        folder: of the sources.
+        checked: with checks of every index, and traps for undefined behaviour; to be loaded for tests only.
+
+    Returns:
+        The libraries.
+
+    Raises:
+        RuntimeError: no compiler, or a source that it refuses; with what the compiler says.
+    """
+    command = compiler()
+    if command is None:
+        raise RuntimeError("bondem's core is to be compiled, and there is no compiler; pip install ziglang")
+    cache = folder / "build"
+    environment = {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache), **os.environ}
+    out = folder / LIBRARIES
+    out.mkdir(exist_ok=True)
+    digest, sources = source_digest(folder), [str(path) for path in _sources(folder, "*.cpp")]
+
+    def make(level: str) -> Path:
+        name = f"{level}-checked" if checked else level
+        library = out / f"{name}.{digest}{target.suffix}"
+        flags = [*_FLAGS, *(_CHECKED if checked else []), *target.flags(level)]
+        with tempfile.TemporaryDirectory(dir=out) as aside:
+            made = Path(aside) / library.name
+            _run([*command, *flags, *sources, "-o", str(made)], environment)
+            for old in out.glob(f"{name}.*"):
+                old.unlink(missing_ok=True)
+            shutil.move(made, library)
+        return library
+
+    with ThreadPoolExecutor() as pool:
+        return list(pool.map(make, levels))
+
+
+def _run(command: list[str], environment: Mapping[str, str]) -> None:
+    done = subprocess.run(command, env=dict(environment), capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"bondem's core does not compile:\n{done.stderr or done.stdout}")
+
+
+def _sources(folder: Path, *patterns: str) -> list[Path]:
+    """Sources of the core, without what is compiled from them."""
+    inner = {folder / "build", folder / LIBRARIES}
+    return sorted(
+        path for pattern in patterns for path in folder.rglob(pattern) if not inner & set(path.parents)
+    )

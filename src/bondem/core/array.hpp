@@ -1,0 +1,51 @@
+// An array of Python's: where it begins, and how long its axes are. The core allocates nothing.
+//
+// Contiguous, last axis fastest. `_core.py` checks type, axes and lengths once, when a table is filled; with
+// BONDEM_CHECKED (the debug build) every access is checked as well.
+#pragma once
+#include "scalars.hpp"
+
+namespace bondem {
+
+#ifdef BONDEM_CHECKED
+inline void require(bool sound) {
+    if (!sound) __builtin_trap();
+}
+#else
+inline void require(bool) {}
+#endif
+
+template <class T, int axes> struct Array {
+    T *data;
+    Index shape[axes];
+
+    Index size() const { return shape[0]; }
+    Index all() const {
+        Index n = 1;
+        for (int a = 0; a < axes; a++) n *= shape[a];
+        return n;
+    }
+    T &operator()(Index i) const {
+        static_assert(axes == 1);
+        require(0 <= i && i < shape[0]);
+        return data[i];
+    }
+    T &operator()(Index i, Index j) const {
+        static_assert(axes == 2);
+        require(0 <= i && i < shape[0] && 0 <= j && j < shape[1]);
+        return data[i * shape[1] + j];
+    }
+    T &operator()(Index i, Index j, Index k) const {
+        static_assert(axes == 3);
+        require(0 <= i && i < shape[0] && 0 <= j && j < shape[1] && 0 <= k && k < shape[2]);
+        return data[(i * shape[1] + j) * shape[2] + k];
+    }
+    // Row i of an array whose last axis holds the numbers of a V, such as a vector of three.
+    template <class V> V &row(Index i) const {
+        static_assert(axes == 2);
+        require(0 <= i && i < shape[0] && shape[1] * Index(sizeof(T)) >= Index(sizeof(V)));
+        return *reinterpret_cast<V *>(data + i * shape[1]);
+    }
+};
+
+}  // namespace bondem

@@ -1,0 +1,67 @@
+// How tables and passes describe themselves to Python: `_core.py` reads names, types, shapes and offsets from the
+// library that it has loaded, and checks its own tables against them.
+#pragma once
+#include "array.hpp"
+
+namespace bondem {
+
+struct FieldDescription {
+    const char *name, *type, *shape;  // shape: lengths of the axes, such as "n+1 3"; equal letters are equal in a call
+    Index offset;
+};
+struct TableDescription {
+    const char *name;
+    Index size;
+    const FieldDescription *fields;
+    Index count;
+};
+struct PassDescription {
+    const char *name;
+    const char *outcomes;  // names of what it may return, from 0 on; "" where there is one only
+    void *address;  // of a function of the number of threads and of a pointer to each table
+    const char *const *tables;
+    Index count;
+};
+
+template <class T> struct TypeName;
+template <> struct TypeName<double> { static constexpr const char *name = "float64"; };
+template <> struct TypeName<Index> { static constexpr const char *name = "int64"; };
+template <> struct TypeName<Array<double, 1>> { static constexpr const char *name = "float64 written"; };
+template <> struct TypeName<Array<double, 2>> { static constexpr const char *name = "float64 written"; };
+template <> struct TypeName<Array<double, 3>> { static constexpr const char *name = "float64 written"; };
+template <> struct TypeName<Array<Index, 1>> { static constexpr const char *name = "int64 written"; };
+template <> struct TypeName<Array<Index, 2>> { static constexpr const char *name = "int64 written"; };
+template <> struct TypeName<Array<int32_t, 1>> { static constexpr const char *name = "int32 written"; };
+template <> struct TypeName<Array<Short, 1>> { static constexpr const char *name = "uint32 written"; };
+template <> struct TypeName<Array<const double, 1>> { static constexpr const char *name = "float64 read"; };
+template <> struct TypeName<Array<const double, 2>> { static constexpr const char *name = "float64 read"; };
+template <> struct TypeName<Array<const double, 3>> { static constexpr const char *name = "float64 read"; };
+template <> struct TypeName<Array<const Index, 1>> { static constexpr const char *name = "int64 read"; };
+template <> struct TypeName<Array<const int32_t, 1>> { static constexpr const char *name = "int32 read"; };
+template <> struct TypeName<Array<const Short, 1>> { static constexpr const char *name = "uint32 read"; };
+
+template <class T> struct Described;  // fields of a table
+
+#define BONDEM_FIELD(field, shape) \
+    { #field, TypeName<decltype(T::field)>::name, shape, Index(offsetof(T, field)) }
+#define BONDEM_TABLE(table, ...)                                    \
+    template <> struct Described<table> {                           \
+        using T = table;                                            \
+        static constexpr const char *name = #table;                 \
+        static constexpr FieldDescription fields[] = {__VA_ARGS__}; \
+    };
+
+template <class T> constexpr TableDescription described() {
+    return {Described<T>::name, Index(sizeof(T)), Described<T>::fields,
+            Index(sizeof(Described<T>::fields) / sizeof(FieldDescription))};
+}
+
+template <class... Tables> struct TableNames {
+    static constexpr const char *names[] = {Described<Tables>::name...};
+};
+template <class... Tables>
+PassDescription described(const char *name, const char *outcomes, Index (*pass)(Index, const Tables &...)) {
+    return {name, outcomes, reinterpret_cast<void *>(pass), TableNames<Tables...>::names, Index(sizeof...(Tables))};
+}
+
+}  // namespace bondem

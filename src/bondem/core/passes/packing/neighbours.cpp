@@ -1,0 +1,98 @@
+// Neighbours of spheres, by a grid of cells: the lists over which every short-range force runs.
+//
+// Lists are full (each pair stands in the list of both partners), so that a force can be gathered sphere by sphere in
+// a fixed order and does not depend on the number of threads.
+#include "neighbours.hpp"
+
+#include "../../threads.hpp"
+#include "../../vector3.hpp"
+#include "periodic.hpp"
+
+namespace bondem {
+namespace {
+
+constexpr Index block = 256;  // spheres in a task
+
+struct Span {
+    Index first, last;
+};
+
+// Cells to visit along an axis; a periodic axis of one or two cells visits each once.
+Span visited(Index centre, Index cells, bool periodic) {
+    if (!periodic) return {most(centre - 1, Index(0)), least(centre + 1, cells - 1)};
+    if (cells < 3) return {0, cells - 1};
+    return {centre - 1, centre + 1};
+}
+
+Index cell_along(const SphereGrid &grid, Index i, Index axis) {
+    const Index at = Index((grid.sphere(i, axis) - grid.lower(axis)) / grid.edge(axis));
+    return within(at, Index(0), grid.cells(axis) - 1);
+}
+
+// Calls found(j) for every neighbour j of sphere i, cell by cell.
+template <class Found> void visit_neighbours(const SphereGrid &grid, const Period &period, Index i, Found found) {
+    const Index a = grid.cells(0), b = grid.cells(1), c = grid.cells(2);
+    const Vector centre = grid.sphere.row<const Vector>(i);
+    const double radius = grid.sphere(i, 3);
+    const Span x = visited(grid.cell(i) / (c * b), a, period.edge.x > 0.0);
+    const Span y = visited(grid.cell(i) / c % b, b, period.edge.y > 0.0);
+    const Span z = visited(grid.cell(i) % c, c, period.edge.z > 0.0);
+    for (Index u = x.first; u <= x.last; u++)
+        for (Index v = y.first; v <= y.last; v++)
+            for (Index w = z.first; w <= z.last; w++) {
+                const Index cell = ((u + a) % a * b + (v + b) % b) * c + (w + c) % c;
+                for (Index p = grid.first(cell); p < grid.first(cell + 1); p++) {
+                    const Index j = grid.member(p);
+                    const Vector apart = period.nearest_image(grid.sphere.row<const Vector>(j) - centre);
+                    const double reach = radius + grid.sphere(j, 3) + grid.skin;
+                    if (dot(apart, apart) <= reach * reach && j != i) found(j);
+                }
+            }
+}
+
+}  // namespace
+
+Index sort_into_cells(Index, const SphereGrid &grid) {
+    const Index n = grid.sphere.size(), cells = grid.first.size() - 1;
+    for (Index c = 0; c <= cells; c++) grid.first(c) = 0;
+    for (Index i = 0; i < n; i++) {
+        const Index c = (cell_along(grid, i, 0) * grid.cells(1) + cell_along(grid, i, 1)) * grid.cells(2);
+        grid.cell(i) = c + cell_along(grid, i, 2);
+        grid.first(grid.cell(i) + 1) += 1;
+    }
+    for (Index c = 0; c < cells; c++) grid.first(c + 1) += grid.first(c);
+    // each cell is filled from its end, the last sphere first
+    for (Index i = n - 1; i >= 0; i--) grid.member(--grid.first(grid.cell(i) + 1)) = Short(i);
+    for (Index c = 0; c < cells; c++) grid.first(c) = grid.first(c + 1);
+    grid.first(cells) = n;
+    return 0;
+}
+
+Index count_neighbours(Index threads, const SphereGrid &grid) {
+    const Index n = grid.sphere.size();
+    const Period period(grid.period);
+    for_each_task(threads, (n + block - 1) / block, [&](Index task) {
+        for (Index i = task * block; i < least((task + 1) * block, n); i++) {
+            Index count = 0;
+            visit_neighbours(grid, period, i, [&](Index) { count++; });
+            grid.start(i + 1) = count;
+        }
+    });
+    grid.start(0) = 0;
+    for (Index i = 0; i < n; i++) grid.start(i + 1) += grid.start(i);
+    return 0;
+}
+
+Index list_neighbours(Index threads, const SphereGrid &grid, const NeighbourLists &lists) {
+    const Index n = grid.sphere.size();
+    const Period period(grid.period);
+    for_each_task(threads, (n + block - 1) / block, [&](Index task) {
+        for (Index i = task * block; i < least((task + 1) * block, n); i++) {
+            Index k = grid.start(i);
+            visit_neighbours(grid, period, i, [&](Index j) { lists.neighbour(k++) = Short(j); });
+        }
+    });
+    return 0;
+}
+
+}  // namespace bondem

@@ -1,0 +1,134 @@
+// Rigid walls around a packing: what they carry of the forces on spheres, and how they keep spheres inside.
+//
+// Flat walls, a round wall, and for any other shape its depth on a grid (`PackingWalls`).
+#pragma once
+#include "../../tables/packing_tables.hpp"
+#include "../../vector3.hpp"
+
+namespace bondem {
+
+// A sphere this near to a wall of the grid, over its radius, touches it.
+constexpr double touch = 1e-6;
+
+inline bool has_grid(const PackingWalls &walls) { return walls.depth.all() > 0; }
+
+// Flat walls and the round wall, read once for many spheres.
+struct PlainWalls {
+    Vector lower, upper, weight;
+    double radius;
+
+    explicit PlainWalls(const PackingWalls &walls) : radius(walls.radius) {
+        for (Index a = 0; a < 3; a++) {
+            lower[a] = walls.lower(a);
+            upper[a] = walls.upper(a);
+            weight[a] = walls.weight(a);
+        }
+    }
+    double round_distance(Vector x) const {
+        return root(weight.x * x.x * x.x + weight.y * x.y * x.y + weight.z * x.z * x.z);
+    }
+    Vector round_normal(Vector x, double rho) const { return each(weight, x) / rho; }
+
+    // The force on a sphere, less what walls that it touches carry of it.
+    Vector carried(Vector x, double r, Vector force) const {
+        const double near = r * (1.0 + 1e-12);
+        for (Index a = 0; a < 3; a++)
+            if ((x[a] - lower[a] <= near && force[a] < 0.0) || (upper[a] - x[a] <= near && force[a] > 0.0)) force[a] = 0.0;
+        const double rho = round_distance(x);
+        if (radius - rho <= near) {
+            const Vector normal = round_normal(x, rho);
+            force = minus(force, most(dot(force, normal), 0.0), normal);
+        }
+        return force;
+    }
+    // Puts a sphere back to the walls it has passed; its velocity into them is lost.
+    void keep_within(double r, Vector &x, Vector &v) const {
+        for (Index a = 0; a < 3; a++) {
+            if (x[a] < lower[a] + r) {
+                x[a] = lower[a] + r;
+                v[a] = most(v[a], 0.0);
+            }
+            if (x[a] > upper[a] - r) {
+                x[a] = upper[a] - r;
+                v[a] = least(v[a], 0.0);
+            }
+        }
+        const double rho = round_distance(x);
+        if (rho > radius - r) {
+            const Vector normal = round_normal(x, rho);
+            const double inward = rho - (radius - r), out = most(dot(v, normal), 0.0);
+            x = minus(x, inward, normal);
+            v = minus(v, out, normal);
+        }
+    }
+};
+
+struct Depth {
+    double depth;
+    Vector gradient;
+};
+
+struct Spline {
+    double value[3], slope[3];
+
+    // Quadratic B-spline at t in -0.5 … 0.5 from the nearest node: weights of the node before, at and after it.
+    explicit Spline(double t)
+        : value{0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)},
+          slope{t - 0.5, -2.0 * t, t + 0.5} {}
+};
+
+// Depth at a point and its gradient, smooth over the grid; some depth above `enough` where it is more.
+inline Depth grid_depth(const PackingWalls &walls, Vector x, double enough) {
+    const double h = walls.spacing;
+    double at[3];
+    Index node[3];
+    for (Index a = 0; a < 3; a++) {
+        at[a] = (x[a] - walls.corner(a)) / h;
+        node[a] = within(Index(at[a] + 0.5), Index(1), walls.depth.shape[a] - 2);
+    }
+    const double coarse = walls.depth(node[0], node[1], node[2]);
+    if (coarse > enough + 2.0 * h) return {coarse, {0.0, 0.0, 0.0}};
+    // Without a jump in the gradient no sphere is driven to and fro between two normals.
+    const Spline u(within(at[0] - double(node[0]), -0.5, 0.5)), v(within(at[1] - double(node[1]), -0.5, 0.5)),
+        w(within(at[2] - double(node[2]), -0.5, 0.5));
+    Depth found = {0.0, {0.0, 0.0, 0.0}};
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++)
+            for (int c = 0; c < 3; c++) {
+                const double value = walls.depth(node[0] + a - 1, node[1] + b - 1, node[2] + c - 1);
+                found.depth += u.value[a] * v.value[b] * w.value[c] * value;
+                found.gradient.x += u.slope[a] * v.value[b] * w.value[c] * value;
+                found.gradient.y += u.value[a] * v.slope[b] * w.value[c] * value;
+                found.gradient.z += u.value[a] * v.value[b] * w.slope[c] * value;
+            }
+    return {found.depth, found.gradient / h};
+}
+
+inline double steepness(Vector gradient) { return most(dot(gradient, gradient), 0.01); }
+
+// The force on a sphere, less what the wall of the grid carries of it where it touches.
+inline Vector carried_by_grid(const PackingWalls &walls, Vector x, double r, Vector force) {
+    const Depth at = grid_depth(walls, x, r);
+    if (at.depth > r * (1.0 + touch)) return force;
+    const double out = least(dot(force, at.gradient), 0.0) / steepness(at.gradient);
+    return minus(force, out, at.gradient);
+}
+
+// Puts a sphere back to the wall of the grid, by Newton's steps where need be from either side.
+inline void keep_on_grid(const PackingWalls &walls, double r, Vector &x, Vector &v) {
+    bool beyond = false;
+    double steep = 1.0;
+    Vector gradient = {0.0, 0.0, 0.0};
+    for (int step = 0; step < 3; step++) {
+        const Depth at = grid_depth(walls, x, r);
+        gradient = at.gradient;
+        beyond = beyond || at.depth < r;
+        if (!beyond) return;
+        steep = steepness(gradient);
+        x = x + ((r - at.depth) * gradient) / steep;
+    }
+    const double out = least(dot(v, gradient), 0.0) / steep;
+    v = minus(v, out, gradient);
+}
+
+}  // namespace bondem

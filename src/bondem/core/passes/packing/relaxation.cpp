@@ -1,0 +1,157 @@
+// Soft spheres between rigid walls, brought to mechanical equilibrium.
+//
+// Overlapping spheres repel with unit stiffness, walls let nothing through, and the energy is minimised by FIRE 2.0
+// (Guénolé et al., Comput. Mater. Sci. 175, 2020): inertial descent that is steered along the force and stopped
+// whenever it runs uphill. Unit mass and stiffness make every time dimensionless.
+#include "relaxation.hpp"
+
+#include "../../threads.hpp"
+#include "packing_walls.hpp"
+#include "periodic.hpp"
+
+namespace bondem {
+namespace {
+
+// Columns of the sums of a block, which are added up in order: no result depends on the threads.
+enum Sum { power, force_square, speed_square, overlap, contacts, deepest, farthest };
+enum Report { rms_force, mean_overlap, contact_count, largest_overlap, steps_taken };
+enum Fire { time_step, mixing, downhill };
+
+// FIRE: first and longest step (the stiffest sphere stays stable to about 0.7), mixing, and when to trust the descent.
+constexpr double first_step = 0.15, longest_step = 0.45, first_mixing = 0.25, patience = 10.0;
+// Longest step between walls on a grid: a sphere pressed into a rounded edge oscillates fast.
+constexpr double longest_step_on_grid = 0.25;
+
+double total(const Array<double, 2> &part, Sum column) {
+    double sum = 0.0;
+    for (Index b = 0; b < part.size(); b++) sum += part(b, column);
+    return sum;
+}
+
+double largest(const Array<double, 2> &part, Sum column) {
+    double found = 0.0;
+    for (Index b = 0; b < part.size(); b++) found = most(found, part(b, column));
+    return found;
+}
+
+// Forces on the spheres of a block, and what they sum up to.
+void press(const Spheres &spheres, const PackingWalls &walls, const Near &near, Index b, const Array<double, 2> &part) {
+    const Period period(spheres.period);
+    const PlainWalls plain(walls);
+    const bool grid = has_grid(walls);
+    double powers = 0.0, forces = 0.0, speeds = 0.0, overlaps = 0.0, touching = 0.0, most_overlap = 0.0;
+    const Index last = least((b + 1) * relaxation_block, spheres.sphere.size());
+    for (Index i = b * relaxation_block; i < last; i++) {
+        const Vector x = spheres.sphere.row<const Vector>(i);
+        const double r = spheres.sphere(i, 3);
+        Vector force = {0.0, 0.0, 0.0};
+        for (Index k = near.start(i); k < near.start(i + 1); k++) {
+            const Index j = near.neighbour(k);
+            const Vector d = period.nearest_image(spheres.sphere.row<const Vector>(j) - x);
+            const double reach = r + spheres.sphere(j, 3);
+            // No branch: about a third of the neighbours do not touch, in no order that a processor could guess.
+            const double distance = root(most(dot(d, d), 1e-300));
+            const double deep = most(reach - distance, 0.0);
+            force = minus(force, deep / distance, d);
+            overlaps += deep;
+            touching += deep > 0.0 ? 1.0 : 0.0;
+            most_overlap = most(most_overlap, deep);
+        }
+        force = plain.carried(x, r, force);
+        if (grid) force = carried_by_grid(walls, x, r, force);
+        spheres.force.row<Vector>(i) = force;
+        const Vector v = spheres.velocity.row<Vector>(i);
+        powers += dot(force, v);
+        forces += dot(force, force);
+        speeds += dot(v, v);
+    }
+    part(b, power) = powers;
+    part(b, force_square) = forces;
+    part(b, speed_square) = speeds;
+    part(b, overlap) = overlaps;
+    part(b, contacts) = touching;
+    part(b, deepest) = most_overlap;
+}
+
+struct Descent {
+    double back;  // how far back along the old velocity, as a time
+    double dt, keep, steer;  // time step, and what of velocity and of force enters the new velocity
+};
+
+// Moves the spheres of a block, and finds how far any has come since the neighbour lists were made.
+void descend(const Spheres &spheres, const PackingWalls &walls, const Near &near, Descent step, Index b,
+             const Array<double, 2> &part) {
+    const PlainWalls plain(walls);
+    const bool grid = has_grid(walls);
+    double found = 0.0;
+    const Index last = least((b + 1) * relaxation_block, spheres.sphere.size());
+    for (Index i = b * relaxation_block; i < last; i++) {
+        const Vector force = spheres.force.row<Vector>(i), old = spheres.velocity.row<Vector>(i);
+        const double push = step.steer + step.dt, r = spheres.sphere(i, 3);
+        Vector x = spheres.sphere.row<Vector>(i), v;
+        for (Index a = 0; a < 3; a++) {
+            v[a] = push * force[a] + step.keep * old[a];
+            x[a] = x[a] - step.back * old[a] + step.dt * v[a];
+        }
+        plain.keep_within(r, x, v);
+        if (grid) keep_on_grid(walls, r, x, v);
+        spheres.sphere.row<Vector>(i) = x;
+        spheres.velocity.row<Vector>(i) = v;
+        const Vector moved = x - near.listed.row<const Vector>(i);
+        found = most(found, dot(moved, moved));
+    }
+    part(b, farthest) = found;
+}
+
+void report_on(const Relaxing &relaxing, Index n, Index step) {
+    const Array<double, 2> &part = relaxing.part;
+    const double count = total(part, contacts);
+    relaxing.report(rms_force) = root(total(part, force_square) / double(n));
+    relaxing.report(mean_overlap) = total(part, overlap) / most(count, 1.0);
+    relaxing.report(contact_count) = 0.5 * count;
+    relaxing.report(largest_overlap) = largest(part, deepest);
+    relaxing.report(steps_taken) = double(step);
+}
+
+Descent next_step(const Relaxing &relaxing, double longest) {
+    double &dt = relaxing.fire(time_step), &mix = relaxing.fire(mixing), &trusted = relaxing.fire(downhill);
+    if (total(relaxing.part, power) > 0.0) {
+        trusted += 1.0;
+        if (trusted > patience) {
+            dt = least(1.1 * dt, longest);
+            mix *= 0.99;
+        }
+        const double ratio = root(total(relaxing.part, speed_square) / total(relaxing.part, force_square));
+        return {0.0, dt, 1.0 - mix, mix * ratio};
+    }
+    const double back = 0.5 * dt;
+    dt = most(0.5 * dt, 0.02);
+    mix = first_mixing;
+    trusted = 0.0;
+    return {back, dt, 0.0, 0.0};
+}
+
+}  // namespace
+
+Index relax_spheres(Index threads, const Spheres &spheres, const PackingWalls &walls, const Near &near,
+                    const Relaxing &relaxing) {
+    const Index n = spheres.sphere.size(), blocks = relaxing.part.size();
+    const double longest = has_grid(walls) ? longest_step_on_grid : longest_step;
+    if (relaxing.fire(time_step) == 0.0) {
+        relaxing.fire(time_step) = first_step;
+        relaxing.fire(mixing) = first_mixing;
+    }
+    for (Index step = 0; step <= relaxing.steps; step++) {
+        for_each_task(threads, blocks, [&](Index b) { press(spheres, walls, near, b, relaxing.part); });
+        report_on(relaxing, n, step);
+        if (relaxing.report(rms_force) <= relaxing.tolerance * relaxing.report(mean_overlap)) return converged;
+        if (relaxing.report(mean_overlap) < relaxing.loose) return loose;
+        if (step == relaxing.steps) return exhausted;
+        const Descent down = next_step(relaxing, longest);
+        for_each_task(threads, blocks, [&](Index b) { descend(spheres, walls, near, down, b, relaxing.part); });
+        if (largest(relaxing.part, farthest) > near.slack * near.slack) return out_of_date;
+    }
+    return exhausted;
+}
+
+}  // namespace bondem

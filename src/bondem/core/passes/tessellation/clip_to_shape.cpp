@@ -1,0 +1,166 @@
+// Cells cut by walls: split by the planes of all wall triangles that reach into them, until none does.
+//
+// Each piece carries the wall triangles within it, cut to the piece. It is split by the plane of the largest one, and
+// so are its other triangles (a binary partition of space); a piece without triangles lies on one side of every wall.
+#include "clip_to_shape.hpp"
+
+#include "section.hpp"
+
+namespace bondem {
+namespace {
+
+struct Box {
+    Vector low, high;
+};
+
+// The box around the corners of a solid about the centre x.
+Box box_around(const Solids &solids, Index s, Vector x) {
+    Box box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    for (Index f = solids.face(s); f < solids.face(s + 1); f++)
+        for (Vector v : face_polygon(solids, f))
+            for (Index a = 0; a < 3; a++) {
+                box.low[a] = least(box.low[a], v[a]);
+                box.high[a] = most(box.high[a], v[a]);
+            }
+    return {box.low + x, box.high + x};
+}
+
+// Lists the triangles whose boxes meet a box; returns how many, of which `found` holds as many as it has room for.
+Index list_walls(const WallTree &walls, const Box &box, const Array<Index, 1> &found) {
+    Index waiting[128], count = 1, listed = 0;
+    waiting[0] = 1;
+    while (count > 0) {
+        const Index b = waiting[--count];
+        bool apart = false;
+        for (Index a = 0; a < 3; a++) apart = apart || walls.lower(b, a) > box.high[a] || walls.upper(b, a) < box.low[a];
+        if (apart) continue;
+        if (b >= walls.owner.size()) {
+            if (listed < found.size()) found(listed) = walls.owner(b - walls.owner.size());
+            listed++;
+            continue;
+        }
+        waiting[count++] = 2 * b;
+        waiting[count++] = 2 * b + 1;
+    }
+    return listed;
+}
+
+// Puts a cell on the empty pile, and all that walls have within it; false if there was no room to list these.
+bool put_whole(const Solids &solids, Index s, const WallTree &walls, const Splitting &splitting, const Stack &pile) {
+    const Vector x = splitting.position.row<const Vector>(solids.cell(s));
+    const Index first = solids.face(s), last = solids.face(s + 1);
+    for (Index f = first; f < last; f++) pile.put(face_kind, solids.tag(f), face_plane(solids, f), face_polygon(solids, f));
+    const Index listed = list_walls(walls, box_around(solids, s, x), splitting.found);
+    if (listed > splitting.found.size()) return false;
+    Buffer work(splitting.work), other(splitting.other);
+    for (Index w = 0; w < listed; w++) {
+        const Index t = splitting.found(w);
+        Vector triangle[3];
+        for (Index k = 0; k < 3; k++)
+            triangle[k] = Vector{walls.corner(t, k, 0), walls.corner(t, k, 1), walls.corner(t, k, 2)} - x;
+        work.take({triangle, 3});
+        for (Index f = first; f < last && work.size > 0; f++) {
+            Plane within = face_plane(solids, f);
+            within.d = within.d - splitting.tolerance;  // what lies in a face of the cell splits nothing
+            clip_within(work, other, within);
+        }
+        if (work.size == 0) continue;
+        Plane wall = {walls.plane.row<const Vector>(t), 0.0};
+        for (Index a = 0; a < 3; a++) wall.d += wall.normal[a] * triangle[0][a];
+        pile.put(wall_kind, t, wall, work);
+    }
+    return true;
+}
+
+// The wall polygon with the largest area, or no_polygon.
+Index largest_wall(const Stack &piece) {
+    Index best = no_polygon;
+    double largest = 0.0;
+    for (Index p = 0; p < piece.size(); p++) {
+        if (piece[p].kind != wall_kind) continue;
+        const double size = piece[p].polygon.area();
+        if (size > largest) {
+            best = p;
+            largest = size;
+        }
+    }
+    return best;
+}
+
+// Moves the uppermost piece of a stack, its polygons from `first` on, to an empty pile.
+void take_piece(const Stack &stack, Index first, const Stack &piece) {
+    const Index corners = stack.first_corner(first);
+    for (Index p = first; p < stack.size(); p++) piece.put(stack[p]);
+    stack.cut_to(first, corners);
+}
+
+struct Splitter {
+    const Solids &solids;
+    const WallTree &walls;
+    const Splitting &splitting;
+    Stack stack, piece, done;
+
+    // Splits solid s; its pieces are put on the pile. False where there was no room in the scratch.
+    bool split(Index s, Index &pieces) const {
+        Buffer lid(splitting.lid), work(splitting.work), other(splitting.other);
+        stack.clear();
+        if (!put_whole(solids, s, walls, splitting, stack)) return false;
+        Index waiting = 1, splits = 0;
+        splitting.below(0) = 0;
+        while (waiting > 0 && !stack.was_full()) {
+            piece.clear();
+            take_piece(stack, splitting.below(--waiting), piece);
+            const Index wall = largest_wall(piece);
+            if (wall == no_polygon) {
+                if (!put_done(solids.cell(s), pieces)) return true;
+                continue;
+            }
+            if (waiting + 2 > splitting.below.size()) return false;
+            Plane plane = piece[wall].plane;
+            cut_section(piece, plane, splitting.tolerance, lid, other);
+            for (Index side = 0; side < 2; side++) {
+                if (side == 1) {
+                    plane = plane.turned();
+                    lid.reverse();
+                }
+                const Index begin = stack.size();
+                put_lower_part(piece, wall, plane, splitting.tolerance, stack, work);
+                if (lid.size > 0) stack.put(face_kind, split_tag - 2 * splits - side, plane, lid);
+                if (stack.size() > begin) splitting.below(waiting++) = begin;
+            }
+            splits++;
+        }
+        return !stack.was_full() && !piece.was_full();
+    }
+    // Puts the faces of the piece on the pile of all; false where there was no room.
+    bool put_done(Index cell, Index &pieces) const {
+        for (Index p = 0; p < piece.size(); p++)
+            if (piece[p].kind == face_kind) done.put(piece[p]);
+        if (pieces >= splitting.cell.size()) done.pile.used(Stack::full) = 1;
+        if (done.was_full()) return false;
+        splitting.cell(pieces) = cell;
+        splitting.end(pieces) = done.size();
+        pieces++;
+        return true;
+    }
+};
+
+}  // namespace
+
+Index split_by_walls(Index, const Solids &solids, const WallTree &walls, const Splitting &splitting, const Pile &stack,
+                     const Pile &piece, const Pile &pile) {
+    const Splitter splitter{solids, walls, splitting, {stack}, {piece}, {pile}};
+    for (Index &s = splitting.done(0); s < solids.cell.size(); s++) {
+        const Index faces = splitter.done.size(), corners = splitter.done.first_corner(faces);
+        Index pieces = splitting.done(1);
+        const bool room = splitter.split(s, pieces);
+        if (!room || splitter.done.was_full()) {
+            splitter.done.cut_to(faces, corners);
+            return room ? pieces_full : scratch_full;
+        }
+        splitting.done(1) = pieces;
+    }
+    return all_split;
+}
+
+}  // namespace bondem

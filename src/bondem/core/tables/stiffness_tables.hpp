@@ -1,0 +1,39 @@
+// What the passes that assemble stiffness matrices take. Named once more in `bondem/model/matrices.py`.
+#pragma once
+#include "../array.hpp"
+
+namespace bondem {
+
+// Beams at rest, m of them between n elements; see `bondem/model/bond_table.py`.
+struct BeamRows {
+    Array<const Short, 1> i, j;  // elements, i < j, (m,)
+    Array<const double, 2> direction;  // reference direction i→j [-], (3, m)
+    Array<const double, 1> length, lever;  // rest length, and lever of the contact point from i [m], (m,)
+    Array<const double, 1> kn, ks, kb, kt;  // stiffnesses [N/m, N/m, N·m, N·m], (m,)
+};
+
+// Facets between cells, m of them; see `bondem/model/cell_constants.py`.
+struct FacetRows {
+    Array<const Short, 1> i, j;  // cells, i < j, (m,)
+    Array<const double, 1> k;  // [N/m], (m,)
+    Array<const double, 2> lever_i, lever_j;  // from the centres to the facet [m], (m, 3)
+    Array<const double, 3> H;  // [N·m], (m, 3, 3)
+    Array<const double, 2> share_i, share_j;  // of each side in the dilatation of its cell [m²], (m, 3)
+};
+
+// Block rows of a matrix, one an element: earlier neighbours, the diagonal, later neighbours.
+struct BlockRows {
+    Array<const Index, 1> in_start;  // bonds in_start[p] … in_start[p + 1] - 1 end in p, (n + 1,)
+    Array<const Index, 1> out_start;  // those that begin in p are in …, (n + 1,)
+    Array<const Short, 1> out_bond;  // … this, from out_start[p] to out_start[p + 1] - 1, (m,)
+    Array<const int32_t, 1> indptr;  // where the blocks of each row begin, (n + 1,)
+    Array<int32_t, 1> indices;  // column of each block, (b,)
+    Array<double, 3> data;  // blocks of (u, θ), (b, 6, 6)
+};
+
+// What the dilatation of each cell is a sum of, in the same rows.
+struct DilatationRows {
+    Array<double, 3> forms;  // V θ under unit motions [m², m³], (b, 1, 6)
+};
+
+}  // namespace bondem

@@ -1,0 +1,131 @@
+#include "threads.hpp"
+
+#include <pthread.h>
+#include <unistd.h>
+
+namespace bondem {
+namespace {
+
+constexpr int most_threads = 256;
+// Looks at a flag before a thread sleeps, some microseconds: it spares most of the waking between two passes of a step.
+constexpr int spins = 2000;
+
+inline void pause() {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    __asm__ volatile("yield");
+#endif
+}
+
+// Threads take turns at tasks: thread t of k has tasks t n / k … (t + 1) n / k - 1.
+struct Team {
+    pthread_mutex_t busy, lock;  // held while tasks are shared; guards what follows
+    pthread_cond_t begun, ended;
+    int started;  // threads beside the caller
+    int process;  // that started them: a fork has none of them
+    Index tasks;
+    void (*work)(Index, void *);
+    void *data;
+    // Generation of the work, which counts up when there is some, and in the last 16 bits the members that share it, the
+    // caller among them: in one number, so that a thread that comes late cannot join work that it was not counted for.
+    uint64_t call;
+    int left;  // members still at work
+};
+
+Team team = {PTHREAD_MUTEX_INITIALIZER, PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER, PTHREAD_COND_INITIALIZER,
+             0, 0, 0, nullptr, nullptr, 0, 0};
+
+constexpr uint64_t members_of(uint64_t call) { return call & 0xffff; }
+
+void do_share(int member, int members) {
+    const Index first = team.tasks * member / members, last = team.tasks * (member + 1) / members;
+    for (Index task = first; task < last; task++) team.work(task, team.data);
+}
+
+uint64_t next_call(uint64_t seen) {
+    for (int look = 0; look < spins; look++) {
+        const uint64_t now = __atomic_load_n(&team.call, __ATOMIC_ACQUIRE);
+        if (now != seen) return now;
+        pause();
+    }
+    pthread_mutex_lock(&team.lock);
+    while (team.call == seen) pthread_cond_wait(&team.begun, &team.lock);
+    const uint64_t now = team.call;
+    pthread_mutex_unlock(&team.lock);
+    return now;
+}
+
+struct Recruit {
+    int member;
+    uint64_t seen;  // call when the thread was started
+};
+Recruit recruits[most_threads];
+
+void *serve(void *recruit) {
+    const int member = static_cast<Recruit *>(recruit)->member;
+    uint64_t call = static_cast<Recruit *>(recruit)->seen;
+    for (;;) {
+        call = next_call(call);
+        const int members = int(members_of(call));
+        if (member >= members) continue;
+        do_share(member, members);
+        if (__atomic_sub_fetch(&team.left, 1, __ATOMIC_ACQ_REL) == 0) {
+            pthread_mutex_lock(&team.lock);
+            pthread_cond_signal(&team.ended);
+            pthread_mutex_unlock(&team.lock);
+        }
+    }
+    return nullptr;
+}
+
+// Starts threads until there are so many beside the caller; fewer where the system gives no more.
+int started(int wanted) {
+    if (team.process != getpid()) {
+        team.process = getpid();
+        team.started = 0;
+    }
+    while (team.started < wanted) {
+        pthread_t thread;
+        Recruit &recruit = recruits[team.started];
+        recruit = {team.started + 1, team.call};
+        if (pthread_create(&thread, nullptr, serve, &recruit) != 0) break;
+        pthread_detach(thread);
+        team.started++;
+    }
+    return team.started;
+}
+
+void wait_for_all() {
+    for (int look = 0; look < spins; look++) {
+        if (__atomic_load_n(&team.left, __ATOMIC_ACQUIRE) == 0) return;
+        pause();
+    }
+    pthread_mutex_lock(&team.lock);
+    while (__atomic_load_n(&team.left, __ATOMIC_ACQUIRE) != 0) pthread_cond_wait(&team.ended, &team.lock);
+    pthread_mutex_unlock(&team.lock);
+}
+
+}  // namespace
+
+void share_tasks(Index threads, Index tasks, void (*work)(Index, void *), void *data) {
+    int members = int(least(least(threads, tasks), Index(most_threads)));
+    if (members > 1 && pthread_mutex_trylock(&team.busy) == 0) {
+        members = least(members, started(members - 1) + 1);
+        pthread_mutex_lock(&team.lock);
+        team.tasks = tasks;
+        team.work = work;
+        team.data = data;
+        __atomic_store_n(&team.left, members - 1, __ATOMIC_RELEASE);
+        __atomic_store_n(&team.call, ((team.call >> 16) + 1) << 16 | uint64_t(members), __ATOMIC_RELEASE);
+        pthread_cond_broadcast(&team.begun);
+        pthread_mutex_unlock(&team.lock);
+        do_share(0, members);
+        wait_for_all();
+        pthread_mutex_unlock(&team.busy);
+        return;
+    }
+    for (Index task = 0; task < tasks; task++) work(task, data);
+}
+
+}  // namespace bondem

@@ -1,0 +1,15 @@
+// Threads of the core's own: work is cut into tasks, and no result depends on how many threads share them.
+#pragma once
+#include "scalars.hpp"
+
+namespace bondem {
+
+// Calls work(task, data) for task = 0 … tasks - 1 on so many threads; returns when all are done. Where the threads are
+// at work for another caller, or are called from within a task, the caller does all tasks itself.
+void share_tasks(Index threads, Index tasks, void (*work)(Index task, void *data), void *data);
+
+template <class Task> inline void for_each_task(Index threads, Index tasks, Task task) {
+    share_tasks(threads, tasks, [](Index number, void *data) { (*static_cast<Task *>(data))(number); }, &task);
+}
+
+}  // namespace bondem

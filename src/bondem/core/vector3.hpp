@@ -1,0 +1,38 @@
+// A vector in space, of numbers or of lanes of numbers.
+//
+// Products and sums stand in one expression where one rounding is wanted (-ffp-contract=on fuses within an expression
+// only, so that every instruction set gives the same bits).
+#pragma once
+#include "scalars.hpp"
+
+namespace bondem {
+
+template <class T> struct Vector3 {
+    T x, y, z;
+
+    T &operator[](Index axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+    const T &operator[](Index axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+};
+using Vector = Vector3<double>;
+
+template <class T> inline Vector3<T> operator+(Vector3<T> a, Vector3<T> b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+template <class T> inline Vector3<T> operator-(Vector3<T> a, Vector3<T> b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+template <class T> inline Vector3<T> operator-(Vector3<T> a) { return {-a.x, -a.y, -a.z}; }
+template <class T> inline Vector3<T> operator*(T s, Vector3<T> a) { return {s * a.x, s * a.y, s * a.z}; }
+template <class T> inline Vector3<T> operator/(Vector3<T> a, T s) { return {a.x / s, a.y / s, a.z / s}; }
+template <class T> inline Vector3<T> each(Vector3<T> a, Vector3<T> b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
+// a + s b and a - s b, each component rounded once.
+template <class T> inline Vector3<T> plus(Vector3<T> a, T s, Vector3<T> b) {
+    return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+}
+template <class T> inline Vector3<T> minus(Vector3<T> a, T s, Vector3<T> b) {
+    return {a.x - s * b.x, a.y - s * b.y, a.z - s * b.z};
+}
+template <class T> inline T dot(Vector3<T> a, Vector3<T> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <class T> inline Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class T> inline T length(Vector3<T> a) { return root(dot(a, a)); }
+
+}  // namespace bondem

@@ -1,0 +1,69 @@
+"""Neighbours of spheres: the lists over which every short-range force runs."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._types import Floats, Ints, Vector
+
+# More cells along an axis would cost memory only.
+_MOST_CELLS = 1024
+
+
+class SphereGrid(NamedTuple):
+    """Spheres sorted into the cells of a grid; `core/tables/packing_tables.hpp` declares types and shapes."""
+
+    sphere: Floats  #: centres and radii [m], (n, 4)
+    lower: Vector  #: corner of the grid [m]
+    edge: Vector  #: edges of its cells [m]
+    period: Vector  #: periodic edge lengths [m], 0 where there is none
+    cells: Ints  #: along each axis, (3,)
+    skin: float  #: largest gap of neighbours [m]
+    cell: Ints  #: of each sphere, (n,)
+    first: Ints  #: where the members of each cell begin, (cells + 1,)
+    member: np.ndarray  #: spheres, cell by cell, uint32, (n,)
+    start: Ints  #: where the neighbours of each sphere begin, (n + 1,)
+
+
+class NeighbourLists(NamedTuple):
+    """The lists of all spheres one after the other."""
+
+    neighbour: np.ndarray  #: uint32
+
+
+_sort = Pass("sort_into_cells", SphereGrid)
+_count = Pass("count_neighbours", SphereGrid)
+_list = Pass("list_neighbours", SphereGrid, NeighbourLists)
+
+
+def neighbours(
+    sphere: Floats, lower: Vector, upper: Vector, period: Vector, skin: float, *, threads: int = 1
+) -> tuple[Ints, np.ndarray]:
+    """List the spheres whose surfaces are at most `skin` apart, each pair for both partners.
+
+    Args:
+        sphere: centres and radii [m], shape (n, 4): x, y, z, R.
+        lower, upper: corners of the box that holds the centres [m], (3,).
+        period: periodic edge lengths [m], (3,), 0 where an axis is not periodic. A periodic edge exceeds four largest
+            radii plus two skins.
+        skin: largest gap [m].
+        threads: how many share the work.
+
+    Returns:
+        Where the list of each sphere begins, shape (n + 1,), and the lists one after the other, uint32.
+    """
+    n = len(sphere)
+    reach = 2.0 * float(sphere[:, 3].max(initial=0.0)) + skin
+    extent = np.asarray(upper, dtype=float) - lower
+    cells = np.clip((extent / reach).astype(np.int64), 1, max(1, min(n, _MOST_CELLS)))
+    grid = SphereGrid(
+        sphere, np.array(lower, dtype=float), extent / cells, np.array(period, dtype=float), cells, float(skin),
+        np.empty(n, np.int64), np.empty(int(cells.prod()) + 1, np.int64), np.empty(n, np.uint32),
+        np.empty(n + 1, np.int64),
+    )  # fmt: skip
+    _sort(grid)
+    _count(grid, threads=threads)
+    lists = NeighbourLists(np.empty(grid.start[n], np.uint32))
+    _list(grid, lists, threads=threads)
+    return grid.start, lists.neighbour

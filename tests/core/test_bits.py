@@ -1,0 +1,82 @@
+"""Bits of the core: the same on every level of instructions with fused multiply-add, and on any number of threads."""
+
+import hashlib
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._core import Pass, compiled_level
+from bondem.packing.packing_tables import Near, PackingWalls, Relaxing, Spheres
+from bondem.packing.start import thrown
+
+relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
+
+# Prints the level, and a hash of a packing and of its cells.
+SCRIPT = """
+import hashlib, bondem as bd
+from bondem._core import compiled_level
+p = bd.pack(bd.Box(size=(1.0, 1.0, 1.0)) - bd.Ball(radius=0.5), count=150, spread=0.3, seed=2)
+b = bd.connect(p, method="laguerre")
+parts = p.position, p.radius, b.facets.area, b.facets.centroid, b.cells.volume, b.cells.inertia
+print(compiled_level(), hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest(), float(p.radius.sum()))
+"""
+
+
+def run_at(level: str) -> tuple[str, str, float]:
+    environment = os.environ | {"BONDEM_ISA": level}
+    done = subprocess.run(
+        [sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True, check=True, timeout=600
+    )
+    found, digest, total = done.stdout.split()
+    return found, digest, float(total)
+
+
+def levels() -> list[str]:
+    """The levels of this CPU, the lowest first."""
+    known = ["v2", "v3", "v4"]
+    return known[: known.index(compiled_level().rpartition("_")[2]) + 1]
+
+
+@pytest.mark.skipif(not compiled_level().startswith("x86_64"), reason="one level only")
+def test_levels_give_the_same_numbers_and_with_fused_multiply_add_the_same_bits():
+    found = {level: run_at(level) for level in levels()}
+    assert [level for level, _, _ in found.values()] == [f"x86_64_{level}" for level in found]
+    assert len({digest for level, (_, digest, _) in found.items() if level != "v2"}) == 1
+    totals = [total for _, _, total in found.values()]
+    assert totals == pytest.approx([totals[0]] * len(totals), rel=1e-9)
+
+
+def test_an_unknown_level_is_refused():
+    done = subprocess.run(
+        [sys.executable, "-c", "from bondem._core import compiled_level; compiled_level()"],
+        env=os.environ | {"BONDEM_ISA": "v9"}, capture_output=True, text=True, check=False, timeout=120,
+    )  # fmt: skip
+    assert "BONDEM_ISA = v9: this CPU offers v2" in done.stderr
+
+
+def relaxed(threads: int) -> str:
+    spheres = thrown(bd.Ball(radius=1.0), np.linspace(1.0, 1.3, 700), 0.66, np.random.default_rng(5))
+    near = spheres.near(0.5 * spheres.mean_radius, 0.499, threads=threads)
+    relaxing = Relaxing.of(700, 1e-6, 0.0)._replace(steps=30)
+    relax(spheres.table, spheres.walls, near, relaxing, threads=threads)
+    parts = near.start, near.neighbour, spheres.sphere, spheres.table.force, relaxing.report
+    return hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest()
+
+
+def test_bits_do_not_depend_on_the_number_of_threads():
+    assert len({relaxed(threads) for threads in (1, 2, 3, 4)}) == 1
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+def test_a_fork_has_threads_of_its_own():
+    code = (
+        "import os, sys; sys.path.insert(0, '.'); from tests.core.test_bits import relaxed; one = relaxed(3)\n"
+        "child = os.fork()\n"
+        "if child == 0: os._exit(0 if relaxed(3) == one else 1)\n"
+        "assert os.waitpid(child, 0)[1] == 0"
+    )
+    subprocess.run([sys.executable, "-W", "ignore", "-c", code], check=True, timeout=300)
