@@ -27,7 +27,6 @@ _FLAGS = [
     "-x", "c++", "-std=c++17", "-O3", "-fno-math-errno", "-ffp-contract=on", "-fno-exceptions", "-fno-rtti",
     "-fno-slp-vectorize", "-fno-sanitize=undefined", "-fvisibility=hidden", "-fPIC", "-shared", "-s",
 ]  # fmt: skip
-_CHECKED = ["-O1", "-g", "-DBONDEM_CHECKED", "-fsanitize=undefined", "-fsanitize-trap=undefined"]
 _LEVELS = {
     "x86_64": {
         "x86_64_v2": ["-mcpu=x86_64_v2"],
@@ -115,9 +114,7 @@ def compiler() -> list[str] | None:
     return [sys.executable, "-m", "ziglang", "cc"] if importlib.util.find_spec("ziglang") else None
 
 
-def compile_core(
-    target: Target, levels: Iterable[str], *, folder: Path = SOURCES, checked: bool = False
-) -> list[Path]:
+def compile_core(target: Target, levels: Iterable[str], *, folder: Path = SOURCES) -> list[Path]:
     """Compile libraries of some levels, and remove older ones of these levels.
 
     The compiler keeps the objects of sources in the folder `build`, and compiles those again that have changed.
@@ -126,7 +123,6 @@ def compile_core(
         target: the machine to compile for.
         levels: some of its levels.
         folder: of the sources.
-        checked: with checks of every index, and traps for undefined behaviour; to be loaded for tests only.
 
     Returns:
         The libraries.
@@ -144,13 +140,11 @@ def compile_core(
     digest, sources = source_digest(folder), [str(path) for path in _sources(folder, "*.cpp")]
 
     def make(level: str) -> Path:
-        name = f"{level}-checked" if checked else level
-        library = out / f"{name}.{digest}{target.suffix}"
-        flags = [*_FLAGS, *(_CHECKED if checked else []), *target.flags(level)]
+        library = out / f"{level}.{digest}{target.suffix}"
         with tempfile.TemporaryDirectory(dir=out) as aside:
             made = Path(aside) / library.name
-            _run([*command, *flags, *sources, "-o", str(made)], environment)
-            for old in out.glob(f"{name}.*"):
+            _run([*command, *_FLAGS, *target.flags(level), *sources, "-o", str(made)], environment)
+            for old in out.glob(f"{level}.*{target.suffix}"):
                 old.unlink(missing_ok=True)
             shutil.move(made, library)
         return library

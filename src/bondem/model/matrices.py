@@ -83,13 +83,13 @@ def stiffness_matrix(model: Model) -> Stiffness:
     rows = BlockRows.of(layout)
     if model.cells is None:
         b = model.bonds
-        beams = BeamRows(
-            layout.i, layout.j, np.ascontiguousarray(b.direction), b.length, b.lever, b.kn, b.ks, b.kb, b.kt
-        )
+        columns = b.direction, b.length, b.lever, b.kn, b.ks, b.kb, b.kt
+        beams = BeamRows(layout.i, layout.j, *map(np.ascontiguousarray, columns))
         _assemble_beams(beams, rows, threads=current_threads())
         return Stiffness(bsr_array((rows.data, rows.indices, rows.indptr), shape=(size, size)))
     c = model.cells
-    facets = FacetRows(layout.i, layout.j, c.k, c.lever_i, c.lever_j, c.H, c.share_i, c.share_j)
+    columns = c.k, c.lever_i, c.lever_j, c.H, c.share_i, c.share_j
+    facets = FacetRows(layout.i, layout.j, *map(np.ascontiguousarray, columns))
     forms = np.empty((len(rows.indices), 1, 6))
     _assemble_facets(facets, rows, DilatationRows(forms), threads=current_threads())
     indptr, indices, data = rows.indptr, rows.indices, rows.data

@@ -41,7 +41,8 @@ def walls(shape: Shape, radius: PerElement) -> PackingWalls:
 
 
 def _plain(lower: Floats, upper: Floats, weight: Floats, radius: float) -> PackingWalls:
-    return PackingWalls(lower.copy(), upper.copy(), weight, float(radius), np.zeros(3), 0.0, np.empty((0, 0, 0)))
+    box = np.array(lower, dtype=float), np.array(upper, dtype=float)
+    return PackingWalls(*box, weight, float(radius), np.zeros(3), 0.0, np.empty((0, 0, 0)))
 
 
 def _depth_grid(shape: Shape, radius: PerElement) -> tuple[Floats, float, Floats]:
