@@ -29,7 +29,7 @@ print(compiled_level(), hashlib.sha256(b"".join(part.tobytes() for part in parts
 def run_at(level: str) -> tuple[str, str, float]:
     environment = os.environ | {"BONDEM_ISA": level}
     done = subprocess.run(
-        [sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True, check=True, timeout=600
+        [sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True, check=True, timeout=1800
     )
     found, digest, total = done.stdout.split()
     return found, digest, float(total)
