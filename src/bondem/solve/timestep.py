@@ -151,7 +151,7 @@ def critical_step(
     """The largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
     It holds for contacts before they appear, as each is counted with the most that can touch at once. Local damping
-    raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots lower the limit by
+    raises a force that decelerates by 1 + γ, and with it the effective stiffness and dashpots; these lower the limit by
     √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing boundaries do not. Of the
     non-local law it is the largest share that its own steps bear (`bondem.solve.lagged_step`).
 
@@ -191,8 +191,8 @@ def _limits(
     for frequency, delay in motions:
         omega = raised * math.hypot(bonds, frequency)
         if omega > 0.0:
-            lost = decay + delay * frequency**2
-            limit = min(limit, _damped_limit(scheme, omega, lost + damped))
+            lost = raised**2 * (decay + delay * frequency**2)
+            limit = min(limit, _damped_limit(scheme, omega, lost + raised**2 * damped))
             free = min(free, _damped_limit(scheme, omega, lost))
     return limit, free
 
@@ -231,7 +231,7 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
     limit = math.inf
     for frequency, delay in motions:
         omega = raised * math.hypot(springs, frequency)
-        zeta = 0.5 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
+        zeta = 0.5 * raised**2 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
         if omega > 0.0:
             limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
     if springs == 0.0:
