@@ -62,11 +62,11 @@ REFUSED = {
     "modulus of contact as text": ("E = 'a'", lambda: bd.LinearContact(E="a")),
     "stress_free as text": ("True or False", lambda: bd.LinearContact(E=1.0, stress_free="no")),
     "a model of no lattice": ("give a lattice", lambda: bd.Model(PARTICLES, LAW, 1.0)),
-    "a bond law by name": ("bond= takes", lambda: bd.Model(LATTICE, "EulerBernoulli", 1.0)),
+    "a bond law by name": ("bond= is not a bond law", lambda: bd.Model(LATTICE, "EulerBernoulli", 1.0)),
     "bonds by face name": ("bd.Face.'x_min'", lambda: bd.Model(LATTICE, {"x_min": LAW}, 1.0)),
     "no law for a region": ("give a bond law", lambda: bd.Model(LATTICE, {LEFT: 70e9}, 1.0)),
     "three regions a bond": ("3 regions", lambda: bd.Model(LATTICE, {(LEFT, LEFT, RIGHT): LAW}, 1.0)),
-    "stiffness that is no number": ("beyond what numbers hold", lambda: bd.Model(
+    "stiffness that is no number": ("exceed the range of numbers", lambda: bd.Model(
         LATTICE, bd.Timoshenko(E=1e99, nu=0.2, radius=1e90), 1.0)),
     "density None": ("density = None", lambda: bd.Model(LATTICE, LAW, None)),
     "density as text": ("density = '2000'", lambda: bd.Model(LATTICE, LAW, "2000")),
@@ -110,8 +110,8 @@ REFUSED = {
     "index None": ("whole numbers", lambda: bd.Index(None)),
     "index -1": ("element -1", lambda: bd.Index([-1])),
     "index half a mask": ("whole numbers", lambda: bd.Index([True, 2])),
-    "index out of range": ("element 45, but .* 0 to 44", lambda: bd.Index([3, 45]).select(LATTICE)),
-    "mask of another lattice": ("mask of 44 elements, but there are 45", lambda: bd.Index(
+    "index out of range": ("element 45 does not exist; .* 0 to 44", lambda: bd.Index([3, 45]).select(LATTICE)),
+    "mask of another lattice": ("the mask has 44 elements, but the lattice has 45", lambda: bd.Index(
         np.ones(44, dtype=bool)).select(LATTICE)),
     "a face by number": ("name of a face", lambda: bd.Face(3)),
     "depth as text": ("depth = 'a'", lambda: bd.Face("x_min", "a")),
