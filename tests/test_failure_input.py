@@ -178,7 +178,7 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "modes": ("explicit runs only", "leave failure= out", lambda: bd.solve_modes(free_model(), count=1)),
     "relaxation": ("explicit runs only", "leave failure= out", lambda: bd.solve_relaxed(free_model())),
     "an index without a criterion": (
-        "failure_index needs a criterion", "give the model failure=",
+        "failure_index: the model has no criterion", "give it failure=",
         lambda: bd.failure_index(free_model(None), free_model(None).state()),
     ),
     "an index of another lattice": (

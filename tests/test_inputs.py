@@ -183,7 +183,7 @@ def test_overlaps_everywhere_are_refused_before_all_pairs_are_listed(monkeypatch
 
 def test_bonds_beyond_all_memory_are_refused_before_they_are_listed():
     many = np.random.default_rng(0).uniform(0.0, 1.0, (700, 3))
-    with pytest.raises(InputError, match="699 an element"):
+    with pytest.raises(InputError, match="699 per element"):
         bd.connect(bd.Particles(many, 1e-6), reach=1e7)
 
 

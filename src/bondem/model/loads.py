@@ -52,7 +52,7 @@ class BodyForce:
         object.__setattr__(self, "schedule", as_schedule("BodyForce", "schedule", self.schedule))
 
     def parts(self, lattice: Lattice) -> list[tuple[PerElement, tuple[float, float, float]]]:
-        """Return uniform accelerations at factor 1 [m/s²] and the factor of each element for each, user's order, (n,).
+        """Return uniform accelerations at factor 1 [m/s²], and the factors of elements for each, user's order, (n,).
 
         Raises:
             InputError: The acceleration, or the value of the function, has another number of elements.
