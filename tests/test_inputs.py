@@ -144,7 +144,7 @@ REFUSED = {
     "static of a lattice": ("give bd.Model", lambda: bd.solve_static(LATTICE)),
     "nonlinear as text": ("True or False", lambda: bd.solve_static(HELD, nonlinear="yes")),
     "a guess by number": ("guess = 3", lambda: bd.solve_static(HELD, guess=3)),
-    "a guess for a path": ("takes no guess", lambda: bd.solve_static(
+    "a guess for a path": ("guess= has no effect", lambda: bd.solve_static(
         HELD, nonlinear=True, guess=bd.solve_static(HELD))),
     "static with contacts": ("explicit runs only", lambda: bd.solve_static(model_of(bd.Fix(LEFT), contact=CONTACT))),
     "modes with contacts": ("explicit runs only", lambda: bd.solve_modes(model_of(bd.Fix(LEFT), contact=CONTACT))),
