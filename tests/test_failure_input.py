@@ -95,7 +95,7 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
         lambda: model(bd.DruckerPrager(tension=1e6, compression=1e7), bd.NonLocal(E=1e9, nu=0.2), body()),
     ),
     "softening in the non-local law": (
-        "Rankine: NonLocal bonds break at once", "leave fracture_energy= out",
+        "Rankine: NonLocal bonds break at once", "leave out fracture_energy=",
         lambda: model(bd.Rankine(tension=1e6, fracture_energy=10.0), bd.NonLocal(E=1e9, nu=0.2), body()),
     ),
     "friction of a criterion in the non-local law": (

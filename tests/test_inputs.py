@@ -85,7 +85,7 @@ REFUSED = {
     "a force of 1e300": ("three finite", lambda: bd.Load(RIGHT, force=(1e300, 0, 0))),
     "a load over text": ("schedule = '2'", lambda: bd.Load(RIGHT, force=(1, 0, 0), schedule="2")),
     "weight without direction": ("three finite", lambda: bd.BodyForce(9.81)),
-    "weight of a name": ("no region", lambda: bd.BodyForce((0, 0, -9.81), region="all")),
+    "weight of a name": ("not a region", lambda: bd.BodyForce((0, 0, -9.81), region="all")),
     "pressure as text": ("pressure = '1'", lambda: bd.Pressure(LEFT, "1")),
     "pressure on a name": ("bd.Face.'x_min'", lambda: bd.Pressure("x_min", 1.0)),
     "strain as text": ("strain = 'a'", lambda: bd.Eigenstrain("a")),
@@ -116,7 +116,7 @@ REFUSED = {
     "a face by number": ("name of a face", lambda: bd.Face(3)),
     "depth as text": ("depth = 'a'", lambda: bd.Face("x_min", "a")),
     "within a name": ("a shape such as", lambda: bd.Within("box")),
-    "a face and a name": ("no region", lambda: LEFT & "x_max"),
+    "a face and a name": ("not a region", lambda: LEFT & "x_max"),
     "speed as text": ("speed = 'a'", lambda: bd.AtRest("a")),
     "phi as text": ("phi = 'a'", lambda: bd.TchamwaWielgosz("a")),
     "velocity as text": ("holds no numbers", lambda: HELD.state().set_motion(velocity="a")),
@@ -263,7 +263,7 @@ def rough(shape=None):
 def test_a_face_of_particles_without_a_shape_is_a_layer_or_says_that_it_is_none():
     """Two elements of 36 bear the load of the face: its displacement is many times that of the face."""
     lattice = rough()
-    with pytest.warns(FaceWarning, match=r"is 2 of the 36 elements .* depth=1.0"):
+    with pytest.warns(FaceWarning, match=r"selects 2 of the 36 elements .* depth=1.0"):
         assert len(bd.Face("x_max").select(lattice)) == 2
     layer = bd.Face("x_max", depth=1.0).select(lattice)
     assert len(layer) == 36

@@ -172,7 +172,7 @@ def test_the_implied_fracture_is_that_of_most_facets() -> None:
         ({bd.Everything(): STRONG, MIDDLE: BRITTLE}, "single bonds"),
         ({bd.Everything(): STRONG, MIDDLE: replace(WEAK, curve=bd.Bilinear())}, "curve"),
         ({bd.Everything(): STRONG, MIDDLE: bd.Hydrostatic(tension=2e6, fracture_energy=30.0)}, "may differ"),
-        ({bd.Everything(): bd.PeripheralStress(tension=1e6, shear=1e6)}, "judges beams"),
+        ({bd.Everything(): bd.PeripheralStress(tension=1e6, shear=1e6)}, "applies to beams"),
         ({bd.Everything(): bd.Rankine(tension=4e6, fracture_energy=1e-4)}, "snap back"),
     ],
 )  # fmt: skip

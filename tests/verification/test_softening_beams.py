@@ -226,7 +226,7 @@ def test_energies_that_cannot_be_are_refused(what: type, options: dict, line: st
 @pytest.mark.parametrize(
     ("failure", "options", "line"),
     [
-        ({"dilatancy": 0.1}, {}, "dilatancy is of cells"),
+        ({"dilatancy": 0.1}, {}, "dilatancy applies to cells"),
         ({"fracture_energy_shear": math.inf}, {}, "give beams a number"),
         ({}, {"contact": bd.LinearContact(E=1e7, stress_free=False)}, "stress_free=True"),
         ({}, {"contact": bd.LinearContact(E=1e7, parallel=True)}, "leave out parallel="),
