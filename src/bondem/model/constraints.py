@@ -230,7 +230,7 @@ class Constraints:
 
     @property
     def works(self) -> tuple[int, int, int, int]:
-        """Starts of the works of body forces (one per element), strains and walls in the list of works, and its end."""
+        """Starts of the works of body forces (one per element), strains and walls in the list, and its end."""
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
         walls = strain + (1 if len(self.strain_part) else 0)
