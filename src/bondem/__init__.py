@@ -1,6 +1,6 @@
 """bondem: bonded-particle discrete element method.
 
-`import bondem as bd` gives access to every public name. Names are loaded at first use, so that the import is fast.
+`import bondem as bd` gives access to every public name. Names are loaded on first use, so that the import is fast.
 Type checkers and editors read `__init__.pyi`, which a test compares with the list here.
 """
 

@@ -91,8 +91,8 @@ def solve_explicit(
 
     Raises:
         UnstableStepError: dt exceeds the critical step.
-        InputError: A value is invalid, the state belongs to another model, a prescribed displacement does not begin
-            where the elements are, or the output file cannot be written.
+        InputError: A value is invalid, the state belongs to another model, or the output file cannot be written. Or a
+            prescribed displacement does not begin where the elements are.
     """
     instance("solve_explicit", "model", model, Model, "bd.Model(...)")
     if state is not None:

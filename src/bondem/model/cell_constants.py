@@ -278,7 +278,8 @@ def _at_platens(way: Floats, normal: Floats, holds: Holds) -> Floats:
     """Return M⁻¹n of free facets, (k, 3), along n alone where a smooth platen holds them: normal, but free to slide.
 
     Such a facet has no traction along the platen, so that no uniform strain opens it that way. The rest of M⁻¹n would
-    let it slide under the pressure of its cell, and soften a body between platens, more so the nearer ν is to ½.
+    let it slide under the pressure of its cell. This would soften a body between platens, more so the nearer ν is to
+    ½.
     """
     flat = ((holds.axes * normal[holds.facet]) ** 2).sum(axis=1)
     smooth = holds.facet[(flat > 0.5) & ~holds.axes.all(axis=1)]

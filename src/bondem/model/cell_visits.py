@@ -1,7 +1,7 @@
 """Order in which cells visit their facets: WIDTH cells at a time, each its own facets one by one.
 
-Cells that are consecutive in memory are sorted by their number of facets and visited in groups of WIDTH, so that
-groups have few idle visits. A cell without remaining facets visits itself, with constants of zero.
+Cells that are consecutive in memory are sorted by their number of facets and visited in groups of WIDTH. Few visits
+of a group are then idle. A cell without remaining facets visits itself, with constants of zero.
 """
 
 from dataclasses import dataclass

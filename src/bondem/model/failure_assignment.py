@@ -85,8 +85,8 @@ def _check_alike(found: tuple[Criterion, ...]) -> None:
 def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[FailurePart, ...]:
     """Return the parts of a lattice, with one criterion each.
 
-    With a mapping, the bonds within a region follow its criterion, bonds between two regions follow that of the pair,
-    and cells follow that of their region. Later entries override earlier ones.
+    With a mapping, the bonds within a region follow its criterion, and bonds between two regions follow that of the
+    pair. Cells follow the criterion of their region. Later entries override earlier ones.
 
     Raises:
         InputError: The criteria cannot be combined, or some bonds have none.

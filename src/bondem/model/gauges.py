@@ -42,7 +42,7 @@ class WallGauge:
         wall: index of the wall among the walls of the model.
         quantity: "displacement" [m], "velocity" [m/s] (of a driven wall: that of the last step), "force" of the
             elements on the wall [N], or "growth". The components of "growth" are the change of the radius [m], the
-            force on the wall that would change the radius [N], and the sum of the normal forces [N].
+            force that would change it [N], and the sum of the normal forces [N].
     """
 
     wall: int

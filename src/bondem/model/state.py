@@ -39,8 +39,8 @@ class State:
         eigenstrain: stress-free strain ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,)
             if none was set.
         reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
-        work: work of loads and drives on each row since the start [J], shape (r,), followed by the work of body
-            forces on each element and of strains, if there are any.
+        work: work of loads and drives on each row since the start [J], shape (r,). The works of body forces on each
+            element and of strains follow, if there are any.
         loss: energy that damping has taken from each element, its present power, and energy lost to friction
             [J, W, J], shape (n, 3).
         touching: internal pairs i < j in contact, sorted by j, then i, shape (c, 2).

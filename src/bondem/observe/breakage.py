@@ -74,8 +74,9 @@ class BrokenBonds:
 def failure_index(model: Model, state: State) -> PerBond:
     """Compute the index of the model's criterion for each bond: 1 at failure, 0 for broken bonds.
 
-    Beams that soften have 1. For criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) the
-    index is the largest principal stress over the strength, 0 for a facet without tension, 1 for one that softens.
+    Beams that soften have 1. Criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) have
+    the largest principal stress over the strength. This index is 0 for a facet without tension and 1 for one that
+    softens.
 
     Args:
         model: model with a failure criterion.

@@ -16,7 +16,7 @@ _OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
 def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
     """Compute the mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
 
-    f are the forces of neighbours, holding walls and surface loads on the facets, and b the arms to them from the
+    f are the forces of neighbours, holding walls and surface loads on the facets. b are the arms to them from the
     centre of mass of the cell. In equilibrium Σ V σ over all cells is exactly the moment of the forces on the
     surface. Tension is positive; axes are global.
 

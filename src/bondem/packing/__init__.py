@@ -82,8 +82,8 @@ def pack(
         shape: any shape; only Cylinder, Box, Ball and Cell have exact walls, others use a grid of depths.
         count: number of spheres.
         size: size of cells, the cube root of their volume, for "even", in place of `count`. Give one size [m],
-            `bd.Graded`, or a function of points (k, 3) [m] that returns sizes (k,) [m] and changes by no more than
-            the distance. The number of cells follows.
+            `bd.Graded`, or a function of points (k, 3) [m] that returns sizes (k,) [m]. Sizes may change by no more
+            than the distance. The number of cells follows.
         around: surfaces on which cells of "even" end, so that an interface between materials is smooth. Give
             `bd.Plane`s, shapes or `bd.Surface`s, one or a sequence, at least 1.6 cells apart, or balls from
             `bd.aggregates`. All cells then have one size, with balls at most 0.8 of the smallest radius. Cells end

@@ -1,9 +1,9 @@
 """Coarse aggregates of a grading curve at random places of a shape, and centres of cells that follow their surfaces.
 
 Two layers of centres face each other across the surface of a ball. For each direction one centre lies half the size
-of a cell inside, and one as far outside, so that the plane half-way between them touches the ball. A point of the
-surface is nearest to the two centres of the direction closest to it, so that cells end on these planes alone. The
-planes form a polyhedron around the ball, scaled to the volume of the ball.
+of a cell inside, and one as far outside. The plane half-way between them touches the ball. A point of the surface is
+nearest to the two centres of the direction closest to it, so that cells end on these planes alone. The planes form a
+polyhedron around the ball, scaled to the volume of the ball.
 """
 
 import math

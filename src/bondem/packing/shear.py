@@ -63,7 +63,7 @@ class Compaction:
         radius: radii [m], (n,).
         length: final extent up to the pressure wall along x [m].
         history: gauges "pressure wall" (displacement), "pressure" (force), "shear wall" (displacement of the wall at
-            y_max, or growth of the mantle) and "shear" (force on it); energies [J], whose ledger begins anew with the
+            y_max, or growth of the mantle) and "shear" (force on it); energies [J], whose ledger restarts with the
             second run, after the radii were fitted. Density [kg/m³] and pressure [Pa] are 1.
         steps: number of time steps.
     """

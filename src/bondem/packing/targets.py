@@ -1,7 +1,7 @@
 """Targets: final states of soft spheres after a method has packed them.
 
-Above jamming the mean overlap is proportional to ln(scale), and so is (z - z_J)², where z_J is the coordination
-number at jamming (O'Hern et al., Phys. Rev. E 68, 2003). A few scales are therefore sufficient.
+Above jamming the mean overlap is proportional to ln(scale), and so is (z - z_J)² (O'Hern et al., Phys. Rev. E 68,
+2003). Here z_J is the coordination number at jamming. A few scales are therefore sufficient.
 """
 
 import math

@@ -187,7 +187,7 @@ def solve_quasistatic(
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
-    """Return the equilibrium with pressing halves closed, and its loads; `size` of the body before, 0 at first."""
+    """Return the equilibrium with pressing halves closed, and its loads; `size` of the body before, initially 0."""
     def rest() -> tuple[Floats, Loaded]:
         found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)

@@ -3,7 +3,7 @@
 Slow bending and stretching of the whole are invisible to an element and its neighbours; the clumps represent them.
 The stiffness of the clumps is that of the lattice restricted to motions that are rigid clump by clump, and small
 enough to be eliminated. Together with the elements' own blocks it preconditions conjugate gradients (two-level
-additive Schwarz with a Nicolaides coarse space), so that the number of iterations hardly grows with the lattice.
+additive Schwarz with a Nicolaides coarse space). The number of iterations then hardly grows with the lattice.
 """
 
 import math

@@ -1,9 +1,9 @@
 """Equilibrium at large rotations: the minimum of the energy of bonds and loads, found by Newton's method.
 
-The tangent is the second derivative of the bond energy by displacements and spins, each bond's by central
-differences of its exact gradient. Loads keep their direction; the forces of a moment rotate with its region. Load and
-prescribed motion grow together in steps that rotate no element by more than a fraction of a radian, so that the path
-from rest is followed.
+The tangent is the second derivative of the bond energy by displacements and spins, each bond's by central differences
+of its exact gradient. Loads keep their direction; the forces of a moment rotate with its region. Load and prescribed
+motion grow together in steps that rotate no element by more than a fraction of a radian. This follows the path from
+rest.
 """
 
 from copy import copy
@@ -202,8 +202,8 @@ def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
 def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
     """Return the second derivative of the bond energy at a pose, (6 n, 6 n); `pattern` is that at rest.
 
-    It is symmetric. The antisymmetric part, the torque on an element, is not a property of the energy but of
-    applying spins one after the other, and vanishes in equilibrium.
+    It is symmetric. The antisymmetric part, the torque on an element, stems from applying spins one after the other,
+    not from the energy, and vanishes in equilibrium.
     """
     layout = model.layout
     m = len(layout.i)

@@ -29,8 +29,8 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     """Compute the equilibrium at any rotation under the loads and prescribed motions at the end of their schedules.
 
     Dynamic relaxation needs no matrix and no more memory than an explicit run. The mass of each element is
-    proportional to the stiffness at the element, so that all elements move about as fast, and the time step is 1.
-    Damping is critical for the present frequency of the specimen. `solve_static` is much faster if K can be stored.
+    proportional to the stiffness at the element, so that all elements move about as fast. The time step is 1. Damping
+    is critical for the present frequency of the specimen. `solve_static` is much faster if K can be stored.
 
     Args:
         model: model to solve, of either formulation; its supports must hold the specimen.

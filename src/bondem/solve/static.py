@@ -47,7 +47,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
 
     A specimen that its supports leave free to move rigidly must carry balanced loads; its rigid motion is removed
     from the result. Absorbing boundaries have no effect. For the non-local law the result is the end of a path from
-    the unloaded state, found in rounds (`bondem.solve.lagged`), and the energy is that of its springs.
+    the unloaded state, found in rounds (`bondem.solve.lagged`). Its energy is that of the springs.
 
     Args:
         model: model to solve.

@@ -36,7 +36,7 @@ def _mirrored_digits(count: int, base: int) -> Floats:
 def ball_points(count: int) -> Floats:
     """Return points in the unit ball, shape (count, 3), `count` even, with the mirror image of each point.
 
-    The share of points on one side of a plane is then that of the ball on average over all planes, and one half
+    The share of points on one side of a plane is then that of the ball, on average over all planes. It is one half
     for a plane through the centre.
     """
     u, v, w = spread_points(count // 2).T
