@@ -202,7 +202,7 @@ def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:
         )
     if contact is not None and not contact.stress_free:
         raise InputError(
-            "failure= of beams that soften beside contact= needs stress_free=True, because they carry pressure until they"
+            "failure= of beams that soften beside contact= needs stress_free=True, as they carry pressure until they"
             " touch"
         )
 
