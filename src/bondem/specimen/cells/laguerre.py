@@ -79,7 +79,7 @@ def usual_reach(particles: Particles) -> float:
     pair = tree.query_pairs(1e-9 * reach, output_type="ndarray")
     if reach <= 0.0 or len(pair):
         name = f"elements {pair[0, 0]} and {pair[0, 1]}" if len(pair) else "elements"
-        raise InputError(f"centres of {name} coincide, so that no plane parts their cells; remove one of them")
+        raise InputError(f"centres of {name} coincide, so that no plane separates their cells; remove one of them")
     return reach
 
 
@@ -386,7 +386,7 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
     status, where, face, tag, plane, corner, vertex = _cells(centres, chosen, half)
     if status == _EMPTY:
         raise InputError(
-            f"nothing is left of the cell of element {where}: larger spheres swallow it; remove it, or make radii"
+            f"the cell of element {where} has no volume: larger spheres enclose it; remove it, or make radii"
             " more alike"
         )
     if status == _NARROW:

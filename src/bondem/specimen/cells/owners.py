@@ -118,6 +118,6 @@ def _refuse_lost(pieces: Solids, measures: Bulk, lost: Ints, position: PerElemen
         worst = lost[np.argmax(measures.volume[lost])]
         middle = position[pieces.cell[worst]] + measures.middle[worst]
         raise InputError(
-            f"{volume:.3g} m³ of the shape, at {tuple(map(float, middle.round(9)))} m, hang together with no element;"
-            " put elements there, or cut it off"
+            f"{volume:.3g} m³ of the shape, near {tuple(map(float, middle.round(9)))} m, contain no element;"
+            " add elements there, or remove that part"
         )

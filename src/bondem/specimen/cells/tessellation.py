@@ -265,8 +265,8 @@ def _check_volume(shape: Shape, volume: float) -> None:
     whole = shape.volume
     if abs(volume / whole - 1.0) > _LOST:
         raise InputError(
-            f"the cells fill {volume:.4g} m³ of the {whole:.4g} m³ of the shape: a part of it lies apart from all"
-            " elements; put elements there, or cut it off"
+            f"the cells fill {volume:.4g} m³ of the {whole:.4g} m³ of the shape: a part of it contains no"
+            " element; add elements there, or remove that part"
         )
 
 
@@ -286,7 +286,7 @@ def _solid_tables(made: Tessellation) -> tuple[PerElement, PerElement3, Floats]:
     empty = np.flatnonzero(volume <= 1e-12 * made.centres.reach**3)
     if empty.size:
         raise InputError(
-            f"the cell of element {empty[0]} has no volume ({empty.size} such cells): larger spheres swallow it, or"
+            f"the cell of element {empty[0]} has no volume ({empty.size} such cells): larger spheres enclose it, or"
             " walls pass through its centre; remove it, or make radii more alike"
         )
     middle = first / volume[:, None]

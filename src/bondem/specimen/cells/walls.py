@@ -64,7 +64,7 @@ def wall_triangles(shape: Shape) -> Floats:
         return wall_triangles(shape.shape) @ np.array(shape.turn).T + shape.by
     if isinstance(shape, Overlap | Cut | Joined):
         return np.concatenate([wall_triangles(shape.first), wall_triangles(shape.second)])
-    raise InputError(f"{shape} cannot be cut into cells; take a Surface of it, bd.Surface(vertices=, triangles=)")
+    raise InputError(f"{shape} cannot be cut into cells; use a Surface of it, bd.Surface(vertices=, triangles=)")
 
 
 @dataclass(frozen=True)
