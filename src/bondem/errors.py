@@ -42,7 +42,7 @@ class ContactWarning(UserWarning):
 
 
 class ImbalanceWarning(UserWarning):
-    """Warning of an energy ledger whose error is more than a small share of the energies of an explicit run."""
+    """Warning of an explicit run whose energy ledger has an error of more than a small share of its energies."""
 
 
 class FaceWarning(UserWarning):
@@ -50,7 +50,7 @@ class FaceWarning(UserWarning):
 
 
 class StageWarning(UserWarning):
-    """Warning of a schedule that ends before its run begins, because the run continues from a state."""
+    """Warning of a schedule that begins before its run, whose time continues from that of its initial state."""
 
 
 class PrestressWarning(UserWarning):
@@ -62,7 +62,7 @@ class UnitWarning(UserWarning):
 
 
 class StrengthWarning(UserWarning):
-    """Warning of strengths that imply an impossible fracture energy, so that nothing breaks realistically."""
+    """Warning of strengths that imply a fracture energy far above that of real materials of this stiffness."""
 
 
 class FillingWarning(UserWarning):
@@ -82,7 +82,7 @@ class IncompressibleWarning(UserWarning):
 
 
 class UnstableRunError(BondemError):
-    """Error for a required run that became unstable."""
+    """Error for an unstable run whose result another computation needs."""
 
 
 class StudyError(InputError):

@@ -46,9 +46,9 @@ def crack_speed(
 ) -> CrackGrowth:
     """Measure the length of a crack over time, and its speed.
 
-    The front is the largest (x - origin)·direction of all that has broken. The slope of Theil and Sen represents most
-    of its course. It is insensitive to the jumps of a crack that branches or restarts ahead of its front, if these
-    are less than 29 % of its advances.
+    The front is the largest (x - origin)·direction of all broken bonds or facets so far. The speed is the slope of
+    Theil and Sen, the median slope of all pairs of advances. It is insensitive to the jumps of a crack that branches
+    or restarts ahead of its front, if these are less than 29 % of its advances.
 
     Args:
         events: broken bonds, `run.events`.
@@ -57,10 +57,13 @@ def crack_speed(
         between: time interval in which advances count [s]; None for all.
         beyond: length from which advances count [m], for example beyond the damage around a notch.
 
+    Returns:
+        Times and lengths of the advances, and the speed with its confidence interval.
+
     Raises:
         InputError: There are fewer than three advances, or the direction has zero length.
 
-    Reference: Theil (1950); Sen (1968), whose interval it is.
+    Reference: Theil (1950); Sen (1968) for the interval.
     """
     instance("crack_speed", "events", events, BrokenBonds, "run.events")
     start = np.array(vector("crack_speed", "origin", origin, unit="m"))

@@ -22,7 +22,7 @@ _SURFACE = 1.0
 
 @dataclass(frozen=True, eq=False)
 class Explanation:
-    """Fracture properties that a model implies; `print` it.
+    """Fracture properties that a model implies, as values and as a text for `print`.
 
     Attributes:
         implied: strength, fracture energy and toughness, as medians of bonds or facets.

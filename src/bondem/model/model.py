@@ -187,7 +187,7 @@ class Model:
 
     @cached_property
     def contacts(self) -> ContactModel | None:
-        """Contacts in the initial configuration, in the kernels' form, or None."""
+        """Contacts of the reference configuration, in the kernels' form; None without a contact law."""
         if self.contact is None:
             return None
         origin = local_origin(self.lattice)
@@ -216,7 +216,7 @@ class Model:
 
     @cached_property
     def breaking(self) -> FailureTable | None:
-        """Breakage criteria of the bonds, in the kernels' order, or None."""
+        """Criteria by which single bonds break or begin to soften, in the kernels' order; None if there are none."""
         if self.failure is None:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
@@ -234,7 +234,7 @@ class Model:
 
     @cached_property
     def beam_softening(self) -> BeamSoftening | None:
-        """Softening of beams, in the kernels' order, or None."""
+        """Fracture energies of softening beams, in the kernels' order; None if no beam softens."""
         whole = self._cells is not None or self._non_local is not None
         if self.failure is None or whole or not self._by_bond:
             return None
@@ -243,14 +243,14 @@ class Model:
 
     @cached_property
     def softening(self) -> SofteningTable | None:
-        """Cracking of facets and yielding of cells, in the kernels' order, or None."""
+        """Parameters of cracking facets and yielding cells, in the kernels' order; None if there are none."""
         if self.failure is None or self.cells is None:
             return None
         return SofteningTable.of(self.lattice, self.layout, self.cells, self.failure_parts)
 
     @property
     def implied_fracture(self) -> ImpliedFracture | None:
-        """Fracture properties that the criterion implies with these elements, or None."""
+        """Fracture properties implied by the criterion and these elements; None without a criterion or bonds."""
         if self.failure is None:
             return None
         return implied_fracture(

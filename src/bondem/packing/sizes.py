@@ -25,7 +25,7 @@ class SizeLaw(ABC):
 
     @abstractmethod
     def quantile(self, share: Floats) -> Floats:
-        """Return the radius below which this share of the spheres lies, up to a common factor, (n,)."""
+        """Return the radii below which the given shares of the spheres lie, up to a common factor, (n,)."""
 
     def radii(self, count: int, random: np.random.Generator) -> Floats:
         """Return radii over their mean [-], in random order, (count,)."""
@@ -84,7 +84,7 @@ class Lognormal(SizeLaw):
 
 @dataclass(frozen=True)
 class Sieve(SizeLaw):
-    """Radii by a grading curve; mass between two sieves is uniform over the logarithm of the diameter.
+    """Radii by a grading curve. Between two sieves mass is distributed uniformly over the logarithm of the diameter.
 
     Args:
         diameters: sieve openings [m or any other unit, because the packing sets the scale], ascending.

@@ -19,7 +19,7 @@ class Event(ABC):
 
 @dataclass(frozen=True)
 class AtRest(Event):
-    """An event: all elements are slower than `speed`.
+    """An event that occurs when all elements are slower than `speed`.
 
     Attributes:
         speed: limit of the speed [m/s].

@@ -16,7 +16,7 @@ _ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "fracture",
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """Records of a run over time; `history["name"]` is a gauge, (s, 3).
+    """Records of a run over time; `history["name"]` returns the records of a gauge, (s, 3).
 
     Attributes:
         records: columns time [s], thirteen energies [J], three components per gauge, shape (s, 14 + 3 g).

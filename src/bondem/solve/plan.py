@@ -89,7 +89,7 @@ class Plan:
 
     @property
     def steps(self) -> int:
-        """Number of steps round(duration / dt) of a plan with a given time step.
+        """Number of steps, round(duration / dt); requires a time step.
 
         Raises:
             InputError: The number of steps is excessive.

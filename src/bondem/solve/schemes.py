@@ -50,10 +50,11 @@ class VelocityVerlet(Scheme):
 
 @dataclass(frozen=True)
 class TchamwaWielgosz(Scheme):
-    """The Tchamwa–Wielgosz scheme: first order, dissipates high frequencies; x⁺ = x + dt v + φ dt² a, v⁺ = v + dt a.
+    """The Tchamwa–Wielgosz scheme: first order, dissipates high frequencies.
 
-    It is stable for ω dt < 2 / √(2φ - 1). It is the scheme of the reference (Mahéo et al. 2009) cited by André et al.
-    (2012). The decentred scheme in their eqs (17), (18) is another one, and unstable for φ > 1.
+    A step is x⁺ = x + dt v + φ dt² a, v⁺ = v + dt a. It is stable for ω dt < 2 / √(2φ - 1). It is the scheme of the
+    reference (Mahéo et al. 2009) cited by André et al. (2012). The decentred scheme in their eqs (17), (18) is
+    another one, and unstable for φ > 1.
 
     Attributes:
         phi: dissipation φ >= 1 [-]; 1 dissipates nothing.

@@ -153,7 +153,7 @@ def _check_pairs(pairs: Pairs, count: int) -> None:
 
 
 def carve(lattice: Lattice, shape: Shape) -> Lattice:
-    """Cut the part of a lattice whose centres lie inside `shape`; this shape becomes the shape of the part.
+    """Cut out the part of a lattice whose centres lie inside `shape`, which becomes the shape of the part.
 
     A body of cells is tessellated again, so that the cells of the kept elements fill the new shape up to its walls.
 

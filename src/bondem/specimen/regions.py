@@ -169,7 +169,7 @@ class Within(Region):
 
 @dataclass(frozen=True, kw_only=True)
 class Plane(Region):
-    """Elements on one side of a plane, the side that its normal points to; for example one of two layers.
+    """Elements on the side of a plane that its normal points to, for example one of two layers.
 
     `bd.pack(..., around=plane)` makes cells end on the plane.
 

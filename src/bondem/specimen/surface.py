@@ -130,7 +130,7 @@ class Surface(Shape):
         return Triangles(self.vertices, self.triangles[self._on_face["side"]])
 
     def face_triangles(self, face: str) -> Ints:
-        """Return the numbers of the triangles of a face."""
+        """Return the triangles of a face, as indices into `triangles`."""
         self._check_face(face)
         return self._on_face[face]
 

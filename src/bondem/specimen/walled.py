@@ -71,7 +71,7 @@ class Walled(ABC):
 
     @property
     def planes(self) -> Planes:
-        """Plane faces that have the whole shape on one side."""
+        """Planes of the faces that have the whole shape on one side, by the names of the faces."""
         return {}
 
     def depth(self, points: PerElement3) -> PerElement:
@@ -79,7 +79,7 @@ class Walled(ABC):
         return self.depth_of(self.faces, points)
 
     def depth_of(self, faces: Sequence[str], points: PerElement3) -> PerElement:
-        """Return the depth with respect to some faces only [m], (n,).
+        """Return the depth of points (n, 3) with respect to some faces only [m], (n,).
 
         Shapes that are not an intersection of their faces use all faces.
         """
