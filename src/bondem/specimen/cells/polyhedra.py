@@ -1,4 +1,4 @@
-"""The cells as polyhedra, for pictures and files."""
+"""Cells as polyhedra, for pictures and files."""
 
 from dataclasses import dataclass
 
