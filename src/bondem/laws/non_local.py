@@ -7,7 +7,7 @@ before. With kn = A E / L and kt = A G / L, tension positive,
     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻,      t = A (σ n - (n·σ n) n)
 
-where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t goes on by kt (δ_t - δ_t⁻) from A τ. What
+where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ. What
 kt δ_t lacks is the other half of the engineering shear strain. The stress of an element of volume V is the symmetric
 part of
 

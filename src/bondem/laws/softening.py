@@ -8,8 +8,8 @@ g_p = R_p (A w M⁻¹n)_p and F⁺ = F less its part along the normal n where th
     f = Σ_p w_p [s F_p + (1 - s) min(F_p·n, 0) n] + q
     -∂U/∂s = Σ_p w_p |F⁺_p|² / 2 k + bending - friction spring ≥ 0
 
-so that a closed crack bears pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction on
-what is broken, cut at μ times the pressure on it; an open crack forgets it (Alfano and Sacco 2006).
+so that a closed crack carries pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction
+on what is broken, cut at μ times the pressure on it; an open crack forgets it (Alfano and Sacco 2006).
 
 Bending opens one edge of a facet more than the other. T_b = √(2 k U_b) / A is the rms of the tractions by which its
 points differ, U_b the energy of bending of the whole facet, and what of it opens the facet is
@@ -17,9 +17,9 @@ points differ, U_b the energy of bending of the whole facet, and what of it open
     b = max(T_b - p, 0),     p = max(-σ3, 0) of the mean stress of both cells.
 
 A facet of the material is put on the list of cracks where its traction, with b along n added, reaches the criterion.
-From then on its integrity is a function of what it bears now, and nothing of the path is remembered but the least
-integrity so far. With t = F / A the traction that it would have if it were whole, and e_1, e_2, e_3 the present
-principal directions of the mean stress of its cells, the facet is judged along each of them:
+From then on its integrity is a function of its present loads. Of the path only the least integrity so far is stored.
+With t = F / A the traction that it would have if it were whole, and e_1, e_2, e_3 the present principal directions of
+the mean stress of its cells, the facet is judged along each of them:
 
     T_a² = p_a² + b_a²,     b_a = b |n·e_a| / max_d |n·e_d|
     strength r f_t c_a,     c_a = max(|n·e_a|, 0.2),     r = T_a / (p_a + b_a)

@@ -25,7 +25,7 @@ def taken_walls(model: Model, state: State) -> Floats:
     """Return the initial places of walls that hold facets of cells (`State.grips`), shape (g, 7).
 
     A wall that held a facet along an axis continues from its place, even if another condition moves it now. A wall
-    that did not begins at the facet. The facet then carries at first the loads on it that have been removed, or
+    that did not begins at the facet. The facet then initially carries the loads on it that have been removed, or
     nothing. A cell whose wall holds more of the normal of its facet than before keeps the moment.
 
     Args:

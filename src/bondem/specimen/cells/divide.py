@@ -30,7 +30,7 @@ def _plane(sphere, x, a, b):
 
 @loop(parallel=False)
 def _share(solids, s, sphere, near, own, tolerance, pile, spare, lid, work):
-    """Return the part of solid s nearer to `own` than to others of `near`: a list, its faces and corners, a spare list."""
+    """Return the part of solid s nearer to `own` than to others of `near`: a list, its sizes, a spare list."""
     x = sphere[solids.cell[s]]
     faces, corners = ROW, ROW
     for f in range(solids.face[s], solids.face[s + 1]):
