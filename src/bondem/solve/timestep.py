@@ -152,9 +152,10 @@ def critical_step(
     """Return the largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
     It also holds for contacts before they appear, because each is counted with the largest number that can touch at
-    once. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness. Dashpots lower
-    the limit by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing boundaries do
-    not. For the non-local law it is the largest stable share by its own steps (`bondem.solve.lagged_step`).
+    once. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and dashpots.
+    Dashpots lower the limit by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing
+    boundaries do not. For the non-local law it is the largest stable share by its own steps
+    (`bondem.solve.lagged_step`).
 
     Args:
         model: model that will move.
@@ -192,8 +193,8 @@ def _limits(
     for frequency, delay in motions:
         omega = raised * math.hypot(bonds, frequency)
         if omega > 0.0:
-            lost = decay + delay * frequency**2
-            limit = min(limit, _damped_limit(scheme, omega, lost + damped))
+            lost = raised**2 * (decay + delay * frequency**2)
+            limit = min(limit, _damped_limit(scheme, omega, lost + raised**2 * damped))
             free = min(free, _damped_limit(scheme, omega, lost))
     return limit, free
 
@@ -232,7 +233,7 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
     limit = math.inf
     for frequency, delay in motions:
         omega = raised * math.hypot(springs, frequency)
-        zeta = 0.5 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
+        zeta = 0.5 * raised**2 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
         if omega > 0.0:
             limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
     if springs == 0.0:
