@@ -118,7 +118,7 @@ def orthonormal(vectors: Floats) -> Floats:
 
 
 def span(vectors: Floats) -> Floats:
-    """Orthonormal basis of the span of vectors (rows, k), of which some may depend on others, (rows, ≤ k)."""
+    """Return an orthonormal basis of the span of vectors (rows, k), which may be dependent, (rows, ≤ k)."""
     if vectors.shape[1] == 0:
         return vectors
     size, turn = np.linalg.eigh(vectors.T @ vectors)
