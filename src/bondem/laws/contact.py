@@ -180,18 +180,18 @@ class LinearContact(ContactLaw):
         return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping, 0.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
-        """See `ContactLaw.stiffest`."""
+        """Return bounds of the fastest motions of spheres in contact; see `ContactLaw.stiffest`."""
         kn = 0.5 * math.pi * self.E * radius
         delay = 2.0 * self.damping * float(np.sqrt(0.5 * mass / kn).max())
         return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
 
     @property
     def deepest(self) -> float:
-        """See `ContactLaw.deepest`."""
+        """Overlap over the smaller radius up to which the law describes a contact [-]."""
         return _DEEPEST
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """See `ContactLaw.shortest`; π √(m / k) at every speed."""
+        """Return the duration of the shortest elastic collision, π √(m / k) at every speed [s]; see `ContactLaw.shortest`."""
         kn = 0.5 * math.pi * self.E * radius
         return math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)
 

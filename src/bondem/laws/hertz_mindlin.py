@@ -88,17 +88,17 @@ class HertzMindlin(ContactLaw):
         return np.array([self.modulus, 1.0 / self.kappa, self.friction, self.damping, 1.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
-        """See `ContactLaw.stiffest`; at the deepest overlap."""
+        """Return bounds of the fastest motions of spheres at the deepest overlap; see `ContactLaw.stiffest`."""
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         delay = 2.0 * HERTZIAN_DASHPOT * self.damping * float(np.sqrt(0.5 * mass / kn).max())
         return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
 
     @property
     def deepest(self) -> float:
-        """See `ContactLaw.deepest`: 0.1, or `overlap` if that is larger."""
+        """Overlap over the smaller radius up to which the law describes a contact [-]: 0.1, or `overlap` if that is larger."""
         return max(_DEEPEST, self.overlap)
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """See `ContactLaw.shortest`; at the deepest overlap."""
+        """Return the duration of the shortest elastic collision at the deepest overlap [s]; see `ContactLaw.shortest`."""
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         return _DURATION * slowest_root(kn, 2.0 * math.sqrt(2.0) * kn, mass, platens, walled=walled)

@@ -104,10 +104,11 @@ class Drive:
 class Load:
     """A total force and moment on a region, distributed over its elements.
 
-    The nodal forces are the smallest, by the sum of squares, with two properties. Their resultant is `force` through
-    the anchor of the region, which is the centre of a face, else the centroid. Their moment about the anchor is
-    `moment`. Where forces on the elements cannot produce the moment (one element, or a row), torques supply the rest.
-    On a face of a body of cells the load consists of the smallest tractions on the facets of the face.
+    Among all nodal forces with the given resultant and moment, those with the least sum of squares are applied. The
+    resultant is `force` through the anchor of the region, which is the centre of a face, else the centroid. The
+    moment about the anchor is `moment`. Where forces on the elements cannot produce the moment (one element, or a
+    row), torques supply the rest. On a face of a body of cells the load consists of the smallest tractions on the
+    facets of the face.
 
     Forces and moments keep their direction. If the region rotates, the forces that make up its moment rotate with it,
     in explicit runs and at large rotations (`solve_static(nonlinear=True)`, `solve_relaxed`).

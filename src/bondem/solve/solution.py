@@ -5,7 +5,7 @@ from enum import Enum
 
 
 class Status(Enum):
-    """End of a solution. Without convergence there is no solution: the solver raises `ConvergenceError`."""
+    """Outcome of a solution. A solver that does not converge has no outcome: it raises `ConvergenceError`."""
 
     COMPLETED = "completed"
     STOPPED = "stopped by an event"
@@ -20,10 +20,10 @@ class Status(Enum):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Solution:
-    """Common part of all solutions.
+    """Common part of the results of all solvers.
 
     Attributes:
-        status: end of the solution.
+        status: outcome of the solution.
         iterations: number of time steps, or iterations of Newton's method or conjugate gradients; 1 for elimination.
         residual: residual of the equations, as a share of their terms [-]; each solution defines it.
     """
