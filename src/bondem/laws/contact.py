@@ -191,7 +191,10 @@ class LinearContact(ContactLaw):
         return _DEEPEST
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Return the duration of the shortest elastic collision, π √(m / k) at every speed [s]; see `ContactLaw.shortest`."""
+        """Return the duration of the shortest elastic collision [s]; see `ContactLaw.shortest`.
+
+        It is π √(m / k) at every speed.
+        """
         kn = 0.5 * math.pi * self.E * radius
         return math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)
 

@@ -95,10 +95,16 @@ class HertzMindlin(ContactLaw):
 
     @property
     def deepest(self) -> float:
-        """Overlap over the smaller radius up to which the law describes a contact [-]: 0.1, or `overlap` if that is larger."""
+        """Overlap over the smaller radius up to which the law describes a contact [-].
+
+        It is 0.1, or `overlap` if that is larger.
+        """
         return max(_DEEPEST, self.overlap)
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Return the duration of the shortest elastic collision at the deepest overlap [s]; see `ContactLaw.shortest`."""
+        """Return the duration of the shortest elastic collision, at the deepest overlap [s].
+
+        See `ContactLaw.shortest`.
+        """
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         return _DURATION * slowest_root(kn, 2.0 * math.sqrt(2.0) * kn, mass, platens, walled=walled)
