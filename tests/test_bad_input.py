@@ -113,7 +113,7 @@ STUDIES = {
     "E < 0": ("E = 72.5e9", "E = -72.5e9", "'material.E'", "give a number above 0 [Pa]"),
     "E is NaN": ("E = 72.5e9", "E = nan", "'material.E' = nan", "give a number above 0 [Pa]"),
     "E is text": ("E = 72.5e9", "E = '72.5'", "'material.E' = '72.5' is text", "leave out the quotes"),
-    "E is a length": ("E = 72.5e9", "E = '72.5 mm'", "'material.E' = '72.5 mm'", "mm is no unit of [Pa]"),
+    "E is a length": ("E = 72.5e9", "E = '72.5 mm'", "'material.E' = '72.5 mm'", "mm is not a unit of [Pa]"),
     "E in an unknown unit": ("E = 72.5e9", "E = '72.5 Gpa'", "'material.E'", "unit 'Gpa' is not known"),
     "nu = 0.5": ("nu = 0.17", "nu = 0.5", "'material.nu' = 0.5", "between -1 and 0.5"),
     "nu = -1": ("nu = 0.17", "nu = -1", "'material.nu' = -1", "between -1 and 0.5"),

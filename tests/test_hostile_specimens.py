@@ -247,7 +247,7 @@ def test_particles_with_a_shape_they_do_not_fill(packing, tmp_path):
         assert "centres lie outside the Box" in refused(lambda make=make: make(box(8e-3)), kind=InputError)
         with pytest.warns(FillingWarning, match="stick out of the Box"):
             make(box(9.9e-3))
-        with pytest.warns(FillingWarning, match=r"the shape is larger than what fills it \(and 2 more such\)"):
+        with pytest.warns(FillingWarning, match=r"the shape is larger than the body of spheres \(and 2 more such\)"):
             make(box(12e-3))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -256,10 +256,10 @@ def test_particles_with_a_shape_they_do_not_fill(packing, tmp_path):
     told = refused(lambda: run_study(study(8), tmp_path / "out"), within=20.0, kind=StudyError)
     assert told.startswith("'specimen.particles': ")
     assert "centres lie outside the Box" in told
-    with pytest.warns(FillingWarning, match="larger than what fills it"):
+    with pytest.warns(FillingWarning, match="larger than the body of spheres"):
         results = run_study(study(12), tmp_path / "out")
     reasons = " ".join(results["packings"][0]["fabric_reasons"])
-    assert "the shape is larger than what fills it" in reasons
+    assert "the shape is larger than the body of spheres" in reasons
     assert "strata" not in reasons
 
 

@@ -93,8 +93,8 @@ def test_check_tells_what_every_example_does(example: Path, monkeypatch, capsys)
     ("wrong", "right", "words"),
     [
         ("nuu = 0.2", "nu = 0.2", "did you mean 'material.nu'"),
-        ('radius = "50 MPa"', 'radius = "50 mm"', "MPa is no unit of"),
-        ('pressure = "5 mm"', 'pressure = "5 MPa"', "mm is no unit of"),
+        ('radius = "50 MPa"', 'radius = "50 mm"', "MPa is not a unit of"),
+        ('pressure = "5 mm"', 'pressure = "5 MPa"', "mm is not a unit of"),
         ('criterion = "MohrColoumb"', 'criterion = "MohrCoulomb"', "did you mean 'MohrCoulomb'"),
     ],
 )

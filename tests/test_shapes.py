@@ -155,7 +155,7 @@ def test_overlap_and_joined():
     corner = bd.Box(size=(1.0, 1.0, 1.0)) & bd.Ball(radius=1.0)
     assert corner.volume == pytest.approx(math.pi / 6.0, rel=1e-3)
     assert corner.area == pytest.approx(5.0 * math.pi / 4.0, rel=1e-2)
-    with pytest.raises(InputError, match="nothing in common"):
+    with pytest.raises(InputError, match="do not intersect"):
         _ = PLATE & bd.Ball(radius=0.1).moved((9, 9, 9))
     grip, gauge = bd.Box(size=(1.0, 1.0, 1.0)), bd.Box(size=(3.0, 0.5, 0.5)).moved((0.5, 0.25, 0.25))
     bar = grip | gauge | grip.moved((3.0, 0.0, 0.0))

@@ -1,7 +1,7 @@
 """bondem: bonded-particle discrete element method.
 
-`import bondem as bd` reaches every public name; each is loaded at its first use, so that importing the
-package costs nothing. What type checkers and editors see is `__init__.pyi`, which a test compares with the list here.
+`import bondem as bd` gives access to every public name. Names are loaded on first use, so that the import is fast.
+Type checkers and editors read `__init__.pyi`, which a test compares with the list here.
 """
 
 import importlib

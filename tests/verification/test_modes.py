@@ -164,7 +164,7 @@ def test_prestress_of_something_else_is_refused() -> None:
     with pytest.raises(InputError, match="has 61 elements; give a solution of this model"):
         bd.solve_modes(other, count=1, prestress=loaded)
     pulled, _ = string(5e3)
-    with pytest.raises(InputError, match="is no equilibrium of this model"):
+    with pytest.raises(InputError, match="is not an equilibrium of this model"):
         bd.solve_modes(pulled, count=1, prestress=loaded)
     with pytest.raises(InputError, match="prestress = 'tension'"):
         bd.solve_modes(model, count=1, prestress="tension")

@@ -226,11 +226,11 @@ def test_energies_that_cannot_be_are_refused(what: type, options: dict, line: st
 @pytest.mark.parametrize(
     ("failure", "options", "line"),
     [
-        ({"dilatancy": 0.1}, {}, "dilatancy is of cells"),
+        ({"dilatancy": 0.1}, {}, "dilatancy applies to cells"),
         ({"fracture_energy_shear": math.inf}, {}, "give beams a number"),
         ({}, {"contact": bd.LinearContact(E=1e7, stress_free=False)}, "stress_free=True"),
         ({}, {"contact": bd.LinearContact(E=1e7, parallel=True)}, "leave out parallel="),
-        ({}, {"boundary": [bd.Eigenstrain(1e-3)]}, "Eigenstrain does not know beams that soften"),
+        ({}, {"boundary": [bd.Eigenstrain(1e-3)]}, "Eigenstrain does not apply to beams that soften"),
         ({"fracture_energy_shear": 1e-6}, {}, "fracture_energy_shear"),
     ],
 )

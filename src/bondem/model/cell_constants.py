@@ -1,4 +1,4 @@
-"""Constants of the cell law on a body: of its facets and of its cells."""
+"""Constants of the cell law on a body, for its facets and cells."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -24,29 +24,29 @@ CellAssignment = CellBond | Mapping[Region, CellBond]
 
 @dataclass(frozen=True, eq=False)
 class CellConstants:
-    """What the energy of `CellBond` is made of.
+    """Constants of the energy of `CellBond`.
 
-    The levers begin at the centre of mass of a cell, which is where an element is; every other length is that of the
-    tessellation's own centres. A body needs no other difference: the gap of a facet is that of its two faces.
+    The levers begin at the centre of mass of a cell, which is the place of the element; all other lengths refer to
+    the centres of the tessellation. Nothing else differs, because the gap of a facet is that of its two faces.
 
-    Shares and H are numbers of single precision and levers multiples of `pitch`: what follows from them is exact, and
+    Shares and H are numbers of single precision and levers multiples of `pitch`: results from them are exact, and
     kernels read half as much.
 
     Attributes:
-        k: 2 G A / L, of halves in series where materials meet [N/m], shape (m,).
-        lever_i, lever_j: from the centres of mass to the centroid of the facet [m], shape (m, 3).
+        k: 2 G A / L, of halves in series between different materials [N/m], shape (m,).
+        lever_i, lever_j: levers from the centres of mass to the centroid of the facet [m], shape (m, 3).
         H: resistance to relative rotation [N·m], shape (m, 3, 3).
         share_i, share_j: A w_p M_p⁻¹ n: V θ of each side is Σ share·δ [m²], shape (m, 3).
         volume: V [m³], shape (n,).
-        weight: λ_p / V_p, by which V_p θ_p becomes the stress λ_p θ_p [Pa/m³], shape (n,).
-        normal: of the facets, from i to j [-], shape (m, 3).
-        slack_i, slack_j: what 1 / weight of each side gains where the facet breaks, A d |M⁻¹n|² / 2G [m³/Pa], (m,).
+        weight: λ_p / V_p, the factor from V_p θ_p to the stress λ_p θ_p [Pa/m³], shape (n,).
+        normal: normals of the facets, from i to j [-], shape (m, 3).
+        slack_i, slack_j: increase of 1 / weight of each side if the facet breaks, A d |M⁻¹n|² / 2G [m³/Pa], (m,).
         G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
         grips: facets that walls hold; their cells in the user's order.
-        softness: d / 2 G of each free facet, by which a traction opens it [m/Pa], shape (k,).
+        softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
         way: M⁻¹n along its free axes: the stress of the cell opens it by -softness · stress · way [-], shape (k, 3).
-        free_cell: of each free facet, user's order, shape (k,).
-        pressed: what tractions on its free facets add to V θ of each cell [m³], shape (n,).
+        free_cell: cell of each free facet, user's order, shape (k,).
+        pressed: contribution of tractions on its free facets to V θ of each cell [m³], shape (n,).
         pitch: levers are whole multiples of it along x, y, z [m], shape (3,).
     """
 
@@ -72,15 +72,15 @@ class CellConstants:
 
     @classmethod
     def of(cls, body: Lattice, bond: CellAssignment, holds: Holds) -> "CellConstants":
-        """The constants of a body.
+        """Return the constants of a body.
 
         Args:
             body: a lattice with facets and cells.
-            bond: its material.
+            bond: law of its material.
             holds: free facets that walls hold.
 
         Raises:
-            InputError: a lattice without cells, or cells that no law covers.
+            InputError: The lattice has no cells, or cells are covered by no law.
         """
         facets, cells = body_of(body)
         G, lame, rotation = _materials(body, bond)
@@ -126,12 +126,12 @@ class CellConstants:
         )
 
     def pressed_by(self, force: Floats) -> PerElement:
-        """What forces on free facets [N], (k, 3), add to V θ of their cells: Σ (d / 2 G) F·M⁻¹n [m³], (n,)."""
+        """Return Σ (d / 2 G) F·M⁻¹n, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
         opened = self.softness * (self.way * force).sum(axis=1)
         return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
     def ordered(self, layout: Layout) -> "CellConstants":
-        """The same in the kernels' order."""
+        """Return the constants in the kernels' order."""
         bond, element, back = layout.bond_order, layout.order, layout.flipped[:, None]
         lever_i, lever_j = self.lever_i[bond], self.lever_j[bond]
         share_i, share_j = self.share_i[bond], self.share_j[bond]
@@ -158,9 +158,9 @@ class CellConstants:
         )
 
     def stretched(self, strain: PerBond, layout: Layout) -> "CellConstants":
-        """The same with cells that would be larger without stress, as their facets' ε* say.
+        """Return the constants with cells that are larger without stress, by the ε* of their facets.
 
-        Those at walls reach for them by the mean of their facets.
+        Cells at walls grow towards them by the mean of their facets.
 
         Args:
             strain: ε* [-], kernels' order, as these constants are in, shape (m,), or (0,) for none.
@@ -172,11 +172,11 @@ class CellConstants:
         return replace(self, lever_i=self.lever_i * stretch, lever_j=self.lever_j * stretch, grips=grips)
 
     def damaged(self, integrity: PerBond, i: Ints, j: Ints) -> "CellConstants":
-        """The same with facets of some integrity s: of what they lack, 1 - s, they are free facets of both cells.
+        """Return the constants with facets of integrity s; the missing part 1 - s acts as free facets of both cells.
 
         Args:
-            integrity: of the facets, shape (m,); their cells are i and j.
-            i, j: (m,).
+            integrity: integrity of the facets, shape (m,); their cells are i and j.
+            i, j: cells of the facets, (m,).
         """
         if (integrity == 1.0).all():
             return self
@@ -185,10 +185,10 @@ class CellConstants:
         return replace(self, weight=self.weight / (1.0 + self.weight * slack))
 
     def rows(self, to_i: np.ndarray) -> CellTable:
-        """The constants as kernels take them, in the kernels' order.
+        """Return the constants in the kernels' form and order.
 
         Args:
-            to_i: where each facet adds to its cell i, uint32, (m,): cell i, or a place behind all cells.
+            to_i: row where each facet adds to its cell i, uint32, (m,): cell i, or a row behind all cells.
         """
         def columns(each: Floats, kind: type) -> np.ndarray:
             return np.ascontiguousarray(with_zeros(each.T.astype(kind)))
@@ -208,7 +208,7 @@ class CellConstants:
         )  # fmt: skip
 
     def as_bonds(self, body: Lattice) -> BondStiffness:
-        """Stiffnesses of beams that are about as stiff, for what only needs a measure: dashpots, magnitudes."""
+        """Return stiffnesses of beams that are about as stiff, for approximate uses: dashpots, magnitudes."""
         facets, _ = body_of(body)
         bend = np.einsum("mii->m", self.H) * 0.5
         return BondStiffness(
@@ -218,34 +218,34 @@ class CellConstants:
 
 
 def body_of(lattice: Lattice) -> tuple[Facets, Cells]:
-    """Facets and cells of a body.
+    """Return the facets and cells of a body.
 
     Raises:
-        InputError: it has none.
+        InputError: The lattice has no cells.
     """
     if lattice.facets is None or lattice.cells is None:
         raise InputError(
-            "CellBond needs a body cut into cells: connect particles with bd.connect(particles, method='laguerre')"
+            "CellBond needs a body cut into cells; connect particles with bd.connect(particles, method='laguerre')"
         )
     return lattice.facets, lattice.cells
 
 
 def _single(values: Floats) -> Floats:
-    """The nearest numbers of single precision."""
+    """Return the nearest numbers of single precision."""
     return values.astype(np.float32).astype(float)
 
 
 def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str]:
-    """G and λ of each cell [Pa], (n,), and what of a relative rotation counts."""
+    """Return G and λ of each cell [Pa], (n,), and the part of a relative rotation that counts."""
     n = len(body.particles)
     if isinstance(bond, CellBond):
         return np.full(n, bond.G), np.full(n, bond.lame), bond.facet_rotation
     G, lame = np.full(n, np.nan), np.full(n, np.nan)
     for where, law in bond.items():
         if not isinstance(where, Region):
-            raise InputError("CellBond belongs to cells: give {region: law}, not laws between two regions")
+            raise InputError("CellBond applies to cells; give {region: law}, not laws between two regions")
         if not isinstance(law, CellBond):
-            raise InputError(f"all cells of a body need bd.CellBond(...), not {shown(law)} in a part of them")
+            raise InputError(f"bond= has {shown(law)} in a part of the cells; give bd.CellBond(...) for all cells")
         chosen = as_region("bond=", where).select(body)
         G[chosen], lame[chosen] = law.G, law.lame
     bare = int(np.isnan(G).sum())
@@ -253,12 +253,12 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
         raise InputError(f"{bare} cells follow no law; add an entry for bd.Everything() before the others")
     rotations = {law.facet_rotation for law in bond.values()}
     if len(rotations) > 1:
-        raise InputError("all laws of one body must have the same facet_rotation=")
+        raise InputError("bond= has laws with different facet_rotation=; give all laws of a body the same")
     return G, lame, rotations.pop()
 
 
 def _corrections(body: Lattice, facets: Facets, cells: Cells) -> Floats:
-    """M⁻¹ of each cell [-], (n, 3, 3): M = (1/V) Σ A d n⊗n over all its facets, 1 on average."""
+    """Return M⁻¹ of each cell [-], (n, 3, 3): M = (1/V) Σ A d n⊗n over all its facets, 1 on average."""
     n = len(cells.volume)
     M = np.zeros((n, 3, 3))
     free = cells.free
@@ -275,10 +275,11 @@ def _corrections(body: Lattice, facets: Facets, cells: Cells) -> Floats:
 
 
 def _at_platens(way: Floats, normal: Floats, holds: Holds) -> Floats:
-    """M⁻¹n of free facets, along n alone where a smooth platen holds them: normal, but free to slide, (k, 3).
+    """Return M⁻¹n of free facets, (k, 3), along n alone where a smooth platen holds them: normal, but free to slide.
 
-    Such a facet has no traction along the platen, so that no uniform strain opens it that way; the rest of M⁻¹n would
-    let it slide under the pressure of its cell, and a body between platens yield to it: more the nearer ν is to ½.
+    Such a facet has no traction along the platen, so that no uniform strain opens it that way. The rest of M⁻¹n would
+    let it slide under the pressure of its cell. This would soften a body between platens, more so the nearer ν is to
+    ½.
     """
     flat = ((holds.axes * normal[holds.facet]) ** 2).sum(axis=1)
     smooth = holds.facet[(flat > 0.5) & ~holds.axes.all(axis=1)]
@@ -288,7 +289,7 @@ def _at_platens(way: Floats, normal: Floats, holds: Holds) -> Floats:
 
 
 def _resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:
-    """H [N·m], (m, 3, 3), of facets with second moments S and `stiffness` 2 G / L [Pa/m]."""
+    """Return H [N·m], (m, 3, 3), of facets with second moments S and `stiffness` 2 G / L [Pa/m]."""
     if rotation == "none":
         return np.zeros_like(S)
     unit = np.eye(3)
@@ -298,7 +299,7 @@ def _resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> 
 
 
 def _grips(cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: str) -> Grips:
-    """The half facets between cells and walls."""
+    """Return the half facets between cells and walls."""
     free, facet = cells.free, holds.facet
     cell, normal, axes = free.cell[facet], free.normal[facet], holds.axes.astype(float)
     stiffness = 2.0 * G[cell] / free.depth[facet]

@@ -1,4 +1,4 @@
-"""What bodies of cells do less well than their users may expect, as far as a model shows it: warnings."""
+"""Warnings about bodies of cells that are less accurate than expected, as far as a model shows it."""
 
 import warnings
 from collections.abc import Callable, Mapping
@@ -25,11 +25,11 @@ _CONTRAST, _ROUGH = 1.25, 0.15
 
 
 def question_cells(body: Lattice, bond: object) -> None:
-    """Warn of a body of cells that is one cell thick somewhere, nearly incompressible, or of ragged interfaces.
+    """Warn of a body of cells that is one cell thick somewhere, nearly incompressible, or has ragged interfaces.
 
     Args:
-        body: the lattice of a model.
-        bond: its laws; others than `CellBond` are of no account.
+        body: lattice of a model.
+        bond: its laws; only `CellBond` is considered.
     """
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
     if body.cells is None or body.facets is None or not all(isinstance(law, CellBond) for law in laws):
@@ -42,7 +42,7 @@ def question_cells(body: Lattice, bond: object) -> None:
 
 
 def _question_incompressible(nu: float) -> None:
-    """Warn of cells that hardly change their volume: cells yield a little to a uniform pressure, which is stiffer."""
+    """Warn of nearly incompressible cells, which are too compliant under uniform pressure."""
     if nu > _NEARLY:
         _warn(
             f"CellBond: nu = {nu:g} is nearly incompressible: confined on all sides, 300 cells have a bulk modulus"
@@ -76,7 +76,7 @@ def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
 
 
 def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
-    """Warn of an interface between two materials that cells cut through, where a surface says where it is."""
+    """Warn of an interface between two materials that cuts through cells, if a surface defines it."""
     assert body.cells is not None
     assert body.facets is not None
     surfaces = [one for where in bond for one in _surfaces(where)]
@@ -101,7 +101,7 @@ def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
 
 
 def _surfaces(where: object) -> list[Callable[[PerElement3], Floats]]:
-    """Distances from the surfaces that a region is made of; none of those that name elements."""
+    """Return distances from the surfaces that a region is made of, none for those that name elements."""
     match where:
         case Within():
             return [where.shape.depth]
@@ -114,7 +114,7 @@ def _surfaces(where: object) -> list[Callable[[PerElement3], Floats]]:
 
 
 def free_shares(body: Lattice) -> Floats:
-    """What free facets have of (1/V) Σ A d n⊗n of each cell, along three axes of its own [-], (n, 3)."""
+    """Return the part of free facets in (1/V) Σ A d n⊗n of each cell, along three axes of its own [-], (n, 3)."""
     cells, facets = body.cells, body.facets
     assert cells is not None
     assert facets is not None
@@ -127,7 +127,7 @@ def free_shares(body: Lattice) -> Floats:
 
 
 def _sums(cell: np.ndarray, weight: Floats, normal: Floats, n: int) -> Floats:
-    """Σ weight n⊗n of each cell, (n, 3, 3)."""
+    """Return Σ weight n⊗n of each cell, (n, 3, 3)."""
     found = np.zeros((n, 3, 3))
     for a in range(3):
         for b in range(3):

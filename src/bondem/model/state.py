@@ -1,4 +1,4 @@
-"""The state: the only arrays that change."""
+"""The state: all arrays that change during a solution."""
 
 from collections.abc import Sequence
 
@@ -20,45 +20,47 @@ from bondem.model.walls import Free, Servo, Wall
 
 
 class State:
-    """Where everything is, and how it moves; see docs/decisions/0001-state.md.
+    """Positions, velocities and damage of all elements and bonds; see docs/decisions/0001-state.md.
 
-    `model.state()` makes one at rest; `set_motion`, `set_pose` and `set_eigenstrain` change it. Internal arrays are
-    in the kernels' order; the properties are in the user's.
+    `model.state()` makes a state at rest; `set_motion`, `set_pose` and `set_eigenstrain` change it. Internal arrays
+    are in the kernels' order; the properties are in the user's order.
 
     Attributes:
-        model: the model that it is a state of; that of the last run.
-        origin: what x, y, z in `pose` count from [m], shape (3,): zero but of a specimen far from there.
+        model: model of the state, that of its last run.
+        origin: origin of x, y, z in `pose` [m], shape (3,); zero unless the specimen lies far from the origin.
         pose: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
         motion: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
-        acceleration: translational and rotational at the present pose, shape (n, 6).
-        integrity: 1 intact … 0 broken, shape (m,).
-        history: force and moment of each bond, (6, m); only for the incremental formulation, else (6, 0). Of the
-            non-local law gap, extra force and its work (`bondem.kernels.non_local`), (7, m).
-        stress: of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa]; only for the non-local law, (n, 6),
+        acceleration: translational and rotational accelerations at the present pose, shape (n, 6).
+        integrity: integrity of each bond, 1 intact … 0 broken, shape (m,).
+        history: force and moment of each bond for the incremental formulation, (6, m), else (6, 0). For the non-local
+            law: gap, extra force and its work (`bondem.kernels.non_local`), (7, m).
+        stress: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
             else (0, 6).
         eigenstrain: stress-free strain ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,)
-            where none was set.
+            if none was set.
         reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
-        work: of loads and drives on each row since the start [J], shape (r,); then, where there are any, of body
-            forces on each element, and of strains.
-        loss: energy damping has taken from each element, its present power, and energy lost to friction
+        work: work of loads and drives on each row since the start [J], shape (r,). The works of body forces on each
+            element and of strains follow, if there are any.
+        loss: energy that damping has taken from each element, its present power, and energy lost to friction
             [J, W, J], shape (n, 3).
         touching: internal pairs i < j in contact, sorted by j, then i, shape (c, 2).
-        stretch: their tangential stretch [m] and force of the dashpots [N], shape (c, 6).
+        stretch: tangential stretch [m] and dashpot force [N] of these contacts, shape (c, 6).
         wall_touching: internal element and wall of each contact with a wall, shape (b, 2).
-        wall_stretch: the same of these, shape (b, 6).
-        walls: where the walls are, how they move, what presses on them (`bondem.kernels.walls`), shape (w, 14).
-        broken: what broke, in time: time [s], step, internal bond, mode, gap at breakage [m], energy released [J] and
-            where [m]; shape (e, 9).
+        wall_stretch: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
+        walls: positions, velocities and loads of the walls (`bondem.kernels.walls`), shape (w, 14).
+        broken: breakages in order of time: time [s], step, internal bond, mode, gap at breakage [m], energy
+            released [J] and place [m]; shape (e, 9).
         released: energy that breaking bonds have released since the start [J], shape (1,).
-        cracks: facets that have begun to crack, in time (`bondem.kernels.crack_tables`), shape (c, 13).
-        plastic: plastic strain of cells and what goes with it (as above), (n, 17), or (0, 17) where none yield.
-        softened: beams that have begun to soften, in time (`bondem.kernels.soft_tables`), shape (c, 6).
-        grips: where the walls come from that hold facets of cells (`bondem.model.grips`), shape (g, 7).
-        facet_force: of each facet on its cell i [N], of a body whose facets may crack, shape (3, m), else (3, 0).
-        step: steps done.
-        time: [s].
-        stale: whether the acceleration must be found anew before the next step.
+        cracks: facets that have begun to crack, in order of time (`bondem.kernels.crack_tables`), shape (c, 13).
+        plastic: plastic strain of cells and related data (`bondem.kernels.crack_tables`), (n, 17), or (0, 17) if no
+            cell can yield.
+        softened: beams that have begun to soften, in order of time (`bondem.kernels.soft_tables`), shape (c, 6).
+        grips: initial places of the walls that hold facets of cells (`bondem.model.grips`), shape (g, 7).
+        facet_force: force of each facet on its cell i [N], shape (3, m), for a body whose facets may crack; else (3,
+            0).
+        step: number of steps done.
+        time: time [s].
+        stale: True if the acceleration must be recomputed before the next step.
     """
 
     def __init__(self, model: Origin) -> None:
@@ -114,7 +116,7 @@ class State:
     GROWING = ("touching", "stretch", "wall_touching", "wall_stretch", "broken", "cracks", "softened")
 
     def copy(self) -> "State":
-        """An independent copy."""
+        """Return an independent copy."""
         twin = State.__new__(State)
         twin.__dict__.update(self.__dict__)
         for name in self.ARRAYS:
@@ -122,20 +124,22 @@ class State:
         return twin
 
     def begin(self, model: Origin) -> None:
-        """Make this the start of a new run of `model`: the same elements and bonds, under these or other conditions.
+        """Make this the initial state of a new run of `model`.
 
-        Time, motion and bonds go on; steps, work and losses are counted from here. Boundary conditions, contacts and
-        walls may be others: a wall that was there stays where it has come to, a new one is where it is defined. So
-        may be the stiffness of bonds of the total formulation, as their forces follow from where elements are.
+        The model has the same elements and bonds, under these or other conditions.
+        Time, motion and bonds continue; steps, work and losses are counted from here. Boundary conditions, contacts
+        and walls may differ. A wall that existed before stays at its current place; a new wall is where it is
+        defined. The stiffness of bonds of the total formulation may differ too, because their forces follow from the
+        poses.
 
         Raises:
-            InputError: the state of a model with other elements, masses or bonds.
+            InputError: The state belongs to a model with other elements, masses or bonds.
         """
         other = difference(self.model, model)
         if other:
             raise InputError(
-                f"state belongs to another {other}; start from a state of this model, or give one that model.state()"
-                " makes positions and velocities by set_pose and set_motion"
+                f"state belongs to another {other}; start from a state of this model, or set positions and velocities"
+                " of model.state() by set_pose and set_motion"
             )
         rows = len(model.constraints.element)
         self.reaction = np.zeros((rows, 6))
@@ -156,26 +160,26 @@ class State:
         self.stale = True
 
     def _take_damage(self, model: Origin) -> None:
-        """Go on with cracks and plastic strains, or begin to have them.
+        """Continue with the present cracks and plastic strains, or prepare arrays for them.
 
         Raises:
-            InputError: a model whose criterion does not know what there is.
+            InputError: The criterion of the model cannot describe the present damage.
         """
         soft, fresh = model.softening, State(model)
         if soft is None and (len(self.cracks) or self.plastic.any()):
-            raise InputError("the state has cracks or plastic strains: give the model a criterion that softens too")
+            raise InputError("the state has cracks or plastic strains; give the model a criterion that softens too")
         if model.beam_softening is None and len(self.softened):
-            raise InputError("the state has beams that soften: give the model a criterion with a fracture_energy too")
+            raise InputError("the state has beams that soften; give the model a criterion with a fracture_energy too")
         if self.facet_force.shape != fresh.facet_force.shape:
             self.facet_force = fresh.facet_force
         if self.plastic.shape != fresh.plastic.shape:
             if self.plastic.any():
-                raise InputError("the state has cells that yielded: give the model a criterion by which cells yield")
+                raise InputError("the state has cells that yielded; give the model a criterion by which cells yield")
             self.plastic = fresh.plastic
         self.plastic[:, HEAT] = 0.0
 
     def _set_off(self, before: Sequence[Wall | None], walls: Sequence[Wall]) -> None:
-        """Velocities of walls that stand still now, or are free now and were not before."""
+        """Set velocities of walls that stand still from now on, or that become free."""
         for k, wall in enumerate(walls):
             was = before[k] if k < len(before) else None
             goes_on = was is not None and type(wall.motion) is type(was.motion)
@@ -185,7 +189,7 @@ class State:
                 self.walls[k, RATE : RATE + 4] = 0.0
 
     def _take_walls(self, walls: Sequence[Wall]) -> list[Wall | None]:
-        """Carry displacement and contacts of walls that go on, known by where they are defined; what each was."""
+        """Carry over displacement and contacts of walls of the same definition; return the previous wall of each."""
         rows = [wall.row.tolist() for wall in self.model.walls]
         came: list[int] = []
         for wall in walls:
@@ -218,46 +222,46 @@ class State:
 
     @property
     def local_position(self) -> PerElement3:
-        """The same from `origin` [m], for what needs their differences, shape (n, 3)."""
+        """Centres relative to `origin` [m], shape (n, 3), for accurate differences."""
         return self._by_user(self.pose[:, :3])
 
     @property
     def displacement(self) -> PerElement3:
-        """Centres minus their reference [m], shape (n, 3)."""
+        """Displacements of the centres from the reference configuration [m], shape (n, 3)."""
         return self._by_user(self.pose[:, :3] - self.rest)
 
     @property
     def orientation(self) -> np.ndarray:
-        """Unit quaternions (w, x, y, z), shape (n, 4)."""
+        """Orientations as unit quaternions (w, x, y, z), shape (n, 4)."""
         return self._by_user(self.pose[:, 4:])
 
     @property
     def velocity(self) -> PerElement3:
-        """[m/s], shape (n, 3)."""
+        """Velocities [m/s], shape (n, 3)."""
         return self._by_user(self.motion[:, :3])
 
     @property
     def angular_velocity(self) -> PerElement3:
-        """[rad/s], shape (n, 3)."""
+        """Angular velocities [rad/s], shape (n, 3)."""
         return self._by_user(self.motion[:, 4:7])
 
     @property
     def bond_integrity(self) -> PerBond:
-        """1 intact … 0 broken, in the user's order of bonds, shape (m,)."""
+        """Integrity of each bond, 1 intact … 0 broken, in the user's order, shape (m,)."""
         values = np.empty_like(self.integrity)
         values[self.layout.bond_order] = self.integrity
         return values
 
     @property
     def slipped(self) -> PerElement:
-        """Σ Δγ of the cells that yield [-], user's order, shape (n,); zeros where none do."""
+        """Accumulated plastic slip Σ Δγ of each cell [-], user's order, shape (n,); zeros if no cell can yield."""
         if not len(self.plastic):
             return np.zeros(len(self.pose))
         return self._by_user(self.plastic[:, GAMMA])
 
     @property
     def plastic_deformation(self) -> Floats:
-        """P of each cell, in its own frame, by which its levers have grown [-], user's order, shape (n, 3, 3)."""
+        """Plastic deformation P of each cell in its frame, which scales its levers [-], user's order, (n, 3, 3)."""
         P = np.tile(np.eye(3), (len(self.pose), 1, 1))
         if len(self.plastic):
             P += self._by_user(self.plastic[:, DEFORMATION : DEFORMATION + 9]).reshape(-1, 3, 3)
@@ -265,17 +269,17 @@ class State:
 
     @property
     def contacts(self) -> Pairs:
-        """Pairs of elements in contact, bonded ones not counted, user's order, shape (c, 2)."""
+        """Pairs of elements in contact, without bonded pairs, user's order, shape (c, 2)."""
         return self.layout.order[self.touching]
 
     @property
     def wall_displacement(self) -> Floats:
-        """How far each wall has come [m], shape (w, 3)."""
+        """Displacement of each wall [m], shape (w, 3)."""
         return self.walls[:, :3].copy()
 
     @property
     def wall_growth(self) -> Floats:
-        """By how much the radius of each cylinder has changed [m], shape (w,)."""
+        """Change of the radius of each cylinder or sphere [m], shape (w,)."""
         return self.walls[:, 3].copy()
 
     @property
@@ -286,10 +290,10 @@ class State:
     def set_motion(
         self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None
     ) -> None:
-        """Give the elements velocities [m/s] or angular velocities [rad/s], user's order, shape (n, 3).
+        """Set velocities [m/s] or angular velocities [rad/s] of the elements, user's order, shape (n, 3).
 
         Raises:
-            InputError: a wrong shape or a value that is not finite.
+            InputError: An array has the wrong shape or a value that is not finite.
         """
         for value, columns in ((velocity, slice(0, 3)), (angular_velocity, slice(4, 7))):
             if value is None:
@@ -301,13 +305,13 @@ class State:
             self.stale = True
 
     def set_eigenstrain(self, strain: float | np.ndarray) -> None:
-        """Give the bonds a stress-free strain ε* [-] (heat, shrinkage, initial stress), user's order, (m,).
+        """Set a stress-free strain ε* of the bonds [-] (heat, shrinkage, initial stress), user's order, (m,).
 
         Raises:
-            InputError: a wrong shape, a value at or below -1, or a model of the incremental formulation.
+            InputError: The array has the wrong shape, a value is at or below -1, or the formulation is incremental.
         """
         if self.history.shape[1] > 0:
-            raise InputError("eigenstrain needs stored rest lengths: use formulation='total'")
+            raise InputError("eigenstrain needs stored rest lengths; use formulation='total'")
         count = len(self.integrity)
         values = array("State", "eigenstrain", strain, wanted=f"values above -1, one or ({count},)")
         if values.shape not in ((), (count,)) or not (np.isfinite(values) & (values > -1.0)).all():
@@ -317,7 +321,7 @@ class State:
 
     @property
     def stress_free_strain(self) -> PerBond:
-        """ε* of each bond now [-], that of the state and of `Eigenstrain`, kernels' order, (m,), or (0,) for none."""
+        """Present strain ε* of the bonds [-], by the state and `Eigenstrain`, kernels' order, (m,); (0,) if none."""
         strain = self.eigenstrain
         for condition in self.model.boundary:
             if isinstance(condition, Eigenstrain):
@@ -329,7 +333,7 @@ class State:
         """Move the elements to centres [m] (n, 3) and unit quaternions (n, 4), user's order.
 
         Raises:
-            InputError: a wrong shape, a value that is not finite, or quaternions that are not of unit length.
+            InputError: An array has the wrong shape, a value is not finite, or a quaternion has not unit length.
         """
         for value, columns in ((position, slice(0, 3)), (orientation, slice(4, 8))):
             if value is None:
@@ -339,6 +343,6 @@ class State:
             if given.shape != shape or not np.isfinite(given).all():
                 raise InputError(f"poses have shape {given.shape}; give finite {shape}")
             if shape[1] == 4 and np.abs((given**2).sum(axis=1) - 1.0).max() > 1e-6:
-                raise InputError("orientations are no unit quaternions (w, x, y, z); divide each by its length")
+                raise InputError("orientations are not unit quaternions (w, x, y, z); divide each by its length")
             self.pose[:, columns] = (given - self.origin if shape[1] == 3 else given)[self.layout.order]
             self.stale = True

@@ -17,15 +17,15 @@ from bondem.model.state import State
 
 @dataclass(frozen=True, eq=False)
 class BondForces:
-    """What bonds do to their elements, user's order, axes of space; zero of broken bonds.
+    """Forces and moments of bonds on their elements, user's order, global axes; zero for broken bonds.
 
     The force on element i is the opposite of that on j. Moments act on the elements, at their centres.
 
     Attributes:
-        force: on element j [N], shape (m, 3).
-        moment_i: on element i [N·m], shape (m, 3).
-        moment_j: on element j [N·m], shape (m, 3).
-        axis: unit vector from centre i to centre j now [-], shape (m, 3).
+        force: force on element j [N], shape (m, 3).
+        moment_i: moment on element i [N·m], shape (m, 3).
+        moment_j: moment on element j [N·m], shape (m, 3).
+        axis: unit vector from centre i to centre j in the present pose [-], shape (m, 3).
     """
 
     force: PerBond3
@@ -40,33 +40,33 @@ class BondForces:
 
     @property
     def shear(self) -> PerBond:
-        """Shear force [N], without sign, shape (m,)."""
+        """Magnitude of the shear force [N], shape (m,)."""
         return np.linalg.norm(np.cross(self.force, self.axis), axis=1)
 
     @property
     def bending(self) -> PerBond:
-        """The larger bending moment of both ends [N·m], without sign, shape (m,)."""
+        """Larger of the bending moments at both ends, as a magnitude [N·m], shape (m,)."""
         ends = [np.linalg.norm(np.cross(moment, self.axis), axis=1) for moment in (self.moment_i, self.moment_j)]
         return np.maximum(*ends)
 
     @property
     def twisting(self) -> PerBond:
-        """Twisting moment [N·m], without sign, shape (m,)."""
+        """Magnitude of the twisting moment [N·m], shape (m,)."""
         return np.abs((self.moment_i * self.axis).sum(axis=1))
 
 
 def bond_forces(model: Model, state: State) -> BondForces:
-    """Forces and moments of the bonds of a state, but for those of dashpots.
+    """Compute forces and moments of the bonds of a state, without those of dashpots.
 
     Args:
-        model: of beams or the non-local law; bodies of cells have stresses instead (`bd.cell_stress`).
-        state: of a run of this model, or `model.state()`.
+        model: model of beams or of the non-local law; bodies of cells have stresses instead (`bd.cell_stress`).
+        state: state of a run of this model, or `model.state()`.
 
     Returns:
         Forces and moments, user's order.
 
     Raises:
-        InputError: a model of cells, or a state of another model.
+        InputError: The model has cells, or the state belongs to another model.
     """
     instance("bond_forces", "model", model, Model, "bd.Model(...)")
     instance("bond_forces", "state", state, State, "the state of a run, or model.state()")
@@ -74,7 +74,7 @@ def bond_forces(model: Model, state: State) -> BondForces:
     if other:
         raise InputError(f"bond_forces: the state belongs to another {other}; give one of this model")
     if model.cells is not None:
-        raise InputError("bond_forces: facets of cells have no moments of their own; look at bd.cell_stress instead")
+        raise InputError("bond_forces: facets of cells have no moments of their own; use bd.cell_stress instead")
     layout, pairs = model.layout, model.lattice.pairs
     bonds = model.bonds.stretched(state.stress_free_strain).rows(layout, model.period, state.integrity)
     found = np.zeros((bonds.m, COLUMNS))
@@ -98,7 +98,7 @@ def bond_forces(model: Model, state: State) -> BondForces:
 
 
 def _pressed(model: Model, state: State, length: Floats) -> PerBond:
-    """What presses on beams that soften beside what is left of them [N], user's order."""
+    """Return the compressive force of beams that soften, without their share by integrity [N], user's order."""
     push = np.zeros(len(length))
     begun = state.softened[:, SOFT_BOND].astype(np.int64)
     begun = begun[state.integrity[begun] > 0.0]

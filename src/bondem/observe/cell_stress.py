@@ -14,11 +14,11 @@ _OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
 
 
 def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
-    """Mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
+    """Compute the mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
 
-    f are the forces on its facets, those of its neighbours, of walls that hold it and of loads on the surface, and b
-    the arms to them from its centre of mass. In equilibrium Σ V σ over all cells is the moment of what acts on the
-    surface, exactly. Tension positive; axes in space.
+    f are the forces of neighbours, holding walls and surface loads on the facets. b are the arms to them from the
+    centre of mass of the cell. In equilibrium Σ V σ over all cells is exactly the moment of the forces on the
+    surface. Tension is positive; axes are global.
 
     Args:
         model: a body of cells under `CellBond`.
@@ -26,13 +26,13 @@ def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
             solution as a state with its pose.
 
     Raises:
-        InputError: another law, or a result of another model.
+        InputError: The model has another law, or the result belongs to another model.
     """
     return mean_stress(model, CellForces.of(model, result))
 
 
 def mean_stress(model: Model, forces: CellForces) -> Floats:
-    """The same of forces that are known."""
+    """Compute the mean stress tensor of every cell from known forces [Pa], shape (n, 3, 3)."""
     body, grips = model.lattice, model.cell_constants.grips
     _, cells = body_of(body)
     i, j = body.pairs.T
@@ -46,6 +46,6 @@ def mean_stress(model: Model, forces: CellForces) -> Floats:
 
 
 def dilatation(model: Model, stress: Floats) -> PerElement:
-    """Change of volume over volume of cells under these mean stresses, tr σ / 3K [-], shape (n,)."""
+    """Compute the dilatation of cells under these mean stresses, tr σ / 3K [-], shape (n,)."""
     constants = model.cell_constants
     return np.einsum("nii->n", stress) / (3.0 * constants.lame + 2.0 * constants.G)

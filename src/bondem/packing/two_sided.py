@@ -1,10 +1,10 @@
 """Centres of cells that end on surfaces: planes, the walls of shapes, closed triangulated surfaces.
 
-A centre inside at half the size of a cell from a face has its mirror image outside, and the plane half-way between
-the two is the face, or touches it where it is curved. As long as no point of the face is nearer to any other centre,
-cells end there and nowhere else: exactly on plane faces, on a polyhedron of the same volume about curved ones. Near a
-convex edge a centre is at half a size from both faces and has an image behind each. Concave edges are only followed
-about: 0.13 sizes off, root mean square over an L.
+A centre at half the size of a cell inside a face has its mirror image outside. The plane half-way between the two is
+the face, or touches it where it is curved. If no point of the face is nearer to any other centre, cells end there and
+nowhere else: exactly on plane faces, on a polyhedron of the same volume around curved ones. Near a convex edge a
+centre is half a size from both faces and has an image behind each. Concave edges are only approximated: the error is
+0.13 sizes, root mean square over an L.
 """
 
 from collections.abc import Callable, Sequence
@@ -44,7 +44,7 @@ _Depth = Callable[[PerElement3], PerElement]
 
 @dataclass(frozen=True)
 class _Sided:
-    """A surface: depth behind all of its faces, positive inside, and behind each of them."""
+    """A surface, with the depth behind all of its faces, positive inside, and the depth behind each face."""
 
     depth: _Depth
     faces: tuple[_Depth, ...]
@@ -59,17 +59,17 @@ class _Sided:
 def around_surfaces(
     shape: Shape, count: int, surfaces: Sequence[Around], random: np.random.Generator, told: Callable[[float], None]
 ) -> Particles:
-    """Equal spheres for cells that end on surfaces.
+    """Pack equal spheres for cells that end on surfaces.
 
     Args:
-        shape: what to fill.
-        count: how many.
-        surfaces: within it or across it, apart from each other by 1.6 cells or more.
-        random: where the randomness comes from.
-        told: called with the done share.
+        shape: shape to fill.
+        count: number of spheres.
+        surfaces: surfaces within the shape or across it, apart from each other by 1.6 cells or more.
+        random: random generator.
+        told: function called with the completed share.
 
     Raises:
-        InputError: cells too large, surfaces outside of the shape, or too near to each other.
+        InputError: The cells are too large, or surfaces lie outside the shape or too near to each other.
     """
     h = float(np.cbrt(shape.volume / count))
     sided = [_Sided.of(surface) for surface in surfaces]
@@ -78,12 +78,12 @@ def around_surfaces(
         for other in layers[:k]:
             if KDTree(layer).query(other)[0].min() < _TWIN * h:
                 raise InputError(
-                    f"pack: two of the surfaces of around= come nearer to each other than 1.6 cells of {h:.3g} m; ask"
-                    " for more and smaller cells, or give surfaces that keep apart"
+                    f"pack: two surfaces of around= are nearer to each other than 1.6 cells of {h:.3g} m; ask"
+                    " for more and smaller cells, or give surfaces farther apart"
                 )
     pins = np.concatenate(layers)
     if count <= len(pins):
-        raise InputError(f"pack: {count} cells are all taken by the surfaces of around=; ask for more")
+        raise InputError(f"pack: the surfaces of around= need more than {count} cells; ask for more")
     x = np.concatenate([pins, _thrown(shape, count - len(pins), sided, h, random)])
     still, margin = np.arange(count) < len(pins), np.full(count, _MARGIN * h)
     for _ in range(_ROUNDS):
@@ -99,21 +99,21 @@ def around_surfaces(
 def _moved(
     shape: Shape, x: PerElement3, before: PerElement3, still: Mask, margin: Floats, sided: list[_Sided], h: float
 ) -> PerElement3:
-    """Free centres where they go, inside the walls and clear of surfaces; the others stay."""
+    """Move free centres to new places inside the walls and clear of surfaces; the other centres stay."""
     x = kept_inside(shape, np.where(still[:, None], before, x), before, margin)
     stay = still | (_nearest(sided, x) < _CLEAR * h)
     return np.where(stay[:, None], before, x)
 
 
 def _nearest(sided: list[_Sided], x: PerElement3) -> PerElement:
-    """Distance from the nearest surface [m], (n,)."""
+    """Return the distance from the nearest surface [m], (n,)."""
     return np.min([np.abs(one.depth(x)) for one in sided], axis=0)
 
 
 def _layers(
     shape: Shape, surface: Around, sided: _Sided, h: float, random: np.random.Generator
 ) -> PerElement3:
-    """Centres on both sides of a surface [m], (k, 3)."""
+    """Return the centres on both sides of a surface [m], (k, 3)."""
     lower, upper = shape.bounds
     x = lower + (upper - lower) * random.random((_SAMPLES, 3))
     x = x[shape.depth(x) > 0.0]
@@ -149,7 +149,7 @@ def _layers(
 
 
 def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: float) -> PerElement3:
-    """Some of the points of a layer, pushed apart, holes filled, each moved amid the points nearest to it."""
+    """Select points of a layer: pushed apart, with holes filled, each centred among its nearest points."""
     pin = points[:count].copy()
     if count == 1:
         return pin
@@ -176,7 +176,7 @@ def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: flo
 
 
 def _onto(sided: _Sided, x: PerElement3, h: float) -> PerElement3:
-    """Points moved to half a size behind the faces that they are near to, the nearest at least."""
+    """Move points to half a size behind the faces near to them, at least behind the nearest face."""
     for _ in range(3):
         depth = np.array([face(x) for face in sided.faces])
         nearest = np.abs(depth - _HALF * h).argmin(axis=0)
@@ -189,14 +189,14 @@ def _onto(sided: _Sided, x: PerElement3, h: float) -> PerElement3:
 
 
 def _slope(face: _Depth, x: PerElement3, h: float) -> PerElement3:
-    """Inward unit normals of a face at points (n, 3) [-]."""
+    """Return the inward unit normals of a face at points (n, 3) [-]."""
     tiny = 1e-3 * h
     slope = np.column_stack([(face(x + tiny * axis) - face(x - tiny * axis)) / (2.0 * tiny) for axis in np.eye(3)])
     return slope / np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), 0.1)
 
 
 def _shift(face: _Depth, x: PerElement3, h: float) -> PerElement:
-    """How far inside a curved face planes that touch it lie, for the volume to be right [m], (n,).
+    """Return the depth of tangent planes inside a curved face that gives the right volume [m], (n,).
 
     Tiles h wide rise above a surface of principal curvatures κ by h² (κ₁ + κ₂) / 24 on average.
     """
@@ -208,7 +208,7 @@ def _shift(face: _Depth, x: PerElement3, h: float) -> PerElement:
 
 
 def _apart(x: PerElement3, least: float) -> PerElement3:
-    """The points without those that are nearer to one before them than `least` [m]."""
+    """Remove points that are nearer to an earlier point than `least` [m]."""
     kept = np.ones(len(x), dtype=bool)
     pairs = KDTree(x).query_pairs(least, output_type="ndarray") if len(x) > 1 else np.empty((0, 2), dtype=int)
     for a, b in pairs[np.lexsort(pairs.T[::-1])]:
@@ -220,7 +220,7 @@ def _apart(x: PerElement3, least: float) -> PerElement3:
 def _thrown(
     shape: Shape, count: int, sided: list[_Sided], h: float, random: np.random.Generator
 ) -> PerElement3:
-    """Centres at random that are in no layer [m], (count, 3)."""
+    """Return random centres that lie in no layer [m], (count, 3)."""
     lower, upper = shape.bounds
     found = np.empty((0, 3))
     for _ in range(_TRIES):

@@ -1,4 +1,4 @@
-"""Rigid walls of a shape, in the form the packing kernel takes."""
+"""Rigid walls of a shape, in the form that the packing kernel requires."""
 
 import math
 
@@ -20,10 +20,10 @@ _COARSE = 4
 
 
 def walls(shape: Shape, radius: PerElement) -> PackingWalls:
-    """Walls of `shape` for spheres of `radius` (n,) [m].
+    """Return the walls of `shape` for spheres of `radius` (n,) [m].
 
     Raises:
-        InputError: more spheres than a grid of depths can be made for.
+        InputError: There are too many spheres for a grid of depths.
     """
     none, everywhere, flat = np.full(3, -np.inf), np.full(3, np.inf), np.zeros(3)
     lower, upper = shape.bounds
@@ -45,7 +45,7 @@ def _plain(lower: Floats, upper: Floats, weight: Floats, radius: float) -> Packi
 
 
 def _depth_grid(shape: Shape, radius: PerElement) -> tuple[Floats, float, Floats]:
-    """First node [m], spacing [m] and depths [m] of a grid over the shape."""
+    """Return first node [m], spacing [m] and depths [m] of a grid over the shape."""
     h = _SPACING * float(radius.mean())
     lower, upper = shape.bounds
     coarse = [int(n) + 3 for n in np.ceil((upper - lower) / (_COARSE * h))]

@@ -31,19 +31,20 @@ _FLUSH = 1e-6
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Surface(Shape):
-    """What a closed triangulated surface encloses: `Surface("part.stl", unit="mm")`.
+    """The solid enclosed by a triangulated surface, for example `Surface("part.stl", unit="mm")`.
 
-    Facets in a side of the bounding box are the faces "x_min" … "z_max", all others "side".
+    Facets in a side of the bounding box form the faces "x_min" … "z_max"; all other facets form the face "side".
 
     Attributes:
         vertices: corners [m], (v, 3).
-        triangles: the corners of each triangle, counter-clockwise seen from outside, (t, 3).
+        triangles: corner indices of each triangle, counter-clockwise seen from outside, (t, 3).
 
     Raises:
-        InputError: no such file, another format, a size that cannot be metres, or a surface that is not closed.
+        InputError: The file does not exist or has another format, its size cannot be in metres, or the surface is
+            not closed.
 
     Warns:
-        UnitWarning: a file of more than a metre without a unit.
+        UnitWarning: The part of a file without a unit is longer than one metre.
     """
 
     vertices: Floats
@@ -57,13 +58,13 @@ class Surface(Shape):
         vertices: ArrayLike | None = None,
         triangles: ArrayLike | None = None,
     ) -> None:
-        """Read a file, or take arrays.
+        """Read a surface from a file, or make it from arrays.
 
         Args:
-            file: STL or PLY.
-            unit: of its numbers, by name ("mm") or in metres (1e-3); None takes metres if that is plausible.
-            vertices: instead of a file, corners (v, 3) in `unit`.
-            triangles: and the triangles, (t, 3).
+            file: STL or PLY file.
+            unit: unit of length, by name ("mm") or in metres (1e-3); None for metres, if the size is plausible.
+            vertices: corners (v, 3) in `unit`, instead of a file.
+            triangles: corner indices (t, 3), together with `vertices`.
         """
         scale = None if unit is None else length_unit("Surface", unit)
         if file is not None:
@@ -78,11 +79,11 @@ class Surface(Shape):
         size = float(np.ptp(x, axis=0).max())
         if file is not None and scale is None and size > _PLAUSIBLE:
             raise InputError(
-                f"{name} is {size:.4g} long, and its unit is not known; give unit='mm', or unit='m' if it is metres"
+                f"{name} is {size:.4g} long and has no unit; give unit='mm', or unit='m' if its numbers are metres"
             )
         if file is not None and scale is None and size > _USUAL:
             warnings.warn(
-                f"{name} is taken to be {size:.4g} m long; give unit='m' if it is, or unit='mm' if it is millimetres",
+                f"{name} is assumed to be {size:.4g} m long; give unit='m' to confirm, or unit='mm' for millimetres",
                 UnitWarning, stacklevel=2,
             )  # fmt: skip
         x *= 1.0 if scale is None else scale
@@ -110,7 +111,7 @@ class Surface(Shape):
 
     @cached_property
     def _on_face(self) -> dict[str, Ints]:
-        """The triangles of each face."""
+        """Triangle numbers of each face."""
         lower, upper = self.bounds
         flush = _FLUSH * float((upper - lower).max())
         on_face, rest = {}, np.ones(len(self.triangles), dtype=bool)
@@ -129,7 +130,7 @@ class Surface(Shape):
         return Triangles(self.vertices, self.triangles[self._on_face["side"]])
 
     def face_triangles(self, face: str) -> Ints:
-        """Numbers of the triangles of a face."""
+        """Return the triangles of a face, as indices into `triangles`."""
         self._check_face(face)
         return self._on_face[face]
 
@@ -176,7 +177,7 @@ class Surface(Shape):
 
 
 def _section(corner: Floats, x: float) -> float:
-    """Area of the section of a closed surface at x [m²]: its outline is where triangles cross the plane."""
+    """Return the area of the section of a closed surface at x [m²], whose outline is where triangles cross it."""
     above = corner[:, :, 0] >= x
     area = 0.0
     for lone in range(3):
@@ -194,7 +195,7 @@ def _arrays(vertices: ArrayLike, triangles: ArrayLike) -> tuple[Floats, Ints]:
     x = array("Surface", "vertices", vertices, wanted="corners, shape (v, 3)")
     numbers = array("Surface", "triangles", triangles, wanted="numbers of corners, shape (t, 3)")
     if not ((np.rint(numbers) == numbers) & (np.abs(numbers) < 2.0**31)).all():
-        raise InputError("Surface: triangles hold numbers that are not whole; give those of their corners, from 0")
+        raise InputError("Surface: triangles contain fractional numbers; give indices of their corners, from 0")
     return x, numbers.astype(np.int64)
 
 
@@ -213,13 +214,13 @@ def _read(file: Path) -> tuple[Floats, Ints]:
 
 
 def _checked(name: str, vertices: Floats, triangles: Ints) -> Ints:
-    """The triangles, without those that have no area, all facing outwards."""
+    """Return the triangles that have an area, all oriented outwards."""
     if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
-        raise InputError(f"{name}: vertices {vertices.shape} and triangles {triangles.shape} are no (v, 3), (t, 3)")
+        raise InputError(f"{name}: vertices {vertices.shape}, triangles {triangles.shape}; give (v, 3) and (t, 3)")
     if not np.isfinite(vertices).all() or np.abs(vertices).max(initial=0.0) > _FARTHEST:
-        raise InputError(f"{name} has a vertex that is not finite, or beyond all measure; export it again")
+        raise InputError(f"{name} has a vertex that is not finite or beyond 1e30 m; export it again")
     if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
-        raise InputError(f"{name}: triangles name vertices that are not there; count them from 0")
+        raise InputError(f"{name}: triangles refer to vertices that do not exist; count vertices from 0")
     triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
     if len(triangles) < 4:
         raise InputError(f"{name} has {len(triangles)} triangles; a closed surface has at least four")

@@ -1,4 +1,4 @@
-"""Pieces divided anew among elements: those that a wall keeps from the centre of their cell."""
+"""Division among elements of pieces that a wall separates from the centre of their cell."""
 
 import math
 from typing import Any
@@ -20,7 +20,7 @@ _NONE = np.int64(-1)
 
 @kernel(parallel=False)
 def _plane(sphere, x, a, b):
-    """The radical plane of elements a and b, away from a, about x: normal and distance."""
+    """Return the radical plane of elements a and b, away from a, relative to x: normal and distance."""
     p, q, r = sphere[b, 0] - sphere[a, 0], sphere[b, 1] - sphere[a, 1], sphere[b, 2] - sphere[a, 2]
     length = math.sqrt(p * p + q * q + r * r)
     p, q, r = p / length, q / length, r / length
@@ -30,7 +30,7 @@ def _plane(sphere, x, a, b):
 
 @loop(parallel=False)
 def _share(solids, s, sphere, near, own, tolerance, pile, spare, lid, work):
-    """What of solid s is nearer to `own` than to others of `near`: a pile, its faces and corners, another pile."""
+    """Return the part of solid s nearer to `own` than to others of `near`: a list, its sizes, a spare list."""
     x = sphere[solids.cell[s]]
     faces, corners = ROW, ROW
     for f in range(solids.face[s], solids.face[s + 1]):
@@ -64,7 +64,7 @@ def _share(solids, s, sphere, near, own, tolerance, pile, spare, lid, work):
 
 @kernel(parallel=False)
 def _divided(solids, sphere, near, start, tolerance) -> Any:
-    """See `divided`; what `Solids` has, and owners."""
+    """Divide solids; see `divided`. Returns the arrays of `Solids`, and owners."""
     out_cell, out_face = np.empty(64, np.int64), np.zeros(65, np.int64)
     owner, out_solids = np.empty(64, np.int64), 0
     done, all_faces, all_corners = new_pile(1024, 8192), ROW, ROW
@@ -100,11 +100,11 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
     """Divide solids among elements, each point to the one with the least power x² - R².
 
     Args:
-        solids: k of them.
+        solids: k solids.
         sphere: centres and radii of all elements [m], shape (n, 4).
-        near: the elements that solid s is divided among are near[start[s]] … near[start[s + 1] - 1].
-        start: where these begin, shape (k + 1,).
-        tolerance: planes that reach in less do not divide [m].
+        near: elements that solid s is divided among, near[start[s]] … near[start[s + 1] - 1].
+        start: start of these, shape (k + 1,).
+        tolerance: depth of a plane in a solid below which it does not divide the solid [m].
 
     Returns:
         The parts, and the element that each belongs to; the planes between them are splits of the cells.

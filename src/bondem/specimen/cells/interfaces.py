@@ -1,7 +1,7 @@
-"""Where pieces of cells meet: faces in one plane laid over each other.
+"""Interfaces between pieces of cells: faces in one plane, laid over each other.
 
-Two pieces that face each other across a plane share what their faces have in common; what no other piece covers is
-free. Both are patches, convex polygons again.
+Two pieces that face each other across a plane share the common part of their faces; a part that no other piece covers
+is free. Both are patches, again convex polygons.
 """
 
 from typing import NamedTuple
@@ -29,19 +29,19 @@ class _Groups(NamedTuple):
 
 
 class Patches(NamedTuple):
-    """Convex polygons, each a face of a piece or part of one, sorted by nothing.
+    """Convex polygons, each a face of a piece or part of one, in no order.
 
     Attributes:
-        piece: whose face it is of, shape (p,).
-        other: the piece on the other side, or -1, shape (p,).
-        element: the element whose whole cell is on the other side, or -1, shape (p,).
-        normal: away from `piece` [-], shape (p, 3).
+        piece: piece of each face, shape (p,).
+        other: piece on the other side, or -1, shape (p,).
+        element: element whose whole cell is on the other side, or -1, shape (p,).
+        normal: normals away from `piece` [-], shape (p, 3).
         corner: corners of polygon q are corner[q] … corner[q + 1] - 1, shape (p + 1,).
         vertex: corners [m], shape (v, 3).
-        area: [m²], shape (p,).
-        centroid: [m], shape (p, 3).
+        area: areas [m²], shape (p,).
+        centroid: centroids [m], shape (p, 3).
         moment: second moments about it [m⁴], shape (p, 3, 3).
-        expected: elements whose cells should lie behind patches with nothing behind them: a wall lies there, or those
+        expected: elements whose cells should lie behind patches without a neighbour: a wall lies there, or those
             cells ended too early.
     """
 
@@ -59,13 +59,13 @@ class Patches(NamedTuple):
 
 @loop(parallel=False)
 def _part(rest, count, solids, of_face, g, x, y, z, tolerance, f, done, patches, corners, work, other):
-    """Divide polygons by the piece that face g is of: what lies in its face goes to `done`, the rest is returned.
+    """Divide polygons by the piece of face g: parts in its face are added to `done`, the rest is returned.
 
     Args:
         rest: the polygons.
-        count: how many.
-        x, y, z: from the centre that `rest` is measured from to that of the piece [m].
-        f: the face that they are of; -1 if what lies in face g is not wanted.
+        count: number of polygons.
+        x, y, z: vector from the centre that `rest` is relative to, to that of the piece [m].
+        f: face of the polygons; -1 if parts in face g are not required.
     """
     q, left, kept, rows = of_face[g], new_pile(8, 64), ROW, ROW
     for p in range(count):
@@ -104,7 +104,7 @@ def _part(rest, count, solids, of_face, g, x, y, z, tolerance, f, done, patches,
 
 @kernel(parallel=False)
 def _side(solids, of_face, groups, g, sign, tolerance, done, patches, corners, work, other):
-    """Lay the faces of one side of a group over those of the other, from where `sign` 1 also wants what is shared."""
+    """Lay the faces of one side of a group over those of the other; with `sign` 1 shared parts are also kept."""
     mine, first, theirs, second = groups.plus, groups.first, groups.minus, groups.second
     if sign < 0:
         mine, first, theirs, second = groups.minus, groups.second, groups.plus, groups.first
@@ -131,7 +131,7 @@ def _side(solids, of_face, groups, g, sign, tolerance, done, patches, corners, w
 
 @kernel(parallel=False)
 def _match(solids, of_face, groups, tolerance):
-    """Patches of all groups: the face, that on the other side or -1, where corners begin, and corners."""
+    """Return patches of all groups: the face, that on the other side or -1, where corners begin, and corners."""
     done, patches, corners = new_pile(1024, 8192), ROW, ROW
     work, other = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
     for g in range(groups.first.size - 1):
@@ -146,7 +146,7 @@ def _match(solids, of_face, groups, tolerance):
 
 
 def _grouped(pieces: Solids, cell: Ints, inner: Ints, position: PerElement3) -> _Groups:
-    """Group the faces `inner` of pieces by the plane between cells, or between pieces of one, that they lie in."""
+    """Group the faces `inner` of pieces by their planes, between cells or between pieces of one."""
     n, tag, own = len(position), pieces.tag[inner], cell[inner]
     split = tag <= SPLIT
     number = np.unique(np.where(split, (SPLIT - tag) // 2, 0), return_inverse=True)[1]
@@ -164,12 +164,12 @@ def _grouped(pieces: Solids, cell: Ints, inner: Ints, position: PerElement3) -> 
 
 
 def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:
-    """Where pieces of cells meet each other, whole cells, or nothing.
+    """Find the patches where pieces of cells meet each other, whole cells, or nothing.
 
     Args:
-        pieces: those inside the shape, of all cells that walls cut.
+        pieces: pieces inside the shape, of all cells cut by walls.
         position: centres of all elements [m], shape (n, 3).
-        tolerance: patches of less area are left out [m²].
+        tolerance: area below which patches are left out [m²].
     """
     of_face = pieces.of_face
     cell, tag = pieces.cell[of_face], pieces.tag

@@ -1,10 +1,10 @@
 """Plain Laguerre cells: the points nearer to one sphere than to all others, in the power x² - R².
 
 A cell begins as a box and is cut by the radical plane of one neighbour after another, in the order of their distance.
-Every face is a polygon of its own, cut by planes, without any record of what meets where: nothing can go wrong in
-degenerate cases, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour
-at distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. Where small spheres are far from
-large ones it ends before: no radius is above B + κ L, with B a bound about each element.
+Every face is a polygon of its own, cut by planes, without any record of connections. Degenerate cases are therefore
+harmless, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour at
+distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. It ends earlier where small spheres are
+far from large ones: no radius is above B + κ L, with B a bound around each element.
 """
 
 import math
@@ -33,18 +33,18 @@ _SHALLOW, _ROUNDING = 1e-12, 4e-15
 
 
 class Bins(NamedTuple):
-    """Centres sorted into boxes, to find neighbours.
+    """Centres sorted into boxes, for the search of neighbours.
 
     Attributes:
         position: centres [m], shape (n, 3).
         radius: radii [m], shape (n,).
         lower, upper: the box around all cells [m], (3,).
         period: edge lengths of the periodic cell, or 0 [m], (3,).
-        boxes: boxes along each axis, (3,).
-        start: where the members of each box begin, (boxes + 1,).
+        boxes: number of boxes along each axis, (3,).
+        start: start of the members of each box, (boxes + 1,).
         member: elements, box by box, (n,).
         bound: B of each element: no sphere at distance L has a radius above B + κ L [m], (n,).
-        first: distance to which neighbours are looked for at first, less in crowded boxes [m], (n,).
+        first: initial search distance of neighbours, less in crowded boxes [m], (n,).
         reach: usual distance of the farthest neighbour [m].
         tolerance: depth to which planes do not cut [m].
     """
@@ -64,10 +64,10 @@ class Bins(NamedTuple):
 
 
 def usual_reach(particles: Particles) -> float:
-    """Distance within which most elements have all their neighbours [m], about twice that of two of these.
+    """Return the distance within which most elements have all their neighbours [m], about twice that of two of these.
 
     Raises:
-        InputError: coincident centres.
+        InputError: Centres coincide.
     """
     x, n = particles.position, len(particles)
     tree = KDTree(x, boxsize=particles.period)
@@ -79,7 +79,7 @@ def usual_reach(particles: Particles) -> float:
     pair = tree.query_pairs(1e-9 * reach, output_type="ndarray")
     if reach <= 0.0 or len(pair):
         name = f"elements {pair[0, 0]} and {pair[0, 1]}" if len(pair) else "elements"
-        raise InputError(f"centres of {name} coincide, so that no plane parts their cells; remove one of them")
+        raise InputError(f"centres of {name} coincide, so that no plane separates their cells; remove one of them")
     return reach
 
 
@@ -106,7 +106,7 @@ def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bi
 
 
 def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
-    """B of elements in boxes of some widths: the largest radius of near boxes, and less of farther ones, (n,)."""
+    """Return B of elements in boxes of some widths: the largest radius of near boxes, and less of far ones, (n,)."""
     most = np.zeros(int(count.prod()))
     np.maximum.at(most, box, radius)
     most = most.reshape(tuple(count))
@@ -124,7 +124,7 @@ def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
 
 
 class _Room(NamedTuple):
-    """A cell in the making: face f has size[f] corners, from row f · MOST_CORNERS on."""
+    """A cell under construction: face f has size[f] corners, from row f · MOST_CORNERS on."""
 
     plane: Floats
     tag: Ints
@@ -175,7 +175,7 @@ def _gather(centres, i, near, far, found, offset):
 
 @loop(parallel=False)
 def _sort(offset, listed, order):
-    """Order of what was listed, the nearest first (Shell's method)."""
+    """Return the order of the listed elements, the nearest first (Shell's method)."""
     for p in range(listed):
         order[p] = p
     gap = 1
@@ -193,7 +193,7 @@ def _sort(offset, listed, order):
 
 @loop(parallel=False)
 def _begin(centres, i, half, room):
-    """Make the cell a box about its centre, not beyond the walls of the box around all; return its faces."""
+    """Make the cell a box around its centre, within the box around all cells; return its number of faces."""
     plane = room.plane
     for f in range(6):
         c, far = f // 2, f % 2 == 1
@@ -258,7 +258,7 @@ def _cut(room, faces, a, b, c, d, behind, farthest, tolerance):
 
 @kernel(parallel=False)
 def _radius(room, faces):
-    """Distance of the farthest corner from the centre [m]."""
+    """Return the distance of the farthest corner from the centre [m]."""
     far, vertex = 0.0, room.vertex
     for f in range(faces):
         for k in range(f * MOST_CORNERS, f * MOST_CORNERS + room.size[f]):
@@ -268,7 +268,7 @@ def _radius(room, faces):
 
 @loop(parallel=False)
 def _narrow(centres, i, room, faces):
-    """Whether a neighbour lies half a period away: its other image may be one, too."""
+    """Return True if a neighbour lies half a period away, because its other image may be a neighbour, too."""
     for f in range(faces):
         j, d = room.tag[f], room.plane[f, 3]
         if j >= 0:
@@ -282,13 +282,13 @@ def _narrow(centres, i, room, faces):
 
 @loop(parallel=False)
 def _ends(length, own, bound, farthest):
-    """Whether no plane cuts of elements at a distance or beyond, by B."""
+    """Return True if no plane of elements at a distance or beyond cuts, by B."""
     return (1.0 - _SLOPE**2) * length - 2.0 * _SLOPE * bound - (bound**2 - own) / length >= 2.0 * farthest
 
 
 @loop(parallel=False)
 def _needed(own, bound, largest, farthest):
-    """Distance beyond which no plane cuts: the lesser of those by the largest radius of all and by B."""
+    """Return the distance beyond which no plane cuts: the lesser of those by the largest radius of all and by B."""
     ahead, left = _SLOPE * bound + farthest, 1.0 - _SLOPE**2
     near = (ahead + math.sqrt(ahead * ahead + left * (bound * bound - own))) / left
     return min(near, farthest + math.sqrt(farthest * farthest + largest * largest - own))
@@ -296,7 +296,7 @@ def _needed(own, bound, largest, farthest):
 
 @loop(parallel=False)
 def _shaped(centres, i, half, largest, room, found, offset, order):
-    """Cut the cell of element i out of its box: how it ended, its faces, and the lists, which may have grown."""
+    """Cut the cell of element i out of its box; return its status, its faces, and the lists, which may have grown."""
     faces = _begin(centres, i, half, room)
     farthest, own = _radius(room, faces), centres.radius[i] ** 2
     surplus, bound = largest * largest - own, centres.bound[i]
@@ -329,10 +329,10 @@ def _shaped(centres, i, half, largest, room, found, offset, order):
 
 @kernel(parallel=False)
 def _cells(centres, chosen, half) -> Any:
-    """Cells of the chosen elements; see `plain_cells`.
+    """Compute cells of the chosen elements; see `plain_cells`.
 
     Returns:
-        How it ended, for which element, and face, tag, plane, corner, vertex as `Solids` has them.
+        Status, element, and the arrays face, tag, plane, corner, vertex of `Solids`.
     """
     k = chosen.size
     out_face = np.zeros(k + 1, np.int64)
@@ -373,20 +373,20 @@ def _cells(centres, chosen, half) -> Any:
 
 
 def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
-    """Laguerre cells of some elements, within boxes about their centres and the box around all.
+    """Compute Laguerre cells of some elements, within boxes around their centres and the box around all.
 
     Args:
         centres: all elements.
-        chosen: which cells, (k,).
-        half: half the widths of their boxes [m], (k,); what is left of these has the tag LOCAL.
+        chosen: elements of the cells, (k,).
+        half: half the widths of their boxes [m], (k,); remaining sides of these have the tag LOCAL.
 
     Raises:
-        InputError: a cell of no volume, or one that reaches half a period.
+        InputError: A cell has no volume, or reaches half a period.
     """
     status, where, face, tag, plane, corner, vertex = _cells(centres, chosen, half)
     if status == _EMPTY:
         raise InputError(
-            f"nothing is left of the cell of element {where}: larger spheres swallow it; remove it, or make radii"
+            f"the cell of element {where} has no volume: larger spheres enclose it; remove it, or make radii"
             " more alike"
         )
     if status == _NARROW:

@@ -1,4 +1,4 @@
-"""A pile of polygons that grows as one after another is put on it."""
+"""A growing list of polygons."""
 
 from typing import NamedTuple
 
@@ -13,7 +13,7 @@ KIND, TAG, START, SIZE = 0, 1, 2, 3
 
 
 class Pile(NamedTuple):
-    """Polygons one after another."""
+    """A list of polygons."""
 
     what: Ints  #: kind, tag, first corner, number of corners, shape (p, 4)
     plane: Floats  #: shape (p, 4)
@@ -22,13 +22,13 @@ class Pile(NamedTuple):
 
 @loop(parallel=False)
 def new_pile(polygons, corners):
-    """An empty pile with room for some polygons and corners."""
+    """Return an empty list with room for some polygons and corners."""
     return Pile(np.empty((polygons, 4), np.int64), np.empty((polygons, 4)), np.empty((corners, 3)))
 
 
 @loop(parallel=False)
 def put(pile, polygons, corners, kind, tag, a, b, c, d, work, size):
-    """Put a polygon on a pile that has some; returns the pile, which may have grown."""
+    """Append a polygon to a list; returns the list, which may have grown."""
     pile = Pile(roomy(pile.what, polygons + 1), roomy(pile.plane, polygons + 1), roomy(pile.vertex, corners + size))
     pile.what[polygons, KIND], pile.what[polygons, TAG] = kind, tag
     pile.what[polygons, START], pile.what[polygons, SIZE] = corners, size

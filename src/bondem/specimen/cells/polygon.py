@@ -21,12 +21,12 @@ def clip(source, start, size, target, a, b, c, d):
     Args:
         source: corners (v, 3), of which the polygon has the rows from `start` on.
         start: its first row.
-        size: how many rows it has.
-        target: filled from row 0 on, another array than `source`.
+        size: number of its rows.
+        target: array to fill from row 0 on, different from `source`.
         a, b, c, d: the plane.
 
     Returns:
-        Number of corners written; below three, nothing is left.
+        Number of corners written; below three the polygon is empty.
     """
     written = 0
     last = start + size - 1
@@ -52,7 +52,7 @@ def clip(source, start, size, target, a, b, c, d):
 
 @loop(parallel=False)
 def square(a, b, c, d, half, target):
-    """Write a square of half-width `half` on the plane a x + b y + c z = d, about the foot of the origin."""
+    """Write a square of half-width `half` on the plane a x + b y + c z = d, around the foot of the origin."""
     if abs(a) < 0.6:
         ux, uy, uz = 0.0, c, -b
     else:
@@ -70,7 +70,7 @@ def square(a, b, c, d, half, target):
 
 @loop(parallel=False)
 def height(source, start, size, a, b, c, d):
-    """Lowest and highest value of a x + b y + c z - d over the corners of a polygon [m]."""
+    """Return the lowest and highest value of a x + b y + c z - d over the corners of a polygon [m]."""
     low, high = np.inf, -np.inf
     for k in range(start, start + size):
         s = a * source[k, 0] + b * source[k, 1] + c * source[k, 2] - d
@@ -80,7 +80,7 @@ def height(source, start, size, a, b, c, d):
 
 @loop(parallel=False)
 def area(source, start, size):
-    """Area of a polygon [m²]."""
+    """Return the area of a polygon [m²]."""
     ox, oy, oz = source[start, 0], source[start, 1], source[start, 2]
     x, y, z = 0.0, 0.0, 0.0
     for k in range(start + 1, start + size - 1):
@@ -102,7 +102,7 @@ def copy(source, start, size, target, at):
 
 @loop(parallel=False)
 def reverse(source, size):
-    """Reverse the corners of the polygon in the first rows: it faces the other way then."""
+    """Reverse the corners of the polygon in the first rows, and thereby its normal."""
     for k in range(size // 2):
         for c in range(3):
             source[k, c], source[size - 1 - k, c] = source[size - 1 - k, c], source[k, c]
@@ -110,7 +110,7 @@ def reverse(source, size):
 
 @loop(parallel=False)
 def roomy(values, needed) -> Any:
-    """The same rows, (k, c), or a longer copy where there are fewer than `needed`."""
+    """Return the same rows, (k, c), or a longer copy if there are fewer than `needed`."""
     if values.shape[0] >= needed:
         return values
     longer = np.empty((2 * needed, values.shape[1]), values.dtype)
@@ -122,7 +122,7 @@ def roomy(values, needed) -> Any:
 
 @loop(parallel=False)
 def roomy_list(values, needed) -> Any:
-    """The same numbers, (k,), or a longer copy where there are fewer than `needed`."""
+    """Return the same numbers, (k,), or a longer copy if there are fewer than `needed`."""
     if values.shape[0] >= needed:
         return values
     longer = np.empty(2 * needed, values.dtype)

@@ -1,7 +1,7 @@
-"""Cells cut by walls: split by the planes of all wall triangles that reach into them, until none does.
+"""Cells cut by walls: split by the planes of all wall triangles inside them, until none is inside.
 
 Each piece carries the wall triangles within it, cut to the piece. It is split by the plane of the largest one, and
-so are its other triangles (a binary partition of space); a piece without triangles lies on one side of every wall.
+so are its other triangles (a binary partition of space). A piece without triangles lies on one side of every wall.
 """
 
 import math
@@ -65,7 +65,7 @@ def _near(vertex, begin, end, x, walls, found):
 
 @kernel(parallel=False)
 def _whole(solids, s, x, walls, tolerance, pile, found, work, other):
-    """Put a cell on the empty pile, and all that walls have within it; returns the pile and what is on it."""
+    """Put a cell and the wall parts within it on the empty list; returns the list and its content."""
     polygons, corners, first, last = ROW, ROW, solids.face[s], solids.face[s + 1]
     for f in range(first, last):
         size = solids.corner[f + 1] - solids.corner[f]
@@ -98,7 +98,7 @@ def _whole(solids, s, x, walls, tolerance, pile, found, work, other):
 
 @loop(parallel=False)
 def _largest(pile, polygons):
-    """The wall polygon with the largest area, or -1 if there is none."""
+    """Return the wall polygon with the largest area, or -1 if there is none."""
     best, most = -1, 0.0
     for p in range(polygons):
         if pile.what[p, KIND] == _WALL:
@@ -110,7 +110,7 @@ def _largest(pile, polygons):
 
 @loop(parallel=False)
 def section(pile, polygons, a, b, c, d, tolerance, work, other):
-    """The section of a piece by a plane, in `work`; its number of corners."""
+    """Compute the section of a piece by a plane, in `work`; returns its number of corners."""
     far = 0.0
     for p in range(polygons):
         for v in range(pile.what[p, START], pile.what[p, START] + pile.what[p, SIZE]):
@@ -162,7 +162,7 @@ def _pieces(solids, position, walls, tolerance) -> Any:
     """Split cells; see `trimmed`.
 
     Returns:
-        What `Solids` has.
+        The arrays of `Solids`.
     """
     out_cell, out_face, out_solids = np.empty(64, np.int64), np.zeros(65, np.int64), 0
     done, faces, corners = new_pile(1024, 8192), ROW, ROW
@@ -223,13 +223,13 @@ def _pieces(solids, position, walls, tolerance) -> Any:
 
 
 def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: float) -> Solids:
-    """The pieces of cells between walls, those inside and those outside.
+    """Return the pieces of cells between walls, those inside and those outside.
 
     Args:
         solids: cells.
         position: centres of all elements [m], shape (n, 3).
         walls: the walls.
-        tolerance: what walls reach in less than this splits nothing [m].
+        tolerance: depth of a wall in a cell below which it does not split the cell [m].
     """
     cell, face, tag, plane, corner, vertex = _pieces(solids, position, walls, tolerance)
     return Solids(cell, face, tag, plane, corner, vertex)
