@@ -92,7 +92,7 @@ def test_other_commands_know_a_campaign(tmp_path: Path) -> None:
         read(EXAMPLE)
     told = CliRunner().invoke(check, [str(EXAMPLE)])
     assert told.exception is None
-    assert "20 specimens, which differ by specimen.count, failure.tension, seed" in told.output
+    assert "20 specimens, varied by specimen.count, failure.tension, seed" in told.output
     assert "200 cells" in told.output
 
 

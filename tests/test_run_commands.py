@@ -58,7 +58,7 @@ def test_info_and_watch_tell_of_a_run(tmp_path: Path) -> None:
     place = finished(tmp_path)
     done = command("info", place, cwd=tmp_path)
     assert done.returncode == 0
-    for words in ("finished", "12 spheres, 11 bonds", "ParaView opens the file", "the ledger misses"):
+    for words in ("finished", "12 spheres, 11 bonds", "ParaView opens the file", "error of the energy balance"):
         assert words in done.stdout
     told = json.loads(command("info", place, "--json", cwd=tmp_path).stdout)
     assert told["step"] == told["steps"]
