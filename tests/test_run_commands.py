@@ -84,7 +84,7 @@ def test_check_tells_what_every_example_does(example: Path, monkeypatch, capsys)
 
     check.main([str(example)], standalone_mode=False)
     told = capsys.readouterr().out
-    assert "is in order" in told
+    assert "is valid" in told
     for words in ("elements", "memory", "packings", "material", "law", "tests"):
         assert words in told
 

@@ -47,7 +47,7 @@ class Calibration:
 
     Attributes:
         law: the bond law to use.
-        density: of the elements, ρ_μ [kg/m³].
+        density: density of the elements, ρ_μ [kg/m³].
         material: the target.
         parameter: name of the parameter found for ν, that which the law declares free.
         table: every evaluation, in ascending order of the parameter.

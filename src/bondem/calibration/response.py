@@ -47,7 +47,7 @@ class Response:
 
     Attributes:
         lattice: the specimen.
-        law: its bonds.
+        law: bond law, cell law or non-local law of the specimen.
         E: Young's modulus [Pa].
         nu: Poisson's ratio [-].
         tension: the tension test, or None.
