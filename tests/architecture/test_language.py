@@ -35,7 +35,6 @@ PENDING = [
     "src/bondem/quasistatic/",
     "src/bondem/solve/",
     "src/bondem/specimen/",
-    "src/bondem/study/",
     "src/bondem/report/",
     "src/bondem/campaign/",
     "src/bondem/io/",

@@ -181,5 +181,5 @@ class StrengthSearch:
         if at:
             return f"{', '.join(at)} at a bound"
         if not secant.separates:
-            return "the tests do not tell the parameters apart"
+            return "the tests do not determine all parameters"
         return "no change of the parameters leads nearer to all targets"
