@@ -35,8 +35,6 @@ PENDING = [
     "src/bondem/quasistatic/",
     "src/bondem/solve/",
     "src/bondem/specimen/",
-    "src/bondem/report/",
-    "src/bondem/campaign/",
     "src/bondem/io/",
 ]
 
