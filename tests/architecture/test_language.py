@@ -35,7 +35,6 @@ PENDING = [
     "src/bondem/quasistatic/",
     "src/bondem/solve/",
     "src/bondem/specimen/",
-    "src/bondem/io/",
 ]
 
 # Each pattern and the wording that replaces it. All letters are compared in lower case.
