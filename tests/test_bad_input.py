@@ -123,10 +123,10 @@ STUDIES = {
     "count": ("count = 10_000", "count = 1e4", "'specimen.count'", "whole number"),
     "law": ("EulerBernoulli", "EulerBernouli", "'bond.law'", "did you mean 'EulerBernoulli'"),
     "test": ('"impact"', '"impakt"', "'impakt'", "did you mean 'impact'"),
-    "packings": ("packings = 1", "packings = 3", "'calibration.packings' = 3", "raise 'packings'"),
+    "packings": ("packings = 1", "packings = 3", "'calibration.packings' = 3", "increase 'packings'"),
     "both bond rules": ("tolerance = 0.0", "tolerance = 0.0\nreach = 1.1", "'bond.reach'", "not both"),
     "shape": ('"cylinder"', '"cone"', "'specimen.shape'", "cylinder, box"),
-    "not TOML": ("[material]", "[material", "not valid TOML", "mend it"),
+    "not TOML": ("[material]", "[material", "not valid TOML", "correct it"),
 }
 
 
@@ -215,6 +215,6 @@ def test_an_unreachable_target_leaves_nothing_behind(tmp_path):
     (tmp_path / "study.toml").write_text(text)
     done = command("run", "study.toml", "--out", "out", "--packings", "1", cwd=tmp_path)
     assert done.returncode == 2
-    assert "nu = -0.5 is outside" in done.stderr
+    assert "nu = -0.5: outside" in done.stderr
     assert len(done.stderr.splitlines()) == 1
     assert sorted(path.name for path in tmp_path.iterdir()) == ["study.toml"]

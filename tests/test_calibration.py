@@ -75,7 +75,7 @@ def test_parallel_bonds_are_calibrated_by_kappa(lattices):
 
 
 def test_a_target_out_of_reach_names_the_reach(lattices):
-    with pytest.raises(UnreachableTargetError, match=r"nu = 0\.45 is outside 0\.\d+ … 0\.\d+, which EulerBernoulli"):
+    with pytest.raises(UnreachableTargetError, match=r"nu = 0\.45: outside 0\.\d+ … 0\.\d+, the range of Euler"):
         bd.calibrate(
             lattices[0], bd.Material("rubber", E=1e6, nu=0.45, rho=1000.0), law=bd.EulerBernoulli, search=(0.5, 0.8)
         )
@@ -138,7 +138,7 @@ def test_without_a_law_one_that_reaches_the_material_is_taken(lattices):
     stiff = recommend(0.05)
     assert stiff.law is not bd.EulerBernoulli
     assert "not reached by EulerBernoulli" in stiff.reason
-    with pytest.raises(UnreachableTargetError, match=r"no bond law reaches nu = 0\.49"):
+    with pytest.raises(UnreachableTargetError, match=r"nu = 0\.49: no bond law reaches"):
         recommend(0.49)
 
 

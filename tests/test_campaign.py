@@ -59,14 +59,14 @@ def test_names_follow_the_input_and_the_code() -> None:
 
 @pytest.mark.parametrize(("changed", "words"), [
     ({"seeds": 0}, "'campaign.seeds' = 0; give how many, or a list"),
-    ({"seeds": [1, 1]}, "names a seed twice"),
+    ({"seeds": [1, 1]}, "contains a seed twice"),
     ({"seeds": [1, True]}, "give how many"),
     ({"seed": 3}, "did you mean 'campaign.seeds'"),
     ({"vary": {"specimen.count": 3}}, "give a list of the values that 'specimen.count' takes"),
-    ({"vary": {"specimen": {"count": [100, 100]}}}, "names a value twice"),
+    ({"vary": {"specimen": {"count": [100, 100]}}}, "contains a value twice"),
     ({"vary": {"specimen.cuont": [100]}}, "did you mean 'specimen.count'"),
     ({"vary": {"specimen.count": [100, -1]}}, r"= -1.*\(specimen of specimen.count = -1, seed = 3\)"),
-    ({"vary": {"seed": [1]}}, "seeds are 'campaign.seeds'"),
+    ({"vary": {"seed": [1]}}, "give seeds as 'campaign.seeds'"),
     ({"vary": {"name.x": [1]}}, "'name' is no table"),
     ({"slurm": {"cores": 0}}, "'campaign.slurm.cores' = 0"),
     ({"slurm": {"directives": ["a\nb"]}}, "a list of texts of one line each"),
@@ -80,8 +80,8 @@ def test_a_wrong_campaign_is_refused_before_any_work(changed: dict[str, Any], wo
 def test_other_files_are_no_campaigns() -> None:
     for data, words in (
         ({key: PACKED[key] for key in ("name", "specimen")}, "there is no .campaign."),
-        (PACKED | {"packings": 2}, "'packings' does not go with"),
-        (PACKED | {"specimens": []}, "are a test programme"),
+        (PACKED | {"packings": 2}, "'packings' is not an option"),
+        (PACKED | {"specimens": []}, "belong to a test programme"),
     ):
         with pytest.raises(StudyError, match=words):
             parse_campaign(data)
@@ -92,7 +92,7 @@ def test_other_commands_know_a_campaign(tmp_path: Path) -> None:
         read(EXAMPLE)
     told = CliRunner().invoke(check, [str(EXAMPLE)])
     assert told.exception is None
-    assert "20 specimens, which differ by specimen.count, failure.tension, seed" in told.output
+    assert "20 specimens, varied by specimen.count, failure.tension, seed" in told.output
     assert "200 cells" in told.output
 
 
@@ -162,7 +162,7 @@ def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path
         for reader in (bd.campaign_table, bd.campaign_dataset, bd.read_campaign):
             with pytest.raises(InputError, match="give a path"):
                 reader(wrong)  # type: ignore[arg-type]
-    with pytest.raises(InputError, match=r"what bd.read_campaign"):
+    with pytest.raises(InputError, match=r"a campaign from bd.read_campaign"):
         bd.run_campaign(PACKED, tmp_path)  # type: ignore[arg-type]
     with pytest.raises(MissingDependencyError, match=r'pip install "bondem\[campaign\]"'):
         needed("a_library_nobody_has", "campaign")

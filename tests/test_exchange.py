@@ -125,7 +125,7 @@ def test_histories_are_tables_and_arrays() -> None:
 
 
 @pytest.mark.parametrize(("name", "given", "words"), [
-    ("x.stp", {}, "has a suffix we do not write; give one of .csv"),
+    ("x.stp", {}, "unsupported suffix; give one of .csv"),
     ("x.data", {}, "give density="),
     ("x.data", {"density": -1.0}, "density"),
     ("x.csv", {"elements": {"a": np.zeros(3)}}, r"has shape \(3,\); give \(300,\)"),
@@ -144,7 +144,7 @@ def test_what_cannot_be_written_is_told(
 
 def test_cells_are_not_written_as_spheres(body: bd.Lattice, tmp_path: Path) -> None:
     for suffix in (".data", ".msh"):
-        with pytest.raises(InputError, match="cells are no spheres"):
+        with pytest.raises(InputError, match="hold spheres, not cells"):
             bd.export(tmp_path / f"x{suffix}", body, density=1.0)
 
 

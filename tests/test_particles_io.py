@@ -52,7 +52,7 @@ def test_what_is_saved_comes_back_to_the_bit(tmp_path, shape):
     told = bd.read_provenance(path)
     assert told == {"method": "quench", "seed": 3, "shape": shape, "target": 6.2, "bondem_version": bd.__version__}
     assert same(bd.read_particles(path), particles.position, particles.radius)
-    with pytest.raises(InputError, match="holds no bonds"):
+    with pytest.raises(InputError, match="has no bonds"):
         bd.read_lattice(path)
 
 
@@ -64,7 +64,7 @@ def test_a_lattice_is_saved_with_its_bonds(tmp_path):
 
 
 def test_files_that_are_not_ours_or_damaged_are_refused(tmp_path, write):
-    with pytest.raises(InputError, match=r"there is no particle file .*check the path"):
+    with pytest.raises(InputError, match=r"there is no particle file; check the path"):
         bd.load_particles(tmp_path / "nowhere.h5")
     with pytest.raises(InputError, match="not a particle file"):
         bd.load_particles(write("text.h5", "x y z r"))
@@ -117,7 +117,7 @@ def test_csv_columns_units_and_diameters(write):
         ("x,y,z,r\n0,0,0\n", r"line 2: 3 columns where at least 4"),
         ("x,y,z,r\n0,0,0,-1\n", r"line 2: -1 is no size"),
         ("x,y,w,r\n0,0,0,1\n", r"line 1: no column 'z' among x, y, w, r; .*columns="),
-        ("# nothing\n", "holds no spheres"),
+        ("# nothing\n", "has no spheres"),
         ("0 0 0 1\n0 0 0.1 1\n", r"bad.csv': elements 0 and 1 overlap"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Where the specimens of a campaign are worked on: processes of this machine, SLURM jobs, or any Dask cluster."""
+"""Workers of a campaign: processes of this machine, SLURM jobs, or any Dask cluster."""
 
 import logging
 import os
@@ -37,12 +37,12 @@ Named = TypeVar("Named", bound=_Named)
 def connected(
     *, workers: int | None = None, address: str | None = None, slurm: Slurm | None = None
 ) -> Iterator[Any]:
-    """A client of a cluster, which is ended with the block unless it is somebody else's.
+    """Connect to a cluster and yield its client; a cluster started here is closed at the end of the block.
 
     Args:
-        workers: processes of this machine, one a core unless given; each works on one thread.
-        address: of the scheduler of a cluster that is there, such as "tcp://host:8786".
-        slurm: jobs to ask for.
+        workers: number of processes of this machine with one thread each; None for one per core.
+        address: scheduler address of an existing cluster, such as "tcp://host:8786".
+        slurm: SLURM jobs to request.
 
     Raises:
         InputError: no such scheduler, or fewer than one worker.
@@ -63,7 +63,7 @@ def connected(
             except (OSError, ValueError) as error:
                 reason = str(error) or type(error).__name__
                 raise InputError(
-                    f"there is no Dask scheduler at '{address}' ({reason}); start one with: dask scheduler"
+                    f"address = '{address}': no Dask scheduler there ({reason}); start one with: dask scheduler"
                 ) from None
             with client:
                 yield client
@@ -83,13 +83,13 @@ def connected(
 def submitted(
     client: Any, work: Callable[[Named, Path], Any], asked: Iterable[Named], out: Path
 ) -> Iterator[tuple[Any, Named]]:
-    """Hand out work and yield each finished task with what it was asked for, as they come.
+    """Submit work and yield each finished task with its specimen, in the order of completion.
 
     Args:
-        client: of a cluster.
-        work: what a worker does with one and the folder.
-        asked: what is to be done, each with a name of its own.
-        out: the folder, which all workers share.
+        client: client of a cluster.
+        work: function of a specimen and the folder, called on a worker.
+        asked: specimens, each with a unique name.
+        out: folder that all workers share.
     """
     jobs = {client.submit(work, one, out, key=f"bondem-{one.name}", pure=False): one for one in asked}
     for job in needed("dask.distributed", "campaign").as_completed(list(jobs)):
@@ -98,10 +98,10 @@ def submitted(
 
 
 def slurm_cluster(slurm: Slurm) -> Any:
-    """The cluster of dask-jobqueue, no job of which is asked for yet; `.job_script()` is the text of one.
+    """Create the dask-jobqueue cluster, before any job is requested; `.job_script()` is the script of a job.
 
     Args:
-        slurm: what a job is.
+        slurm: options of the jobs.
 
     Raises:
         MissingDependencyError: dask-jobqueue is not installed.

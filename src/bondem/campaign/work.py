@@ -1,4 +1,4 @@
-"""What a worker does: one specimen, in a folder that gets its name when all is in it."""
+"""Work on one specimen of a campaign, in a folder that gets its name once the results are complete."""
 
 import contextlib
 import json
@@ -25,14 +25,14 @@ _UNFINISHED = ".unfinished"
 
 
 def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
-    """Do one specimen, on one thread.
+    """Run one specimen on one thread.
 
     Args:
-        specimen: what to do.
+        specimen: the specimen.
         out: folder of the campaign, on a file system that all workers share.
 
     Returns:
-        Its row: "name", "varied" and "values"; or "error" in place of values, where the specimen itself is at fault.
+        Row of the specimen: "name", "varied" and "values"; or "error" instead of values for a faulty specimen.
     """
     final = out / SPECIMENS / specimen.name
     known = finished(specimen, out)
@@ -59,7 +59,7 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
 
 
 def finished(specimen: CampaignSpecimen, out: Path) -> dict[str, Any] | None:
-    """The row of a specimen that is finished in `out` by the same study and code, or None."""
+    """Row of a specimen that is finished in `out` with equal study and code, or None."""
     record = _record(out / SPECIMENS / specimen.name)
     if record is None or record.get("inputs") != specimen.inputs:
         return None
@@ -67,7 +67,7 @@ def finished(specimen: CampaignSpecimen, out: Path) -> dict[str, Any] | None:
 
 
 def _record(folder: Path) -> dict[str, Any] | None:
-    """What a finished specimen left of itself; None where none is."""
+    """Stored results of a finished specimen, or None."""
     try:
         return json.loads((folder / RECORD).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -75,14 +75,14 @@ def _record(folder: Path) -> dict[str, Any] | None:
 
 
 def clear(out: Path) -> None:
-    """Remove what workers left unfinished that are no more, and their locks."""
+    """Remove unfinished folders of dead workers, and their locks."""
     for left in (out / SPECIMENS).glob(f".*{_UNFINISHED}*"):
         with contextlib.suppress(OSError):
             shutil.rmtree(left) if left.is_dir() else left.unlink()
 
 
 def scalars(results: Mapping[str, Any], path: str = "") -> dict[str, Any]:
-    """Numbers and texts of results by dotted names; lists, such as those of each packing, are left out."""
+    """Numbers and texts of results by dotted names, without lists such as those of each packing."""
     found: dict[str, Any] = {}
     for key, value in results.items():
         name = f"{path}.{key}" if path else key

@@ -1,4 +1,4 @@
-"""What the commands share: threads, progress on a terminal, and the table of results."""
+"""Shared parts of the commands: threads, progress on a terminal and the table of results."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, nullcontext
@@ -20,28 +20,27 @@ from bondem.solve.pulse import Pulse, listening
 from bondem.study.study import Study
 
 _EXPLANATION = (
-    "error = measured / theory − 1, mean over the packings; theory has each specimen's own E and ν and the length"
-    " from wall to wall.",
-    "refined: a consistency check, no validation: theory with the specimen's own length, between elements held and"
-    " loaded,",
-    "and its own section, that its tension test fills.",
+    "error = measured / theory − 1, mean over the packings. Theory uses E and ν of each specimen and the length"
+    " between walls.",
+    "refined: a consistency check, not a validation. Theory uses the length between the held and the loaded elements",
+    "and the section that carries the axial force in the tension test.",
 )
 
 
 @contextmanager
 def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], None]]:
-    """A bar a stage on a terminal, nothing in a pipe; yields progress(stage, share done).
+    """Show one progress bar per stage on a terminal, and nothing in a pipe; yield progress(stage, completed share).
 
     Args:
-        log: file that is told the same, a line for each twentieth of a stage.
+        log: file for one line per twentieth of a stage, or None.
 
     Raises:
-        InputError: the file cannot be written.
+        InputError: the log file cannot be written.
     """
     console = Console(stderr=True)
     say_nothing()
     if console.is_terminal and not compiled_before():
-        console.print("First run after an install or an update: bondem compiles itself, once, for half a minute.")
+        console.print("First run after an installation or update: bondem compiles its kernels once (half a minute).")
     columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
     with _Bars(*columns, console=console, disable=not console.is_terminal) as bars:
         tasks: dict[str, TaskID] = {}
@@ -63,7 +62,7 @@ def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], No
 
 
 class _Bars(Progress):
-    """Bars, and a line on the run that goes on."""
+    """Progress bars with a line on the current run."""
 
     told = ""
 
@@ -74,32 +73,32 @@ class _Bars(Progress):
 
 
 def words_of(pulse: Pulse) -> str:
-    """A moment of a run in a line."""
+    """Progress of a run as one line of text."""
     words = [
         f"step {pulse.step} of {pulse.steps}", f"t = {pulse.time:.4g} s", f"{pulse.rate:.0f} steps/s",
-        f"{span(pulse.left)} left at most",
+        f"at most {span(pulse.left)} left",
     ]  # fmt: skip
     if pulse.broken:
         words.append(f"{pulse.broken} broken")
     if pulse.balance is not None:
-        words.append(f"ledger {pulse.balance:.0e}")
+        words.append(f"energy error {pulse.balance:.0e}")
     return ", ".join(words)
 
 
 class _Log:
-    """Lines of time, stage and share."""
+    """Log file of time, stage and completed share."""
 
     def __init__(self, path: Path) -> None:
         try:
             self._file = path.open("a", encoding="utf-8", buffering=1)
         except OSError as error:
-            raise InputError(f"--log '{path}' cannot be written ({error.strerror}); give another file") from None
+            raise InputError(f"--log = '{path}': cannot be written ({error.strerror}); give another file") from None
         self._told: dict[str, int] = {}
         self._heard = ""
-        self._write("begun")
+        self._write("started")
 
     def tell(self, stage: str, share: float) -> None:
-        """A line, where a further twentieth of the stage is done."""
+        """Write a line if another twentieth of the stage is complete."""
         step = int(20.0 * share + 1e-9)
         if step > self._told.get(stage, -1):
             self._told[stage] = step
@@ -107,11 +106,11 @@ class _Log:
             self._heard = ""
 
     def hear(self, pulse: Pulse) -> None:
-        """What the next line says of the run."""
+        """Store the progress of the run for the next line."""
         self._heard = f": {words_of(pulse)}"
 
     def close(self) -> None:
-        """The last line."""
+        """Write the last line and close the file."""
         self._write("ended")
         self._file.close()
 
@@ -121,19 +120,19 @@ class _Log:
 
 @contextmanager
 def on_threads(count: int | None) -> Iterator[None]:
-    """Run on `count` threads, or on all there are.
+    """Use `count` threads, or all available threads for None, within the context.
 
     Raises:
-        InputError: more than there are.
+        InputError: more threads than the machine has.
     """
     if count is not None and count > most_threads():
-        raise InputError(f"--threads {count}, but there are {most_threads()} here; ask for that many at most")
+        raise InputError(f"--threads = {count}: this machine has {most_threads()} threads; give at most that number")
     with threads(count):
         yield
 
 
 def span(seconds: float) -> str:
-    """A time as people read it: "12.3 s", "4 min 05 s", "2 h 31 min"."""
+    """Format a time for readers: "12.3 s", "4 min 05 s", "2 h 31 min"."""
     if seconds < 59.95:
         return f"{seconds:.1f} s"
     whole = round(seconds)
@@ -143,7 +142,7 @@ def span(seconds: float) -> str:
 
 
 def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
-    """Print a finished study."""
+    """Print the results of a study."""
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = 120
@@ -175,7 +174,7 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
 
 
 def show_programme(results: Mapping[str, Any], out: Path) -> None:
-    """Print a finished test programme: measured against target."""
+    """Print the results of a test programme, measured values beside targets."""
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = 140
@@ -200,8 +199,8 @@ def show_programme(results: Mapping[str, Any], out: Path) -> None:
 def _law(micro: Mapping[str, Any]) -> str:
     if micro["law"] not in LAWS:
         return (
-            f"  {micro['law']}: nothing calibrated; of the material E = {with_unit(micro['E_mu'], 'Pa')},"
-            f" ν = {micro['nu_mu']:g}, ρ = {with_unit(micro['rho_mu'], 'kg/m³')}; measured"
+            f"  {micro['law']}, not calibrated: E = {with_unit(micro['E_mu'], 'Pa')},"
+            f" ν = {micro['nu_mu']:g}, ρ = {with_unit(micro['rho_mu'], 'kg/m³')} of the material; measured"
         )
     free = LAWS[micro["law"]].free
     varied = "" if free.is_radius else f" {free.symbol} = {micro[free.name]:.4f},"

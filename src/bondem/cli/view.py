@@ -1,4 +1,4 @@
-"""`bondem view RUN.h5`."""
+"""`bondem view RUN.h5`: show a run file in a window."""
 
 from pathlib import Path
 
@@ -9,14 +9,14 @@ from bondem.cli.seeing import SHOWN, seeing
 
 @click.command("view")
 @click.argument("run_file", metavar="RUN.h5", type=click.Path(path_type=Path))
-@click.option("--field", help="What colours elements: a field of the file, or 'fragment'.  [displacement]")
-@click.option("--show", type=click.Choice(SHOWN), default="auto", show_default=True, help="What is drawn.")
-@click.option("--snapshot", type=int, default=-1, show_default=True, help="Which one; -1 is the last.")
+@click.option("--field", help="Field that colours elements: a field of the file, or 'fragment'.  [displacement]")
+@click.option("--show", type=click.Choice(SHOWN), default="auto", show_default=True, help="Objects to draw.")
+@click.option("--snapshot", type=int, default=-1, show_default=True, help="Index of the snapshot; -1 is the last.")
 @click.option("--warp", type=click.FloatRange(min=0.0), default=1.0, show_default=True,
-              help="By how much displacements are enlarged.")  # fmt: skip
+              help="Magnification of displacements.")  # fmt: skip
 def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float) -> None:
-    """Open a window on a run file, to turn it and to move through its snapshots with a slider.
+    """Open a run file in a window with rotation and a slider for snapshots.
 
-    It needs the optional extra, pip install "bondem[view]", and a screen.
+    A screen and the optional extra are required: pip install "bondem[view]".
     """
     seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp)

@@ -1,4 +1,4 @@
-"""Elements, bonds and cells for other programs: LAMMPS, CSV, and the formats of meshio."""
+"""Export of elements, bonds and cells to other programs: LAMMPS, CSV, and the formats of meshio."""
 
 import csv
 from collections.abc import Callable, Mapping
@@ -32,25 +32,25 @@ def export(
     density: float | None = None,
     elements: Mapping[str, ArrayLike] | None = None,
 ) -> None:
-    """Write elements and bonds for another program, in the format the suffix stands for.
+    """Write elements and bonds for another program, in the format of the suffix.
 
-    `.csv` is a table with a header: x, y, z, radius (of cells: volume), and fields by column. `.data` and `.lmp` are
-    LAMMPS data files of atom_style bpm/sphere with bonds, which `bd.read_lattice` reads, too; `.dump` is a snapshot
-    of a LAMMPS dump, for OVITO. `.vtu`, `.vtk`, `.xdmf` and `.msh` (gmsh) go by meshio (`pip install
-    bondem[exchange]`): points and lines, of cells polyhedra (`.vtu`).
+    `.csv` is a table with a header: x, y, z, radius (for cells: volume), and one column per field component. `.data`
+    and `.lmp` are LAMMPS data files of atom_style bpm/sphere with bonds, which `bd.read_lattice` can read; `.dump` is
+    a snapshot in the LAMMPS dump format, for OVITO. `.vtu`, `.vtk`, `.xdmf` and `.msh` (gmsh) are written by meshio
+    (`pip install bondem[exchange]`) with points and lines, or polyhedra for cells (`.vtu`).
 
-    Units are SI throughout (LAMMPS: `units si`). For ParaView, and for what grows, see `bd.write_vtkhdf` and `out=`.
+    Units are SI throughout (LAMMPS: `units si`). For ParaView and time series, use `bd.write_vtkhdf` and `out=`.
 
     Args:
-        path: file to write; what is there is replaced when all is written.
+        path: file to write; an existing file is replaced once the new one is complete.
         lattice: elements and bonds, or cells.
-        state: where they are; adds displacement and velocity, and leaves out bonds that are broken.
-        density: of the elements [kg/m³]; LAMMPS data files need it.
-        elements: more fields by name, each (n,) or (n, k); CSV, dumps and meshio take them.
+        state: state of the elements; adds displacement and velocity, and omits broken bonds.
+        density: density of the elements [kg/m³], required for LAMMPS data files.
+        elements: further fields by name, each (n,) or (n, k), for CSV, dumps and meshio.
 
     Raises:
-        InputError: an unknown format, one that cannot hold these elements, a field of the wrong length, or a file
-            that cannot be written.
+        InputError: an unknown format, one that cannot represent these elements, a field of the wrong length, or a
+            file that cannot be written.
         MissingDependencyError: meshio is not installed.
     """
     path = place("export: path", path)
@@ -58,11 +58,11 @@ def export(
     suffix = path.suffix.lower()
     writer = _WRITERS.get(suffix)
     if writer is None:
-        raise InputError(f"export: '{path}' has a suffix we do not write; give one of {_FORMATS}")
+        raise InputError(f"export: path = '{path}': unsupported suffix; give one of {_FORMATS}")
     if lattice.cells is not None and suffix not in (*_TABLE, *_DUMP, *_POLYHEDRA):
-        raise InputError(f"export: cells are no spheres, which '{suffix}' is for; give .csv, .dump or .vtu")
+        raise InputError(f"export: '{suffix}' files hold spheres, not cells; give .csv, .dump or .vtu")
     if suffix in _DATA and density is None:
-        raise InputError("export: LAMMPS data files have a density; give density= [kg/m³]")
+        raise InputError("export: LAMMPS data files need a density; give density= [kg/m³]")
     if density is not None:
         number("export", "density", density, unit="kg/m³", above=0.0, advice="a positive density")
     if state is not None:
@@ -80,7 +80,7 @@ def export(
 
 @dataclass(frozen=True, eq=False)
 class _Frame:
-    """What is written.
+    """Contents of an export.
 
     Attributes:
         lattice: elements and bonds.
@@ -117,19 +117,19 @@ class _Frame:
 
     @property
     def pairs(self) -> Pairs:
-        """Bonds that hold, (m, 2)."""
+        """Unbroken bonds, (m, 2)."""
         pairs = self.lattice.pairs
         return pairs if self.state is None else pairs[self.state.bond_integrity > 0.0]
 
     @property
     def size(self) -> tuple[str, Floats]:
-        """Radii [m], of cells volumes [m³]."""
+        """Radii of spheres [m], or volumes of cells [m³]."""
         cells = self.lattice.cells
         return ("radius", self.lattice.particles.radius) if cells is None else ("volume", cells.volume)
 
     @property
     def columns(self) -> dict[str, Floats]:
-        """Fields by column: components have numbers, vectors letters."""
+        """Field components by column name: components are numbered, vectors have letters."""
         found: dict[str, Floats] = {}
         for name, values in self.fields.items():
             if values.ndim == 1:
@@ -141,7 +141,7 @@ class _Frame:
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:
-        """Of the periodic cell, or of the elements with a margin of a hundredth [m]."""
+        """Bounds of the periodic cell, or of the elements with a margin of one hundredth [m]."""
         period = self.lattice.particles.period
         if period is not None:
             return np.zeros(3), np.asarray(period, dtype=float)
@@ -162,7 +162,7 @@ def _write_csv(path: Path, frame: _Frame, suffix: str) -> None:
 
 
 def _write_data(path: Path, frame: _Frame, suffix: str) -> None:
-    """Atoms of style bpm/sphere: id, molecule, type, diameter, density, x, y, z."""
+    """Write atoms of style bpm/sphere: id, molecule, type, diameter, density, x, y, z."""
     diameter, pairs = 2.0 * frame.lattice.particles.radius, frame.pairs
     with open(path, "w", encoding="utf-8") as file:
         file.write("LAMMPS data file of bondem: units si, atom_style bpm/sphere\n\n")
@@ -223,7 +223,9 @@ def _meshio_format(suffix: str) -> str:
 
 
 def _polyhedra(frame: _Frame) -> tuple[Floats, list[tuple[str, Any]], list[Ints]]:
-    """Points, and cells in blocks of equally many corners as meshio wants them, with the numbers of those in each."""
+    """Points, and cells in blocks of equal numbers of corners as meshio requires, with the cell numbers of each
+    block.
+    """
     corners = Corners(frame.lattice)
     points = corners.place if frame.state is None else corners.place + frame.state.displacement[corners.cell]
     faces: list[list[Ints]] = [[] for _ in frame.position]

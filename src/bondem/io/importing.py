@@ -1,4 +1,4 @@
-"""Spheres from any file: which reader it needs, and what all of them have in common."""
+"""Import of spheres from files: choice of the reader, and checks common to all formats."""
 
 import importlib
 import os
@@ -38,32 +38,33 @@ def read_particles(
     radius: str | None = None,
     periodic: bool = False,
 ) -> Particles:
-    """Read spheres from a file, in the format its suffix stands for.
+    """Read spheres from a file, in the format of its suffix.
 
-    `.h5` is our own (`bd.save_particles`); `.csv` has a header, or columns x, y, z, radius; `.txt` is Yade's;
-    `.data`, `.lmp` and `data.*` are LAMMPS data files of atom_style sphere or bpm/sphere; `.vtk`, `.vtp` and `.vtu`
-    have points with an array of radii and need VTK (`pip install bondem[view]`); `.vtkhdf` does without.
+    `.h5` is the format of `bd.save_particles`. `.csv` has a header, or columns x, y, z, radius. `.txt` is a file of
+    Yade. `.data`, `.lmp` and `data.*` are LAMMPS data files of atom_style sphere or bpm/sphere. `.vtk`, `.vtp` and
+    `.vtu` have points with an array of radii and require VTK (`pip install bondem[view]`). `.vtkhdf` does not require
+    VTK.
 
     Args:
         path: the file.
-        unit: the file's unit of length, by name ("mm") or in metres (1e-3); None takes metres, with a warning where
-            that makes a specimen of more than a metre. Our own files are in metres.
-        shape: the shape the spheres fill [m], where the file does not say.
-        period: edge lengths of the periodic cell [m], (3,), where the file does not say; its corner is the origin.
-        columns: CSV: which columns hold x, y, z and radius, by name or by number from 0.
-        radius: VTK: name of the array of radii.
-        periodic: LAMMPS: take the box for a periodic cell, moved to the origin.
+        unit: unit of length of the file, by name ("mm") or in metres (1e-3). None means metres, with a warning for a
+            specimen of more than a metre. Files of bondem are in metres.
+        shape: shape that the spheres fill [m], for files without one.
+        period: edge lengths of the periodic cell [m], (3,), for files without one; its corner is the origin.
+        columns: columns of x, y, z and radius in CSV files, by name or by number from 0.
+        radius: name of the array of radii in VTK files.
+        periodic: True to use the box of a LAMMPS file as a periodic cell, moved to the origin.
 
     Returns:
-        The spheres in the file's order (LAMMPS: that of the ids).
+        The spheres in the order of the file, or of the ids in LAMMPS files.
 
     Raises:
-        InputError: no such file, an unknown format, or spheres that cannot be used; names the file and, of a text,
-            the line.
+        InputError: no such file, an unknown format, or unusable spheres; the message states the file and, for text
+            files, the line.
 
     Warns:
-        UnitWarning: more than a metre long, and no unit given.
-        FillingWarning: the spheres do not fill the shape, or stick out of it.
+        UnitWarning: the specimen is more than a metre long, and no unit is given.
+        FillingWarning: the spheres do not fill the shape, or extend beyond it.
     """
     path = _existing(path)
     _check_options(unit, shape, period, columns, radius, periodic)
@@ -81,21 +82,21 @@ def read_lattice(
     radius: str | None = None,
     periodic: bool = False,
 ) -> Lattice:
-    """Read spheres and their bonds from a file: ours, a LAMMPS data file with bonds, or VTKHDF with lines.
+    """Read spheres and their bonds from a file of bondem, a LAMMPS data file with bonds, or VTKHDF with lines.
 
-    A body of cells comes from our own files only, with its facets and cells to the bit.
+    Bodies of cells can only be read from files of bondem, which store facets and cells to the bit.
 
     Args:
         path: the file.
-        unit: as for `read_particles`, like all the rest.
-        shape: the same.
-        period: the same.
-        radius: the same.
-        periodic: the same.
+        unit: unit of length of the file, as for `read_particles`.
+        shape: shape that the spheres fill [m], as for `read_particles`.
+        period: edge lengths of the periodic cell [m], (3,), as for `read_particles`.
+        radius: name of the array of radii in VTKHDF files.
+        periodic: True to use the box of a LAMMPS file as a periodic cell.
 
     Raises:
-        InputError: as `read_particles`, or there are no bonds in the file.
-        DisconnectedError: the specimen falls into two large pieces.
+        InputError: an error of `read_particles`, or a file without bonds.
+        DisconnectedError: the specimen consists of two large pieces.
     """
     path = _existing(path)
     _check_options(unit, shape, period, None, radius, periodic)
@@ -109,7 +110,7 @@ def read_lattice(
         raw = _read(path, None, radius, periodic)
         particles, pairs = _particles(path, raw, unit, shape, period), raw.pairs
     if pairs is None:
-        raise InputError(f"'{path}' holds no bonds; read it with bd.read_particles and bond with bd.connect")
+        raise InputError(f"'{path}' has no bonds; read it with bd.read_particles and connect with bd.connect")
     lattice = Lattice(particles, pairs)
     far = 0.5 * np.ptp(particles.position, axis=0) + 4.0 * particles.radius.max()
     across = np.flatnonzero((np.abs(lattice.branch) > far).any(axis=1))
@@ -124,7 +125,7 @@ def read_lattice(
 def _existing(path: str | Path) -> Path:
     path = place("path", path)
     if not os.path.isfile(path):
-        raise InputError(f"there is no file '{path}'; check the path")
+        raise InputError(f"path = '{path}': there is no file; check the path")
     return path
 
 
@@ -147,11 +148,11 @@ def _check_options(
 
 
 def _as_saved(path: Path, unit: str | float | None, shape: Shape | None, period: ArrayLike | None) -> None:
-    """Cells are cut from the shape and the period that the file has."""
+    """Check that a body of cells keeps the shape and the period of its file."""
     if shape is not None or period is not None or (unit is not None and length_unit("read", unit) != 1.0):
         raise InputError(
-            f"'{path}' holds a body of cells with its own shape, in metres; leave out shape=, period= and unit=, or"
-            " read its spheres with bd.read_particles and cut them anew"
+            f"'{path}' has a body of cells with its own shape, in metres; leave out shape=, period= and unit=, or"
+            " read its spheres with bd.read_particles and connect them again"
         )
 
 
@@ -186,7 +187,7 @@ def _read(path: Path, columns: Sequence[str | int] | None, radius: str | None, p
                 " the spheres as CSV"
             ) from error
         return reader.read_vtk(path, radius)
-    raise InputError(f"'{path}': spheres are not read from '{suffix or path.name}' files; known are {_FORMATS}")
+    raise InputError(f"'{path}': '{suffix or path.name}' files of spheres are not supported; give one of {_FORMATS}")
 
 
 def _particles(

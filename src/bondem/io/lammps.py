@@ -1,4 +1,4 @@
-"""Spheres and bonds from a LAMMPS data file (`read_data`, `write_data`)."""
+"""Import of spheres and bonds from a LAMMPS data file (`read_data`, `write_data`)."""
 
 import re
 from collections.abc import Iterable
@@ -17,15 +17,15 @@ _Lines = list[tuple[int, str]]
 
 
 def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
-    """Spheres, and bonds where there are any, in the order of their ids.
+    """Read spheres and, if present, bonds, in the order of their ids.
 
     Args:
-        path: a data file of atom_style sphere or bpm/sphere.
-        periodic: take the box for a periodic cell, moved to the origin. The file does not say: in LAMMPS the
-            command `boundary` does.
+        path: data file of atom_style sphere or bpm/sphere.
+        periodic: True to use the box as a periodic cell, moved to the origin. The file does not state this; in LAMMPS
+            the command `boundary` does.
 
     Raises:
-        InputError: another style, or a line that does not fit, naming file and line.
+        InputError: another atom style, or an invalid line; the message states file and line.
     """
     head, sections = _sections(path)
     atoms = sections.get("Atoms")
@@ -56,7 +56,7 @@ def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
 
 
 def _sections(path: Path) -> tuple[_Lines, dict[str, tuple[int, str, _Lines]]]:
-    """The header, and by name the line each section begins on, the comment behind its name, and its lines."""
+    """Header of the file, and by section its line number, the comment behind its name, and its lines."""
     head: _Lines = []
     sections: dict[str, tuple[int, str, _Lines]] = {}
     current = head
@@ -81,7 +81,7 @@ def _style(path: Path, place: int, hint: str, lines: _Lines) -> tuple[int, int]:
             if count in (columns[1] + 3, columns[1] + 6):
                 return columns
     raise InputError(
-        f"'{path}', line {place}: atom style '{hint or 'unknown'}' has no diameters we know the place of; write the"
+        f"'{path}', line {place}: atom style '{hint or 'unknown'}' has no known column of diameters; write the"
         " file with atom_style sphere or bpm/sphere ('Atoms # sphere')"
     )
 

@@ -1,4 +1,4 @@
-"""Snapshots of a run in its file, as ParaView shows them: elements, bonds or cells, and cracks, in time.
+"""Snapshots of a run in its file for ParaView: elements, bonds or cells, and cracks, over time.
 
     /VTKHDF/elements   points that move: radius, displacement, velocity, angular_velocity, orientation (w, x, y, z);
                        under the cell law and the non-local law the stress (xx, yy, zz, xy, yz, xz)
@@ -7,7 +7,7 @@
     /VTKHDF/cells      of a body instead of bonds: polyhedra where they were at rest (warp by displacement)
     /VTKHDF/cracks     polygons of facets and beams that have lost integrity: integrity, opening, sliding, facet
 
-SI units in single precision; a state to go on from is kept elsewhere, to the bit.
+Snapshots are in SI units and single precision; states for a restart are stored elsewhere, to the bit.
 """
 
 from collections.abc import Callable, Mapping
@@ -31,7 +31,7 @@ _OF_TENSOR, _OF_ROW = ((0, 1, 2, 0, 1, 0), (0, 1, 2, 1, 2, 2)), (0, 1, 2, 3, 5, 
 
 
 class Outlined(Protocol):
-    """Outlines of cracks: corners (v, 3), where each polygon begins in them (p + 1,), and fields of the polygons."""
+    """Outlines of cracks: corners (v, 3), offsets of the polygons (p + 1,), and fields of the polygons."""
 
     @property
     def vertex(self) -> Floats: ...
@@ -45,12 +45,12 @@ class Outlined(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Snapshots:
-    """The group of snapshots of a file.
+    """Group of the snapshots in a file.
 
     Attributes:
-        pieces: by name.
-        cracks: finds the outlines of cracks in a state, None where nothing breaks.
-        drawn: bonds that are shown, by number: those that do not cross the border of a periodic cell.
+        pieces: pieces by name.
+        cracks: function of the crack outlines of a state; None for a model without failure.
+        drawn: numbers of the shown bonds, which do not cross the border of a periodic cell.
     """
 
     pieces: Mapping[str, Piece]
@@ -59,7 +59,7 @@ class Snapshots:
 
     @classmethod
     def begin(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
-        """Write what does not change."""
+        """Create the group and write the constant data."""
         root = begin_collection(file)
         lattice, n, drawn = model.lattice, len(model.lattice.particles), _drawn(model)
         pieces = {"elements": Piece.begin(root, "elements", "PolyData")}
@@ -80,13 +80,13 @@ class Snapshots:
 
     @classmethod
     def of(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
-        """Those of a file that has them."""
+        """Open the snapshots stored in a run file."""
         root: Any = file["VTKHDF"]
         pieces = {name: Piece(root[name]) for name in root if name != "Assembly"}
         return cls(pieces, cracks if "cracks" in pieces else None, _drawn(model))
 
     def take(self, model: Model, state: State) -> None:
-        """Add one, unless there is one of this time already."""
+        """Append a snapshot, unless one of this time exists."""
         times = self.pieces["elements"].times
         if len(times) and times[-1] >= state.time:
             return
@@ -116,7 +116,7 @@ class Snapshots:
             )
 
     def cut(self, time: float) -> None:
-        """Forget those after a time [s]."""
+        """Remove the snapshots after a time [s]."""
         for piece in self.pieces.values():
             piece.cut(int((piece.times <= time).sum()))
 

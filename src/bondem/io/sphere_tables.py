@@ -1,4 +1,4 @@
-"""Spheres from tables of text: CSV, and what Yade writes."""
+"""Import of spheres from text tables: CSV and files of Yade."""
 
 import math
 import re
@@ -26,13 +26,13 @@ _SEPARATOR = re.compile(r"[,;\t]")
 
 @dataclass(frozen=True, eq=False)
 class RawSpheres:
-    """What a file says, in its own unit of length.
+    """Spheres of a file in its own unit of length.
 
     Attributes:
         position: centres, shape (n, 3).
         radius: radii, shape (n,).
-        period: edge lengths of its periodic cell, or None.
-        pairs: elements i, j of its bonds, shape (m, 2), or None where the format has none.
+        period: edge lengths of the periodic cell, or None.
+        pairs: elements i, j of the bonds, shape (m, 2), or None for formats without bonds.
     """
 
     position: PerElement3
@@ -42,7 +42,7 @@ class RawSpheres:
 
 
 def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
-    """The lines of a text file that are not empty, stripped, with their numbers from 1."""
+    """Non-empty lines of a text file, stripped, with their numbers from 1."""
     try:
         with open(path, encoding="utf-8-sig") as file:
             for number, line in enumerate(file, start=1):
@@ -53,10 +53,10 @@ def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
 
 
 def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
-    """Words of a line as finite numbers.
+    """Convert the words of a line to finite numbers.
 
     Raises:
-        InputError: one is not, naming file and line.
+        InputError: a word is not a finite number; the message states file and line.
     """
     found = []
     for word in words:
@@ -70,21 +70,21 @@ def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
 
 
 def read_csv(path: Path, columns: Sequence[str | int] | None = None) -> RawSpheres:
-    """Spheres from columns separated by comma, semicolon, tab or blanks; `#` starts a comment.
+    """Read spheres from columns separated by comma, semicolon, tab or blanks; `#` starts a comment.
 
     Args:
         path: the file.
-        columns: which columns hold x, y, z and radius, by name in the header or by number from 0. Default: what
-            the header calls so (x, y, z and r, radius, d or diameter, case and units in brackets ignored), or the
-            first four where there is no header.
+        columns: columns of x, y, z and radius, by name in the header or by number from 0. None selects the columns of
+            the header with these names (x, y, z and r, radius, d or diameter; case and units in brackets are
+            ignored), or the first four columns of a file without a header.
 
     Raises:
-        InputError: a column missing or a value that is not a number, naming file and line.
+        InputError: a missing column or a value that is not a number; the message states file and line.
     """
     lines = ((number, text) for number, text in numbered_lines(path) if not text.startswith("#"))
     first = next(lines, None)
     if first is None:
-        raise InputError(f"'{path}' holds no spheres; give one line x, y, z, radius for each")
+        raise InputError(f"'{path}' has no spheres; give one line x, y, z, radius for each")
     number, text = first
     words = _words(text)
     header = None if _all_numbers(words) else [_plain(word) for word in words]
@@ -95,10 +95,10 @@ def read_csv(path: Path, columns: Sequence[str | int] | None = None) -> RawSpher
 
 
 def read_yade(path: Path) -> RawSpheres:
-    """Spheres from Yade: `export.text`, `export.textExt` (x y z r first) or `SpherePack.save`, periodic or not.
+    """Read spheres of Yade: `export.text`, `export.textExt` (x y z r first) or `SpherePack.save`, periodic or not.
 
     Raises:
-        InputError: a line that is not x y z r, naming file and line.
+        InputError: a line that is not x y z r; the message states file and line.
     """
     rows, period = [], None
     for number, text in numbered_lines(path):
@@ -106,7 +106,9 @@ def read_yade(path: Path) -> RawSpheres:
         if words[0] == "##PERIODIC::":
             period = np.array(_row(path, number, words[1:], range(3)))
         elif words[0] == "#format" and not "_".join(words[1:]).startswith("x_y_z_r"):
-            raise InputError(f"'{path}', line {number}: the format does not begin with x_y_z_r; export it so")
+            raise InputError(
+                f"'{path}', line {number}: the format does not begin with x_y_z_r; export it with this format"
+            )
         elif not text.startswith("#"):
             rows.append(_row(path, number, words, range(4)))
     return _spheres(path, rows, False, period)
@@ -135,10 +137,10 @@ def _all_numbers(words: Sequence[str]) -> bool:
 def _columns(
     path: Path, line: int, header: list[str] | None, columns: Sequence[str | int] | None
 ) -> tuple[list[int], bool]:
-    """Numbers of the columns x, y, z and r, and whether the last holds a diameter."""
+    """Numbers of the columns x, y, z and r, and True if the last one holds a diameter."""
     if columns is not None:
         if len(columns) != 4:
-            raise InputError(f"columns = {columns!r}; name four, those of x, y, z and radius")
+            raise InputError(f"columns = {columns!r}: not four columns; give those of x, y, z and radius")
         return [_column(path, line, header, one) for one in columns], False
     if header is None:
         return [0, 1, 2, 3], False
@@ -159,7 +161,7 @@ def _xyz(path: Path, line: int, header: list[str], found: dict[str, int]) -> lis
 def _named(path: Path, line: int, header: list[str], found: dict[str, int], name: str) -> int:
     if name not in found:
         raise InputError(
-            f"'{path}', line {line}: no column '{name}' among {', '.join(header)}; rename one, or pass columns="
+            f"'{path}', line {line}: no column '{name}' among {', '.join(header)}; rename one, or give columns="
             " with those of x, y, z and radius"
         )
     return found[name]
@@ -167,7 +169,7 @@ def _named(path: Path, line: int, header: list[str], found: dict[str, int], name
 
 def _column(path: Path, line: int, header: list[str] | None, one: str | int) -> int:
     if isinstance(one, bool) or not isinstance(one, int | str) or (isinstance(one, int) and one < 0):
-        raise InputError(f"columns: {shown(one)} is no column; give names in the header or numbers from 0")
+        raise InputError(f"columns = {shown(one)}: not a column; give names in the header or numbers from 0")
     if isinstance(one, int):
         return one
     if header is None:
@@ -181,16 +183,16 @@ def _row(path: Path, line: int, words: Sequence[str], chosen: Sequence[int]) -> 
     if len(words) <= max(chosen):
         raise InputError(
             f"'{path}', line {line}: {len(words)} columns where at least {max(chosen) + 1} are needed; complete the"
-            " line, or pass columns= with those of x, y, z and radius"
+            " line, or give columns= with those of x, y, z and radius"
         )
     row = floats(path, line, [words[k] for k in chosen])
     if row[-1] <= 0.0:
-        raise InputError(f"'{path}', line {line}: {row[-1]:g} is no size; give a positive one or remove the line")
+        raise InputError(f"'{path}', line {line}: {row[-1]:g} is not a size; give a positive size or remove the line")
     return row
 
 
 def _spheres(path: Path, rows: list[list[float]], halve: bool, period: Floats | None = None) -> RawSpheres:
     if not rows:
-        raise InputError(f"'{path}' holds no spheres; give one line x, y, z, radius for each")
+        raise InputError(f"'{path}' has no spheres; give one line x, y, z, radius for each")
     table = np.array(rows)
     return RawSpheres(table[:, :3], table[:, 3] * (0.5 if halve else 1.0), period)

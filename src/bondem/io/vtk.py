@@ -1,4 +1,4 @@
-"""Lattices for ParaView, as VTKHDF: elements are points and bonds lines, or cells are polyhedra."""
+"""Lattices for ParaView as VTKHDF: elements as points with bonds as lines, or cells as polyhedra."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -25,17 +25,17 @@ def write_vtkhdf(
 ) -> None:
     """Write a lattice as VTKHDF PolyData, which ParaView 5.11 and later opens (glyph by `radius`).
 
-    A body of cells is written as polyhedra (ParaView 6.0 and later), with `elements` as fields of the cells; of a
-    state under `CellBond` there are also the mean stress of each cell, its dilatation and λ θ.
+    A body of cells is written as polyhedra (ParaView 6.0 and later), with `elements` as fields of the cells. For a
+    state under `CellBond`, the file also has the mean stress of each cell, its dilatation and λ θ.
 
-    Bonds that cross the border of a periodic cell are left out: as lines they would cross the whole cell.
+    Bonds that cross the border of a periodic cell are omitted, as their lines would cross the whole cell.
 
     Args:
-        path: file to write, by custom ending in .vtkhdf.
+        path: file to write, usually with the suffix .vtkhdf.
         lattice: elements and bonds.
-        state: where they are; adds displacement, velocity, angular velocity and integrity.
-        elements: more fields by name, each (n,) or (n, k).
-        bonds: more fields by name, each (m,) or (m, k).
+        state: state of the elements; adds displacement, velocity, angular velocity and integrity.
+        elements: further fields by name, each (n,) or (n, k).
+        bonds: further fields of the bonds by name, each (m,) or (m, k).
 
     Raises:
         InputError: the file cannot be written, or a field has the wrong length.

@@ -1,4 +1,4 @@
-"""Bodies of cells for ParaView, as VTKHDF: an unstructured grid of polyhedra."""
+"""Bodies of cells for ParaView as VTKHDF: an unstructured grid of polyhedra."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -23,7 +23,7 @@ _SAME = 1e-7
 
 
 def fields_of_cells(body: Lattice, state: State | None) -> dict[str, ArrayLike]:
-    """What every file of cells has; of a state, how they move and what they bear."""
+    """Fields of the cells in every file, with motion and stress for a given state."""
     assert body.cells is not None
     fields: dict[str, ArrayLike] = {"volume": body.cells.volume, "free_area": body.cells.free_area}
     if state is None:
@@ -42,13 +42,13 @@ def fields_of_cells(body: Lattice, state: State | None) -> dict[str, ArrayLike]:
 
 
 def write_cells(path: Path, body: Lattice, moved: PerElement3 | None, fields: Mapping[str, np.ndarray]) -> None:
-    """Write cells as polyhedra, whose corners go with them.
+    """Write cells as polyhedra, whose corners move with them.
 
     Args:
         path: VTKHDF file.
-        body: the cells.
-        moved: displacements of the cells [m], (n, 3); None at rest.
-        fields: of the cells, by name, (n,) or (n, k).
+        body: lattice of cells.
+        moved: displacements of the cells [m], (n, 3); None for cells at rest.
+        fields: fields of the cells by name, (n,) or (n, k).
     """
     corners = Corners(body)
     point = corners.place if moved is None else corners.place + moved[corners.cell]
@@ -76,14 +76,14 @@ def write_cells(path: Path, body: Lattice, moved: PerElement3 | None, fields: Ma
 
 
 class Corners:
-    """Corners of cells, each once a cell, sorted by cell.
+    """Corners of cells, unique within each cell, sorted by cell.
 
     Attributes:
-        place: [m], (c, 3).
-        cell: whose each is, (c,).
-        number: of the corners of all polygons, one after another.
-        start: where each polygon begins in `number`, (p + 1,).
-        polygon_cell: whose each polygon is, (p,).
+        place: positions of the corners [m], (c, 3).
+        cell: cell of each corner, (c,).
+        number: corner numbers of all polygons in sequence.
+        start: offset of each polygon in `number`, (p + 1,).
+        polygon_cell: cell of each polygon, (p,).
     """
 
     def __init__(self, body: Lattice) -> None:

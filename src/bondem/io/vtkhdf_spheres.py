@@ -1,4 +1,4 @@
-"""Spheres from VTKHDF, as `write_vtkhdf` writes them: points with an array of radii."""
+"""Import of spheres from VTKHDF, as written by `write_vtkhdf`: points with an array of radii."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -17,11 +17,11 @@ _DIAMETER = ("diameter", "d")
 
 
 def read_vtkhdf_spheres(path: Path, radius: str | None = None) -> RawSpheres:
-    """Spheres from a VTKHDF file of PolyData or an UnstructuredGrid in one piece; its lines of two points are bonds.
+    """Read spheres from a VTKHDF file of PolyData or an UnstructuredGrid in one piece; lines of two points are bonds.
 
     Args:
         path: the file.
-        radius: name of the point array of radii; default as for `radii`.
+        radius: name of the point array of radii; None for the default names of `radii`.
 
     Raises:
         InputError: not such a file, or no such array.
@@ -41,10 +41,11 @@ def read_vtkhdf_spheres(path: Path, radius: str | None = None) -> RawSpheres:
 
 
 def radii(path: Path, arrays: Mapping[str, np.ndarray], name: str | None) -> PerElement:
-    """Radii among the point arrays of a file: that called `name`, or radius, radii, rad, r, or half of diameter or d.
+    """Radii among the point arrays of a file, from the array `name`, or radius, radii, rad, r, or half of diameter or
+    d.
 
     Raises:
-        InputError: there is none.
+        InputError: the file has no such array.
     """
     if name is not None and name in arrays:
         return np.array(arrays[name], dtype=float)
@@ -54,6 +55,6 @@ def radii(path: Path, arrays: Mapping[str, np.ndarray], name: str | None) -> Per
             if wanted in known:
                 return share * np.array(known[wanted], dtype=float)
     raise InputError(
-        f"'{path}' has no point array '{name or 'radius'}', but {', '.join(sorted(arrays)) or 'none at all'};"
-        " name the array of radii with radius="
+        f"'{path}' has no point array '{name or 'radius'}' (its arrays: {', '.join(sorted(arrays)) or 'none'});"
+        " give the name of the array of radii as radius="
     )

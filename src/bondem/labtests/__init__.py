@@ -1,4 +1,4 @@
-"""Standard tests of a specimen, one to a file: each measures one number and puts theory beside it."""
+"""Standard laboratory tests of a specimen, each with its measured value and the theoretical value."""
 
 from bondem.labtests.any_shape import UniformStress, uniform_stress
 from bondem.labtests.ball import BrokenBall, FragmentSizes

@@ -1,4 +1,4 @@
-"""What tests to failure leave and cost: pieces and crack surfaces of the first specimen, and its energies."""
+"""Figures of tests to failure: fragments and crack surfaces of the first specimen, and its energies."""
 
 from pathlib import Path
 
@@ -27,7 +27,7 @@ _COLOURS = dict(zip(PARTS, (BLUE, GREY, ORANGE, PURPLE, GREEN, PALE), strict=Tru
 
 
 def draw_pieces(path: Path, specimen: Examined) -> None:
-    """Pieces, moved apart, and the surfaces of cracks with their opening; a row a test."""
+    """Draw the separated fragments and the crack surfaces with their opening, one row per test."""
     names = broken_in(specimen)
     with sheet(path, 8.2, 3.5 * len(names), len(names), 2, squeeze=False) as (figure, axes):
         for (left, right), name in zip(axes, names, strict=True):
@@ -55,9 +55,9 @@ def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: 
 
 
 def draw_energies(path: Path, specimen: Examined) -> None:
-    """The ledger of each test over its strain: what the work of the load has turned into.
+    """Draw the energy balance of each test over its strain: the parts into which the work is converted.
 
-    Where a path turns back, only what lies farther than all before is drawn.
+    On a path that turns back, only points beyond all previous strains are drawn.
     """
     names = [name for name in broken_in(specimen) if specimen.outcomes[name].energy]
     rows, columns = arranged(len(names))

@@ -1,4 +1,4 @@
-"""What fracture leaves, drawn: pieces as the cells that they are made of, and the surfaces of cracks."""
+"""Pictures of fracture: fragments as their cells, and crack surfaces."""
 
 from itertools import product
 
@@ -28,9 +28,9 @@ _AMBIENT = 0.55
 
 
 def corners_moved(solid: Polyhedra, body: Lattice, state: State, reach: float = 1.0) -> Floats:
-    """How the corners of cells have gone with them, displacements of these times `reach` [m], (v, 3).
+    """Displacements of the corners of cells, with displacements of the cells times `reach` [m], (v, 3).
 
-    Cells turn as they do: turns of crumbs cannot be exaggerated.
+    Rotations of the cells are not exaggerated, as crumbs rotate by large angles.
     """
     owner = np.repeat(solid.cell, np.diff(solid.start))
     arm = solid.vertex - body.centre[owner]
@@ -41,22 +41,22 @@ def corners_moved(solid: Polyhedra, body: Lattice, state: State, reach: float = 
 def draw_fragments(
     ax: Axes, body: Lattice, state: State, pieces: Fragments, *, view: View, reach: float = 1.0
 ) -> None:
-    """Draw the cells where they are, each piece in a colour of its own; crumbs of less than ten cells in orange.
+    """Draw the cells at their positions, each fragment in its own colour; crumbs of less than ten cells are orange.
 
     Args:
-        ax: where to, in mm.
-        body: cells.
-        state: where they are.
-        pieces: of this state, from `bd.fragments`.
-        view: where one looks from.
-        reach: by how much displacements are exaggerated [-].
+        ax: axes to draw on, in mm.
+        body: lattice of cells.
+        state: state of the body.
+        pieces: fragments of this state, from `bd.fragments`.
+        view: direction of view.
+        reach: magnification of displacements [-].
     """
     solid = polyhedra(body)
     draw_cells(ax, solid, piece_colours(pieces), view=view, moved=corners_moved(solid, body, state, reach))
 
 
 def piece_colours(pieces: Fragments) -> Floats:
-    """Red, green, blue of each element by its piece, in 0 … 1, (n, 3)."""
+    """Red, green and blue of each element by its fragment, in 0 … 1, (n, 3)."""
     colour = np.array([to_rgb(_PIECES[k % len(_PIECES)]) for k in range(len(pieces))])
     colour[pieces.size < _FEW] = to_rgb(_CRUMB)
     return colour[pieces.label]
@@ -65,17 +65,17 @@ def piece_colours(pieces: Fragments) -> Floats:
 def draw_cracks(
     ax: Axes, body: Lattice, found: Cracks, *, view: View, top: float | None = None
 ) -> ScalarMappable:
-    """Draw the surfaces of cracks, coloured by their opening [µm], in the edges of the box about the specimen.
+    """Draw crack surfaces, coloured by their opening [µm], within the edges of the specimen's bounding box.
 
     Args:
-        ax: where to, in mm.
-        body: whose cracks they are.
-        found: from `bd.cracks`.
-        view: where one looks from.
-        top: opening of the brightest colour [m]; by default that of one facet in twenty.
+        ax: axes to draw on, in mm.
+        body: lattice of the cracks.
+        found: cracks from `bd.cracks`.
+        view: direction of view.
+        top: upper end of the colour scale [m]; None for the value that one in twenty facets exceeds.
 
     Returns:
-        The scale of colours, for a bar.
+        The colour scale, for a colour bar.
     """
     if top is None:
         top = float(np.quantile(found.opening, 0.95)) if len(found) else 1e-6

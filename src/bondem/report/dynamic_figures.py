@@ -1,4 +1,4 @@
-"""Mode shapes, free vibration and the wave of an impact."""
+"""Figures of mode shapes, free vibration and the wave of an impact."""
 
 import math
 from pathlib import Path
@@ -20,7 +20,7 @@ _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 
 
 def draw_modes(path: Path, specimen: Examined) -> None:
-    """First bending, torsional and axial mode, exaggerated and coloured by how far elements move."""
+    """Draw the first bending, torsional and axial mode, exaggerated and coloured by the displacement of elements."""
     frequencies = specimen.frequencies
     assert frequencies is not None
     lattice = specimen.lattice
@@ -52,7 +52,7 @@ def draw_modes(path: Path, specimen: Examined) -> None:
 
 
 def draw_vibration(path: Path, specimen: Examined) -> None:
-    """Signals of the free vibration and their spectra, with the frequencies of theory."""
+    """Draw the signals of the free vibration and their spectra, with the theoretical frequencies."""
     rows = [row for row in _KINDS if "signal" in getattr(specimen.outcomes.get(row[1]), "curves", {})]
     with sheet(path, 8.2, 2.0 * len(rows) + 0.3, len(rows), 2, squeeze=False, width_ratios=(3, 2)) as (_, axes):
         for (left, right), (kind, name, _, colour) in zip(axes, rows, strict=True):
@@ -73,7 +73,7 @@ def draw_vibration(path: Path, specimen: Examined) -> None:
 
 
 def draw_wave(path: Path, specimen: Examined) -> None:
-    """Velocities of the struck and of the far face, and when the wave arrives."""
+    """Draw the velocities of the struck and of the far face, and the arrival of the wave."""
     outcome = specimen.outcomes["impact"]
     curves = outcome.curves
     time = curves["time"] * 1e6

@@ -1,4 +1,4 @@
-"""The report: one HTML page that holds everything it shows, and the figures beside it as PNG files."""
+"""Report of a study: one self-contained HTML page, and its figures as PNG files."""
 
 import base64
 from collections.abc import Callable
@@ -87,7 +87,7 @@ _OF_CELLS = {
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure as the page embeds it: its caption and its PNG as base64."""
+    """Figure of the page: its caption and its PNG as base64."""
 
     caption: str
     data: str
@@ -100,13 +100,13 @@ def write_report(
     figures: bool = True,
     progress: Callable[[float], None] | None = None,
 ) -> None:
-    """Write `report.html` and, where wanted, `figures/*.png` into a folder.
+    """Write `report.html` and, optionally, `figures/*.png` into a folder.
 
     Args:
-        findings: what to report.
-        out: an existing folder.
-        figures: whether to draw.
-        progress: told the share done, 0 … 1.
+        findings: results to report.
+        out: existing folder.
+        figures: True to draw figures.
+        progress: callback, called with the completed share [-], 0 … 1.
     """
     drawings = drawings_of(findings) if figures else {}
     pictures: dict[str, Picture] = {}
@@ -119,7 +119,7 @@ def write_report(
         draw(path)
         caption = _OF_CELLS.get(name, CAPTIONS[name]) if findings.specimens[0].lattice.cells else CAPTIONS[name]
         if name == "errors" and findings.published:
-            caption += " Ticks: what is in print (unsigned)."
+            caption += " Ticks: published errors (unsigned)."
         data = base64.b64encode(path.read_bytes()).decode("ascii")
         pictures[name] = Picture(" ".join(caption.split()), data)
     write_text(out / "report.html", page(findings, pictures))
@@ -128,7 +128,7 @@ def write_report(
 
 
 def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
-    """What draws each figure a study has the data for; the first packing stands for all."""
+    """Functions that draw the figures for which a study has data; the first packing represents all."""
     first = findings.specimens[0]
     drawings: dict[str, Callable[[Path], None]] = {
         "specimen": lambda path: (draw_specimen if first.lattice.cells is None else draw_body)(path, first.lattice),
@@ -168,7 +168,7 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
 
 
 def templates() -> Environment:
-    """Where pages are made from; a name that is not there raises."""
+    """Template environment of the pages, in which undefined names raise errors."""
     return Environment(
         loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
@@ -176,7 +176,7 @@ def templates() -> Environment:
 
 
 def page(findings: Findings, pictures: dict[str, Picture]) -> str:
-    """The HTML of the report."""
+    """HTML text of the report."""
     environment = templates()
     environment.filters |= {
         "quantity": with_unit,
@@ -203,7 +203,7 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
 
 
 def rows_of(findings: Findings) -> list[dict[str, Any]]:
-    """Rows of the table of tests: the aggregate, the other theories and the published error."""
+    """Rows of the table of tests: the mean, the other theories and the published error."""
     rows = []
     for name, row in findings.results["tests"].items():
         outcomes = [one.outcomes[name] for one in findings.specimens]

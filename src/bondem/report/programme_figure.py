@@ -1,4 +1,4 @@
-"""All strengths of a test programme at a glance: what was measured over what was wanted."""
+"""Figure of all strengths of a test programme: measured values over targets."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -10,11 +10,11 @@ from bondem.report.style import BLUE, INK, ORANGE, sheet
 
 
 def draw_targets(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
-    """How far each test is off its target and off the closed form of the criterion [%].
+    """Draw the deviation of each test from its target and from the closed form of the criterion [%].
 
     Args:
         path: PNG to write.
-        rows: of the table of the programme, at least one with "off_target" or "off_theory".
+        rows: rows of the programme's table, at least one with "off_target" or "off_theory".
     """
     shown = [row for row in rows if row["off_target"] is not None or row["off_theory"] is not None]
     place = np.arange(len(shown))[::-1]

@@ -1,4 +1,4 @@
-"""The report of a test programme: one HTML page over the reports of its specimens."""
+"""Report of a test programme: one HTML page that links the reports of its specimens."""
 
 import base64
 from collections.abc import Mapping, Sequence
@@ -24,14 +24,14 @@ _BARS = " Bars: standard deviation over the packings."
 
 @dataclass(frozen=True)
 class Chapter:
-    """What the report shows of one specimen.
+    """Section of the report on one specimen.
 
     Attributes:
-        name: of the specimen.
-        folder: of its results, beside the report.
-        shape: as engineers write it.
-        results: its `results.json`.
-        labels: of its tests, by name.
+        name: name of the specimen.
+        folder: folder of its results, beside the report.
+        shape: readable dimensions.
+        results: contents of its `results.json`.
+        labels: labels of its tests, by name.
     """
 
     name: str
@@ -51,16 +51,16 @@ def write_programme(
     *,
     figures: bool,
 ) -> None:
-    """Write `report.html` and, where wanted, `figures/targets.png`.
+    """Write `report.html` and, optionally, `figures/targets.png`.
 
     Args:
-        title: of the programme.
-        material: of all specimens.
-        failures: how they fail, by the part of them that does.
-        rows: of the table, measured against target.
-        chapters: what the specimens left, in folders within `out`.
-        out: an existing folder.
-        figures: whether to draw, and to show what the specimens drew.
+        title: title of the programme.
+        material: material of all specimens.
+        failures: failure criteria by part of the material.
+        rows: rows of the table, measured values beside targets.
+        chapters: sections of the specimens, in folders within `out`.
+        out: existing folder.
+        figures: True to draw, and to show the figures of the specimens.
     """
     summary = None
     if figures and any(row["off_target"] is not None or row["off_theory"] is not None for row in rows):

@@ -1,4 +1,4 @@
-"""Pictures of run files by VTK: loaded only where it is asked for, as pyvista is an optional extra."""
+"""Pictures of run files by VTK, imported on use only, as pyvista is an optional extra."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -36,23 +36,25 @@ def render_run(
     """Draw snapshots of a run file into a PNG, or all of them into an MP4 or GIF.
 
     Args:
-        run_file: with snapshots.
-        out: picture or film.
-        field: of the elements, or "fragment" (of the last state only); displacement unless given.
-        show: "auto", "elements", "cells", "cracks" or "bonds".
-        snapshot: which one; -1 is the last.
-        section: "x", "y" or "z": what lies before the middle is cut away.
-        warp: by how much displacements are enlarged.
-        size: of the picture in pixels.
+        run_file: run file with snapshots.
+        out: picture or film to write.
+        field: field of the elements, or "fragment" (of the last state only); None for the displacement.
+        show: objects to draw: "auto", "elements", "cells", "cracks" or "bonds".
+        snapshot: index of the snapshot; -1 is the last.
+        section: axis "x", "y" or "z" of a section; the half in front of the middle plane is removed.
+        warp: magnification of displacements [-].
+        size: width and height of the picture [pixels].
 
     Raises:
-        InputError: no such field or snapshot, or an ending that is not known.
-        RunFileError: no run file.
+        InputError: no such field or snapshot, or an unknown suffix.
+        RunFileError: the file is not a run file.
     """
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # of a screen that is not there nobody need hear
     film = out.suffix.lower() in _MOVIES
     if not film and out.suffix.lower() != ".png":
-        raise InputError(f"'{out}': give a name that ends in .png, or in .mp4 or .gif for a film")
+        raise InputError(
+            f"out = '{out}': unknown suffix; give a name that ends in .png, or in .mp4 or .gif for a film"
+        )
     scene = _Scene(run_file, field, show, section, warp)
     plotter: Any = pyvista.Plotter(off_screen=True, window_size=list(size))
     plotter.set_background(_BACKGROUND)
@@ -76,7 +78,7 @@ def render_run(
 def view_run(
     run_file: Path, *, field: str | None = None, show: str = "auto", snapshot: int = -1, warp: float = 1.0
 ) -> None:
-    """Open a window with a slider through the snapshots."""
+    """Open a window with a slider for the snapshots."""
     scene = _Scene(run_file, field, show, None, warp)
     plotter: Any = pyvista.Plotter()
     plotter.set_background(_BACKGROUND)
@@ -99,7 +101,7 @@ def _titled(name: str | None) -> str:
 
 @dataclass
 class _Scene:
-    """What is drawn of a file."""
+    """Objects to draw of a run file."""
 
     run_file: Path
     field: str | None
@@ -120,13 +122,16 @@ class _Scene:
         self._fragment = self._labels() if self.field == "fragment" else None
 
     def number(self, snapshot: int) -> int:
-        """A snapshot counted from either end.
+        """Index of a snapshot, counted from either end.
 
         Raises:
-            InputError: there is none.
+            InputError: there is no such snapshot.
         """
         if not -self.count <= snapshot < self.count:
-            raise InputError(f"there is no snapshot {snapshot}; '{self.run_file}' has {self.count}, from 0 on")
+            raise InputError(
+                f"snapshot = {snapshot}: '{self.run_file}' has {self.count} snapshots; give a number from 0 to"
+                f" {self.count - 1}"
+            )
         return snapshot % self.count
 
     def draw(self, plotter: Any, number: int) -> None:
@@ -159,7 +164,7 @@ class _Scene:
         if show == "cracks":
             return pieces["elements"].outline() if "elements" in pieces else None
         if show not in pieces:
-            raise InputError(f"'{self.run_file}' has no {show}; it has {', '.join(pieces)}")
+            raise InputError(f"show = {show}: '{self.run_file}' has none; choose from {', '.join(pieces)}")
         mesh = pieces[show]
         if show == "cells":
             own = mesh.cell_data
@@ -180,17 +185,17 @@ class _Scene:
         return mesh
 
     def _coloured(self, mesh: Any) -> str | None:
-        """The array that colours a mesh; a vector by its length.
+        """Array that colours a mesh; vectors are coloured by their magnitude.
 
         Raises:
-            InputError: no such field.
+            InputError: there is no such field.
         """
         known = {*mesh.point_data.keys(), *mesh.cell_data.keys()}
         name = self.field or ("displacement" if "displacement" in known else "integrity")
         if name not in known:
             if self.field is None:
                 return None
-            raise InputError(f"there is no field '{name}' here; there are {', '.join(sorted(known))}, and fragment")
+            raise InputError(f"field = '{name}': no such field; choose from {', '.join(sorted(known))}, and fragment")
         data = mesh.cell_data if name in mesh.cell_data else mesh.point_data
         if data[name].ndim > 1:
             data[f"|{name}|"] = np.linalg.norm(data[name], axis=1)
@@ -210,6 +215,8 @@ class _Scene:
         return pieces
 
     def _labels(self) -> np.ndarray:
-        """Piece of each element at the last checkpoint, the largest 0, all but the nineteen largest one."""
+        """Fragment of each element at the last checkpoint; the largest is 0, and all beyond the nineteen largest are
+        one.
+        """
         kept = read_run(self.run_file)
         return np.minimum(fragments(kept.model.lattice, kept.state).label, 19)

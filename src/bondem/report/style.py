@@ -1,4 +1,4 @@
-"""One look for every figure: colours that colour-blind readers can tell apart, units on every axis."""
+"""Common style of all figures: colours for colour-blind readers and units on every axis."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -59,7 +59,7 @@ _DOTS_PER_INCH = 160
 
 
 def law_colour(law: str) -> str:
-    """The colour of a bond law in every figure, by the name of its class."""
+    """Colour of a bond law in all figures, by the name of its class."""
     return _LAW_COLOURS[list(LAWS).index(law) % len(_LAW_COLOURS)]
 
 
@@ -67,13 +67,13 @@ def law_colour(law: str) -> str:
 def sheet(
     path: Path, width: float, height: float, rows: int = 1, columns: int = 1, **options: Any
 ) -> Iterator[tuple[Figure, Any]]:
-    """A figure in the common style and its axes, saved to `path` after the block; no global state.
+    """Create a figure in the common style and save it to `path` at the end of the block, without global state.
 
     Args:
         path: PNG to write.
-        width, height: [inch].
-        rows, columns: of the grid of axes; with 0 columns the figure starts without any.
-        options: for `Figure.subplots`.
+        width, height: size of the figure [inch].
+        rows, columns: shape of the grid of axes; a figure with 0 columns has no axes at first.
+        options: options of `Figure.subplots`.
     """
     with rc_context(_SETTINGS):
         figure = Figure(figsize=(width, height), dpi=_DOTS_PER_INCH, layout="constrained")

@@ -1,4 +1,4 @@
-"""All errors at a glance, beside those in print."""
+"""Figure of all errors beside published ones."""
 
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 
 
 def draw_errors(path: Path, findings: Findings) -> None:
-    """Error of every test: each packing, mean and scatter, against Timoshenko theory, and published."""
+    """Draw the error of every test: each packing, mean and scatter, against Timoshenko theory, and published."""
     tests = findings.results["tests"]
     names = [name for name, row in tests.items() if row["error"] is not None]
     place = np.arange(len(names))[::-1]
