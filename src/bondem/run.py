@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from bondem._checks import instance, shown
+from bondem._extras import install
 from bondem.errors import InputError
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.runfile import RunFile, read_run
@@ -68,7 +69,7 @@ def solve_explicit(
             `every` is 0; not with `bd.TchamwaWielgosz`, which dissipates what no line of the ledger holds.
         state: where to start, such as the end of another run of the same elements and bonds; it stays as it is. Its
             time goes on, and with it that of all schedules: those of a second stage begin at `state.time`.
-        device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`): beams of the total formulation
+        device: "cpu", or "gpu" for a CUDA device (`pip install -e ".[gpu]"`): beams of the total formulation
             and cells, that may break, soften and yield by every criterion; without contacts and walls that bodies
             touch. A function of `bd.StressCriterion` must compile for CUDA: numbers and `math`, not NumPy.
         out: run file (HDF5) to write; nothing is written when None. With it SIGINT (Ctrl-C) and SIGTERM stop the run
@@ -193,7 +194,7 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
         gpu = importlib.import_module("bondem.solve.loop_cuda")
     except ImportError as error:
         raise InputError(
-            f"device='gpu' needs the package numba-cuda ({error}): pip install \"bondem[gpu]\", or use device='cpu'"
+            f"device='gpu' needs the package numba-cuda ({error}); {install('gpu')}, or use device='cpu'"
         ) from error
     gpu.require_runnable(model, plan)
     return gpu.GpuLoop

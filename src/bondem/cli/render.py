@@ -24,7 +24,7 @@ def command(
 ) -> None:  # fmt: skip
     """Draw a run file: elements or cells and cracks, coloured by any field, into a file.
 
-    It needs the optional extra: pip install "bondem[view]".
+    It needs the optional extra: pip install -e ".[view]" in a clone.
     """
     place = seeing().render_run(
         run_file, out or run_file.with_suffix(".png"), field=field, show=show, snapshot=snapshot, section=section,

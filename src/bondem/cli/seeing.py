@@ -3,6 +3,7 @@
 import importlib
 from typing import Any
 
+from bondem._extras import install
 from bondem.errors import InputError
 
 #: What can be drawn; "auto" is cells where there are any, else elements, and cracks with them.
@@ -18,4 +19,4 @@ def seeing() -> Any:
     try:
         return importlib.import_module("bondem.report.scenes")
     except ImportError as error:
-        raise InputError(f'pictures need pyvista ({error}): pip install "bondem[view]"') from error
+        raise InputError(f"pictures need pyvista ({error}); {install('view')}") from error

@@ -17,6 +17,6 @@ from bondem.cli.seeing import SHOWN, seeing
 def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float) -> None:
     """Open a window on a run file, to turn it and to move through its snapshots with a slider.
 
-    It needs the optional extra, pip install "bondem[view]", and a screen.
+    It needs the optional extra, pip install -e ".[view]" in a clone, and a screen.
     """
     seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp)

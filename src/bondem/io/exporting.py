@@ -36,8 +36,8 @@ def export(
 
     `.csv` is a table with a header: x, y, z, radius (of cells: volume), and fields by column. `.data` and `.lmp` are
     LAMMPS data files of atom_style bpm/sphere with bonds, which `bd.read_lattice` reads, too; `.dump` is a snapshot
-    of a LAMMPS dump, for OVITO. `.vtu`, `.vtk`, `.xdmf` and `.msh` (gmsh) go by meshio (`pip install
-    bondem[exchange]`): points and lines, of cells polyhedra (`.vtu`).
+    of a LAMMPS dump, for OVITO. `.vtu`, `.vtk`, `.xdmf` and `.msh` (gmsh) go by meshio (the extra
+    `exchange`): points and lines, of cells polyhedra (`.vtu`).
 
     Units are SI throughout (LAMMPS: `units si`). For ParaView, and for what grows, see `bd.write_vtkhdf` and `out=`.
 
