@@ -6,7 +6,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 import bondem as bd
 
 shape = bd.Surface("examples/bracket.stl", unit="mm")
-part = bd.connect(bd.pack(shape, count=1500, method="even", seed=1), method="laguerre")
+part = bd.connect(bd.pack(shape, count=800, method="even", seed=1), method="laguerre")
 load = bd.Load(bd.Face("z_max"), force=(0.0, 10.0, 0.0))
 model = bd.Model(part, bd.CellBond(E=72.5e9, nu=0.17), 2201.0, boundary=[bd.Fix(bd.Face("x_min")), load])
 stress = np.linalg.eigvalsh(bd.cell_stress(model, bd.solve_static(model)))  # principal

@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 
 import bondem as bd
 
-bar = bd.connect(bd.pack(bd.Box((60e-3, 30e-3, 30e-3)), count=500, method="even", seed=1), method="laguerre")
+bar = bd.connect(bd.pack(bd.Box((60e-3, 30e-3, 30e-3)), count=200, method="even", seed=1), method="laguerre")
 concrete = bd.Rankine(tension=4e6, fracture_energy=100.0)
 pulled = bd.labtests.direct_tension(bar, bd.CellBond(E=40e9, nu=0.2), concrete)
 print(f"strength {pulled.peak / 1e6:.3f} MPa, work of fracture {pulled.work:.1f} J/m²")

@@ -5,7 +5,7 @@ import numpy as np
 
 import bondem as bd
 
-rod = bd.connect(bd.pack(bd.Cylinder(radius=5e-3, length=40e-3), count=1000, seed=1))
+rod = bd.connect(bd.pack(bd.Cylinder(radius=5e-3, length=40e-3), count=600, seed=1))
 fit = bd.calibrate(rod, bd.materials.fused_silica, law=bd.EulerBernoulli)
 held = bd.Model(rod, bond=fit.law, density=fit.density, boundary=[bd.Fix(bd.Face("x_min"))])
 mode = bd.solve_modes(held, count=2)

@@ -6,7 +6,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 import bondem as bd
 
-ball = bd.connect(bd.pack(bd.Ball(20e-3), count=1500, method="even", seed=1), method="laguerre")
+ball = bd.connect(bd.pack(bd.Ball(20e-3), count=1000, method="even", seed=1), method="laguerre")
 glass = bd.MohrCoulomb(tension=60e6, cohesion=200e6, friction_angle=0.61)
 hit = bd.labtests.sphere_impact(ball, bd.CellBond(E=70e9, nu=0.22), glass, density=2500.0, velocity=30.0)
 pieces, moved = bd.fragments(ball, hit.state), hit.state.position - ball.centre
