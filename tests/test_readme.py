@@ -8,6 +8,8 @@ import matplotlib
 import pytest
 from PIL import Image
 
+from bondem.study.study import read_study
+
 ROOT = Path(__file__).parents[1]
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
 GALLERY = sorted((ROOT / "examples" / "gallery").glob("*.py"))
@@ -22,6 +24,17 @@ def test_it_says_what_a_reader_asks_in_this_order():
               "twenty lines", "Five commands", "Five numbers", "Missed", "Documentation", "Cite"]  # fmt: skip
     places = [TEXT.index(one) for one in wanted]
     assert places == sorted(places)
+
+
+def test_the_main_job_calibrates_beams_and_breaks_cells():
+    (job,) = [line for line in TEXT.splitlines() if "bondem run examples" in line]
+    beams, cells = (read_study(ROOT / one) for one in re.findall(r"examples/\w+\.toml", job))
+    assert beams.bond.law is not None
+    assert cells.bond.cells is not None
+    assert cells.failure is not None
+    assert "direct_tension" in cells.tests
+    assert {*beams.tests} < {*cells.tests}
+    assert beams.packings == cells.packings == 1
 
 
 def test_a_body_is_broken_in_eight_lines():

@@ -105,7 +105,7 @@ def test_code_runs_as_printed(page, clone, capsys):
 
 
 def assert_alike(printed, expected):
-    """The words of a page, and its numbers to a tenth: what breaks depends a little on the vector unit of the machine."""
+    """Compare words exactly and numbers to a tenth: what breaks depends a little on the vector unit."""
     assert NUMBER.sub("#", printed).split() == NUMBER.sub("#", expected).split()
     numbers = ([float(one) for one in NUMBER.findall(text)] for text in (printed, expected))
     assert next(numbers) == pytest.approx(next(numbers), rel=0.1)
