@@ -22,7 +22,7 @@ html_title = f"bondem {release}"
 html_theme_options = {"top_of_page_buttons": []}
 exclude_patterns = ["build", "_templates"]
 
-myst_enable_extensions = ["dollarmath", "amsmath", "attrs_block", "colon_fence"]
+myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence"]
 myst_heading_anchors = 3
 # Links from here to the code, the examples and the results lead somewhere in a clone, and nowhere in these pages.
 suppress_warnings = ["myst.xref_missing"]
