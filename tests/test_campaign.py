@@ -164,7 +164,7 @@ def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path
                 reader(wrong)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"a campaign from bd.read_campaign"):
         bd.run_campaign(PACKED, tmp_path)  # type: ignore[arg-type]
-    with pytest.raises(MissingDependencyError, match=r'pip install "bondem\[campaign\]"'):
+    with pytest.raises(MissingDependencyError, match=r'clone of bondem, run pip install -e "\.\[campaign\]"'):
         needed("a_library_nobody_has", "campaign")
     both = CliRunner().invoke(command, [str(EXAMPLE), "--out", str(tmp_path), "--workers", "1", "--address", "tcp://x:1"])
     assert isinstance(both.exception, InputError)

@@ -45,7 +45,7 @@ def run(script: str, *arguments: str, **environment: str) -> str:
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory):
     """The small runs on the CPU and in the simulator."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     folder = tmp_path_factory.mktemp("cuda")
     bodies = str(folder / "bodies")
     run("cuda_cases.py", "cpu", str(folder / "cpu.npz"), bodies)
@@ -142,7 +142,7 @@ def test_a_wild_run_ends_as_on_the_cpu(outcomes, case: str) -> None:
 @pytest.fixture(scope="module")
 def compiled():
     """PTX of all kernels, and the bytes that each bond or element takes."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     return json.loads(run("cuda_ptx.py"))
 
 
@@ -210,7 +210,7 @@ def model_and_plan(**options) -> tuple[bd.Model, Plan]:
 
 
 def test_what_the_device_cannot_do_is_refused() -> None:
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     heat = bd.Eigenstrain(1e-3, schedule=bd.Ramp(0.0, 1.0, 1e-3))
     open_end = bd.Absorbing(bd.Face("x_max"), density=1000.0, E=1e7, nu=0.2)
     for options, what in (
@@ -253,7 +253,7 @@ def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
     monkeypatch.delitem(sys.modules, "bondem.solve.loop_cuda", raising=False)
     monkeypatch.delitem(sys.modules, "bondem._compile_cuda", raising=False)
     monkeypatch.setitem(sys.modules, "numba_cuda", None)
-    with pytest.raises(InputError, match=r"pip install \"bondem\[gpu\]\""):
+    with pytest.raises(InputError, match=r"pip install -e \"\.\[gpu\]\""):
         bd.solve_explicit(model_and_plan()[0], duration=1e-6, device="gpu")
 
 
@@ -262,11 +262,11 @@ def absent() -> str | None:
     try:
         return importlib.import_module("bondem._compile_cuda").missing()
     except ImportError as error:
-        return f"needs numba-cuda ({error}): pip install 'bondem[gpu]'"
+        return f"needs numba-cuda ({error}): pip install -e '.[gpu]'"
 
 
 def test_without_a_device_it_says_so() -> None:
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     if absent() is None:
         pytest.skip("there is a CUDA device here")
     with pytest.raises(InputError, match="no CUDA device or driver was found"):

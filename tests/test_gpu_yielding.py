@@ -22,7 +22,7 @@ FIELDS = (
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory):
     """The runs on the CPU, in the simulator, and on the CPU from half a run of the simulator."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     return three_sides("cuda_yielding.py", tmp_path_factory.mktemp("yielding"))
 
 
@@ -102,7 +102,7 @@ def largest(stress, tension):
 
 
 def test_a_function_that_cuda_does_not_compile_is_refused_by_name(monkeypatch) -> None:
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     cracks = importlib.import_module("bondem.solve.cracks_cuda")
     pair = bd.Particles([[0.4, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.3, shape=bd.Box((2, 1, 1)))
     body = bd.connect(pair, method="laguerre")

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from bondem._checks import instance, shown
+from bondem._extras import install
 from bondem.errors import InputError
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.runfile import RunFile, read_run
@@ -70,7 +71,7 @@ def solve_explicit(
             dissipation is not in the ledger.
         state: initial state, such as the end of another run of the same elements and bonds; it is not changed. Its
             time continues, also for all schedules: those of a second stage begin at `state.time`.
-        device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`). The GPU runs beams of the total
+        device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs beams of the total
             formulation and cells, which may break, soften and yield by every criterion. It does not run contacts and
             walls that bodies touch. A function of `bd.StressCriterion` must compile for CUDA: numbers and `math`, not
             NumPy.
@@ -197,7 +198,7 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
         gpu = importlib.import_module("bondem.solve.loop_cuda")
     except ImportError as error:
         raise InputError(
-            f"device='gpu' needs the package numba-cuda ({error}): pip install \"bondem[gpu]\", or use device='cpu'"
+            f"device='gpu' needs the package numba-cuda ({error}); {install('gpu')}, or use device='cpu'"
         ) from error
     gpu.require_runnable(model, plan)
     return gpu.GpuLoop

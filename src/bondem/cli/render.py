@@ -26,7 +26,7 @@ def command(
 ) -> None:  # fmt: skip
     """Draw the elements or cells and the cracks of a run file, coloured by a field, as a picture or film.
 
-    The optional extra is required: pip install "bondem[view]".
+    The optional extra is required: pip install -e ".[view]" in a clone.
     """
     place = seeing().render_run(
         run_file, out or run_file.with_suffix(".png"), field=field, show=show, snapshot=snapshot, section=section,

@@ -3,6 +3,7 @@
 import importlib
 from typing import Any
 
+from bondem._extras import install
 from bondem.errors import InputError
 
 #: Objects to draw; "auto" selects cells if the file has them, otherwise elements, and cracks with both.
@@ -18,4 +19,4 @@ def seeing() -> Any:
     try:
         return importlib.import_module("bondem.report.scenes")
     except ImportError as error:
-        raise InputError(f'pictures need pyvista ({error}): pip install "bondem[view]"') from error
+        raise InputError(f"pictures need pyvista ({error}); {install('view')}") from error

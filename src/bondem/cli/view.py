@@ -17,6 +17,6 @@ from bondem.cli.seeing import SHOWN, seeing
 def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float) -> None:
     """Open a run file in a window with rotation and a slider for snapshots.
 
-    A screen and the optional extra are required: pip install "bondem[view]".
+    A screen and the optional extra are required: pip install -e ".[view]" in a clone.
     """
     seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp)

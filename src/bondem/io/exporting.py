@@ -37,7 +37,7 @@ def export(
     `.csv` is a table with a header: x, y, z, radius (for cells: volume), and one column per field component. `.data`
     and `.lmp` are LAMMPS data files of atom_style bpm/sphere with bonds, which `bd.read_lattice` can read; `.dump` is
     a snapshot in the LAMMPS dump format, for OVITO. `.vtu`, `.vtk`, `.xdmf` and `.msh` (gmsh) are written by meshio
-    (`pip install bondem[exchange]`) with points and lines, or polyhedra for cells (`.vtu`).
+    (extra `exchange`) with points and lines, or polyhedra for cells (`.vtu`).
 
     Units are SI throughout (LAMMPS: `units si`). For ParaView and time series, use `bd.write_vtkhdf` and `out=`.
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import instance, place, vector
+from bondem._extras import install
 from bondem._types import ArrayLike, Pairs
 from bondem.errors import InputError, UnitWarning
 from bondem.io.lammps import read_lammps
@@ -42,7 +43,7 @@ def read_particles(
 
     `.h5` is the format of `bd.save_particles`. `.csv` has a header, or columns x, y, z, radius. `.txt` is a file of
     Yade. `.data`, `.lmp` and `data.*` are LAMMPS data files of atom_style sphere or bpm/sphere. `.vtk`, `.vtp` and
-    `.vtu` have points with an array of radii and require VTK (`pip install bondem[view]`). `.vtkhdf` does not require
+    `.vtu` have points with an array of radii and require VTK (extra `view`). `.vtkhdf` does not require
     VTK.
 
     Args:
@@ -183,7 +184,7 @@ def _read(path: Path, columns: Sequence[str | int] | None, radius: str | None, p
             reader = importlib.import_module("bondem.io.vtk_spheres")
         except ModuleNotFoundError as error:
             raise InputError(
-                f"'{path}' needs VTK, which is not installed ({error.name}); pip install 'bondem[view]', or write"
+                f"'{path}' needs VTK, which is not installed ({error.name}); {install('view')}, or write"
                 " the spheres as CSV"
             ) from error
         return reader.read_vtk(path, radius)

@@ -11,6 +11,7 @@ import pyvista
 from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkIOHDF import vtkHDFReader
 
+from bondem._extras import install
 from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
 from bondem.io.run_contents import read_contents
@@ -66,7 +67,7 @@ def render_run(
             plotter.open_gif(str(out)) if out.suffix.lower() == ".gif" else plotter.open_movie(str(out))
         except (ImportError, ValueError) as error:
             told = " ".join(str(error).split())
-            raise InputError(f'films need imageio ({told}): pip install "bondem[view]"') from None
+            raise InputError(f"films need imageio ({told}); {install('view')}") from None
         for number in range(scene.count):
             plotter.clear_actors()
             scene.draw(plotter, number)
