@@ -151,8 +151,8 @@ def critical_step(
     """The largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
     It holds for contacts before they appear, as each is counted with the most that can touch at once. Local damping
-    raises a force that decelerates by 1 + γ, and with it the effective stiffness and dashpots; these lower the limit by
-    √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing boundaries do not. Of the
+    raises a force that decelerates by 1 + γ, and with it the effective stiffness and dashpots; these lower the limit
+    by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing boundaries do not. Of the
     non-local law it is the largest share that its own steps bear (`bondem.solve.lagged_step`).
 
     Args:
