@@ -119,8 +119,8 @@ def brazilian(
         half_angle: half angle α of the strips [rad]; None for 5°, or for three quarters of a cell if larger.
         density: density of the material [kg/m³]; results do not depend on it.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
-        ending: share of the peak load at which the test ends [-]: the disc has split. With a lower share, `peak` may be
-            that of the two halves, which can carry a higher load afterwards.
+        ending: share of the peak load at which the test ends [-]: the disc has split. With a lower share, `peak` may
+            be that of the two halves, which can carry a higher load afterwards.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
