@@ -176,7 +176,8 @@ def test_all_kernels_compile_without_a_driver(compiled) -> None:
         "cool_some", "mark_judged", "begin_judged",
         "soften_beams", "add_soft_losses", "log_soft", "press_some", "find_soft", "order_soft", "begin_soft",
         "soft_sums",
-        "schedule_rows", "turn_moments", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold", "write_record",
+        "schedule_rows", "turn_moments", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold",
+        "write_record",
     }  # fmt: skip
     for name, text in ptx.items():
         assert ".visible .entry" in text, name

@@ -118,8 +118,8 @@ def brazilian(
         half_angle: α of the strips [rad]; None for 5°, or for as much as three quarters of a cell where that is more.
         density: of the material [kg/m³]; no result depends on it.
         traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
-        ending: share of the peak to which the load has to drop [-]: the disc is split then. Its halves, pressed on, may
-            carry more later, and the further the load has to drop the likelier `peak` is that of the halves.
+        ending: share of the peak to which the load has to drop [-]: the disc is split then. Its halves, pressed on,
+            may carry more later, and the further the load has to drop the likelier `peak` is that of the halves.
         progress: called now and then with the share done, 0 … 1.
 
     Raises:

@@ -117,7 +117,7 @@ def orthonormal(vectors: Floats) -> Floats:
     return vectors
 
 
-def span(vectors: Floats) -> Floats:
+def spanning(vectors: Floats) -> Floats:
     """Return an orthonormal basis of the span of vectors (rows, k), which may be dependent, (rows, ≤ k)."""
     if vectors.shape[1] == 0:
         return vectors
@@ -228,7 +228,7 @@ class Iteration:
         if lost is not None:
             clump = parted(clump, system.position, *lost)
         self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
-        self._rigid = span(self.unscaled(system.loose))
+        self._rigid = spanning(self.unscaled(system.loose))
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
         """See `Solver`."""
