@@ -1,6 +1,6 @@
 """The validation pages: `docs/validation.md` and `docs/validation/`, written from the files in `benchmarks/results`.
 
-    python -m book                       write docs/validation.md, docs/validation/*.md, the tables of docs/studies.md
+    python -m book                        write docs/validation.md, docs/validation/*.md, tables of docs/studies.md
     python -m book --check                list pages that differ from the results, and figures that are missing
     python -m book --rows                 count rows by verdict, before and after the rule, and check the misses
     python -m book --list                 list the measurements and their commands

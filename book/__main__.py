@@ -19,13 +19,15 @@ def main(arguments: list[str] | None = None) -> int:
     """Exit status 0 when all went well, 1 when a page differs or a row of the fast part is missed, 2 on an error."""
     parser = argparse.ArgumentParser(prog="python -m book", description="Write and check the validation pages.")
     action = parser.add_mutually_exclusive_group()
-    action.add_argument("--check", action="store_true", help="list pages that differ from the results, and missing figures")
+    action.add_argument("--check", action="store_true",
+        help="list pages that differ from the results, and missing figures")
     action.add_argument("--rows", action="store_true", help="count rows by verdict, before and after the rule")
     action.add_argument("--list", action="store_true", help="list the measurements and their commands")
     action.add_argument("--measure", nargs="*", metavar="NAME", help="repeat measurements; all without names")
     action.add_argument("--fast", nargs="?", const="", metavar="DIR",
         help="measure a small part from nothing; in DIR if given")
-    parser.add_argument("--no-run", action="store_true", help="with --measure: use the files that the folder holds already")
+    parser.add_argument("--no-run", action="store_true",
+        help="with --measure: use the files that the folder holds already")
     parser.add_argument("--build", type=Path, default=BUILD, help="with --measure: folder for the output of commands")
     options = parser.parse_args(arguments)
     try:

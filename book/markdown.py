@@ -33,9 +33,9 @@ def table(rows: Sequence[Row], commands: Sequence[Origin]) -> str:
         "source": [line.first.source for line in lines],
         "published": [line.first.paper_text for line in lines],
         "bondem": [line.ours for line in lines],
-        "required": [required(line.first) for line in lines],
+        "required": [required(line.first).replace(" ", "\N{NO-BREAK SPACE}") for line in lines],
         "verdict": [_verdict(line, remarks) for line in lines],
-        "command": [str(1 + commands.index(line.first.ours.origin)) for line in lines],
+        "#": [str(1 + commands.index(line.first.ours.origin)) for line in lines],
     }
     text = [_grid(columns), ""] if remarks else [_grid(columns)]
     return "\n".join([*text, *notes(remarks)])

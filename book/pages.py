@@ -36,7 +36,7 @@ def rendered(book: list[Chapter]) -> dict[Path, str]:
 
 
 def write() -> list[Path]:
-    """Bring the pages to what the results render to; returns those that changed."""
+    """Write the pages that differ from the results; returns their paths."""
     changed = []
     for path, text in rendered(chapters()).items():
         if not path.exists() or path.read_text(encoding="utf-8") != text:
