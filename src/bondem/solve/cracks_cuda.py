@@ -2,7 +2,7 @@
 
 Bytes on the device, in double precision, more than without:
 
-    a facet   650: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
+    a facet   667: state of its crack 104, geometry 152, of planes 17, both halves 128, what it does 64, its force 24, log 72,
               integrity 8, how it is treated 2, strength, softening, friction and weights 72, numbers and lists 24
     a cell    135: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 7
 
