@@ -2,15 +2,9 @@
 
 Additional bytes on the device, in double precision:
 
-<<<<<<< HEAD
-    a facet   650: state of its crack 104, geometry 152, both halves 128, loads 64, its force 24, log 72,
+    a facet   667: state of its crack 104, geometry 152, planes 17, both halves 128, loads 64, its force 24, log 72,
               integrity 8, kind of treatment 2, strength, softening, friction and weights 72, numbers and lists 24
     a cell    135: V σ, bending and stress 104, volume, weight and V θ 24, start of its cracks and marks 7
-=======
-    a facet   667: state of its crack 104, geometry 152, of planes 17, both halves 128, what it does 64, its force 24, log 72,
-              integrity 8, how it is treated 2, strength, softening, friction and weights 72, numbers and lists 24
-    a cell    135: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 7
->>>>>>> main
 
 Where cells yield, there are 24 more per facet (levers without plastic strain), 176 per cell (17 variables, 5
 constants) and 24 per facet that walls hold.
