@@ -73,7 +73,7 @@ REFUSED: dict[str, tuple[str, dict[str, Any]]] = {
     "none": ("at least once", {"specimens": []}),
     "no tests": ("'specimens\\[1\\].tests' is missing or empty", {"specimens": [PRISM, DISC | {"tests": []}]}),
     "no name": (r"'specimens\[0\]\.name' is missing", {"specimens": [{**PRISM, "name": None}]}),
-    "two of a name": ("two with the name 'small-PRISM'", {"specimens": [PRISM, DISC, PRISM | {"name": "small-PRISM"}]}),
+    "two of a name": ("the name 'small-PRISM'", {"specimens": [PRISM, DISC, PRISM | {"name": "small-PRISM"}]}),
     "a name that is a path": ("letters, digits", {"specimens": [PRISM | {"name": "../prism"}]}),
     "a name of the programme's own": ("figures", {"specimens": [PRISM | {"name": "Figures"}]}),
     "an unknown key of a specimen": (
