@@ -62,12 +62,12 @@ def test_names_follow_the_input_and_the_code() -> None:
     ({"seeds": [1, 1]}, "contains a seed twice"),
     ({"seeds": [1, True]}, "give how many"),
     ({"seed": 3}, "did you mean 'campaign.seeds'"),
-    ({"vary": {"specimen.count": 3}}, "give a list of the values that 'specimen.count' takes"),
+    ({"vary": {"specimen.count": 3}}, "give a list of values of 'specimen.count'"),
     ({"vary": {"specimen": {"count": [100, 100]}}}, "contains a value twice"),
     ({"vary": {"specimen.cuont": [100]}}, "did you mean 'specimen.count'"),
     ({"vary": {"specimen.count": [100, -1]}}, r"= -1.*\(specimen of specimen.count = -1, seed = 3\)"),
     ({"vary": {"seed": [1]}}, "give seeds as 'campaign.seeds'"),
-    ({"vary": {"name.x": [1]}}, "'name' is no table"),
+    ({"vary": {"name.x": [1]}}, "'name' is not a table"),
     ({"slurm": {"cores": 0}}, "'campaign.slurm.cores' = 0"),
     ({"slurm": {"directives": ["a\nb"]}}, "a list of texts of one line each"),
     ({"seeds": 10_000_000}, "give 1000000 at most"),
@@ -79,7 +79,7 @@ def test_a_wrong_campaign_is_refused_before_any_work(changed: dict[str, Any], wo
 
 def test_other_files_are_no_campaigns() -> None:
     for data, words in (
-        ({key: PACKED[key] for key in ("name", "specimen")}, "there is no .campaign."),
+        ({key: PACKED[key] for key in ("name", "specimen")}, ".campaign. is missing"),
         (PACKED | {"packings": 2}, "'packings' is not an option"),
         (PACKED | {"specimens": []}, "belong to a test programme"),
     ):
@@ -154,7 +154,7 @@ def test_a_job_of_slurm_is_what_the_file_asks_for() -> None:
 
 
 def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="there is no Dask scheduler at 'nonsense://x'"):
+    with pytest.raises(InputError, match="'nonsense://x': no Dask scheduler"):
         run_campaign(campaign(), tmp_path, address="nonsense://x")
     with pytest.raises(InputError, match="give the folder of a campaign"):
         bd.campaign_table(tmp_path / "none")

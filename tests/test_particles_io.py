@@ -115,7 +115,7 @@ def test_csv_columns_units_and_diameters(write):
         ("x,y,z,r\n0,0,0,1\n\n0,0,five,1\n", r"bad.csv', line 4: 'five' is not a number"),
         ("x,y,z,r\n0,0,0,1\n0,0,nan,1\n", r"line 3: nan is not finite"),
         ("x,y,z,r\n0,0,0\n", r"line 2: 3 columns where at least 4"),
-        ("x,y,z,r\n0,0,0,-1\n", r"line 2: -1 is no size"),
+        ("x,y,z,r\n0,0,0,-1\n", r"line 2: -1 is not a size"),
         ("x,y,w,r\n0,0,0,1\n", r"line 1: no column 'z' among x, y, w, r; .*columns="),
         ("# nothing\n", "has no spheres"),
         ("0 0 0 1\n0 0 0.1 1\n", r"bad.csv': elements 0 and 1 overlap"),
@@ -224,7 +224,7 @@ def test_without_vtk_the_message_says_what_to_install(write, monkeypatch):
 
 
 def test_an_unknown_suffix_lists_the_known_ones(write):
-    with pytest.raises(InputError, match=r"'.xyz' files; known are \.h5"):
+    with pytest.raises(InputError, match=r"'.xyz' files of spheres are not supported; give one of \.h5"):
         bd.read_particles(write("spheres.xyz", ""))
     with pytest.raises(InputError, match="there is no file"):
         bd.read_particles("nowhere.csv")

@@ -149,7 +149,7 @@ def test_tests_that_tell_parameters_not_apart_end_early_and_say_so():
     fit = bd.calibrate_strength(tests, TARGETS, START)
     assert not fit.reached
     assert len(fit.runs) < 15
-    assert "do not tell the parameters apart" in fit.message
+    assert "do not determine all parameters" in fit.message
 
 
 def test_noise_above_the_tolerance_uses_up_its_runs_or_gives_up():

@@ -124,7 +124,7 @@ CYLINDER = {"shape": "cylinder", "radius": 5e-3, "length": 30e-3, "count": 500}
     ("keys", "key", "remedy"),
     [
         ({"specimen": CYLINDER | {"method": "grow"}}, "'specimen.method' = 'grow'", "did you mean 'growth'"),
-        ({"specimen": CYLINDER | {"method": "even", "spread": 0.2}}, "'specimen.spread' goes with", "leave it out"),
+        ({"specimen": CYLINDER | {"method": "even", "spread": 0.2}}, "'specimen.spread' is", "leave it out"),
         ({"specimen": CYLINDER | {"jamming": True, "volume_fraction": 0.6}}, "'specimen.volume_fraction' and", "one"),
         ({"specimen": CYLINDER | {"volume_fraction": 0.9}}, "'specimen.volume_fraction' = 0.9", "between 0 and 0.8"),
         ({"specimen": CYLINDER | {"jamming": 1}}, "'specimen.jamming' = 1", "true or false"),

@@ -14,7 +14,8 @@ _ROUNDING = 1e-10
 
 
 def element_density(lattices: Sequence[Lattice], rho: float) -> float:
-    """Compute the uniform density of elements for the mass of the material, ρ_μ = ρ_M V_M / Σ V_μ [kg/m³].
+    """Compute the uniform element density that gives specimens the mass of their material, ρ_μ = ρ_M V_M / Σ V_μ
+    [kg/m³].
 
     V_M is the volume of the shape, and the sum is over connected elements: rattlers do not move with the specimen, so
     that their mass does not count. Over several lattices both volumes are summed.

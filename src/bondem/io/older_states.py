@@ -22,9 +22,7 @@ def brought_up(model: Model, state: State, schema: int) -> None:
 
 
 def judge_anew(model: Model, state: State) -> None:
-    """Set the strength of cracked facets that stored the traction at initiation, and mark all elements for
-    evaluation.
-    """
+    """Set the strength of softening facets that stored the traction at initiation, and reactivate resting ones."""
     if model.softening is None:
         return
     rows = state.cracks

@@ -170,6 +170,7 @@ class Bar:
 
         The state (v, θ, M, Q) obeys y' = A y along the bar with
             v' = θ + Q/(kGS)   θ' = M/(EI)   M' = -Q - ρ I ω² θ   Q' = -ρ S ω² v.
+
         The matrix exp(A L) maps the state at the clamped end (v = θ = 0) to the state at the free end (M = Q = 0).
         """
         section, L = self.section, self.length

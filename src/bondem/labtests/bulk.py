@@ -82,9 +82,9 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
 
     Six macroscopic strains ε are imposed. Each bond is stretched by ε times its branch vector over the nearest image.
     The elements then move and rotate to equilibrium, equally in all images of the cell: u = ε x + v. C is the energy
-    of the bonds in that motion, V C_st = Σ kn δn_s δn_t + ks δs_s·δs_t + … As the energy is stationary in v, its
-    derivative with respect to a bond parameter is the sum with the derivatives of the stiffnesses. No further
-    solution is needed.
+    of the bonds in that motion, V C_st = Σ kn δn_s δn_t + ks δs_s·δs_t + …. The energy is stationary in v: its
+    derivative with respect to a bond parameter is this sum with the stiffnesses replaced by their derivatives. No
+    further solution is needed.
 
     Args:
         lattice: bonded elements of a `Cell`, or of particles with a `period`.

@@ -29,7 +29,7 @@ def impact(
     velocity at x_min first exceeds half the plateau, averaged over the middle of its duration. The speed is L_M of eq
     (12) over the arrival time. The refined path runs from the mean centre of the driven elements to the face x_min. A
     body of cells is driven at its wall. Its far cells record the front and its reflection at equal times before and
-    after it reaches the wall, so that the path is the whole length.
+    after the wall. The path is therefore the whole length.
 
     Args:
         lattice: the specimen.

@@ -41,12 +41,12 @@ class AffineField:
 
     @property
     def strain(self) -> Floats:
-        """Symmetric part of the gradient [-], (3, 3)."""
+        """Strain tensor, the symmetric part of the displacement gradient [-], (3, 3)."""
         return 0.5 * (self.gradient + self.gradient.T)
 
     @property
     def spin(self) -> Floats:
-        """Rotation vector of the antisymmetric part [rad], (3,)."""
+        """Rotation vector of the antisymmetric part of the displacement gradient [rad], (3,)."""
         W = 0.5 * (self.gradient - self.gradient.T)
         return np.array([W[2, 1], W[0, 2], W[1, 0]])
 

@@ -91,8 +91,8 @@ def shear(
     A smooth piston presses on x_max inside its boring, and a smooth plate with a hole supports x_min outside its
     boring. The stress is the mean shear stress P / (π D h) on the cylinder of height h and mean diameter D between
     both borings. The strain is the motion of the piston over h. Cracks follow the stresses, so that the peak is a
-    limit load of the specimen without a closed form, and not a strength of the material. E is the modulus of an
-    elastic body of the same cells with the stiffness of the curve.
+    limit load of the specimen without a closed form, and not a strength of the material. E is the Young's modulus
+    with which an elastic model of these cells has the slope of the curve.
 
     Args:
         body: cells of a `punch_specimen`.

@@ -89,8 +89,7 @@ class Rig:
         traverses: number of passes of sound before the expected peak [-].
         boundary: function of the signed speed of the far side [m/s] and its rise time [s] that returns the
             conditions.
-        gauge: strain of each record for the slope E, as a function of the state [-]; None for the motion over
-            `length`.
+        gauge: function of the state that returns the strain for the slope E [-]; None for the motion over `length`.
     """
 
     axis: int

@@ -28,7 +28,7 @@ _AMBIENT = 0.55
 
 
 def corners_moved(solid: Polyhedra, body: Lattice, state: State, reach: float = 1.0) -> Floats:
-    """Displacements of the corners of cells, with displacements of the cells times `reach` [m], (v, 3).
+    """Displacements of the corners of cells whose displacements are magnified by `reach` [m], (v, 3).
 
     Rotations of the cells are not exaggerated, as crumbs rotate by large angles.
     """
