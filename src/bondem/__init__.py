@@ -1,4 +1,4 @@
-"""bondem: bonded-particle discrete element method.
+"""Bonded-particle discrete element method for solids that deform and break.
 
 `import bondem as bd` gives access to every public name. Names are loaded on first use, so that the import is fast.
 Type checkers and editors read `__init__.pyi`, which a test compares with the list here.

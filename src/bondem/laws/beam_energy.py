@@ -1,4 +1,4 @@
-"""The one bond energy, its gradient and its parts.
+"""Bond energy common to all laws, its gradient and its parts.
 
 All bonds are made in one reference configuration, where every orientation is the identity. X0 is the reference
 direction i→j, and X1 and X2 are X0 rotated with elements i and j. X is the present direction and ℓ the present

@@ -270,7 +270,7 @@ def contact_force(spring, friction, overlap, now, last, twist, s, p, dt):
         overlap: overlap [m]; 0 if the bodies have just separated.
         now: unit normal from the first body to the second (3), velocity of the second against the first at the
             contact over the step (3) [m/s].
-        last: the same quantities a step ago.
+        last: these quantities one step earlier.
         twist: rate at which the pair rotates about the normal [rad/s].
         s: stretch of the tangential spring [m] a step ago, (3).
         p: force of the dashpots [N] a step ago, (3).

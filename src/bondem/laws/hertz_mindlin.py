@@ -40,7 +40,7 @@ class HertzMindlin(ContactLaw):
         friction: Coulomb's coefficient μ [-]; 0 for no tangential force at all.
         restitution: speed after over speed before a collision along the normal, in [0.01, 1] [-].
         overlap: deepest overlap over the radius for which the time step is computed [-]; stiffness grows as its root.
-        stress_free: as for `LinearContact`.
+        stress_free: see `LinearContact`.
     """
 
     E: float

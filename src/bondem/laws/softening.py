@@ -144,12 +144,12 @@ def left_in_bulk(s, t, n, bent, a, v, strength, last, kink, steep):
 
     Args:
         t: traction that it would have if it were whole [Pa].
-        n: its normal.
+        n: normal of the facet.
         bent: b [Pa].
         a: mean stress of its cells in its principal directions, of which the diagonal is read [Pa], (3, 3).
         v: these directions, in columns, (3, 3).
         strength: f_t [Pa].
-        last, kink, steep: as for `softened`.
+        last, kink, steep: parameters of `softened`.
     """
     most = 0.0
     for d in range(3):
@@ -171,10 +171,10 @@ def left_on_plane(s, t, n, bent, strength, last, cohesion, last_slip, friction, 
 
     Args:
         t: traction that it would have if it were whole [Pa].
-        n: its normal.
+        n: normal of the facet.
         bent: T_b [Pa]; the part of it that pressure on the facet does not close opens the facet.
         strength: strength in tension [Pa].
-        last, kink, steep: as for `softened`, in tension.
+        last, kink, steep: parameters of `softened`, in tension.
         cohesion: c [Pa], inf for a plane that does not slip.
         last_slip: k u / A of the slip that exhausts the cohesion [Pa], inf for a constant cohesion.
         friction: tan φ.

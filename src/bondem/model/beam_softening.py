@@ -38,7 +38,7 @@ class BeamSoftening:
 
         Args:
             lattice: bonds.
-            layout: their order in the kernels.
+            layout: order of the bonds in the kernels.
             parts: criteria of one kind with their bonds.
             stiffness: stiffnesses of the bonds, user's order.
             at_contact: True if moments count at the contact point.

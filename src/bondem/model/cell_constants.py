@@ -164,7 +164,7 @@ class CellConstants:
 
         Args:
             strain: ε* [-], kernels' order, as these constants are in, shape (m,), or (0,) for none.
-            layout: that order.
+            layout: order of the kernels.
         """
         if strain.size == 0:
             return self

@@ -25,11 +25,11 @@ _CONTRAST, _ROUGH = 1.25, 0.15
 
 
 def question_cells(body: Lattice, bond: object) -> None:
-    """Warn of a body of cells that is one cell thick somewhere, nearly incompressible, or has ragged interfaces.
+    """Warn about a body of cells that is one cell thick somewhere, nearly incompressible, or has ragged interfaces.
 
     Args:
         body: lattice of a model.
-        bond: its laws; only `CellBond` is considered.
+        bond: laws of the body; only `CellBond` is considered.
     """
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
     if body.cells is None or body.facets is None or not all(isinstance(law, CellBond) for law in laws):
@@ -42,18 +42,18 @@ def question_cells(body: Lattice, bond: object) -> None:
 
 
 def _question_incompressible(nu: float) -> None:
-    """Warn of nearly incompressible cells, which are too compliant under uniform pressure."""
+    """Warn about nearly incompressible cells, which are too compliant under uniform pressure."""
     if nu > _NEARLY:
         _warn(
             f"CellBond: nu = {nu:g} is nearly incompressible: confined on all sides, 300 cells have a bulk modulus"
             " 0.4, 1.9 and 15 % too small at 0.45, 0.49 and 0.499 (1500 cells: 0.3, 1.3, 11 %), and hoop stress at a"
-            " bore is 10 % too small with 4 cells across the wall and 4 % with 6; free bodies are right. Use"
+            " hole is 10 % too small with 4 cells across the wall and 4 % with 6; free bodies are right. Use"
             " nu = 0.45 if the body cannot bulge, or compare with another nu", IncompressibleWarning,
         )  # fmt: skip
 
 
 def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
-    """Warn of parts of a body that are one cell thick, and of those that are one cell wide as well."""
+    """Warn about parts of a body that are one cell thick, and about those that are one cell wide as well."""
     assert body.cells is not None
     thin = (free_shares(body) > _THIN).sum(axis=1)
     count = int((thin > 0).sum())
@@ -76,7 +76,7 @@ def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
 
 
 def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
-    """Warn of an interface between two materials that cuts through cells, if a surface defines it."""
+    """Warn about an interface between two materials that cuts through cells, if a surface defines it."""
     assert body.cells is not None
     assert body.facets is not None
     surfaces = [one for where in bond for one in _surfaces(where)]

@@ -22,7 +22,7 @@ class CellVisits:
 
     Attributes:
         element: cells of each group, uint32, shape (groups · WIDTH,); the last group is padded with cell 0.
-        target: the same cells, but n where padded, uint32.
+        target: cells of each group, n where padded, uint32.
         start: group g makes WIDTH visits start[g] … start[g + 1] times, shape (groups + 1,).
         facet: visited facet, kernels' order, shape (v,).
         from_j: mask of visits from cell j of the facet, shape (v,).

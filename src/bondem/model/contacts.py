@@ -65,7 +65,7 @@ class ContactModel:
 
         Args:
             lattice: elements.
-            layout: their order in the kernels.
+            layout: order of the elements in the kernels.
             law: law of their contacts.
             walls: walls that they touch.
             own: see `own`.

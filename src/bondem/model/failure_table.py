@@ -61,7 +61,7 @@ class FailureTable:
 
         Args:
             lattice: bonds or facets.
-            layout: their order in the kernels.
+            layout: order of the bonds in the kernels.
             parts: criteria of one kind with their bonds.
             stiffness: stiffnesses of the bonds, user's order; None for facets of cells.
             at_contact: True if moments count at the contact point.
@@ -103,7 +103,7 @@ class FailureTable:
 
         Args:
             lattice: elements and bonds.
-            layout: their order in the kernels.
+            layout: order of the bonds in the kernels.
             parts: criteria on principal stresses with their bonds.
             constants: constants of the bonds, user's order.
         """

@@ -75,7 +75,7 @@ class SofteningTable:
         hot: largest principal stress of a cell from which its facets are evaluated [Pa]; for another criterion its
             value in uniaxial tension.
         judge: index function of another criterion, or None for the largest principal stress.
-        given: its parameters.
+        given: parameters of the criterion.
         least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
         tension: f_t of another criterion without scatter [Pa].
         friction: μ of each facet [-], (m,).
@@ -110,7 +110,7 @@ class SofteningTable:
 
         Args:
             body: facets and cells.
-            layout: their order in the kernels.
+            layout: order of the bonds in the kernels.
             cells: constants of the law, in that order.
             parts: criteria with their facets and cells.
 

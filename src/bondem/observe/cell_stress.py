@@ -22,7 +22,7 @@ def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
 
     Args:
         model: a body of cells under `CellBond`.
-        result: its linear static solution, or a state of an explicit run at any rotation. Give a nonlinear static
+        result: linear static solution, or a state of an explicit run at any rotation. Give a nonlinear static
             solution as a state with its pose.
 
     Raises:

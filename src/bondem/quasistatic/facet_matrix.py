@@ -25,7 +25,7 @@ class FacetMatrix:
 
         Args:
             plain: matrix of the whole body, in the kernels' order.
-            layout: that order.
+            layout: order of the kernels.
             root: S of each element, (n, 6, 6).
         """
         assert plain.forms is not None

@@ -26,7 +26,7 @@ class FacetOnset(Protocol):
         Args:
             found: loads of the facets.
             whole: facets that have not failed.
-            below: that factor.
+            below: largest factor of interest.
             close: distance above the least of their factors, as a share.
         """
         ...

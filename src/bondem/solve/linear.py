@@ -209,7 +209,7 @@ class Iteration:
     Attributes:
         root: S of each element, shape (n, 6, 6).
         scaled: Sᵀ K S.
-        coarse: its coarse correction.
+        coarse: coarse correction of the scaled matrix.
     """
 
     def __init__(self, system: System, lost: tuple[Ints, Ints, PerBond] | None = None) -> None:

@@ -26,7 +26,7 @@ def about_equilibrium(model: Model, system: System, prestress: StaticResult | St
 
     Args:
         model: model to solve.
-        system: its system at rest.
+        system: linear system at rest.
         prestress: a static solution of the model, or a state of it at rest.
 
     Raises:

@@ -21,7 +21,7 @@ class Pulse:
         rate: steps per second of wall time.
         broken: number of broken bonds or facets.
         error: largest error of the energy ledger so far [J].
-        energy: its largest entry so far [J].
+        energy: largest entry of the ledger so far [J].
     """
 
     step: int

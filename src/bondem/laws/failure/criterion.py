@@ -98,7 +98,7 @@ class Criterion(ABC):
 
         Args:
             volume: volumes of bonds or facets [m³], (m,).
-            place: their middle [m], (m, 3).
+            place: middle of the bonds [m], (m, 3).
             period: edges of a periodic cell [m], (3,), or None.
         """
         return np.ones_like(volume) if self.scatter is None else self.scatter.factors(volume, place, period)

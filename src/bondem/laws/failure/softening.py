@@ -63,7 +63,7 @@ class StressIndex:
 
     Attributes:
         function: function of the stress (3, 3) [Pa], tension positive, and of the values; it returns the index.
-        values: its parameters, in order.
+        values: parameters of the criterion, in order.
     """
 
     function: Callable[..., float]

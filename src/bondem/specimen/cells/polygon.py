@@ -20,7 +20,7 @@ def clip(source, start, size, target, a, b, c, d):
 
     Args:
         source: corners (v, 3), of which the polygon has the rows from `start` on.
-        start: its first row.
+        start: first row of the polygon.
         size: number of its rows.
         target: array to fill from row 0 on, different from `source`.
         a, b, c, d: the plane.

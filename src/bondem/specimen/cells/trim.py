@@ -129,7 +129,7 @@ def section(pile, polygons, a, b, c, d, tolerance, work, other):
 
 @loop(parallel=False)
 def lower_part(piece, polygons, split, a, b, c, d, tolerance, stack, on, corners, work):
-    """Put the part of a piece below a plane on a stack, without its new face; `split` is the wall that splits."""
+    """Push the part of a piece below a plane onto a stack, without its new face; `split` is the wall that splits."""
     for p in range(polygons):
         kind, start, size = piece.what[p, KIND], piece.what[p, START], piece.what[p, SIZE]
         low, _ = height(piece.vertex, start, size, a, b, c, d)
