@@ -51,7 +51,7 @@ _IDEAL, _NEVER = 0.1, 10.0
 
 
 def question_material(name: str, E: float, rho: float) -> None:
-    """Warn about a modulus [Pa] or density [kg/m³] that no solid has, or that is off by 10³ for the named material."""
+    """Warn about a modulus [Pa] or density [kg/m³] that no solid has, or off by 10³ for the named material."""
     words = re.findall(r"[a-z]+", name.lower())
     named = [word for word in words if word in _USUAL]
     if named and not any(word in _POROUS for word in words):
@@ -86,7 +86,7 @@ def question_bond_radius(radius: float, mean_radius: float) -> None:
 
 
 def question_strength(strength: float, E: float, density: float, energy: float) -> None:
-    """Warn about a tensile strength [Pa] or a fracture energy [J/m²] that no stone, glass, ceramic or concrete has."""
+    """Warn about a tensile strength [Pa] or fracture energy [J/m²] that no stone, glass, ceramic or concrete has."""
     for text in strength_doubts(strength, E, density, energy):
         _question(text, StrengthWarning)
 
