@@ -1,5 +1,8 @@
 """Everything bondem raises: one family, and every message ends with what to do."""
 
+import difflib
+from typing import TYPE_CHECKING
+
 
 class BondemError(Exception):
     """Base of all errors raised on purpose by bondem."""
@@ -7,6 +10,10 @@ class BondemError(Exception):
 
 class InputError(BondemError, ValueError):
     """A value the user gave cannot be used."""
+
+
+class ArgumentError(InputError, TypeError):
+    """An argument that a function or class does not take; the message names those that it takes."""
 
 
 class EmptyRegionError(InputError):
@@ -95,3 +102,15 @@ class RunFileError(BondemError):
 
 class MissingDependencyError(BondemError, ImportError):
     """A library that only some commands need is not installed; the message says how to get it."""
+
+
+if not TYPE_CHECKING:  # checkers of types are to find wrong names themselves
+
+    def __getattr__(name: str) -> None:
+        near = difflib.get_close_matches(name, __dir__(), n=1)
+        hint = f"; did you mean '{near[0]}'?" if near else ""
+        raise AttributeError(f"bd.errors has no attribute '{name}'{hint}", name=name)
+
+
+def __dir__() -> list[str]:
+    return sorted(name for name, thing in globals().items() if isinstance(thing, type))

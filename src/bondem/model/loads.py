@@ -188,31 +188,62 @@ class Absorbing:
 class Eigenstrain:
     """A stress-free strain of the bonds: heat, shrinkage, swelling, initial stress. Rest lengths are L (1 + ε*(t)).
 
-    Bonds between an element of the region and another get half of it, as half of them lies inside. A free specimen
-    grows by ε* without stress; one held between two walls bears -E ε*. Several strains on a bond add up.
+    Each bond gets the mean of the strains of its two elements, as half of it lies inside each; outside of the region
+    that is 0. A free specimen grows by a uniform ε* without stress; one held between two walls carries -E ε*. Several
+    strains on a bond add up. A field that changes in time in another way than by a factor is a sum of several.
 
     Attributes:
-        strain: ε* at factor 1 [-], such as α ΔT.
-        region: who.
+        strain: ε* at factor 1 [-], such as α ΔT: a number, the same everywhere; or (n,), one for each element in the
+            user's order, of which those outside of the region do not count; or a function of the reference centres
+            [m], (n, 3), that returns (n,). A run file cannot hold a function: give its values.
+        region: elements that it acts on.
         schedule: factor over time [-].
+
+    Raises:
+        InputError: another shape, or values that are not finite or reach -1; of a function, when a model is made.
     """
 
-    strain: float
+    strain: float | Sequence[float] | Callable[[PerElement3], PerElement]
     region: Region = Everything()
     schedule: Schedule = Constant(1.0)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "strain", number("Eigenstrain", "strain", self.strain))
         as_region("Eigenstrain", self.region)
         object.__setattr__(self, "schedule", as_schedule("Eigenstrain", "schedule", self.schedule))
-        if not (1.0 + self.strain * self.schedule.table[1] > 0.0).all():
-            raise InputError(f"Eigenstrain: strain = {self.strain}; give a finite value that stays above -1")
+        if callable(self.strain):
+            return
+        values = array("Eigenstrain", "strain", self.strain, wanted="one strain, or (n,), or a function of centres")
+        if values.ndim > 1:
+            raise InputError(f"Eigenstrain: strain has shape {values.shape}; give a number, (n,), or a function")
+        self._check_size(values)
+        object.__setattr__(self, "strain", float(values) if values.ndim == 0 else tuple(values.tolist()))
+
+    def _check_size(self, values: Floats) -> None:
+        if not np.isfinite(values).all():
+            raise InputError("Eigenstrain: strain holds values that are not finite; give finite ones above -1")
+        ends = np.outer([values.min(initial=0.0), values.max(initial=0.0)], self.schedule.table[1])
+        if not (1.0 + ends > 0.0).all():
+            raise InputError(
+                f"Eigenstrain: strain = {shown(self.strain)} times its schedule reaches {ends.min():.4g}; give values"
+                " that stay above -1"
+            )
 
     def parts(self, lattice: Lattice) -> PerBond:
-        """Strain of each bond at factor 1 [-], user's order, (m,)."""
-        inside = np.zeros(len(lattice.particles))
+        """Strain of each bond at factor 1 [-], user's order, (m,).
+
+        Raises:
+            InputError: strains of another number of elements, or a function that gives such, or values that reach -1.
+        """
+        inside, given = np.zeros(len(lattice.particles)), self.strain
         inside[self.region.select(lattice)] = 1.0
-        return self.strain * inside[lattice.pairs].mean(axis=1)
+        values = np.asarray(given(lattice.centre.copy()) if callable(given) else given, dtype=float)
+        if values.shape not in ((), inside.shape):
+            raise InputError(
+                f"Eigenstrain: strain = {shown(given)}: its values have shape {values.shape}; give a number,"
+                f" ({len(inside)},), one value per element, or a function of centres ({len(inside)}, 3) that does"
+            )
+        self._check_size(values)
+        return (values * inside)[lattice.pairs].mean(axis=1)
 
 
 def is_face(region: Region) -> bool:

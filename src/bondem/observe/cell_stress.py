@@ -8,6 +8,7 @@ from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces, SmallMotion
+from bondem.observe.element_stress import element_stress
 
 # Where the components of a tensor are in a row xx, yy, zz, xy, yz, zx.
 _OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
@@ -16,18 +17,22 @@ _OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
 def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
     """Mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
 
+    Of spheres joined by beams it is the symmetric part of `bd.element_stress`, which has their couples too.
+
     f are the forces on its facets, those of its neighbours, of walls that hold it and of loads on the surface, and b
     the arms to them from its centre of mass. In equilibrium Σ V σ over all cells is the moment of what acts on the
     surface, exactly. Tension positive; axes in space.
 
     Args:
-        model: a body of cells under `CellBond`.
+        model: a body of cells under `CellBond`, or another model with bonds.
         result: its linear static solution, or a state of an explicit run at any rotation. Give a nonlinear static
             solution as a state with its pose.
 
     Raises:
-        InputError: another law, or a result of another model.
+        InputError: a result of another model.
     """
+    if isinstance(model, Model) and model.cells is None:
+        return element_stress(model, result).symmetric
     return mean_stress(model, CellForces.of(model, result))
 
 

@@ -4,9 +4,10 @@ Elastic constants at room temperature. Nominal values: brittle materials scatter
 how much; change what is known better with `dataclasses.replace(bd.materials.granite, E=60e9)`.
 """
 
-import difflib
+from typing import TYPE_CHECKING
 
 from bondem._checks import instance, shown
+from bondem._names import meant, no_attribute
 from bondem.errors import InputError
 from bondem.specimen.material import Material
 
@@ -63,7 +64,16 @@ def get(name: str) -> Material:
     instance("materials.get", "name", name, str, "a name, as text")
     key = name.strip().lower().replace(" ", "_").replace("-", "_")
     if key not in _LIBRARY:
-        near = difflib.get_close_matches(key, _LIBRARY, n=1)
-        hint = f"did you mean '{near[0]}'?" if near else f"choose from {', '.join(names())}"
-        raise InputError(f"no material {shown(name)} in the library; {hint} (or give your own: bd.Material)")
+        hint = meant(key, _LIBRARY) or f"; choose from {', '.join(names())}"
+        raise InputError(f"no material {shown(name)} in the library{hint} (or give your own: bd.Material)")
     return _LIBRARY[key]
+
+
+if not TYPE_CHECKING:  # checkers of types are to find wrong names themselves
+
+    def __getattr__(name: str) -> None:
+        raise AttributeError(no_attribute("bd.materials", name, __dir__()), name=name)
+
+
+def __dir__() -> list[str]:
+    return [*names(), "get", "names"]
