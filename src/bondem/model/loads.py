@@ -219,7 +219,7 @@ class Eigenstrain:
         object.__setattr__(self, "strain", float(values) if values.ndim == 0 else tuple(values.tolist()))
 
     def _check_size(self, values: Floats) -> None:
-        if not np.isfinite(values).all():
+        if not possible(values):
             raise InputError("Eigenstrain: strain holds values that are not finite; give finite ones above -1")
         ends = np.outer([values.min(initial=0.0), values.max(initial=0.0)], self.schedule.table[1])
         if not (1.0 + ends > 0.0).all():
