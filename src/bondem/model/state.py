@@ -17,7 +17,7 @@ from bondem.model.grips import reference_base
 from bondem.model.loads import Eigenstrain
 from bondem.model.local_origin import local_origin, local_rest
 from bondem.model.origin import Origin, difference
-from bondem.model.state_walls import known_walls, set_off, taken_walls
+from bondem.model.state_walls import known_walls, rows_of_walls, set_off
 from bondem.model.walls import Wall
 from bondem.specimen.particles import freeze
 
@@ -209,8 +209,8 @@ class State:
         """Carry displacement and contacts of walls that go on; what each was."""
         came = known_walls(self.model.walls, walls)
         if came != list(range(len(self.walls))):
-            taken = taken_walls(came, self.walls, self.wall_touching, self.wall_stretch)
-            self.walls, self.wall_touching, self.wall_stretch = taken
+            found = rows_of_walls(came, self.walls, self.wall_touching, self.wall_stretch)
+            self.walls, self.wall_touching, self.wall_stretch = found
         return [None if before < 0 else self.model.walls[before] for before in came]
 
     def _by_user(self, internal: np.ndarray) -> np.ndarray:
@@ -243,7 +243,7 @@ class State:
 
     @property
     def local_position(self) -> PerElement3:
-        """The same from `origin` [m], for what needs their differences, shape (n, 3)."""
+        """Centres from `origin` [m], for their differences, shape (n, 3)."""
         return self._by_user(self.pose[:, :3])
 
     @property
@@ -359,10 +359,9 @@ class State:
         Raises:
             InputError: a wrong shape or a value that is not finite.
         """
-        if velocity is not None:
-            self.velocity = velocity
-        if angular_velocity is not None:
-            self.angular_velocity = angular_velocity
+        for name, value in (("velocity", velocity), ("angular_velocity", angular_velocity)):
+            if value is not None:
+                setattr(self, name, value)
 
     def set_eigenstrain(self, strain: float | np.ndarray) -> None:
         """Give the bonds a stress-free strain ε* [-] (heat, shrinkage, initial stress), user's order, (m,).
@@ -395,7 +394,6 @@ class State:
         Raises:
             InputError: a wrong shape, a value that is not finite, or quaternions that are not of unit length.
         """
-        if position is not None:
-            self.position = position
-        if orientation is not None:
-            self.orientation = orientation
+        for name, value in (("position", position), ("orientation", orientation)):
+            if value is not None:
+                setattr(self, name, value)

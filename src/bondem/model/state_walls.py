@@ -38,7 +38,7 @@ def known_walls(before: Sequence[Wall], walls: Sequence[Wall]) -> list[int]:
     return came
 
 
-def taken_walls(came: Sequence[int], rows: Floats, touching: Ints, stretch: Floats) -> tuple[Floats, Ints, Floats]:
+def rows_of_walls(came: Sequence[int], rows: Floats, touching: Ints, stretch: Floats) -> tuple[Floats, Ints, Floats]:
     """Rows and contacts of the walls of a new run.
 
     Args:
