@@ -174,7 +174,8 @@ USUAL: dict[str, dict[str, Any]] = {
     "crack_speed": {"events": EVENTS, "origin": (0.0, 0.0, 0.0), "direction": (1.0, 0.0, 0.0), "between": (0.0, 9.0),
                     "beyond": 0.0},
     "cracks": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
-    "bond_forces": {"model": BREAKING, "state": BREAKING.state()},
+    "bond_forces": {"model": BREAKING, "result": BREAKING.state()},
+    "element_stress": {"model": BREAKING, "result": BREAKING.state()},
     "explain": {"model": BREAKING, "state": BREAKING.state(), "most": 3},
     "failure_index": {"model": BREAKING, "state": BREAKING.state()},
     "fragments": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
@@ -230,6 +231,9 @@ ELSEWHERE = {
     "QuasistaticResult", "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata",
     "Trial", "StrengthCalibration", "StrengthRun", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
+    # changes all runs that follow (`test_names`)
+    "set_threads",
+    "ElementStress",
     "BondForces", "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
     "CrackPolygons", "CrackSurfaces", "Cracks", "Explanation", "ImpliedFracture",
     # whole tests to failure (`test_strength`)

@@ -289,3 +289,20 @@ def test_bad_input_says_what_to_do(lattices):
     with pytest.raises(InputError, match="search"):
         bd.calibrate(lattices[0], SILICA, search=(0.9, 0.1))
     assert math.isfinite(SILICA.G)
+
+
+@pytest.mark.parametrize(
+    ("shape", "words"),
+    [
+        (bd.Cylinder(radius=12.5e-3, length=20e-3), r"0.02 m long along x and 0.025 m wide, too short"),
+        (bd.Box((10e-3, 20e-3, 10e-3)), "too short for a tension test"),
+        (bd.Ball(10e-3), "a Ball has no faces x_min and x_max"),
+    ],
+)
+def test_a_specimen_that_a_tension_test_does_not_measure_is_refused_in_one_line(shape, words):
+    """Its ν is 10 % off at a length of 0.8 widths, and the bonds many times too stiff."""
+    short = bd.connect(bd.pack(shape, count=300, seed=1))
+    with pytest.raises(InputError, match=words) as caught:
+        bd.calibrate(short, SILICA)
+    assert "bd.Cell" in str(caught.value)
+    assert "\n" not in str(caught.value)

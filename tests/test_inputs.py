@@ -120,7 +120,7 @@ REFUSED = {
     "speed as text": ("speed = 'a'", lambda: bd.AtRest("a")),
     "phi as text": ("phi = 'a'", lambda: bd.TchamwaWielgosz("a")),
     "velocity as text": ("holds no numbers", lambda: HELD.state().set_motion(velocity="a")),
-    "pose of one": ("poses have shape", lambda: HELD.state().set_pose(position=3.0)),
+    "pose of one": ("position has shape", lambda: HELD.state().set_pose(position=3.0)),
     "quaternions of length 2": ("unit quaternions", lambda: HELD.state().set_pose(
         orientation=np.tile([2.0, 0, 0, 0], (45, 1)))),
     "run no model": ("give bd.Model", lambda: bd.solve_explicit(LATTICE, duration=1.0)),

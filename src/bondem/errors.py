@@ -1,5 +1,8 @@
 """Errors and warnings of bondem. Every message ends with advice."""
 
+import difflib
+from typing import TYPE_CHECKING
+
 
 class BondemError(Exception):
     """Base of all errors that bondem raises deliberately."""
@@ -7,6 +10,10 @@ class BondemError(Exception):
 
 class InputError(BondemError, ValueError):
     """Error for an input value that cannot be used."""
+
+
+class ArgumentError(InputError, TypeError):
+    """Error for an argument that a function or class does not accept; the message lists those that it accepts."""
 
 
 class EmptyRegionError(InputError):
@@ -95,3 +102,15 @@ class RunFileError(BondemError):
 
 class MissingDependencyError(BondemError, ImportError):
     """Error for an optional library that is not installed; the message states how to install it."""
+
+
+if not TYPE_CHECKING:  # type checkers shall find wrong names themselves
+
+    def __getattr__(name: str) -> None:
+        near = difflib.get_close_matches(name, __dir__(), n=1)
+        hint = f"; did you mean '{near[0]}'?" if near else ""
+        raise AttributeError(f"bd.errors has no attribute '{name}'{hint}", name=name)
+
+
+def __dir__() -> list[str]:
+    return sorted(name for name, thing in globals().items() if isinstance(thing, type))

@@ -24,6 +24,7 @@ from typing import Any
 
 import numpy as np
 
+from bondem._names import users_line
 from bondem._types import Floats
 from bondem.calibration.affine import AffineEstimate, affine_estimate
 from bondem.errors import InputError
@@ -254,5 +255,5 @@ class SurfaceCorrection:
                     " value is"
                     f" {value:.3g}: test the specimen itself (labtests.static_tension or uniform_stress)",
                     ExtrapolationWarning,
-                    stacklevel=4,
+                    stacklevel=users_line(),
                 )

@@ -71,7 +71,7 @@ def moved_points(lattice: Lattice, state: State, facet: Ints, points: Floats) ->
     i, j = lattice.pairs[facet].T
     q, P = state.orientation, state.plastic_deformation
     stretch = np.ones(len(lattice.pairs))
-    strain = state.stress_free_strain
+    strain = state.rest_strain
     if strain.size:
         stretch[state.layout.bond_order] += strain
     arm = points - lattice.centre[i]

@@ -10,6 +10,7 @@ import numpy as np
 
 from bondem._checks import instance, place, vector
 from bondem._extras import install
+from bondem._names import users_line
 from bondem._types import ArrayLike, Pairs
 from bondem.errors import InputError, UnitWarning
 from bondem.io.lammps import read_lammps
@@ -201,7 +202,7 @@ def _particles(
     if unit is None and longest > _USUAL:
         warnings.warn(
             f"'{path}' is taken to be {longest:.4g} m long; give unit='m' if it is, unit='mm' if millimetres",
-            UnitWarning, stacklevel=3,
+            UnitWarning, stacklevel=users_line(),
         )  # fmt: skip
     try:
         return Particles(scale * raw.position, scale * raw.radius, period, shape)

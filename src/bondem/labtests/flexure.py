@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._checks import number
+from bondem._checks import instance, number
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.probing import walls_along
@@ -21,11 +21,14 @@ from bondem.quasistatic.solve import QuasistaticResult, solve_quasistatic
 from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region, Within
+from bondem.specimen.walled import BOX_FACES
 
 # Load at a factor of 1 [N]: nothing depends on it.
 _LOAD = 1e3
 # Width of the strips that bear, over the depth of the beam, and at least so many mean edges of cells.
 _STRIP, _CELLS = 0.1, 1.5
+# Gauge of the opening of a notch, and how much of the normal of its sides is along x, at least.
+_MOUTH, _STEEP = "cmod", 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +44,11 @@ class BendingTest:
         span: distance L of the supports [m].
         ligament: height h of the ligament [m].
         path: quasi-static path, with loads [N] and the displacement between the rollers as gauges "left" and "right"
-            [m].
+            [m]; `path.gauge` contains the requested gauges too.
+        load: load P at each row of the curve [N], shape (k,).
+        deflection: deflection at each row of the curve [m], shape (k,).
+        cmod: opening of the notch mouth along x at each row of the curve [m], shape (k,), between the cells on both
+            of its sides at the bottom. None for a beam without a notch.
     """
 
     peak: float
@@ -51,6 +58,9 @@ class BendingTest:
     span: float
     ligament: float
     path: QuasistaticResult
+    load: Floats
+    deflection: Floats
+    cmod: Floats | None
 
     @property
     def state(self) -> State:
@@ -69,6 +79,7 @@ def three_point_bending(
     together: float = 0.005,
     until: float = 0.05,
     most: int = 100_000,
+    gauges: Mapping[str, tuple[Region, Region]] | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> BendingTest:
     """Bend a beam in three-point bending until it has failed.
@@ -94,18 +105,28 @@ def three_point_bending(
         strip: width of the loaded strips [m]; None for a tenth of the depth, at least one and a half cells.
         ripple, together, until, most: options of `bd.solve_quasistatic`; `until` is the share of the peak at the end
             [-].
+        gauges: pairs of regions whose relative displacement is recorded in `path.gauge`, by name, such as
+            {"CTOD": (bd.Within(left), bd.Within(right))}; `cmod`, the opening of the notch mouth, needs none.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: an unsuitable body, a span or strip that does not fit, or an unsupported criterion.
+        InputError: an unsuitable body, a span or strip that does not fit, an unsupported criterion, or the name of a
+            gauge used twice.
     """
     matrix = require_cells("three_point_bending", body, law, None)
     tensile = _tensile(failure)
     beam = _Beam.of(body, span, strip)
     top, loads = beam.rollers()
+    own = beam.gauges()
+    asked = {} if gauges is None else instance(
+        "labtests.three_point_bending", "gauges", gauges, Mapping, "a mapping of names to pairs of regions"
+    )  # fmt: skip
+    for name in asked:
+        if name in own:
+            raise InputError(f"labtests.three_point_bending: gauge '{name}' is one of its own; give another name")
     model = Model(body, law, DENSITY, failure=tensile, boundary=loads)
     path = solve_quasistatic(
-        model, top, ripple=ripple, together=together, until=until, most=most, gauges=beam.gauges(),
+        model, top, ripple=ripple, together=together, until=until, most=most, gauges={**own, **asked},
         progress=progress,
     )  # fmt: skip
     if not len(path.factor):
@@ -116,10 +137,12 @@ def three_point_bending(
     rollers = -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
     work = path.energy.sum() + 0.5 * path.load[-1] * rollers[-1]
     curve = np.column_stack([deflection / beam.span, stress])
+    mouth = np.append(0.0, path.gauge[_MOUTH][:, 0]) if _MOUTH in own else None
     return BendingTest(
         peak=float(stress.max()), E=float(stiffness * beam.compliance(matrix.nu)),
         curve=np.vstack([np.zeros((1, 2)), curve]), work=float(work) / (beam.width * beam.ligament),
-        span=beam.span, ligament=beam.ligament, path=path,
+        span=beam.span, ligament=beam.ligament, path=path, load=np.append(0.0, path.load),
+        deflection=np.append(0.0, deflection), cmod=mouth,
     )  # fmt: skip
 
 
@@ -241,7 +264,20 @@ class _Beam:
         inside = self._about(x, float(self.upper[1]) - 0.5 * self.ligament)
         ends = {"left": self._about(x - 0.5 * self.span, y), "right": self._about(x + 0.5 * self.span, y)}
         found: dict[str, tuple[Region, Region]] = {name: (region[name], region["top"]) for name in ends}
-        return found | {f"middle {name}": (end, inside) for name, end in ends.items()}
+        return found | {f"middle {name}": (end, inside) for name, end in ends.items()} | self._mouth()
+
+    def _mouth(self) -> dict[str, tuple[Region, Region]]:
+        """Return the gauge between the cells left and right of the notch at its mouth; none for a plain beam."""
+        assert self.body.cells is not None
+        free, names = self.body.cells.free, self.body.particles.envelope.faces
+        walls = [k for k, name in enumerate(names) if name not in BOX_FACES]
+        high = float(self.lower[1]) + self.strip
+        at = np.isin(free.face, walls) & (free.centroid[:, 1] < high) & (np.abs(free.normal[:, 0]) > _STEEP)
+        left = at & (free.centroid[:, 0] < self.middle[0])
+        sides = [np.unique(free.cell[side]) for side in (left, at & ~left)]
+        if not all(side.size for side in sides):
+            return {}
+        return {_MOUTH: (Index(sides[0]), Index(sides[1]))}
 
     def _about(self, x: float, y: float) -> Region:
         """Cells about a line along z, as wide and deep as a strip."""

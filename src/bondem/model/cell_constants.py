@@ -12,6 +12,7 @@ from bondem.kernels.tables import CellTable
 from bondem.laws.bond import BondStiffness
 from bondem.laws.cell_bond import CellBond
 from bondem.model.bond_table import with_twins, with_zeros
+from bondem.model.cell_doubts import layer_axes
 from bondem.model.grips import Grips, Holds
 from bondem.model.layout import Layout
 from bondem.specimen.cells.raster import LEVER_BITS, on_raster, pitch
@@ -84,6 +85,7 @@ class CellConstants:
         """
         facets, cells = body_of(body)
         G, lame, rotation = _materials(body, bond)
+        layer = layer_axes(body) if rotation == "bending" else np.zeros((len(body.particles), 3))
         i, j = body.pairs.T
         normal, area = facets.normal, facets.area
         # compliance of each half over the area, and its share of the opening
@@ -107,7 +109,10 @@ class CellConstants:
             k=k,
             lever_i=arm,
             lever_j=arm - body.branch,
-            H=_single(_resistance(facets.moment, normal, k / area, rotation)),
+            H=_single(
+                _resistance(facets.moment, normal, k / area, rotation)
+                + _layer_twist(facets.moment, normal, k / area, layer[i], layer[j])
+            ),
             share_i=_single((area * w_i)[:, None] * n_i),
             share_j=_single((area * w_j)[:, None] * n_j),
             volume=cells.volume,
@@ -117,7 +122,7 @@ class CellConstants:
             slack_j=area * half_j * (n_j**2).sum(axis=1),
             G=G,
             lame=lame,
-            grips=_grips(cells, holds, G, n_free, rotation),
+            grips=_grips(cells, holds, G, n_free, rotation, layer),
             softness=free.depth / (2.0 * G[free.cell]),
             way=open_axes * n_free,
             free_cell=free.cell,
@@ -298,7 +303,27 @@ def _resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> 
     return stiffness[:, None, None] * (np.einsum("mii->m", S)[:, None, None] * unit - S)
 
 
-def _grips(cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: str) -> Grips:
+def _layer_twist(S: Floats, normal: Floats, stiffness: Floats, one: Floats, other: Floats) -> Floats:
+    """Return the addition to H about the normal of facets within a layer one cell thick [N·m], (m, 3, 3).
+
+    Where a layer bends, a facet oblique to the direction of bending turns about its normal. With the second moment of
+    the facet across the layer, the sum over the facets is the energy E t³ / 12 (1 + ν) |∇∇w|² / 2 of a plate,
+    whatever their directions; without it an uneven layer bends 40 % too much.
+
+    Args:
+        S: second moments of the facets [m⁴], (m, 3, 3).
+        normal: normals of the facets, (m, 3).
+        stiffness: 2 G / L [Pa/m], (m,).
+        one, other: directions across the layer of both cells, zero outside layers, (m, 3).
+    """
+    across = 0.5 * sum(np.einsum("ma,mab,mb->m", axis, S, axis) for axis in (one, other))
+    within = (one * one).sum(axis=1) * (other * other).sum(axis=1) > 0.5
+    return (stiffness * across * within)[:, None, None] * normal[:, :, None] * normal[:, None, :]
+
+
+def _grips(
+    cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: str, layer: Floats
+) -> Grips:
     """Return the half facets between cells and walls."""
     free, facet = cells.free, holds.facet
     cell, normal, axes = free.cell[facet], free.normal[facet], holds.axes.astype(float)
@@ -312,6 +337,9 @@ def _grips(cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: 
         every = np.all(axes, axis=1, keepdims=True)[:, :, None]
         H = np.where(every, H, bent)
         whole = np.where(every, whole, _resistance(free.moment[facet], normal, stiffness, "bending"))
+    clamped = stiffness * np.all(axes, axis=1)
+    twist = _layer_twist(free.moment[facet], normal, clamped, layer[cell], layer[cell])
+    H, whole = H + twist, whole + twist
     lever = free.centroid[facet] - cells.centroid[cell]
     return Grips(
         cell=cell, k=stiffness * free.area[facet], lever=lever, arm=lever,

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from bondem._names import users_line
 from bondem._types import Floats, PerElement3
 from bondem.errors import IncompressibleWarning, RaggedInterfaceWarning, ThinBodyWarning
 from bondem.laws.cell_bond import CellBond
@@ -60,12 +61,13 @@ def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
     if count < max(_FEW, _PART * len(thin)):
         return
     nu = max((law.nu for law in laws), key=abs)
-    twisted = int((thin > 1).sum()) >= max(_FEW, _PART * len(thin)) and laws[0].facet_rotation != "full"
-    if twisted:
+    rotation = laws[0].facet_rotation
+    if int((thin > 1).sum()) >= max(_FEW, _PART * len(thin)):
+        error = {"bending": "20 % too stiffly", "full": "2.4 times too stiffly"}.get(rotation, "without resistance")
         _warn(
             f"{count} of {len(thin)} cells have no neighbour on opposite sides, and the body is one cell thick both"
-            " ways there: it has no stiffness against twist; pack smaller cells, four across the thickness, or give"
-            ' CellBond(..., facet_rotation="full")', ThinBodyWarning,
+            f" ways there: it twists {error}, and bends with about E / (1 + ν); pack smaller cells, four across the"
+            " thickness", ThinBodyWarning,
         )  # fmt: skip
     elif abs(nu) >= _MATTERS:
         _warn(
@@ -114,7 +116,12 @@ def _surfaces(where: object) -> list[Callable[[PerElement3], Floats]]:
 
 
 def free_shares(body: Lattice) -> Floats:
-    """Return the part of free facets in (1/V) Σ A d n⊗n of each cell, along three axes of its own [-], (n, 3)."""
+    """Return the part of free facets in (1/V) Σ A d n⊗n of each cell, along its three axes [-], (n, 3), ascending."""
+    return _free_axes(body)[0]
+
+
+def _free_axes(body: Lattice) -> tuple[Floats, Floats]:
+    """Return the shares of free facets, (n, 3), ascending, and their unit vectors, columns of (n, 3, 3)."""
     cells, facets = body.cells, body.facets
     assert cells is not None
     assert facets is not None
@@ -123,7 +130,18 @@ def free_shares(body: Lattice) -> Floats:
     whole = open_part + _sums(body.pairs[:, 0], facets.area * facets.depth_i, facets.normal, n)
     whole += _sums(body.pairs[:, 1], facets.area * facets.depth_j, facets.normal, n)
     root = np.linalg.inv(np.linalg.cholesky(whole))
-    return np.asarray(np.linalg.eigvalsh(root @ open_part @ np.swapaxes(root, 1, 2)), dtype=float)
+    share, turned = np.linalg.eigh(root @ open_part @ np.swapaxes(root, 1, 2))
+    axis = np.swapaxes(root, 1, 2) @ turned
+    return share, axis / np.linalg.norm(axis, axis=1, keepdims=True)
+
+
+def layer_axes(body: Lattice) -> Floats:
+    """Return the direction in which a body is one cell thick at each cell, (n, 3); zero where it is thicker."""
+    share, axis = _free_axes(body)
+    thin = share[:, 2] > _THIN
+    if thin.sum() < max(_FEW, _PART * len(thin)):
+        return np.zeros((len(thin), 3))
+    return np.where(thin[:, None], axis[:, :, 2], 0.0)
 
 
 def _sums(cell: np.ndarray, weight: Floats, normal: Floats, n: int) -> Floats:
@@ -136,5 +154,4 @@ def _sums(cell: np.ndarray, weight: Floats, normal: Floats, n: int) -> Floats:
 
 
 def _warn(text: str, category: type[Warning]) -> None:
-    # the caller of the frozen dataclass whose __post_init__ asks
-    warnings.warn(text, category, stacklevel=6)
+    warnings.warn(text, category, stacklevel=users_line())

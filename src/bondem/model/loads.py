@@ -190,32 +190,63 @@ class Absorbing:
 class Eigenstrain:
     """A stress-free strain of the bonds: heat, shrinkage, swelling or initial stress.
 
-    Rest lengths become L (1 + ε*(t)). Bonds between an element of the region and another element get half of the
-    strain, because half of their length lies in the region. A free specimen grows by ε* without stress; a specimen
-    held between two walls carries -E ε*. Strains on the same bond add up.
+    Rest lengths become L (1 + ε*(t)). Each bond gets the mean of the strains of its two elements, because half of its
+    length lies inside each; outside the region the strain is 0. A free specimen grows by a uniform ε* without stress;
+    a specimen held between two walls carries -E ε*. Strains on the same bond add up. A field that varies in time by
+    more than a factor is a sum of several strains.
 
     Attributes:
-        strain: ε* at factor 1 [-], such as α ΔT.
+        strain: ε* at factor 1 [-], such as α ΔT: a number, the same everywhere; or (n,), one per element in the
+            user's order, where elements outside the region are ignored; or a function of the reference centres [m],
+            (n, 3), that returns (n,). A run file cannot store a function; give its values instead.
         region: elements that are strained.
         schedule: factor over time [-].
+
+    Raises:
+        InputError: another shape, or values that are not finite or reach -1; of a function, when a model is made.
     """
 
-    strain: float
+    strain: float | Sequence[float] | Callable[[PerElement3], PerElement]
     region: Region = Everything()
     schedule: Schedule = Constant(1.0)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "strain", number("Eigenstrain", "strain", self.strain))
         as_region("Eigenstrain", self.region)
         object.__setattr__(self, "schedule", as_schedule("Eigenstrain", "schedule", self.schedule))
-        if not (1.0 + self.strain * self.schedule.table[1] > 0.0).all():
-            raise InputError(f"Eigenstrain: strain = {self.strain}; give a finite value that stays above -1")
+        if callable(self.strain):
+            return
+        values = array("Eigenstrain", "strain", self.strain, wanted="one strain, or (n,), or a function of centres")
+        if values.ndim > 1:
+            raise InputError(f"Eigenstrain: strain has shape {values.shape}; give a number, (n,), or a function")
+        self._check_size(values)
+        object.__setattr__(self, "strain", float(values) if values.ndim == 0 else tuple(values.tolist()))
+
+    def _check_size(self, values: Floats) -> None:
+        if not possible(values):
+            raise InputError("Eigenstrain: strain holds values that are not finite; give finite ones above -1")
+        ends = np.outer([values.min(initial=0.0), values.max(initial=0.0)], self.schedule.table[1])
+        if not (1.0 + ends > 0.0).all():
+            raise InputError(
+                f"Eigenstrain: strain = {shown(self.strain)} times its schedule reaches {ends.min():.4g}; give values"
+                " that stay above -1"
+            )
 
     def parts(self, lattice: Lattice) -> PerBond:
-        """Return the strain of each bond at factor 1 [-], user's order, (m,)."""
-        inside = np.zeros(len(lattice.particles))
+        """Return the strain of each bond at factor 1 [-], user's order, (m,).
+
+        Raises:
+            InputError: an array or a result of the function of another length, or values at or below -1.
+        """
+        inside, given = np.zeros(len(lattice.particles)), self.strain
         inside[self.region.select(lattice)] = 1.0
-        return self.strain * inside[lattice.pairs].mean(axis=1)
+        values = np.asarray(given(lattice.centre.copy()) if callable(given) else given, dtype=float)
+        if values.shape not in ((), inside.shape):
+            raise InputError(
+                f"Eigenstrain: strain = {shown(given)}: its values have shape {values.shape}; give a number,"
+                f" ({len(inside)},), one value per element, or a function of centres ({len(inside)}, 3) that does"
+            )
+        self._check_size(values)
+        return (values * inside)[lattice.pairs].mean(axis=1)
 
 
 def is_face(region: Region) -> bool:

@@ -99,7 +99,7 @@ def failure_index(model: Model, state: State) -> PerBond:
     if table is None:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
     layout = model.layout
-    bonds = model.bonds.stretched(state.stress_free_strain).rows(layout, model.period, state.integrity)
+    bonds = model.bonds.stretched(state.rest_strain).rows(layout, model.period, state.integrity)
     if model.non_local is not None:
         found = np.empty(bonds.m)
         lagged = model.non_local.rows(state.history, state.stress, layout.i)
@@ -113,7 +113,7 @@ def failure_index(model: Model, state: State) -> PerBond:
         found = np.empty(bonds.m)
         pose = state.pose.copy()
         pose[:, STRESS] = CellForces.of(model, state).stress[layout.order]
-        cells = model.cells.stretched(state.stress_free_strain, layout).rows(layout.i)
+        cells = model.cells.stretched(state.rest_strain, layout).rows(layout.i)
         facet_indices(pose, bonds, cells, table.kind, table.coefficient, found)
     own = np.empty_like(found)
     own[layout.bond_order] = found

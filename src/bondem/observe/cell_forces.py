@@ -162,7 +162,7 @@ def _deformed(state: State, owner: Ints, arm: Floats) -> Floats:
 
 def _grown(model: Model, state: State) -> CellConstants:
     """Return the constants with the stress-free strain of a state, user's order."""
-    constants, layout, strain = model.cell_constants, model.layout, state.stress_free_strain
+    constants, layout, strain = model.cell_constants, model.layout, state.rest_strain
     if len(state.grips) == len(constants.grips.cell):
         constants = replace(constants, grips=constants.grips.taken(state.grips))
     if not strain.size:

@@ -8,6 +8,7 @@ from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces, SmallMotion
+from bondem.observe.element_stress import element_stress
 
 # Where the components of a tensor are in a row xx, yy, zz, xy, yz, zx.
 _OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
@@ -16,18 +17,22 @@ _OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
 def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
     """Compute the mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
 
+    For spheres joined by beams it is the symmetric part of `bd.element_stress`, which computes their couples too.
+
     f are the forces of neighbours, holding walls and surface loads on the facets. b are the arms to them from the
     centre of mass of the cell. In equilibrium Σ V σ over all cells is exactly the moment of the forces on the
     surface. Tension is positive; axes are global.
 
     Args:
-        model: a body of cells under `CellBond`.
+        model: a body of cells under `CellBond`, or another model with bonds.
         result: linear static solution, or a state of an explicit run at any rotation. Give a nonlinear static
             solution as a state with its pose.
 
     Raises:
-        InputError: The model has another law, or the result belongs to another model.
+        InputError: The result belongs to another model.
     """
+    if isinstance(model, Model) and model.cells is None:
+        return element_stress(model, result).symmetric
     return mean_stress(model, CellForces.of(model, result))
 
 

@@ -119,7 +119,7 @@ def elastic_energy(model: Model, state: State) -> EnergyParts:
     Raises:
         InputError: The state has cracks that soften, or cells that have yielded.
     """
-    return energy_of(model, state, state.stress_free_strain)
+    return energy_of(model, state, state.rest_strain)
 
 
 def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | None = None) -> EnergyParts:

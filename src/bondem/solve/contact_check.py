@@ -5,6 +5,7 @@ import warnings
 import numpy as np
 from scipy.spatial import KDTree
 
+from bondem._names import users_line
 from bondem._types import Floats
 from bondem.errors import ContactWarning
 from bondem.kernels.crack_tables import FACET, PARTED, STATUS
@@ -51,7 +52,7 @@ class ContactCheck:
                 f"a contact overlaps by {c.far[2]:.2g} of the smaller radius at t = {time:.6g} s, beyond the"
                 f" {self._deepest:.2g} up to which {self._law} describes it; use a stiffer law, a lower speed"
                 " or load, or a smaller dt",
-                ContactWarning, stacklevel=5,
+                ContactWarning, stacklevel=users_line(),
             )  # fmt: skip
         if not self._fast:
             share = self._dt * self._fastest(c, motion[:, :3])
@@ -60,7 +61,7 @@ class ContactCheck:
                 warnings.warn(
                     f"an element moves by {share:.2g} of its radius per step against others at t = {time:.6g} s, and"
                     f" may pass through them; give dt= at most {_FAST / share * self._dt:.2g} s",
-                    ContactWarning, stacklevel=5,
+                    ContactWarning, stacklevel=users_line(),
                 )  # fmt: skip
 
     def _fastest(self, c: ContactTable, velocity: Floats) -> float:
@@ -124,5 +125,5 @@ class SinkingCheck:
             warnings.warn(
                 f"separated elements overlap at t = {state.time:.6g} s ({int(sunk.sum())} pairs),"
                 " because the model has no contact law; pass contact=bd.LinearContact(...) to bd.Model",
-                ContactWarning, stacklevel=4,
+                ContactWarning, stacklevel=users_line(),
             )  # fmt: skip

@@ -66,7 +66,7 @@ def joints(model: Model, state: State, integrity: PerBond) -> tuple[PerBond, Per
         state: state with the present cracks.
         integrity: integrity of the bonds in the form of the loop over them; at least (m,).
     """
-    apart = model.bonds.stretched(state.stress_free_strain).length.copy()
+    apart = model.bonds.stretched(state.rest_strain).length.copy()
     if model.softening is None:
         return integrity, apart
     joined = (state.integrity > 0.0).astype(float)

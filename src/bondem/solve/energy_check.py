@@ -4,6 +4,7 @@ import warnings
 
 import numpy as np
 
+from bondem._names import users_line
 from bondem._types import Floats
 from bondem.errors import ImbalanceWarning
 from bondem.kernels.tables import FIXED_COLUMNS
@@ -71,7 +72,7 @@ class EnergyCheck:
         if texts[0] and not self.remark:
             self.remark = texts[0]
             if not texts[1]:
-                warnings.warn(f"{texts[0]}; {_ADVICE}", ImbalanceWarning, stacklevel=4)
+                warnings.warn(f"{texts[0]}; {_ADVICE}", ImbalanceWarning, stacklevel=users_line())
         return f"{texts[1]}; {_ADVICE}" if texts[1] else ""
 
     def _beyond(self, level: int, time: Floats, share: Floats, balance: Floats) -> str:

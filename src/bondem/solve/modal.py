@@ -10,6 +10,7 @@ from scipy.sparse import bsr_array, csc_array, diags_array
 
 from bondem._checks import count as whole_number
 from bondem._checks import instance
+from bondem._names import users_line
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError, PrestressWarning
 from bondem.model.boundary import Load
@@ -94,7 +95,7 @@ def solve_modes(
         square, shape, rounds = _inverse_lanczos(system, mass, count)
     else:
         square, shape, rounds = _block_gradients(system, mass, count)
-    if square[0] < -_UNSTABLE * np.abs(square).max():
+    if square[0] < -_UNSTABLE * np.abs(square).max() and prestress is not None and prestress is not False:
         raise InputError("prestress= is an unstable equilibrium that buckles and has no frequencies; lower the loads")
     shape /= np.sqrt((mass[:, None] * shape**2).sum(axis=0))
     shape *= np.sign(shape[np.abs(shape).argmax(axis=0), np.arange(count)])
@@ -112,7 +113,7 @@ def _warn_of_loads(model: Model) -> None:
             f"solve_modes: {type(loaded[0]).__name__} does not affect the modes of the reference; give"
             " prestress=bd.solve_static(model) for those of the loaded specimen, or prestress=False",
             PrestressWarning,
-            stacklevel=4,
+            stacklevel=users_line(),
         )
 
 

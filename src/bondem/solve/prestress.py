@@ -65,7 +65,7 @@ def _of_state(model: Model, state: State) -> Model:
     """Return the model with the strains, walls and tractions of the time of a state."""
     if not np.all(state.integrity == 1.0) or len(state.cracks) or state.plastic.any():
         raise InputError("prestress= is a state with broken bonds or cracks; leave these bonds out of a new lattice")
-    strain, twin = state.stress_free_strain, copy(model)
+    strain, twin = state.rest_strain, copy(model)
     twin.__dict__["bonds"] = model.bonds.stretched(strain)
     if model.cells is not None:
         cells = model.cells.stretched(strain, model.layout)

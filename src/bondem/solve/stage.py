@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from bondem._checks import shown
+from bondem._names import users_line
 from bondem._types import Floats
 from bondem.errors import InputError, StageWarning
 from bondem.model.boundary import Drive, Load
@@ -134,7 +135,7 @@ def _warn_of_lost_time(model: Model, before: Origin, time: float) -> None:
                 f" (t = {time:.6g} s): it begins at {value:.6g}, not {first:.6g}; give times from there on, such as"
                 f" begin={time:.6g}",
                 StageWarning,
-                stacklevel=4,
+                stacklevel=users_line(),
             )
 
 

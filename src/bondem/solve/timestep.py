@@ -9,6 +9,7 @@ from scipy.linalg import eigh_tridiagonal
 from scipy.sparse import diags_array
 from scipy.sparse.linalg import eigsh
 
+from bondem._names import users_line
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import StepWarning, UnstableStepError
 from bondem.kernels.bond_pass import bond_loads
@@ -242,7 +243,7 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
     if share == 0.0:
         warnings.warn(
             "the lagged stress of the non-local law is unstable at any time step; give damping=, or lower nu=",
-            StepWarning, stacklevel=4,
+            StepWarning, stacklevel=users_line(),
         )  # fmt: skip
     return min((share or SHARES[-1]) * scheme.critical / fastest, limit)
 
@@ -350,7 +351,7 @@ def choose_step(
         f"dt = {dt:.4g} s is {dt / critical:.3f} of the critical {critical:.4g} s, which large strains may lower;"
         f" pass dt=None or at most {_WARNED * critical:.4g} s"
     )
-    warnings.warn(remark, StepWarning, stacklevel=3)
+    warnings.warn(remark, StepWarning, stacklevel=users_line())
     return Step(dt, remark)
 
 
@@ -370,7 +371,7 @@ def _default_step(model: Model, critical: float, free: float, safety: float) -> 
             " BondDamping with a smaller eta= or beta= allows a longer one"
         )
         if free > _MUCH * critical:
-            warnings.warn(remark, StepWarning, stacklevel=4)
+            warnings.warn(remark, StepWarning, stacklevel=users_line())
     shortest = _shortest_contact(model)
     if shortest < _PER_CONTACT * step:
         step = shortest / _PER_CONTACT

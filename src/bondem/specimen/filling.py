@@ -9,6 +9,7 @@ import warnings
 
 import numpy as np
 
+from bondem._names import users_line
 from bondem._types import PerElement, PerElement3
 from bondem.errors import FillingWarning, InputError
 from bondem.specimen.geometry import BoundingBox, Shape
@@ -96,4 +97,4 @@ def _extents(shape: Shape, position: PerElement3, radius: PerElement) -> str:
 
 def _warn(text: str) -> None:
     # the caller of Particles
-    warnings.warn(f"{text}; give the shape that the spheres fill", FillingWarning, stacklevel=4)
+    warnings.warn(f"{text}; give the shape that the spheres fill", FillingWarning, stacklevel=users_line())

@@ -9,6 +9,7 @@ from bondem._checks import array, number, shown
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.specimen.planes import Planes, box_planes
+from bondem.specimen.plausibility import question_size
 from bondem.specimen.shape import Shape
 from bondem.specimen.walled import BOX_FACES
 
@@ -55,6 +56,7 @@ class Cylinder(Shape):
     def __post_init__(self) -> None:
         for name in ("radius", "length"):
             object.__setattr__(self, name, _length("Cylinder", name, getattr(self, name)))
+        question_size("Cylinder", max(self.length, 2.0 * self.radius))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -100,6 +102,7 @@ class Box(Shape):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", _edges("Box", self.size))
+        question_size("Box", max(self.size))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -142,6 +145,7 @@ class Cell(Shape):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", _edges("Cell", self.size))
+        question_size("Cell", max(self.size))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -183,6 +187,7 @@ class Ball(Shape):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "radius", _length("Ball", "radius", self.radius))
+        question_size("Ball", 2.0 * self.radius)
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:

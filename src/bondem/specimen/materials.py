@@ -4,9 +4,10 @@ The values are nominal elastic constants at room temperature. Brittle materials 
 states by how much. Replace values that you know better: `dataclasses.replace(bd.materials.granite, E=60e9)`.
 """
 
-import difflib
+from typing import TYPE_CHECKING
 
 from bondem._checks import instance, shown
+from bondem._names import meant, no_attribute
 from bondem.errors import InputError
 from bondem.specimen.material import Material
 
@@ -66,7 +67,16 @@ def get(name: str) -> Material:
     instance("materials.get", "name", name, str, "the name of a material, as text")
     key = name.strip().lower().replace(" ", "_").replace("-", "_")
     if key not in _LIBRARY:
-        near = difflib.get_close_matches(key, _LIBRARY, n=1)
-        hint = f"did you mean '{near[0]}'?" if near else f"choose from {', '.join(names())}"
-        raise InputError(f"no material {shown(name)} in the library; {hint} (or give your own: bd.Material)")
+        hint = meant(key, _LIBRARY) or f"; choose from {', '.join(names())}"
+        raise InputError(f"no material {shown(name)} in the library{hint} (or give your own: bd.Material)")
     return _LIBRARY[key]
+
+
+if not TYPE_CHECKING:  # checkers of types are to find wrong names themselves
+
+    def __getattr__(name: str) -> None:
+        raise AttributeError(no_attribute("bd.materials", name, __dir__()), name=name)
+
+
+def __dir__() -> list[str]:
+    return [*names(), "get", "names"]

@@ -9,7 +9,7 @@ from bondem._checks import array, instance, shown
 from bondem._types import ArrayLike, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.specimen.filling import check_filling
-from bondem.specimen.geometry import BoundingBox, Shape
+from bondem.specimen.geometry import BoundingBox, Cell, Shape
 
 # Spheres outside this have a mass or a moment of inertia that is no number any more [m].
 _SMALLEST, _LARGEST = 1e-60, 1e60
@@ -29,7 +29,8 @@ class Particles:
         position: centres [m], shape (n, 3).
         radius: radii [m], shape (n,).
         period: edge lengths of the periodic cell [m], (3,), or None; taken from `shape` if that is a Cell.
-        shape: shape filled by the spheres, or None; faces and sections then use the bounding box of the spheres.
+        shape: shape filled by the spheres; with a period and no shape it is the periodic cell. None is allowed: faces
+            and sections then use the bounding box of the spheres.
 
     Raises:
         InputError: An array has the wrong shape, a value is not finite, or a radius is not positive. Two spheres
@@ -84,11 +85,13 @@ class Particles:
             x = np.mod(x, cell)
             x[x >= cell] = 0.0  # from just below 0 it rounds up to the far end, which is 0 again
             object.__setattr__(self, "period", freeze(cell))
+            periodic = Cell((float(cell[0]), float(cell[1]), float(cell[2]))) if shape is None else None
         else:
             object.__setattr__(self, "period", None)
+            periodic = None
         object.__setattr__(self, "position", freeze(x))
         object.__setattr__(self, "radius", freeze(r))
-        object.__setattr__(self, "shape", shape)
+        object.__setattr__(self, "shape", periodic if shape is None else shape)
         self._check_overlap()
         if shape is not None:
             check_filling(shape, x, r)

@@ -4,6 +4,7 @@ import math
 import re
 import warnings
 
+from bondem._names import users_line
 from bondem.errors import StrengthWarning, UnitWarning
 
 # Young's modulus [Pa] and density [kg/m³], to the order of magnitude, by a word in the name of a material.
@@ -40,6 +41,9 @@ _FAR = 300.0
 # either shows.
 _MODULUS, _DENSITY, _SPEED = (1e3, 2e12), (0.1, 3e4), (0.3, 5e4)
 
+# Extent from which the numbers of a shape look like millimetres [m].
+_LARGE = 10.0
+
 # Radius of a bond over the mean radius of the elements.
 _BOND_RADIUS = (1e-3, 30.0)
 
@@ -71,6 +75,20 @@ def question_material(name: str, E: float, rho: float) -> None:
                 "; check the units of E and ρ (SI)"
             )
             return
+
+
+def question_size(owner: str, extent: float) -> None:
+    """Warn about a shape so large that its lengths are likely millimetres.
+
+    Args:
+        owner: class of the shape.
+        extent: largest extent of the shape along an axis [m].
+    """
+    if extent >= _LARGE:
+        _question(
+            f"{owner}: the shape is {extent:.4g} m long; lengths are in metres: if its numbers are millimetres, write"
+            " 10e-3 instead of 10"
+        )
 
 
 def question_bond_radius(radius: float, mean_radius: float) -> None:
@@ -110,5 +128,4 @@ def strength_doubts(strength: float, E: float, density: float, energy: float) ->
 
 
 def _question(text: str, category: type[Warning] = UnitWarning) -> None:
-    # the caller of the frozen dataclass whose __post_init__ asks
-    warnings.warn(text, category, stacklevel=5)
+    warnings.warn(text, category, stacklevel=users_line())

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from bondem._checks import count, instance, number, shown, vector
+from bondem._names import users_line
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3, Vector
 from bondem.errors import EmptyRegionError, FaceWarning, InputError
 from bondem.specimen.geometry import Shape
@@ -96,7 +97,7 @@ class Face(Region):
                 f"{self} selects {chosen.sum()} of the {layer} elements within R̄ of the bounding box, as the"
                 " particles have no shape; give bd.Particles shape=, or the face depth=1.0",
                 FaceWarning,
-                stacklevel=2,
+                stacklevel=users_line(),
             )
         return chosen
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import array, place
+from bondem._names import users_line
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
 from bondem.errors import InputError, UnitWarning
 from bondem.specimen.shape import Shape
@@ -84,7 +85,7 @@ class Surface(Shape):
         if file is not None and scale is None and size > _USUAL:
             warnings.warn(
                 f"{name} is assumed to be {size:.4g} m long; give unit='m' to confirm, or unit='mm' for millimetres",
-                UnitWarning, stacklevel=2,
+                UnitWarning, stacklevel=users_line(),
             )  # fmt: skip
         x *= 1.0 if scale is None else scale
         for key, values in (("vertices", x), ("triangles", t)):

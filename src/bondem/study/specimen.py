@@ -115,7 +115,9 @@ def _shape(table: TomlTable, folder: Path) -> Shape:
     if kind == "surface":
         file, unit = table.file("file", folder), table.unit("unit")
         return _made(table.name("file"), lambda: Surface(file, unit=unit))
-    shape = _plain(kind, table)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UnitWarning)  # the one below names the key
+        shape = _plain(kind, table)
     lower, upper = shape.bounds
     longest = float((upper - lower).max())
     if longest > _PLAUSIBLE and not table.has_text("radius", "length", "size"):
