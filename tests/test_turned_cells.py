@@ -82,6 +82,29 @@ def test_snapshots_have_turned_cells_and_walls(tmp_path: Path) -> None:
     assert set(found["walls"].cell_data["wall"]) == {0, 1}
 
 
+def test_pictures_of_files_old_and_new_have_cells_turned(tmp_path: Path, monkeypatch) -> None:
+    scene = pytest.importorskip("bondem.report.scene")
+    model, state = two()
+    for name in ("new", "old"):
+        if name == "old":  # as files were before cells moved in them
+            monkeypatch.setattr(Corners, "moved", lambda corners, *_: corners.place)
+        plan = settled(model, Plan(duration=1.0, dt=1e-9, snapshot_every=1))
+        with RunFile(tmp_path / f"{name}.h5", model, plan) as file:
+            file.checkpoint(model.state(), History.empty(()))
+            state.time = 1e-3
+            file.snapshot(state)
+        drawn = scene.Scene(
+            tmp_path / f"{name}.h5", field=None, show="auto", section=None, warp=2.0, camera="-y", walls=True, axes=True
+        )
+        pieces = drawn._pieces(0)
+        grid = pieces["cells"]
+        if name == "old":
+            del grid.cell_data["orientation"]
+        place = turned(model)
+        place[Corners(model.lattice).cell == 1, 0] += 0.4
+        np.testing.assert_allclose(drawn._corners(grid, pieces["elements"]), place, atol=1e-5)
+
+
 def test_walls_have_their_sizes() -> None:
     """Areas of polygons against those of discs, rings, tubes and spheres; a growing radius moves corners outwards."""
     low, high = np.zeros(3), np.ones(3)

@@ -16,11 +16,15 @@ from bondem.cli.seeing import SHOWN, seeing
 @click.option("--section", type=click.Choice(("x", "y", "z")), help="Cut away what lies before the middle.")
 @click.option("--warp", type=click.FloatRange(min=0.0), default=1.0, show_default=True,
               help="By how much displacements are enlarged.")  # fmt: skip
+@click.option("--camera", default="iso", show_default=True, metavar="VIEW",
+              help="Direction of view: iso, x, -x, y, -y, z, -z, or AZIMUTH,ELEVATION in degrees.")  # fmt: skip
+@click.option("--walls/--no-walls", default=True, show_default=True, help="Draw the walls of the model.")
+@click.option("--axes/--no-axes", default=True, show_default=True, help="Draw coordinate axes with units.")
 @click.option("--size", type=click.IntRange(min=64, max=8192), nargs=2, default=(1200, 800), show_default=True,
               metavar="WIDTH HEIGHT", help="Of the picture, in pixels.")  # fmt: skip
 def command(
     run_file: Path, out: Path | None, field: str | None, show: str, snapshot: int, section: str | None, warp: float,
-    size: tuple[int, int],
+    camera: str, walls: bool, axes: bool, size: tuple[int, int],
 ) -> None:  # fmt: skip
     """Draw a run file: elements or cells and cracks, coloured by any field, into a file.
 
@@ -28,6 +32,6 @@ def command(
     """
     place = seeing().render_run(
         run_file, out or run_file.with_suffix(".png"), field=field, show=show, snapshot=snapshot, section=section,
-        warp=warp, size=size,
+        warp=warp, size=size, camera=camera, walls=walls, axes=axes,
     )  # fmt: skip
     click.echo(f"{place}")

@@ -14,9 +14,11 @@ from bondem.cli.seeing import SHOWN, seeing
 @click.option("--snapshot", type=int, default=-1, show_default=True, help="Which one; -1 is the last.")
 @click.option("--warp", type=click.FloatRange(min=0.0), default=1.0, show_default=True,
               help="By how much displacements are enlarged.")  # fmt: skip
-def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float) -> None:
+@click.option("--camera", default="iso", show_default=True, metavar="VIEW",
+              help="Direction of view: iso, x, -x, y, -y, z, -z, or AZIMUTH,ELEVATION in degrees.")  # fmt: skip
+def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float, camera: str) -> None:
     """Open a window on a run file, to turn it and to move through its snapshots with a slider.
 
-    It needs the optional extra, pip install "bondem[view]", and a screen.
+    It needs the optional extra, pip install "bondem[view]", and a display; without one the exit status is 2.
     """
-    seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp)
+    seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp, camera=camera)

@@ -7,7 +7,7 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import Normalize, to_rgb
+from matplotlib.colors import Normalize
 
 from bondem._types import Floats, PerElement3
 from bondem.fracture.cracks import Cracks
@@ -15,14 +15,12 @@ from bondem.fracture.fragments import Fragments
 from bondem.model.state import State
 from bondem.observe.turned_vectors import turned_vectors
 from bondem.report.cell_pictures import draw_cells
+from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
 from bondem.report.style import GREY, SEQUENTIAL
 from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
 from bondem.specimen.lattice import Lattice
 
-# Of the heaviest pieces, in turns; of those of a few cells.
-_PIECES = ("#cfd8df", "#8db9d3", "#e6bd8a", "#a5cdb2", "#c9b2d6", "#d8cf9a")
-_CRUMB, _FEW = "#d55e00", 10
 # Share of light that falls on a surface seen edge-on.
 _AMBIENT = 0.55
 
@@ -41,7 +39,7 @@ def corners_moved(solid: Polyhedra, body: Lattice, state: State, reach: float = 
 def draw_fragments(
     ax: Axes, body: Lattice, state: State, pieces: Fragments, *, view: View, reach: float = 1.0
 ) -> None:
-    """Draw the cells where they are, each piece in a colour of its own; crumbs of less than ten cells in orange.
+    """Draw the cells where they are, each piece in a colour of its own.
 
     Args:
         ax: where to, in mm.
@@ -57,9 +55,7 @@ def draw_fragments(
 
 def piece_colours(pieces: Fragments) -> Floats:
     """Red, green, blue of each element by its piece, in 0 … 1, (n, 3)."""
-    colour = np.array([to_rgb(_PIECES[k % len(_PIECES)]) for k in range(len(pieces))])
-    colour[pieces.size < _FEW] = to_rgb(_CRUMB)
-    return colour[pieces.label]
+    return piece_palette(len(pieces))[pieces.label]
 
 
 def draw_cracks(

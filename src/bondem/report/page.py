@@ -62,8 +62,7 @@ CAPTIONS = {
     "broken": """The first specimen as it broke, its motion exaggerated: cells as polyhedra, coloured by the damage of
         their facets, or by their plastic slip.""",
     "pieces": """Cracks are facets that have lost half of their strength or more. Left: what the others join, each
-        piece in a colour of its own, its motion exaggerated; those of less than ten cells in orange. Right: surfaces
-        of cracks, coloured by their opening.""",
+        piece in a colour of its own, its motion exaggerated. Right: surfaces of cracks, coloured by their opening.""",
     "cut_open": """Sections of the first specimen: aggregates in grey, matrix in sand. Red: facets that have cracked,
         the wider the more of their strength is lost.""",
     "energies": """Energies of the first specimen as its curve goes: what the work of the load (dashed) has turned
