@@ -1,5 +1,6 @@
 """Files of cells that have turned: corners go with their cells, and the orientation is there; walls are there too."""
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -94,8 +95,9 @@ def test_pictures_of_files_old_and_new_have_cells_turned(tmp_path: Path, monkeyp
             state.time = 1e-3
             file.snapshot(state)
         drawn = scene.Scene(
-            tmp_path / f"{name}.h5", field=None, show="auto", section=None, warp=2.0, camera="-y", walls=True, axes=True
-        )
+            tmp_path / f"{name}.h5", field=None, show="auto", section=None, warp=2.0, camera="-y", walls=True,
+            axes=True,
+        )  # fmt: skip
         pieces = drawn._pieces(0)
         grid = pieces["cells"]
         if name == "old":
@@ -124,7 +126,7 @@ def test_walls_have_their_sizes() -> None:
 
 def _area(vertex: np.ndarray, start: np.ndarray) -> float:
     total = 0.0
-    for begin, end in zip(start[:-1], start[1:], strict=True):
-        corner = vertex[begin:end]
-        total += 0.5 * np.linalg.norm(np.cross(corner - corner[0], np.roll(corner, -1, axis=0) - corner[0]).sum(axis=0))
+    for begin, end in pairwise(start):
+        arm = vertex[begin:end] - vertex[begin]
+        total += 0.5 * np.linalg.norm(np.cross(arm, np.roll(arm, -1, axis=0)).sum(axis=0))
     return total

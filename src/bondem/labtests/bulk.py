@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import instance
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw
@@ -76,6 +77,7 @@ class BulkModuli:
         return self.isotropic.nu
 
 
+@staged("bulk moduli")
 def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = None) -> BulkModuli:
     """Stiffness tensor of a periodic lattice.
 

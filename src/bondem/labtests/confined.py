@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from bondem._checks import number
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.rig import StrengthTest
@@ -56,6 +57,7 @@ class TriaxialTest:
         return self.test.state
 
 
+@staged("triaxial")
 def triaxial(
     body: Lattice,
     law: CellAssignment,

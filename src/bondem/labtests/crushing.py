@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import number
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
@@ -82,6 +83,7 @@ class SphereCrushing:
         return self.run.state
 
 
+@staged("sphere crushing")
 def sphere_crushing(
     ball: Lattice,
     law: AnyLaw,

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import number
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.probing import walls_along
@@ -57,6 +58,7 @@ class BendingTest:
         return self.path.state
 
 
+@staged("three point bending")
 def three_point_bending(
     body: Lattice,
     law: CellAssignment,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import count, number
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.fracture.fragments import Fragments, fragments
@@ -123,6 +124,7 @@ class SpallTest:
         return self.run.state
 
 
+@staged("spall")
 def spall(
     bar: Lattice,
     law: CellBond,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import number
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.gauge_length import AffineField
@@ -89,6 +90,7 @@ class BrazilianTest:
         return self.test.state
 
 
+@staged("brazilian")
 def brazilian(
     body: Lattice,
     law: CellAssignment,

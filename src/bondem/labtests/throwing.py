@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number, vector
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
@@ -72,6 +73,7 @@ class SphereImpact:
         return self.run.state
 
 
+@staged("sphere impact")
 def sphere_impact(
     ball: Lattice,
     law: AnyLaw,

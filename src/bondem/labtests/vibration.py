@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
@@ -61,6 +62,7 @@ class FreeVibration:
         return dominant_frequency(self.time[self.free], self.signal[kind][self.free])
 
 
+@staged("free vibration")
 def free_vibration(
     lattice: Lattice,
     law: AnyLaw,

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import count, instance, number
+from bondem._progress import staged
 from bondem._types import Floats, Ints, PerBond, PerElement3
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.model import Model
@@ -88,6 +89,7 @@ class QuasistaticResult:
 
 
 @one_blas_thread
+@staged("quasi-static run")
 def solve_quasistatic(
     model: Model,
     drive: Region,

@@ -9,6 +9,8 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
+from bondem import _progress
+
 
 @dataclass(frozen=True)
 class Pulse:
@@ -43,6 +45,20 @@ class Pulse:
         return (self.steps - self.step) / self.rate
 
 
+    @property
+    def words(self) -> str:
+        """The moment in a line."""
+        words = [
+            f"step {self.step} of {self.steps}", f"t = {self.time:.4g} s", f"{self.rate:.0f} steps/s",
+            f"{_progress.span(self.left)} left at most",
+        ]  # fmt: skip
+        if self.broken:
+            words.append(f"{self.broken} broken")
+        if self.balance is not None:
+            words.append(f"ledger {self.balance:.0e}")
+        return ", ".join(words)
+
+
 _listener: ContextVar[Callable[[Pulse], None] | None] = ContextVar("listener", default=None)
 
 
@@ -58,11 +74,12 @@ def listening(listener: Callable[[Pulse], None]) -> Iterator[None]:
 
 def heard() -> bool:
     """Whether anybody listens."""
-    return _listener.get() is not None
+    return _listener.get() is not None or _progress.noted()
 
 
 def tell(pulse: Pulse) -> None:
     """Tell who listens."""
+    _progress.note(pulse.words if pulse.step < pulse.steps else "")
     listener = _listener.get()
     if listener is not None:
         listener(pulse)

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
+from bondem._progress import reported
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.reach import recommend
 from bondem.io.atomic import write_text
@@ -72,12 +73,11 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         PackingError: a packing did not reach its target.
         UnreachableTargetError: the bond law, or none that could be recommended, gives the material's Poisson's ratio.
     """
-    with only_writer(Path(out), "output folder"):
-        return _carry_out(study, Path(out), progress)
+    with only_writer(Path(out), "output folder"), reported(progress) as tell:
+        return _carry_out(study, Path(out), tell)
 
 
-def _carry_out(study: Study, out: Path, progress: Progress | None) -> dict[str, Any]:
-    tell = progress or (lambda stage, share: None)
+def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
     if study.material is not None and study.bond.law is None and study.bond.cells is None:
         recommend(study.material.nu)  # raises before any work
     watch = _Watch()

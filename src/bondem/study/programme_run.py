@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import bondem
+from bondem._progress import reported
 from bondem.io.atomic import write_text
 from bondem.io.folder import only_writer
 from bondem.report.numbers import measures, with_unit
@@ -41,11 +42,11 @@ def run_programme(
             impossible.
         UnstableRunError: a run became unstable. Specimens that were finished before are kept.
     """
-    with only_writer(Path(out), "output folder"):
-        return _carry_out(programme, Path(out), fresh, progress)
+    with only_writer(Path(out), "output folder"), reported(progress) as tell:
+        return _carry_out(programme, Path(out), fresh, tell)
 
 
-def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress | None) -> dict[str, Any]:
+def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress) -> dict[str, Any]:
     found = {one.name: _results(one, out / one.folder, fresh, progress) for one in programme.series}
     rows = [row for one in programme.series for row in _rows(one, found[one.name])]
     study = programme.series[0].study
@@ -59,7 +60,7 @@ def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress 
     return results
 
 
-def _results(series: Series, folder: Path, fresh: bool, progress: Progress | None) -> dict[str, Any]:
+def _results(series: Series, folder: Path, fresh: bool, progress: Progress) -> dict[str, Any]:
     """Results of a specimen: those that are there, where they are of the same inputs and code, or new ones."""
     inputs = _inputs(series)
     if not fresh and _read(folder / _FINISHED) == {"inputs": inputs}:
@@ -69,8 +70,7 @@ def _results(series: Series, folder: Path, fresh: bool, progress: Progress | Non
     (folder / _FINISHED).unlink(missing_ok=True)
 
     def tell(stage: str, share: float) -> None:
-        if progress is not None:
-            progress(f"{series.name}: {stage}", share)
+        progress(f"{series.name}: {stage}", share)
 
     run_study(series.study, folder, progress=tell)
     write_text(folder / _FINISHED, json.dumps({"inputs": inputs}) + "\n")
