@@ -73,13 +73,14 @@ def test_run_leaves_results_report_and_figures(finished):
         "specimen", "geode", "contacts", "layering", "distribution", "calibration", "tension", "profiles", "modes",
         "vibration", "wave", "errors",
     }  # fmt: skip
-    assert sorted(path.name for path in out.iterdir()) == ["figures", "report.html", "results.json"]
+    assert sorted(path.name for path in out.iterdir()) == ["curves", "figures", "report.html", "results.json"]
 
 
 def test_the_report_holds_everything_it_shows(finished):
     out, _ = finished
     html = (out / "report.html").read_text()
-    assert html.count('src="data:image/png;base64,') == html.count("<img") == 12
+    assert html.count('src="data:image/webp;base64,') == html.count("<img") == 12
+    assert html.count("srcset=") == 12  # a figure for phones each
     assert "http" not in html.replace("https://www.w3.org", "")
     for text in ("Fused silica cylinder", "static bending", "6.63 %", "André et al. (2012)", "seed 4"):
         assert text in html

@@ -1,4 +1,4 @@
-"""What is shown while a call takes long: lines elsewhere than on a terminal, `logging`, compilation where it happens."""
+"""What a long call shows: lines elsewhere than on a terminal, records of `logging`, compilation where it happens."""
 
 import logging
 import os

@@ -39,7 +39,7 @@ def turned(model: bd.Model) -> np.ndarray:
     place = corners.place.copy()
     second = corners.cell == 1
     x, y, z = (place[second] - [1.5, 0.5, 0.5]).T
-    place[second] = np.stack([x, -z, y], axis=1) + [1.9, 0.5, 0.5]
+    place[second] = np.array([1.9, 0.5, 0.5]) + np.stack([x, -z, y], axis=1)
     return place
 
 

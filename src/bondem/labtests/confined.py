@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from bondem._checks import number
+from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.labtests.compression import uniaxial_compression
@@ -15,7 +16,7 @@ from bondem.specimen.lattice import Lattice
 
 
 @dataclass(frozen=True, eq=False)
-class TriaxialTest:
+class TriaxialTest(Plotted):
     """Result of a triaxial test.
 
     Attributes:

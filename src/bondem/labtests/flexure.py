@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import number
+from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
@@ -30,7 +31,7 @@ _STRIP, _CELLS = 0.1, 1.5
 
 
 @dataclass(frozen=True, eq=False)
-class BendingTest:
+class BendingTest(Plotted):
     """Result of a bending test, as a path of events without inertia.
 
     Attributes:

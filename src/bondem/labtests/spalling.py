@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import count, number
+from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
@@ -80,7 +81,7 @@ class ThinBar:
 
 
 @dataclass(frozen=True, eq=False)
-class SpallTest:
+class SpallTest(Plotted):
     """Result of a spalling test.
 
     Attributes:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number, vector
+from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
@@ -33,7 +34,7 @@ _TOUCH = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class SphereImpact:
+class SphereImpact(Plotted):
     """Result of an impact.
 
     Attributes:

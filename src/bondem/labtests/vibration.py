@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
@@ -30,7 +31,7 @@ _AT_ONCE = Constant(1.0)
 
 
 @dataclass(frozen=True, eq=False)
-class FreeVibration:
+class FreeVibration(Plotted):
     """Motion of the face x_max after release.
 
     Attributes:

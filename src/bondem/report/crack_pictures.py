@@ -68,14 +68,14 @@ def draw_cracks(
         body: whose cracks they are.
         found: from `bd.cracks`.
         view: where one looks from.
-        top: opening of the brightest colour [m]; by default that of one facet in twenty.
+        top: opening of the brightest colour [m]; by default the largest.
 
     Returns:
         The scale of colours, for a bar.
     """
     if top is None:
-        top = float(np.quantile(found.opening, 0.95)) if len(found) else 1e-6
-    norm = Normalize(0.0, 1e6 * max(top, 1e-12))
+        top = float(found.opening.max()) if len(found) else 1e-6
+    norm = Normalize(0.0, 1e6 * max(top, 1e-9))
     outline, size = found.polygons, np.diff(found.polygons.start)
     placed = 1e3 * outline.vertex @ view.axes.T
     facing = np.abs(found.normal[outline.facet] @ view.axes[2])

@@ -31,6 +31,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import dilatation, mean_stress
+from bondem.report.curve_files import write_curves
 from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
 from bondem.solve.history import History
@@ -101,8 +102,10 @@ def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
         citation=study.reference.citation if study.reference else "",
         published=study.reference.errors if study.reference else {},
         failures=study.failures,
+        source=study.source,
     )
     out.mkdir(parents=True, exist_ok=True)
+    results["curves"] = write_curves(findings, out)
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:

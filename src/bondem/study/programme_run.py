@@ -9,6 +9,7 @@ from typing import Any
 import bondem
 from bondem._progress import reported
 from bondem.io.atomic import write_text
+from bondem.io.commit import commit
 from bondem.io.folder import only_writer
 from bondem.report.numbers import measures, with_unit
 from bondem.report.programme_page import Chapter, write_programme
@@ -53,10 +54,12 @@ def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress)
     assert study.material is not None
     failing = [one.study for one in programme.series if one.study.failure is not None]
     chapters = [_chapter(one, found[one.name]) for one in programme.series]
-    results = {"programme": programme.name, "rows": rows, "specimens": found, "version": bondem.__version__}
+    results = {"programme": programme.name, "rows": rows, "specimens": found, "version": bondem.__version__,
+               "commit": commit()}  # fmt: skip
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     failures = failing[0].failures if failing else {}
-    write_programme(programme.name, study.material, failures, rows, chapters, out, figures=study.figures)
+    write_programme(programme.name, study.material, failures, rows, chapters, out, figures=study.figures,
+                    source=programme.source)  # fmt: skip
     return results
 
 
