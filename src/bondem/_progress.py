@@ -56,7 +56,7 @@ def show_progress(mode: str = "auto") -> None:
     Raises:
         InputError: an unknown mode.
     """
-    if mode not in _MODES:
+    if not isinstance(mode, str) or mode not in _MODES:
         raise InputError(f"show_progress: mode = {shown(mode)} is unknown; give one of {', '.join(_MODES)}")
     _Chosen.mode = mode
 
