@@ -112,7 +112,7 @@ def draw_wave(path: Path, specimen: Examined) -> None:
     expected = arrival * outcome.measured / outcome.theory
     # of a body of cells the wall is held, and the cells behind it are sprung
     struck = "struck face, held" if specimen.lattice.cells is None else "cells behind the struck face"
-    with sheet(path, 8.2, 3.1) as (figure, ax):
+    with sheet(path, 8.2, 4.4 if for_phones() else 3.1) as (figure, ax):
         ax.plot(time, curves["near"], color=GREY, label=struck)
         ax.plot(time, curves["far"], color=BLUE, label="far face")
         ax.axhline(0.5 * plateau, color=PURPLE, linewidth=1.0, linestyle=(0, (1, 1.5)), label="half of the plateau")

@@ -59,7 +59,7 @@ SETTINGS: Any = {
 }
 _DOTS_PER_INCH = 220
 # Width of a figure for a phone, and the least height of its panels [inch].
-_NARROW, _LOW = 4.2, 2.6
+_NARROW, _LOW = 4.2, 3.4
 _for_phones: ContextVar[bool] = ContextVar("for_phones", default=False)
 
 
