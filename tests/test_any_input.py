@@ -215,6 +215,7 @@ USUAL: dict[str, dict[str, Any]] = {
         "bar": PIECE, "law": CELLS, "failure": None, "density": 1e3, "pressure": 1e4, "rise": 1e-4, "fall": 1e-4,
         "duration": 1e-3, "rebound": 1e-3, "bins": 4,
     },
+    "show_progress": {"mode": "off"},
     "labtests.impact": {"lattice": BAR, "law": LAW, **MOVING, "velocity": 0.1},
 }  # fmt: skip
 # Read and write files (`test_hostile_specimens`, `test_runfile`), have no arguments, or are made by the package.

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import bondem as bd
 from bondem._extras import needed
-from bondem.campaign.cluster import slurm_cluster
+from bondem.campaign.cluster import connected, slurm_cluster
 from bondem.campaign.coordinator import run_campaign
 from bondem.campaign.sweep import Campaign, Slurm, parse_campaign, read_campaign
 from bondem.campaign.work import carry_out, scalars
@@ -151,6 +151,28 @@ def test_a_job_of_slurm_is_what_the_file_asks_for() -> None:
         assert line in script.splitlines()
     for option in ("--nworkers 16", "--nthreads 1", "--memory-limit 1.86GiB"):
         assert option in script
+
+
+def test_nobody_else_reaches_a_cluster(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A local one listens to this machine alone; one of SLURM asks for keys that this campaign has made."""
+    asked: dict[str, Any] = {}
+
+    class Cluster:
+        def __init__(self, **named: Any) -> None:
+            asked.update(named)
+            raise InterruptedError  # not started
+
+    monkeypatch.setattr("dask.distributed.LocalCluster", Cluster)
+    with pytest.raises(InterruptedError), connected(workers=1):
+        pass
+    assert (asked["host"], asked["dashboard_address"]) == ("127.0.0.1", "127.0.0.1:0")
+    asked.clear()
+    monkeypatch.setattr("dask_jobqueue.slurm.SLURMCluster", Cluster)
+    monkeypatch.setattr("bondem.campaign.cluster.temporary_credentials", lambda: "keys")
+    with pytest.raises(InterruptedError), connected(slurm=Slurm("long")):
+        pass
+    assert (asked["security"], asked["protocol"]) == ("keys", "tls://")
+    assert asked["scheduler_options"] == {"dashboard": False}
 
 
 def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path) -> None:

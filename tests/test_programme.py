@@ -184,7 +184,7 @@ def test_one_report_shows_all_specimens(finished: Any) -> None:
     html = (out / "report.html").read_text()
     for text in ("Measured against target", "Small prism", 'href="disc/report.html"', "Brazilian test", "fracture"):
         assert text in html
-    assert html.count('src="data:image/png;base64,') == html.count("<img") == 9
+    assert html.count('src="data:image/webp;base64,') == html.count("<img") == 9
     assert json.loads((out / "results.json").read_text()) == results
     assert (out / "disc" / "report.html").exists()
     drawn = {path.stem for path in (out / "disc" / "figures").glob("*.png")}

@@ -189,6 +189,18 @@ def test_a_picture_of_a_run(tmp_path: Path, options: dict[str, str]) -> None:
         scenes.render_run(place, tmp_path / "run.png", snapshot=9999)
     with pytest.raises(InputError, match=r"ends in .png"):
         scenes.render_run(place, tmp_path / "run.jpg")
+    with pytest.raises(InputError, match="camera = 'above' is unknown; give one of iso, x"):
+        scenes.render_run(place, tmp_path / "run.png", camera="above")
+
+
+def test_a_window_needs_a_display(tmp_path: Path, monkeypatch) -> None:
+    pytest.importorskip("bondem.report.scenes")
+    place = finished(tmp_path)
+    monkeypatch.delenv("DISPLAY", raising=False)
+    done = command("view", place, cwd=tmp_path)
+    assert done.returncode == 2
+    assert "no display is available" in done.stderr
+    assert done.stderr.count("\n") == 1
 
 
 @pytest.mark.validate

@@ -281,7 +281,7 @@ def test_stages_are_told_and_end_at_one(finished):
 def test_output_is_complete_and_nothing_else(finished):
     out, _, _ = finished
     assert sorted(path.name for path in out.iterdir()) == [
-        "report.html", "results.json", "specimen.vtkhdf", "specimen_7.h5", "specimen_8.h5",
+        "curves", "report.html", "results.json", "specimen.vtkhdf", "specimen_7.h5", "specimen_8.h5",
     ]  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from bondem._names import no_attribute, suggesting
 __version__ = "0.1.0"
 
 _PUBLIC = {
+    "bondem._progress": ("show_progress",),
     "bondem.campaign.coordinator": ("run_campaign",),
     "bondem.campaign.sweep": ("Campaign", "CampaignSpecimen", "Slurm", "read_campaign"),
     "bondem.campaign.table": ("campaign_dataset", "campaign_table"),

@@ -1,5 +1,6 @@
 from bondem import errors as errors
 from bondem import labtests as labtests
+from bondem._progress import show_progress as show_progress
 from bondem._threads import set_threads as set_threads
 from bondem.calibration.elastic import Calibration as Calibration
 from bondem.calibration.elastic import Trial as Trial

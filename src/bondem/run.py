@@ -7,6 +7,7 @@ from pathlib import Path
 
 from bondem._checks import instance, shown
 from bondem._extras import install
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.runfile import RunFile, read_run
@@ -29,6 +30,7 @@ from bondem.solve.timestep import choose_step
 __all__ = ["resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"]
 
 
+@staged("explicit run")
 def solve_explicit(
     model: Model,
     *,
@@ -140,6 +142,7 @@ def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile) -> Expli
     return result
 
 
+@staged("resumed run")
 def resume(
     path: str | Path,
     *,

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from bondem._checks import array, instance, number, several, shown
+from bondem._progress import staged
 from bondem._types import PerElement
 from bondem.calibration.abacus import curve
 from bondem.calibration.density import balanced_density, element_density
@@ -173,6 +174,7 @@ class Calibration:
         return _mean_slope([one.slope(parameter) for one in self.responses])
 
 
+@staged("calibration")
 def calibrate(
     lattice: Lattice | Sequence[Lattice],
     material: Material,

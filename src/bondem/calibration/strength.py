@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import count, number, place, shown
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.calibration.secant import Secant
 from bondem.calibration.strength_runs import Runs, StrengthRun, Test, functions_of
@@ -144,6 +145,7 @@ class StrengthCalibration:
         return "\n".join(lines)
 
 
+@staged("calibration of strengths", shares=False)
 def calibrate_strength(
     tests: Mapping[str, Test],
     targets: Mapping[str, tuple[float, float]],

@@ -14,6 +14,8 @@ from bondem.errors import InputError
 
 # A task is given up when so many workers have died over it.
 _DEATHS = 5
+# Nobody but this machine reaches a local cluster: its scheduler, its workers and its page.
+_HERE = "127.0.0.1"
 # How long to wait for a scheduler [s].
 _PATIENCE = "10s"
 # What Dask does beside the work, up to a hundred times a second: 9 % of two cores that both work, 1 % with these.
@@ -69,13 +71,14 @@ def connected(
                 yield client
             return
         if slurm is not None:
-            cluster: Any = slurm_cluster(slurm)
+            cluster: Any = slurm_cluster(slurm, security=temporary_credentials())
             cluster.scale(jobs=slurm.jobs)
         else:
             number = count("campaign", "workers", workers or os.cpu_count() or 1, least=1)
             cluster = distributed.LocalCluster(
-                n_workers=number, threads_per_worker=1, dashboard_address=":0", silence_logs=logging.CRITICAL
-            )
+                n_workers=number, threads_per_worker=1, host=_HERE, dashboard_address=f"{_HERE}:0",
+                silence_logs=logging.CRITICAL,
+            )  # fmt: skip
         with cluster, distributed.Client(cluster) as client:
             yield client
 
@@ -97,16 +100,32 @@ def submitted(
         job.release()
 
 
-def slurm_cluster(slurm: Slurm) -> Any:
+def temporary_credentials() -> Any:
+    """Create new TLS keys for one campaign; a scheduler executes code of every client that has them.
+
+    Raises:
+        MissingDependencyError: Dask or cryptography is not installed.
+    """
+    needed("cryptography", "campaign")
+    return needed("dask.distributed", "campaign").Security.temporary()
+
+
+def slurm_cluster(slurm: Slurm, *, security: Any = None) -> Any:
     """Create the dask-jobqueue cluster, before any job is requested; `.job_script()` is the script of a job.
 
     Args:
         slurm: options of the jobs.
+        security: keys for TLS between scheduler and workers; they lie in the home folder, readable by its owner only,
+            as long as the cluster exists. None for no TLS.
 
     Raises:
         MissingDependencyError: dask-jobqueue is not installed.
     """
+    keys = {} if security is None else {
+        "security": security, "protocol": "tls://", "shared_temp_directory": str(Path.home()),
+    }  # fmt: skip
     return needed("dask_jobqueue.slurm", "campaign").SLURMCluster(
         queue=slurm.queue, account=slurm.account, cores=slurm.cores, processes=slurm.cores, memory=slurm.memory,
         walltime=slurm.walltime, job_extra_directives=list(slurm.directives), scheduler_options={"dashboard": False},
+        **keys,
     )  # fmt: skip

@@ -8,6 +8,7 @@ from typing import Any
 
 import bondem
 from bondem._checks import instance, place
+from bondem._progress import reported
 from bondem.campaign.cluster import connected, submitted
 from bondem.campaign.sweep import Campaign, CampaignSpecimen
 from bondem.campaign.table import require_tables, write_tables
@@ -55,8 +56,8 @@ def run_campaign(
     instance("run_campaign", "campaign", campaign, Campaign, "a campaign from bd.read_campaign")
     folder = place("out", out)
     require_tables()
-    with only_writer(folder, "output folder"):
-        return _carry_out(campaign, folder, workers, address, progress or (lambda *_: None), dashboard)
+    with only_writer(folder, "output folder"), reported(progress) as tell:
+        return _carry_out(campaign, folder, workers, address, tell, dashboard)
 
 
 def _carry_out(

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from bondem._compile import threads
+from bondem._progress import quiet
 from bondem.campaign.sweep import CampaignSpecimen
 from bondem.errors import BondemError
 from bondem.io.atomic import write_text
@@ -41,7 +42,7 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
     own = final.parent / f".{specimen.name}.{socket.gethostname()}-{os.getpid()}-{uuid.uuid4().hex[:8]}{_UNFINISHED}"
     begun = time.perf_counter()
     try:
-        with threads(1):
+        with threads(1), quiet():
             results = run_study(parse_study(specimen.document, folder=specimen.folder), own)
     except BondemError as error:
         shutil.rmtree(own, ignore_errors=True)

@@ -8,9 +8,10 @@ import click
 from rich.console import Console
 from rich.markup import escape
 
+from bondem._progress import span
 from bondem.campaign.coordinator import run_campaign
 from bondem.campaign.sweep import read_campaign
-from bondem.cli.terminal import progress_bars, span
+from bondem.cli.terminal import progress_bars
 from bondem.errors import InputError
 
 #: Exit status after failed specimens.

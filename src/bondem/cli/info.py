@@ -6,7 +6,7 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from bondem.cli.terminal import span
+from bondem._progress import span
 from bondem.io.run_contents import RunContents, read_contents
 
 

@@ -18,11 +18,15 @@ from bondem.cli.seeing import SHOWN, seeing
               help="Remove the half in front of the middle plane normal to this axis.")  # fmt: skip
 @click.option("--warp", type=click.FloatRange(min=0.0), default=1.0, show_default=True,
               help="Magnification of displacements.")  # fmt: skip
+@click.option("--camera", default="iso", show_default=True, metavar="VIEW",
+              help="Direction of view: iso, x, -x, y, -y, z, -z, or AZIMUTH,ELEVATION in degrees.")  # fmt: skip
+@click.option("--walls/--no-walls", default=True, show_default=True, help="Draw the walls of the model.")
+@click.option("--axes/--no-axes", default=True, show_default=True, help="Draw coordinate axes with units.")
 @click.option("--size", type=click.IntRange(min=64, max=8192), nargs=2, default=(1200, 800), show_default=True,
               metavar="WIDTH HEIGHT", help="Size of the picture [pixels].")  # fmt: skip
 def command(
     run_file: Path, out: Path | None, field: str | None, show: str, snapshot: int, section: str | None, warp: float,
-    size: tuple[int, int],
+    camera: str, walls: bool, axes: bool, size: tuple[int, int],
 ) -> None:  # fmt: skip
     """Draw the elements or cells and the cracks of a run file, coloured by a field, as a picture or film.
 
@@ -30,6 +34,6 @@ def command(
     """
     place = seeing().render_run(
         run_file, out or run_file.with_suffix(".png"), field=field, show=show, snapshot=snapshot, section=section,
-        warp=warp, size=size,
+        warp=warp, size=size, camera=camera, walls=walls, axes=axes,
     )  # fmt: skip
     click.echo(f"{place}")

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from bondem.cli.quantities import Quantity
-from bondem.cli.terminal import on_threads
+from bondem.cli.terminal import on_threads, progress_bars
 from bondem.study.strength_calibration import StrengthPlan, run_strength
 
 
@@ -51,7 +51,7 @@ def command(
                         fracture_energy=fracture_energy)  # fmt: skip
     plan = replace(plan, ucs_within=ucs_within, brazilian_within=brazilian_within, diameter=diameter, length=length,
                    count=count, packings=packings, seed=seed, most=most)  # fmt: skip
-    with on_threads(threads):
+    with on_threads(threads), progress_bars():
         fit = run_strength(plan, out, progress=click.echo)
     click.echo(f"\n{fit}")
     found = fit.parameters  # raises an error for targets that were not reached

@@ -1,18 +1,17 @@
 """Shared parts of the commands: threads, progress on a terminal and the table of results."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import closing, contextmanager, nullcontext
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console, RenderableType
+from rich.console import Console
 from rich.markup import escape
-from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
-from rich.text import Text
 
-from bondem._compile import compiled_before, most_threads, say_nothing, threads
+from bondem._compile import most_threads, threads
+from bondem._progress import stages
 from bondem.errors import InputError
 from bondem.laws.catalogue import LAWS
 from bondem.report.numbers import percent, signed_percent, with_unit
@@ -29,7 +28,7 @@ _EXPLANATION = (
 
 @contextmanager
 def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], None]]:
-    """Show one progress bar per stage on a terminal, and nothing in a pipe; yield progress(stage, completed share).
+    """Show stages as bars on a terminal, as lines on stderr elsewhere; yield progress(stage, completed share).
 
     Args:
         log: file for one line per twentieth of a stage, or None.
@@ -37,52 +36,17 @@ def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], No
     Raises:
         InputError: the log file cannot be written.
     """
-    console = Console(stderr=True)
-    say_nothing()
-    if console.is_terminal and not compiled_before():
-        console.print("First run after an installation or update: bondem compiles its kernels once (half a minute).")
-    columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
-    with _Bars(*columns, console=console, disable=not console.is_terminal) as bars:
-        tasks: dict[str, TaskID] = {}
+    if log is None:
+        with stages(at_once=True) as show:
+            yield show
+        return
+    with closing(_Log(log)) as lines, listening(lines.hear), stages(at_once=True) as show:
 
         def progress(stage: str, share: float) -> None:
-            if stage not in tasks:
-                tasks[stage] = bars.add_task(escape(stage), total=1.0)
-            bars.update(tasks[stage], completed=share)
-            if lines is not None:
-                lines.tell(stage, share)
+            show(stage, share)
+            lines.tell(stage, share)
 
-        def hear(pulse: Pulse) -> None:
-            bars.told = words_of(pulse) if pulse.step < pulse.steps else ""
-            if lines is not None:
-                lines.hear(pulse)
-
-        with closing(_Log(log)) if log is not None else nullcontext() as lines, listening(hear):
-            yield progress
-
-
-class _Bars(Progress):
-    """Progress bars with a line on the current run."""
-
-    told = ""
-
-    def get_renderables(self) -> Iterable[RenderableType]:
-        yield from super().get_renderables()
-        if self.told:
-            yield Text(f"  {self.told}", style="dim")
-
-
-def words_of(pulse: Pulse) -> str:
-    """Progress of a run as one line of text."""
-    words = [
-        f"step {pulse.step} of {pulse.steps}", f"t = {pulse.time:.4g} s", f"{pulse.rate:.0f} steps/s",
-        f"at most {span(pulse.left)} left",
-    ]  # fmt: skip
-    if pulse.broken:
-        words.append(f"{pulse.broken} broken")
-    if pulse.balance is not None:
-        words.append(f"energy error {pulse.balance:.0e}")
-    return ", ".join(words)
+        yield progress
 
 
 class _Log:
@@ -107,7 +71,7 @@ class _Log:
 
     def hear(self, pulse: Pulse) -> None:
         """Store the progress of the run for the next line."""
-        self._heard = f": {words_of(pulse)}"
+        self._heard = f": {pulse.words}"
 
     def close(self) -> None:
         """Write the last line and close the file."""
@@ -129,16 +93,6 @@ def on_threads(count: int | None) -> Iterator[None]:
         raise InputError(f"--threads = {count}: this machine has {most_threads()} threads; give at most that number")
     with threads(count):
         yield
-
-
-def span(seconds: float) -> str:
-    """Format a time for readers: "12.3 s", "4 min 05 s", "2 h 31 min"."""
-    if seconds < 59.95:
-        return f"{seconds:.1f} s"
-    whole = round(seconds)
-    if whole < 3600:
-        return f"{whole // 60} min {whole % 60:02d} s"
-    return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
 
 
 def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:

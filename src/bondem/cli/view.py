@@ -14,9 +14,12 @@ from bondem.cli.seeing import SHOWN, seeing
 @click.option("--snapshot", type=int, default=-1, show_default=True, help="Index of the snapshot; -1 is the last.")
 @click.option("--warp", type=click.FloatRange(min=0.0), default=1.0, show_default=True,
               help="Magnification of displacements.")  # fmt: skip
-def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float) -> None:
+@click.option("--camera", default="iso", show_default=True, metavar="VIEW",
+              help="Direction of view: iso, x, -x, y, -y, z, -z, or AZIMUTH,ELEVATION in degrees.")  # fmt: skip
+def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float, camera: str) -> None:
     """Open a run file in a window with rotation and a slider for snapshots.
 
-    A screen and the optional extra are required: pip install -e ".[view]" in a clone.
+    A display and the optional extra are required: pip install -e ".[view]" in a clone. Without a display the exit
+    status is 2.
     """
-    seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp)
+    seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp, camera=camera)

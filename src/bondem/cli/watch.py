@@ -8,8 +8,8 @@ from rich.console import Console
 from rich.live import Live
 from rich.table import Table
 
+from bondem._progress import span
 from bondem.cli.info import lines_of
-from bondem.cli.terminal import span
 from bondem.errors import RunFileError
 from bondem.io.run_contents import RunContents, read_contents
 

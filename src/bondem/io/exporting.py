@@ -206,7 +206,8 @@ def _write_rows(file: TextIO, columns: list[Floats]) -> None:
 def _write_mesh(path: Path, frame: _Frame, suffix: str) -> None:
     meshio = needed("meshio", "exchange")
     name, size = frame.size
-    fields = {name: size, **frame.fields}
+    turned = {} if frame.state is None else {"orientation": frame.state.orientation}
+    fields = {name: size, **turned, **frame.fields}
     if frame.lattice.cells is not None:
         points, blocks, order = _polyhedra(frame)
         data = {key: [values[chosen] for chosen in order] for key, values in fields.items()}
@@ -227,7 +228,7 @@ def _polyhedra(frame: _Frame) -> tuple[Floats, list[tuple[str, Any]], list[Ints]
     block.
     """
     corners = Corners(frame.lattice)
-    points = corners.place if frame.state is None else corners.place + frame.state.displacement[corners.cell]
+    points = corners.place if frame.state is None else corners.moved(frame.lattice, frame.state)
     faces: list[list[Ints]] = [[] for _ in frame.position]
     for polygon, cell in enumerate(corners.polygon_cell.tolist()):
         faces[cell].append(corners.number[corners.start[polygon] : corners.start[polygon + 1]])

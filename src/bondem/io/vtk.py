@@ -33,7 +33,8 @@ def write_vtkhdf(
     Args:
         path: file to write, usually with the suffix .vtkhdf.
         lattice: elements and bonds.
-        state: state of the elements; adds displacement, velocity, angular velocity and integrity.
+        state: state of the elements; adds displacement, orientation as a quaternion (w, x, y, z), velocity, angular
+            velocity and integrity. Cells move and turn with it.
         elements: further fields by name, each (n,) or (n, k).
         bonds: further fields of the bonds by name, each (m,) or (m, k).
 
@@ -56,7 +57,7 @@ def write_vtkhdf(
             raise InputError("write_vtkhdf: a body is written as cells, without lines for bonds=; leave it out")
         given = fields_of_cells(lattice, state) | dict(elements or {})
         checked = {name: _checked(name, field, len(lattice.particles)) for name, field in given.items()}
-        write_cells(path, lattice, None if state is None else state.displacement, checked)
+        write_cells(path, lattice, state, checked)
         return
     particles, pairs = lattice.particles, lattice.pairs
     points = particles.position if state is None else particles.position + state.displacement
@@ -65,6 +66,7 @@ def write_vtkhdf(
     if state is not None:
         of_elements |= {
             "displacement": state.displacement,
+            "orientation": state.orientation,
             "velocity": state.velocity,
             "angular_velocity": state.angular_velocity,
         }

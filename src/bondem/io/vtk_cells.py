@@ -6,12 +6,13 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from bondem._types import ArrayLike, Floats, Ints, PerElement3
+from bondem._types import ArrayLike, Floats, Ints
 from bondem.io.atomic import replacing, require_writable
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import dilatation, mean_stress
+from bondem.observe.turned_vectors import turned_vectors
 from bondem.specimen.cells.polyhedra import polyhedra
 from bondem.specimen.lattice import Lattice
 
@@ -29,7 +30,8 @@ def fields_of_cells(body: Lattice, state: State | None) -> dict[str, ArrayLike]:
     if state is None:
         return fields
     fields |= {
-        "displacement": state.displacement, "velocity": state.velocity, "angular_velocity": state.angular_velocity,
+        "displacement": state.displacement, "orientation": state.orientation, "velocity": state.velocity,
+        "angular_velocity": state.angular_velocity,
     }  # fmt: skip
     model = state.model
     if isinstance(model, Model) and model.cells is not None:
@@ -41,17 +43,17 @@ def fields_of_cells(body: Lattice, state: State | None) -> dict[str, ArrayLike]:
     return fields
 
 
-def write_cells(path: Path, body: Lattice, moved: PerElement3 | None, fields: Mapping[str, np.ndarray]) -> None:
-    """Write cells as polyhedra, whose corners move with them.
+def write_cells(path: Path, body: Lattice, state: State | None, fields: Mapping[str, np.ndarray]) -> None:
+    """Write cells as polyhedra, which move and turn with the state.
 
     Args:
         path: VTKHDF file.
         body: lattice of cells.
-        moved: displacements of the cells [m], (n, 3); None for cells at rest.
+        state: state of the cells; None for cells at rest.
         fields: fields of the cells by name, (n,) or (n, k).
     """
     corners = Corners(body)
-    point = corners.place if moved is None else corners.place + moved[corners.cell]
+    point = corners.place if state is None else corners.moved(body, state)
     n = len(body.particles)
     count, faces = np.bincount(corners.cell, minlength=n), np.bincount(corners.polygon_cell, minlength=n)
     require_writable(path, "VTK file")
@@ -97,3 +99,9 @@ class Corners:
         self.number: Ints = number.ravel()
         self.cell: Ints = owner[first]
         self.place: Floats = found.vertex[first]
+
+    def moved(self, body: Lattice, state: State) -> Floats:
+        """Corners of cells that have moved and turned [m], (c, 3)."""
+        centre = body.centre[self.cell]
+        turned = turned_vectors(state.orientation[self.cell], self.place - centre)
+        return centre + state.displacement[self.cell] + turned

@@ -67,6 +67,15 @@ class Piece:
         steps = _group(self.group, "Steps")
         return np.asarray(steps["Values"][: self.steps]) if self.steps else np.zeros(0)
 
+    @property
+    def has_points(self) -> bool:
+        """Return True if the points have been written, of all steps or of the first one."""
+        return "Points" in self.group
+
+    def has(self, field: str) -> bool:
+        """Return True if the cells have a field."""
+        return f"CellData/{field}" in self.group
+
     def set_static(self, arrays: Mapping[str, Any]) -> None:
         """Write arrays that are constant over all steps, by their path in the piece."""
         for name, values in arrays.items():
@@ -156,12 +165,11 @@ def append(group: h5py.Group, name: str, rows: Any) -> int:
     return begin
 
 
-def static_polyhedra(point: Floats, cell: Ints, number: Ints, start: Ints, owner: Ints, count: int) -> dict[str, Any]:
-    """Static arrays of `count` polyhedra, each with its own points.
+def static_polyhedra(cell: Ints, number: Ints, start: Ints, owner: Ints, count: int) -> dict[str, Any]:
+    """Static arrays of `count` polyhedra, each with its own points, sorted by cell.
 
     Args:
-        point: corners sorted by cell [m], (c, 3).
-        cell: cell of each corner, (c,).
+        cell: cell of each point, (c,).
         number: corner numbers of all polygons in sequence.
         start: offset of each polygon in `number`, (p + 1,).
         owner: cell of each polygon, (p,).
@@ -169,12 +177,12 @@ def static_polyhedra(point: Floats, cell: Ints, number: Ints, start: Ints, owner
     """
     corners, faces = np.bincount(cell, minlength=count), np.bincount(owner, minlength=count)
     arrays = {
-        "Points": point, "Types": np.full(count, _POLYHEDRON, dtype=np.uint8),
-        "Connectivity": np.arange(len(point)), "Offsets": np.append(0, np.cumsum(corners)),
+        "Types": np.full(count, _POLYHEDRON, dtype=np.uint8),
+        "Connectivity": np.arange(len(cell)), "Offsets": np.append(0, np.cumsum(corners)),
         "FaceConnectivity": number, "FaceOffsets": start, "PolyhedronToFaces": np.arange(len(owner)),
         "PolyhedronOffsets": np.append(0, np.cumsum(faces)),
     }  # fmt: skip
-    sizes = {"Points": len(point), "Cells": count, "ConnectivityIds": len(point), "Faces": len(owner),
+    sizes = {"Points": len(cell), "Cells": count, "ConnectivityIds": len(cell), "Faces": len(owner),
              "FaceConnectivityIds": len(number), "PolyhedronToFaceIds": len(owner)}  # fmt: skip
     return arrays | {"NumberOf" + name: np.array([size]) for name, size in sizes.items()}
 

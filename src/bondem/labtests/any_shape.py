@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._checks import choice
+from bondem._progress import staged
 from bondem._types import Floats, PerElement6
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
@@ -76,6 +77,7 @@ class UniformStress:
         return 1.0 / S[k, k], -0.5 * (S[:3, k].sum() - S[k, k]) / S[k, k]
 
 
+@staged("uniform stress")
 def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> UniformStress:
     """Apply six unit stress states to the whole surface and measure the mean strain of the body.
 

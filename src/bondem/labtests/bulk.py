@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import instance
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw
@@ -77,6 +78,7 @@ class BulkModuli:
         return self.isotropic.nu
 
 
+@staged("bulk moduli")
 def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = None) -> BulkModuli:
     """Compute the stiffness tensor of a periodic lattice.
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import array, shown
+from bondem._progress import staged
 from bondem._types import Floats, Ints, PerElement
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
@@ -141,6 +142,7 @@ def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats
     return weight @ place**2 - (weight @ place) ** 2 + own
 
 
+@staged("clamped tension")
 def clamped_tension(
     lattice: Lattice,
     law: AnyLaw,
@@ -178,6 +180,7 @@ def clamped_tension(
     )
 
 
+@staged("static bending")
 def static_bending(
     lattice: Lattice,
     law: AnyLaw,
@@ -223,6 +226,7 @@ def static_bending(
     )
 
 
+@staged("static torsion")
 def static_torsion(
     lattice: Lattice,
     law: AnyLaw,

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.cantilever import Cantilever
@@ -11,6 +12,7 @@ from bondem.labtests.wave import first_passage, strike
 from bondem.specimen.lattice import Lattice
 
 
+@staged("impact")
 def impact(
     lattice: Lattice,
     law: AnyLaw,

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from bondem._checks import number
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.labtests.loading import Loading, load_to_failure
 from bondem.labtests.rig import Moduli, StrengthTest, softenings_of
@@ -11,6 +12,7 @@ from bondem.model.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
 
 
+@staged("uniaxial compression")
 def uniaxial_compression(
     body: Lattice,
     law: CellAssignment,

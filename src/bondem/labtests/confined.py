@@ -4,6 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from bondem._checks import number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.rig import StrengthTest
@@ -14,7 +16,7 @@ from bondem.specimen.lattice import Lattice
 
 
 @dataclass(frozen=True, eq=False)
-class TriaxialTest:
+class TriaxialTest(Plotted):
     """Result of a triaxial test.
 
     Attributes:
@@ -56,6 +58,7 @@ class TriaxialTest:
         return self.test.state
 
 
+@staged("triaxial")
 def triaxial(
     body: Lattice,
     law: CellAssignment,

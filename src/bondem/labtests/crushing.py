@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
@@ -41,7 +43,7 @@ _SURE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class SphereCrushing:
+class SphereCrushing(Plotted):
     """Result of a crushing test.
 
     Attributes:
@@ -82,6 +84,7 @@ class SphereCrushing:
         return self.run.state
 
 
+@staged("sphere crushing")
 def sphere_crushing(
     ball: Lattice,
     law: AnyLaw,

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from bondem._progress import staged
 from bondem._types import Floats, PerElement
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.cantilever import Cantilever
@@ -12,6 +13,7 @@ from bondem.labtests.vibration import FreeVibration
 from bondem.specimen.lattice import Lattice
 
 
+@staged("dynamic tension")
 def dynamic_tension(
     lattice: Lattice,
     law: AnyLaw,
@@ -56,6 +58,7 @@ def dynamic_tension(
     )
 
 
+@staged("dynamic bending")
 def dynamic_bending(
     lattice: Lattice,
     law: AnyLaw,
@@ -87,6 +90,7 @@ def dynamic_bending(
     )
 
 
+@staged("dynamic torsion")
 def dynamic_torsion(
     lattice: Lattice,
     law: AnyLaw,

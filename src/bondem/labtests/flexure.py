@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.probing import walls_along
@@ -32,7 +34,7 @@ _MOUTH, _STEEP = "cmod", 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class BendingTest:
+class BendingTest(Plotted):
     """Result of a bending test, as a quasi-static path of failure events.
 
     Attributes:
@@ -68,6 +70,7 @@ class BendingTest:
         return self.path.state
 
 
+@staged("three point bending")
 def three_point_bending(
     body: Lattice,
     law: CellAssignment,

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._progress import staged
 from bondem._types import Floats, PerElement
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
@@ -32,6 +33,7 @@ class NaturalFrequencies:
     mass_share: Floats
 
 
+@staged("natural frequencies")
 def natural_frequencies(
     lattice: Lattice, law: AnyLaw, *, density: float | PerElement, count: int = 8, depth: float = 0.02
 ) -> NaturalFrequencies:

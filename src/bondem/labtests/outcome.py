@@ -5,12 +5,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from bondem._drawing import Plotted
 from bondem._types import Floats
 from bondem.model.state import State
 
 
 @dataclass(frozen=True, eq=False)
-class Outcome:
+class Outcome(Plotted):
     """Measured quantity of one specimen, with its theoretical values.
 
     Attributes:

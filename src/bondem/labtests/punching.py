@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import number
+from bondem._progress import staged
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.labtests.probing import walls_along
@@ -76,6 +77,7 @@ def punch_specimen(
     return shape
 
 
+@staged("shear")
 def shear(
     body: Lattice,
     law: CellAssignment,

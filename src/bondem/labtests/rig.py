@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number
+from bondem._drawing import Plotted
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import check
@@ -41,7 +42,7 @@ _BEGIN = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class StrengthTest:
+class StrengthTest(Plotted):
     """Result of a test to failure.
 
     Attributes:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import count, number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.fracture.fragments import Fragments, fragments
@@ -79,7 +81,7 @@ class ThinBar:
 
 
 @dataclass(frozen=True, eq=False)
-class SpallTest:
+class SpallTest(Plotted):
     """Result of a spall test.
 
     Attributes:
@@ -123,6 +125,7 @@ class SpallTest:
         return self.run.state
 
 
+@staged("spall")
 def spall(
     bar: Lattice,
     law: CellBond,

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.gauge_length import AffineField
@@ -41,7 +43,7 @@ _REACH = 4.0
 
 
 @dataclass(frozen=True, eq=False)
-class BrazilianTest:
+class BrazilianTest(Plotted):
     """Result of a Brazilian test.
 
     Attributes:
@@ -89,6 +91,7 @@ class BrazilianTest:
         return self.test.state
 
 
+@staged("brazilian")
 def brazilian(
     body: Lattice,
     law: CellAssignment,

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from bondem._progress import staged
 from bondem.labtests.loading import Loading, load_to_failure
 from bondem.labtests.rig import Moduli, StrengthTest, softenings_of
 from bondem.model.cell_constants import CellAssignment
@@ -9,6 +10,7 @@ from bondem.model.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
 
 
+@staged("direct tension")
 def direct_tension(
     body: Lattice,
     law: CellAssignment,

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._progress import staged
 from bondem._types import Floats, Ints
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.faces import ends, surface
@@ -43,6 +44,7 @@ class Tension:
     solution: StaticResult
 
 
+@staged("static tension")
 def static_tension(
     lattice: Lattice,
     law: AnyLaw,

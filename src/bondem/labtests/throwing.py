@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number, vector
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
@@ -32,7 +34,7 @@ _TOUCH = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class SphereImpact:
+class SphereImpact(Plotted):
     """Result of an impact of a ball on a plane.
 
     Attributes:
@@ -73,6 +75,7 @@ class SphereImpact:
         return self.run.state
 
 
+@staged("sphere impact")
 def sphere_impact(
     ball: Lattice,
     law: AnyLaw,

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
@@ -29,7 +31,7 @@ _AT_ONCE = Constant(1.0)
 
 
 @dataclass(frozen=True, eq=False)
-class FreeVibration:
+class FreeVibration(Plotted):
     """Motion of the face x_max after release.
 
     Attributes:
@@ -61,6 +63,7 @@ class FreeVibration:
         return dominant_frequency(self.time[self.free], self.signal[kind][self.free])
 
 
+@staged("free vibration")
 def free_vibration(
     lattice: Lattice,
     law: AnyLaw,

@@ -3,11 +3,13 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import cast, get_args
+from pathlib import Path
+from typing import Any, cast, get_args
 
 import numpy as np
 
 from bondem._checks import array, instance, possible, several, shown
+from bondem._drawing import draw
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
@@ -294,6 +296,26 @@ class Model:
         """Edge lengths of the periodic cell and their inverses, zeros without a periodic cell, shape (6,)."""
         edges = self.lattice.particles.period
         return np.zeros(6) if edges is None else np.concatenate([edges, 1.0 / edges])
+
+    def plot(
+        self, path: str | Path | None = None, *, solution: Any = None, reach: float | None = None,
+        view: tuple[float, float] = (28.0, 24.0),
+    ) -> Any:  # fmt: skip
+        """Draw the specimen with its supports, loads and walls, or where a solution has moved it.
+
+        Args:
+            path: PNG, PDF or SVG to write; nothing is written when None.
+            solution: a state, run or equilibrium of this model, whose displacements colour the elements.
+            reach: factor on displacements [-]; chosen such that they are seen unless given.
+            view: azimuth and elevation of the camera [degree].
+
+        Returns:
+            A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
+
+        Raises:
+            InputError: a solution of another model, a file that cannot be written, or a view that is not two angles.
+        """
+        return draw("draw_model", self, path, solution=solution, reach=reach, view=view)
 
     def with_boundary(self, boundary: Sequence[BoundaryCondition]) -> "Model":
         """Return a model with the same bonds and masses under other boundary conditions. Common data are shared."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from bondem._checks import choice, instance, shown
 from bondem._checks import count as whole
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.io.packing_cache import PackingCache, wanted
 from bondem.packing.compression import compress
@@ -39,6 +40,7 @@ SEED = 1
 _MOST = 100_000_000
 
 
+@staged("packing")
 def pack(
     shape: Shape,
     *,

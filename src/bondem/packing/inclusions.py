@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from bondem._checks import count as whole
 from bondem._checks import instance, number
+from bondem._progress import staged
 from bondem._types import Floats, Mask, PerElement3
 from bondem.errors import InputError, PackingError
 from bondem.packing.even import kept_inside, points_of, usual_radius
@@ -40,6 +41,7 @@ _ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
 _TRIES = 1000
 
 
+@staged("placing aggregates")
 def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed: int = 1) -> Aggregates:
     """Place balls of a grading curve in a shape, at random and apart from each other.
 

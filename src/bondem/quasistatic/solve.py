@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import count, instance, number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats, Ints, PerBond, PerElement3
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.model import Model
@@ -37,7 +39,7 @@ _ROUNDS = 40
 
 
 @dataclass(frozen=True, eq=False)
-class QuasistaticResult:
+class QuasistaticResult(Plotted):
     """A path of equilibria, each at the load at which the next facets fail: e events, f failures of facets.
 
     Attributes:
@@ -89,6 +91,7 @@ class QuasistaticResult:
 
 
 @one_blas_thread
+@staged("quasi-static run")
 def solve_quasistatic(
     model: Model,
     drive: Region,

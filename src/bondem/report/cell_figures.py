@@ -29,7 +29,7 @@ def draw_body(path: Path, body: Lattice) -> None:
     """
     assert body.cells is not None
     size = np.cbrt(body.cells.volume / body.cells.volume.mean())
-    norm = Normalize(float(np.quantile(size, 0.002)), float(np.quantile(size, 0.998)))
+    norm = Normalize(float(size.min()), float(size.max()))
     lower, upper = body.particles.envelope.bounds
     middle = 0.5 * (lower + upper)
     x, y, _ = body.centre.T
@@ -53,7 +53,7 @@ def draw_bent(path: Path, specimen: Examined) -> None:
     body, curves = specimen.lattice, specimen.outcomes["static_bending"].curves
     solid = polyhedra(body)
     stress, moved = curves["axial_stress"] / 1e6, curves["displacement"]
-    top = float(np.quantile(np.abs(stress), 0.995))
+    top = float(np.abs(stress).max())
     norm = Normalize(-top, top)
     colour = _coloured(DIVERGING, norm, stress)
     reach = _EXAGGERATED * float(np.ptp(body.centre[:, 0])) / float(np.abs(moved).max())

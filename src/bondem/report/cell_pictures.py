@@ -69,7 +69,7 @@ def draw_cells(
     unit = normal[seen] / np.linalg.norm(normal[seen], axis=1, keepdims=True)
     light = _AMBIENT + _LAMP * np.clip(unit @ _LIGHT, 0.0, None)
     face = np.clip(colour[solid.cell[seen]] * light[:, None], 0.0, 1.0)
-    outlined = _outlined(solid)
+    edge = outlined(solid)
     following = _following(solid.start)
     paths: list[Floats] = []
     fills: list[Floats] = []
@@ -77,7 +77,7 @@ def draw_cells(
         corners = np.arange(int(solid.start[k]), int(solid.start[k + 1]))
         paths.append(placed[np.append(corners, corners[0]), :2])
         fills.append(np.append(tint, 1.0))
-        for a in corners[outlined[corners]]:  # drawn with their polygon, so that nearer ones hide both
+        for a in corners[edge[corners]]:  # drawn with their polygon, so that nearer ones hide both
             paths.append(placed[[a, following[a]], :2])
             fills.append(np.append(0.7 * tint, 1.0))
     ax.add_collection(PolyCollection(paths, closed=False, facecolors=fills, edgecolors=fills, linewidths=0.35))
@@ -95,16 +95,16 @@ def _following(start: np.ndarray) -> np.ndarray:
     return following
 
 
-def _outlined(solid: Polyhedra) -> Mask:
+def outlined(solid: Polyhedra) -> Mask:
     """True for corners that begin a true edge, not one between two strips of a curved wall, (v,)."""
     following, size = _following(solid.start), np.diff(solid.start)
     owner, wall = np.repeat(solid.cell, size), np.repeat(solid.neighbour < 0, size)
     grid = np.rint((solid.vertex + solid.vertex[following]) / (1e-6 * np.ptp(solid.vertex, axis=0).max()))
     rows = np.column_stack([owner, grid.astype(np.int64)])[wall]
     _, same, count = np.unique(rows, axis=0, return_inverse=True, return_counts=True)
-    outlined = np.ones(len(owner), dtype=bool)
-    outlined[wall] = count[same.ravel()] == 1
-    return outlined
+    true = np.ones(len(owner), dtype=bool)
+    true[wall] = count[same.ravel()] == 1
+    return true
 
 
 def _normals(place: Floats, start: np.ndarray) -> Floats:

@@ -7,7 +7,7 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import Normalize, to_rgb
+from matplotlib.colors import Normalize
 
 from bondem._types import Floats, PerElement3
 from bondem.fracture.cracks import Cracks
@@ -15,14 +15,12 @@ from bondem.fracture.fragments import Fragments
 from bondem.model.state import State
 from bondem.observe.turned_vectors import turned_vectors
 from bondem.report.cell_pictures import draw_cells
+from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
 from bondem.report.style import GREY, SEQUENTIAL
 from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
 from bondem.specimen.lattice import Lattice
 
-# Of the heaviest pieces, in turns; of those of a few cells.
-_PIECES = ("#cfd8df", "#8db9d3", "#e6bd8a", "#a5cdb2", "#c9b2d6", "#d8cf9a")
-_CRUMB, _FEW = "#d55e00", 10
 # Share of light that falls on a surface seen edge-on.
 _AMBIENT = 0.55
 
@@ -41,7 +39,7 @@ def corners_moved(solid: Polyhedra, body: Lattice, state: State, reach: float = 
 def draw_fragments(
     ax: Axes, body: Lattice, state: State, pieces: Fragments, *, view: View, reach: float = 1.0
 ) -> None:
-    """Draw the cells at their positions, each fragment in its own colour; crumbs of less than ten cells are orange.
+    """Draw the cells at their positions, each fragment in its own colour.
 
     Args:
         ax: axes to draw on, in mm.
@@ -57,9 +55,7 @@ def draw_fragments(
 
 def piece_colours(pieces: Fragments) -> Floats:
     """Red, green and blue of each element by its fragment, in 0 … 1, (n, 3)."""
-    colour = np.array([to_rgb(_PIECES[k % len(_PIECES)]) for k in range(len(pieces))])
-    colour[pieces.size < _FEW] = to_rgb(_CRUMB)
-    return colour[pieces.label]
+    return piece_palette(len(pieces))[pieces.label]
 
 
 def draw_cracks(
@@ -72,14 +68,14 @@ def draw_cracks(
         body: lattice of the cracks.
         found: cracks from `bd.cracks`.
         view: direction of view.
-        top: upper end of the colour scale [m]; None for the value that one in twenty facets exceeds.
+        top: upper end of the colour scale [m]; None for the largest.
 
     Returns:
         The colour scale, for a colour bar.
     """
     if top is None:
-        top = float(np.quantile(found.opening, 0.95)) if len(found) else 1e-6
-    norm = Normalize(0.0, 1e6 * max(top, 1e-12))
+        top = float(found.opening.max()) if len(found) else 1e-6
+    norm = Normalize(0.0, 1e6 * max(top, 1e-9))
     outline, size = found.polygons, np.diff(found.polygons.start)
     placed = 1e3 * outline.vertex @ view.axes.T
     facing = np.abs(found.normal[outline.facet] @ view.axes[2])

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, legend_columns, sheet
 from bondem.specimen.layering import Layering
 from bondem.specimen.radial_distribution import RadialDistribution
 
@@ -30,7 +30,7 @@ def draw_layering(path: Path, layering: Mapping[str, Layering], inside: float) -
             ax.axhline(inside, color=GREY, linewidth=1.0, label=f"core, φ = {inside:.3f}")
         ax.set(xlabel="distance from the wall over mean diameter [-]", ylabel="solid fraction [-]", ylim=(0.0, 1.0),
                xlim=(0.0, None))  # fmt: skip
-        ax.legend(loc="upper right", ncols=4)
+        ax.legend(loc="upper right", ncols=legend_columns(4, 2))
 
 
 def draw_distribution(path: Path, distribution: RadialDistribution) -> None:

@@ -75,6 +75,7 @@ class Findings:
         citation: source of `published`, or "".
         published: published errors of the tests, by name [-].
         failures: failure criteria by part of the material.
+        source: name and text of the study file, or None.
     """
 
     title: str
@@ -87,6 +88,7 @@ class Findings:
     citation: str = ""
     published: Mapping[str, float] = field(default_factory=dict)
     failures: Mapping[str, Criterion] = field(default_factory=dict)
+    source: tuple[str, str] | None = None
 
     @property
     def fit(self) -> Calibration | None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem.report.style import BLUE, INK, ORANGE, sheet
+from bondem.report.style import BLUE, INK, ORANGE, legend_columns, sheet
 
 
 def draw_targets(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
@@ -36,4 +36,4 @@ def draw_targets(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
                xlabel="measured over target or closed form, less one  [%]")  # fmt: skip
         ax.set_yticklabels([f"{row['specimen']}: {row['label']}" for row in shown])
         ax.grid(axis="y", visible=False)
-        figure.legend(loc="outside lower center", ncols=2)
+        figure.legend(loc="outside lower center", ncols=legend_columns(2))

@@ -17,12 +17,14 @@ from bondem.observe.turned_vectors import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.findings import Examined, Findings
 from bondem.report.spheres import View
-from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, sheet
+from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, sheet
 from bondem.specimen.cells.polyhedra import polyhedra
 from bondem.specimen.lattice import Lattice
 
 _ASIDE = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 _ALONG = View(azimuth=math.radians(62.0), elevation=math.radians(14.0))
+#: Facets that have at most this integrity left are cracks, and join no pieces [-].
+CRACKED = 0.5
 # Largest opening drawn, over the length of the specimen.
 _EXAGGERATED = 0.08
 # Figures in a row.
@@ -116,12 +118,11 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     owner = np.repeat(solid.cell, np.diff(solid.start))
     slipped = told.slips and float(curves["slip"].max()) > 0.0
     value = 100.0 * curves["slip"] if slipped else curves["damage"]
-    norm = Normalize(0.0, float(np.quantile(value, 0.995)) or 1.0)
+    norm = Normalize(0.0, (float(value.max()) or 1.0) if slipped else 1.0)
     arm = solid.vertex - body.centre[owner]
     moved = curves["displacement"][owner] + turned_vectors(curves["orientation"][owner], arm) - arm
     moved -= moved.mean(axis=0)
-    size = np.ptp(body.centre, axis=0).max()
-    reach = max(1.0, _EXAGGERATED * float(size) / float(np.ptp(moved, axis=0).max()))
+    reach = reach_of(body, moved)
     colour = np.asarray(colormaps[SEQUENTIAL](norm(value)))[:, :3]
     shown = None
     if told.halved:
@@ -136,13 +137,26 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
 
 
+def reach_of(body: Lattice, moved: Floats) -> float:
+    """Magnification of motion in pictures, at least 1 [-].
+
+    Args:
+        body: the specimen.
+        moved: displacements [m], (k, 3).
+    """
+    size, most = float(np.ptp(body.centre, axis=0).max()), float(np.ptp(moved, axis=0).max())
+    return max(1.0, _EXAGGERATED * size / most) if most > 0.0 else 1.0
+
+
 def broken_in(specimen: Examined) -> list[str]:
     """Tests to failure of a specimen, in the order of figures."""
     return [name for name in DRAWN if name in specimen.outcomes]
 
 
 def arranged(count: int) -> tuple[int, int]:
-    """Numbers of rows and columns for a number of panels."""
+    """Numbers of rows and columns for a number of panels; one column on phones."""
+    if for_phones():
+        return count, 1
     return math.ceil(count / _COLUMNS), min(count, _COLUMNS)
 
 

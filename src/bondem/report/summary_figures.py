@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem.report.findings import Findings
-from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
+from bondem.report.style import BLUE, GREY, INK, ORANGE, legend_columns, sheet
 
 
 def draw_errors(path: Path, findings: Findings) -> None:
@@ -42,4 +42,4 @@ def draw_errors(path: Path, findings: Findings) -> None:
         ax.set(yticks=place, xlabel="measured / theory − 1  [%]")
         ax.set_yticklabels([name.replace("_", " ") for name in names])
         ax.grid(axis="y", visible=False)
-        figure.legend(loc="outside lower center", ncols=4)
+        figure.legend(loc="outside lower center", ncols=legend_columns(4))

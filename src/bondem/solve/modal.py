@@ -11,6 +11,7 @@ from scipy.sparse import bsr_array, csc_array, diags_array
 from bondem._checks import count as whole_number
 from bondem._checks import instance
 from bondem._names import users_line
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError, PrestressWarning
 from bondem.model.boundary import Load
@@ -53,6 +54,7 @@ class ModesResult(Solution):
 
 
 @one_blas_thread
+@staged("modes")
 def solve_modes(
     model: Model, *, count: int = 8, prestress: StaticResult | State | Literal[False] | None = None
 ) -> ModesResult:

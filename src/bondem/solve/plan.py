@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from bondem._checks import count, instance, number, several, shown
+from bondem._drawing import Plotted
 from bondem.errors import InputError
 from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.model.gauges import AnyGauge, Gauge, WallGauge
@@ -104,7 +105,7 @@ class Plan:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class ExplicitResult(Solution):
+class ExplicitResult(Solution, Plotted):
     """Result of an explicit run.
 
     `iterations` is the number of steps since the start of the run. `residual` is the largest error of the energy

@@ -9,6 +9,8 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
+from bondem import _progress
+
 
 @dataclass(frozen=True)
 class Pulse:
@@ -42,6 +44,19 @@ class Pulse:
         """Wall time to the end of the run at this rate [s]; an event may end a test sooner."""
         return (self.steps - self.step) / self.rate
 
+    @property
+    def words(self) -> str:
+        """Progress of a run as one line of text."""
+        words = [
+            f"step {self.step} of {self.steps}", f"t = {self.time:.4g} s", f"{self.rate:.0f} steps/s",
+            f"at most {_progress.span(self.left)} left",
+        ]  # fmt: skip
+        if self.broken:
+            words.append(f"{self.broken} broken")
+        if self.balance is not None:
+            words.append(f"energy error {self.balance:.0e}")
+        return ", ".join(words)
+
 
 _listener: ContextVar[Callable[[Pulse], None] | None] = ContextVar("listener", default=None)
 
@@ -58,11 +73,12 @@ def listening(listener: Callable[[Pulse], None]) -> Iterator[None]:
 
 def heard() -> bool:
     """Return True if there is a listener."""
-    return _listener.get() is not None
+    return _listener.get() is not None or _progress.noted()
 
 
 def tell(pulse: Pulse) -> None:
     """Send progress to the listener."""
+    _progress.note(pulse.words if pulse.step < pulse.steps else "")
     listener = _listener.get()
     if listener is not None:
         listener(pulse)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from bondem._checks import count, instance, number
+from bondem._progress import staged
 from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.kernels.dynamic_relaxation import Relaxation, relax_bonds
@@ -25,6 +26,7 @@ _CHUNK = 2_000
 _TURNING = 20
 
 
+@staged("relaxation")
 def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_000) -> StaticResult:
     """Compute the equilibrium at any rotation under the loads and prescribed motions at the end of their schedules.
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import instance
+from bondem._progress import staged
 from bondem._types import Floats, PerBond, PerElement, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.model.model import Model
@@ -42,6 +43,7 @@ class StaticResult(Solution):
 
 
 @one_blas_thread
+@staged("static solution")
 def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult | None = None) -> StaticResult:
     """Compute the equilibrium under the loads and prescribed motions at the end of their schedules.
 

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._checks import choice, instance, number
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.specimen.cells.tessellation import tessellate
 from bondem.specimen.lattice import Lattice
@@ -21,6 +22,7 @@ _TOUCH = 1e-9
 _FAR, _MOST = 6.0, 500
 
 
+@staged("connecting")
 def connect(
     particles: Particles,
     *,

@@ -2,12 +2,15 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from bondem._checks import instance, shown
+from bondem._drawing import draw
 from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3, PerElement3
 from bondem.errors import DisconnectedError, InputError
 from bondem.specimen.cells.tables import Cells, Facets
@@ -101,6 +104,26 @@ class Lattice:
                 " bond over larger gaps (tolerance=, reach=) or model the pieces one by one"
             )
         return freeze(self.pieces == 0)
+
+    def plot(
+        self, path: str | Path | None = None, *, values: ArrayLike | None = None, label: str = "",
+        view: tuple[float, float] = (28.0, 24.0),
+    ) -> Any:  # fmt: skip
+        """Draw the elements as spheres, or cells as polyhedra, with coordinates.
+
+        Args:
+            path: PNG, PDF or SVG to write; nothing is written when None.
+            values: numbers that colour the elements, shape (n,); their sizes unless given.
+            label: name and unit of the values, for the scale.
+            view: azimuth and elevation of the camera [degree].
+
+        Returns:
+            A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
+
+        Raises:
+            InputError: values of another shape, a file that cannot be written, or a view that is not two angles.
+        """
+        return draw("draw_lattice", self, path, values=values, label=label, view=view)
 
     def on_face(self, name: str) -> Ints:
         """Return the free facets of a body on a face of its shape, as ascending indices into `cells.free`.

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
+from bondem._progress import reported
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.reach import recommend
 from bondem.io.atomic import write_text
@@ -30,6 +31,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import dilatation, mean_stress
+from bondem.report.curve_files import write_curves
 from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
 from bondem.solve.history import History
@@ -72,12 +74,11 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         PackingError: a packing did not reach its target.
         UnreachableTargetError: neither the bond law nor any recommended law gives the material's Poisson's ratio.
     """
-    with only_writer(Path(out), "output folder"):
-        return _carry_out(study, Path(out), progress)
+    with only_writer(Path(out), "output folder"), reported(progress) as tell:
+        return _carry_out(study, Path(out), tell)
 
 
-def _carry_out(study: Study, out: Path, progress: Progress | None) -> dict[str, Any]:
-    tell = progress or (lambda stage, share: None)
+def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
     if study.material is not None and study.bond.law is None and study.bond.cells is None:
         recommend(study.material.nu)  # raises before any work
     watch = _Watch()
@@ -101,8 +102,10 @@ def _carry_out(study: Study, out: Path, progress: Progress | None) -> dict[str, 
         citation=study.reference.citation if study.reference else "",
         published=study.reference.errors if study.reference else {},
         failures=study.failures,
+        source=study.source,
     )
     out.mkdir(parents=True, exist_ok=True)
+    results["curves"] = write_curves(findings, out)
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:

@@ -11,7 +11,7 @@ from typing import Any
 
 from bondem.errors import StudyError
 from bondem.labtests.strengths import STRENGTH_TESTS
-from bondem.study.study import TESTS, Study, parse_study, read_toml
+from bondem.study.study import TESTS, Study, parse_study, read_toml, source_of
 from bondem.study.toml_table import TomlTable
 
 # What a specimen of a programme says beside the keys of [specimen], and what a study has in their place.
@@ -50,10 +50,12 @@ class Programme:
     Attributes:
         name: title of the report.
         series: specimens, in the order of the file.
+        source: name and text of the study file, or None.
     """
 
     name: str
     series: tuple[Series, ...]
+    source: tuple[str, str] | None = None
 
     def __post_init__(self) -> None:
         folders = [one.folder for one in self.series]
@@ -92,7 +94,8 @@ def read(path: str | Path) -> Study | Programme:
             return parse_programme(data, folder=path.parent)
         return parse_study(data, folder=path.parent)
 
-    return read_toml(path, either)
+    found = read_toml(path, either)
+    return dataclasses.replace(found, source=source_of(path))
 
 
 def parse_programme(data: Mapping[str, Any], *, folder: Path = Path()) -> Programme:

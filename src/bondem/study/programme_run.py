@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import bondem
+from bondem._progress import reported
 from bondem.io.atomic import write_text
+from bondem.io.commit import commit
 from bondem.io.folder import only_writer
 from bondem.report.numbers import measures, with_unit
 from bondem.report.programme_page import Chapter, write_programme
@@ -40,25 +42,27 @@ def run_programme(
         InputError: the folder cannot be written to, another process writes to it, or a study is not feasible.
         UnstableRunError: a run became unstable. Results of finished specimens are kept.
     """
-    with only_writer(Path(out), "output folder"):
-        return _carry_out(programme, Path(out), fresh, progress)
+    with only_writer(Path(out), "output folder"), reported(progress) as tell:
+        return _carry_out(programme, Path(out), fresh, tell)
 
 
-def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress | None) -> dict[str, Any]:
+def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress) -> dict[str, Any]:
     found = {one.name: _results(one, out / one.folder, fresh, progress) for one in programme.series}
     rows = [row for one in programme.series for row in _rows(one, found[one.name])]
     study = programme.series[0].study
     assert study.material is not None
     failing = [one.study for one in programme.series if one.study.failure is not None]
     chapters = [_chapter(one, found[one.name]) for one in programme.series]
-    results = {"programme": programme.name, "rows": rows, "specimens": found, "version": bondem.__version__}
+    results = {"programme": programme.name, "rows": rows, "specimens": found, "version": bondem.__version__,
+               "commit": commit()}  # fmt: skip
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     failures = failing[0].failures if failing else {}
-    write_programme(programme.name, study.material, failures, rows, chapters, out, figures=study.figures)
+    write_programme(programme.name, study.material, failures, rows, chapters, out, figures=study.figures,
+                    source=programme.source)  # fmt: skip
     return results
 
 
-def _results(series: Series, folder: Path, fresh: bool, progress: Progress | None) -> dict[str, Any]:
+def _results(series: Series, folder: Path, fresh: bool, progress: Progress) -> dict[str, Any]:
     """Results of a specimen: stored ones with equal inputs and code, or new ones."""
     inputs = _inputs(series)
     if not fresh and _read(folder / _FINISHED) == {"inputs": inputs}:
@@ -68,8 +72,7 @@ def _results(series: Series, folder: Path, fresh: bool, progress: Progress | Non
     (folder / _FINISHED).unlink(missing_ok=True)
 
     def tell(stage: str, share: float) -> None:
-        if progress is not None:
-            progress(f"{series.name}: {stage}", share)
+        progress(f"{series.name}: {stage}", share)
 
     run_study(series.study, folder, progress=tell)
     write_text(folder / _FINISHED, json.dumps({"inputs": inputs}) + "\n")

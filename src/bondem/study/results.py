@@ -11,10 +11,11 @@ from bondem import __version__
 from bondem.fracture.cracks import cracks
 from bondem.fracture.fragments import fragments
 from bondem.fracture.lost_area import lost_area
+from bondem.io.commit import commit
 from bondem.labtests.outcome import Outcome
 from bondem.laws.bond import BondLaw
-from bondem.report.breakage_figures import CRACKED
 from bondem.report.findings import Bonding, Examined
+from bondem.report.strength_figures import CRACKED
 from bondem.study.study import Study
 
 _COMMON = {item.name for item in fields(BondLaw)}
@@ -35,6 +36,7 @@ def collect(
         "tests": {name: _test(name, specimens) for name in study.tests},
         "timing": timing,
         "version": __version__,
+        "commit": commit(),
         "seed": study.seed,
         "packings": [_packing(one, k < calibrating) for k, one in enumerate(specimens)],
     })  # fmt: skip

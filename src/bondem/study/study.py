@@ -90,6 +90,7 @@ class Study:
         packing_files: True to write every packing with its bonds as a particle file.
         reference: published values, or None.
         aggregates: aggregates in the material, which is their matrix, or None.
+        source: name and text of the study file, or None.
     """
 
     name: str
@@ -108,6 +109,7 @@ class Study:
     packing_files: bool = False
     reference: Reference | None = None
     aggregates: AggregatePlan | None = None
+    source: tuple[str, str] | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= self.calibrating <= self.packings:
@@ -205,7 +207,12 @@ def read_study(path: str | Path) -> Study:
             raise StudyError(f"'{path}' has [[specimens]] and is a test programme; give a file with one [specimen]")
         return parse_study(data, folder=path.parent)
 
-    return read_toml(path, one)
+    return dataclasses.replace(read_toml(path, one), source=source_of(path))
+
+
+def source_of(path: Path) -> tuple[str, str]:
+    """Name and text of a study file, for its report."""
+    return path.name, path.read_text(encoding="utf-8-sig", errors="replace")
 
 
 def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
