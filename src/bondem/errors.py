@@ -81,6 +81,10 @@ class IncompressibleWarning(UserWarning):
     """Cells of a Poisson's ratio so near to ½ that a body that cannot bulge is too soft."""
 
 
+class UnprotectedClusterWarning(UserWarning):
+    """A Dask scheduler on another machine is used without TLS, so that anyone in its network can send it code."""
+
+
 class UnstableRunError(BondemError):
     """A run on which a result depends became unstable."""
 
