@@ -71,6 +71,7 @@ def test_any_decimal_number_is_rounded_once(digits, exponent, unit):
         ("5 parsec", "m", "'parsec' is not known"),
         ("72,5 GPa", "Pa", "',5 GPa' is not known"),
         ("72.5 Gpa", "Pa", "'Gpa' is not known"),
+        ("30,5 mm", "m", "has a comma; write decimals with a point"),
         ("GPa", "Pa", "no number with a unit"),
         ("nan Pa", "Pa", "no number with a unit"),
         ("", "m", "no number with a unit"),

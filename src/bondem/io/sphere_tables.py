@@ -11,6 +11,7 @@ import numpy as np
 from bondem._checks import shown
 from bondem._types import Floats, Pairs, PerElement, PerElement3
 from bondem.errors import InputError
+from bondem.io.text_file import read_text
 
 _WANTED = ("x", "y", "z", "r")
 # Names others give these columns, in small letters and without units in brackets; d is halved.
@@ -44,12 +45,12 @@ class RawSpheres:
 def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
     """The lines of a text file that are not empty, stripped, with their numbers from 1."""
     try:
-        with open(path, encoding="utf-8-sig") as file:
-            for number, line in enumerate(file, start=1):
-                if stripped := line.strip():
-                    yield number, stripped
+        text = read_text(path)
     except UnicodeDecodeError:
         raise InputError(f"'{path}' is not a text file; give spheres in a format its suffix stands for") from None
+    for number, line in enumerate(text.split("\n"), start=1):
+        if stripped := line.strip():
+            yield number, stripped
 
 
 def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:

@@ -1,0 +1,23 @@
+"""Text files as editors of all systems save them."""
+
+import codecs
+from pathlib import Path
+
+# Marks at the beginning of a file, and the encoding that each stands for.
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+
+
+def read_text(path: Path) -> str:
+    """Text of a file, UTF-8 unless a byte-order mark says UTF-16, with "\\n" at the ends of lines.
+
+    Raises:
+        OSError: the file cannot be read.
+        UnicodeDecodeError: it is in another encoding.
+    """
+    data = path.read_bytes()
+    encoding = next((name for mark, name in _MARKS if data.startswith(mark)), "utf-8")
+    return data.decode(encoding).replace("\r\n", "\n").replace("\r", "\n")
