@@ -11,13 +11,22 @@ _MARKS = (
 )
 
 
+def encoding_of(path: Path) -> str:
+    """Encoding of a text file: UTF-8 unless a byte-order mark says UTF-16.
+
+    Raises:
+        OSError: the file cannot be read.
+    """
+    with open(path, "rb") as file:
+        start = file.read(4)
+    return next((name for mark, name in _MARKS if start.startswith(mark)), "utf-8")
+
+
 def read_text(path: Path) -> str:
-    """Text of a file, UTF-8 unless a byte-order mark says UTF-16, with "\\n" at the ends of lines.
+    """Text of a file, UTF-8 unless a byte-order mark says UTF-16, with Unix ends of lines.
 
     Raises:
         OSError: the file cannot be read.
         UnicodeDecodeError: it is in another encoding.
     """
-    data = path.read_bytes()
-    encoding = next((name for mark, name in _MARKS if data.startswith(mark)), "utf-8")
-    return data.decode(encoding).replace("\r\n", "\n").replace("\r", "\n")
+    return path.read_bytes().decode(encoding_of(path)).replace("\r\n", "\n").replace("\r", "\n")

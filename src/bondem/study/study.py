@@ -216,6 +216,7 @@ def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
     Raises:
         StudyError: no such file, not TOML, or what the function raises.
     """
+    text = ""
     try:
         text = read_text(path)
         data = tomllib.loads(text)
@@ -225,7 +226,7 @@ def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
         line = error.object.count(b"\n", 0, error.start) + 1
         raise StudyError(f"study '{path}', line {line}: the text is not UTF-8; save it with that encoding") from None
     except (tomllib.TOMLDecodeError, RecursionError) as error:
-        advice = "mend it there" if text.isascii() or not _CURLY & {*text} else 'texts need straight quotes: "granite"'
+        advice = 'texts need straight quotes: "granite"' if _CURLY & {*text} else "mend it there"
         raise StudyError(f"study '{path}' is not valid TOML: {error}; {advice}") from None
     try:
         return parse(data)
