@@ -126,12 +126,165 @@ def test_csv_errors_name_file_and_line(write, text, message):
         bd.read_particles(write("bad.csv", text))
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0;0;0;0,5\n1;0,1;0;0,4\n",
+        "x;y;z;r;\n0;0;0;0,5;\n1;0,1;0;0,4;\n",
+        "0\t0\t0\t0,5\n1\t0,1\t0\t0,4\n",
+        "0 0 0 0,5\n1 0,1 0 0,4\n",
+        '"x","y","z","r"\n"0","0","0","0,5"\n"1","0,1","0","0,4"\n',
+    ],
+)
+def test_csv_decimals_with_commas(write, text):
+    assert same(bd.read_particles(write("comma.csv", text)), CENTRE[:2] * [[1, 1, 1]], RADIUS[:2])
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("1,0,0,0,1\n2,3,0,0,1\n", r"line 1: 5 columns where 4 are known; name all.* in a header, pass columns="),
+        ("0,5,0,0,0,0,0,5\n", r"line 1: 8 columns where 4 are known.*decimals with a point"),
+        ("x,y,z,r\n0,5,1,5,2,5,0,5\n", r"line 2: 8 columns where 4 are known.*decimals with a point"),
+        ("x;y;z;r\n0;0;0;1.000,5\n", r"'1.000,5' is not a number"),
+        ("x;y;z;r\n1,5;0;0;0.5\n", "with commas and with points"),
+    ],
+)
+def test_csv_that_would_be_misread_is_refused(write, text, message):
+    with pytest.raises(InputError, match=message):
+        bd.read_particles(write("odd.csv", text))
+
+
+@pytest.mark.parametrize(
+    ("text", "options"),
+    [
+        ("x [mm],y [mm],z [mm],r [mm]\n0,0,0,1\n2,0,0,1\n", {}),
+        ("x_mm;y_mm;z_mm;radius_mm\n0;0;0;1\n2;0;0;1\n", {}),
+        ("x [m] y [m] z [m] Diameter [mm]\n0 0 0 2\n2e-3 0 0 2\n", {}),
+        ("X (mm),Y,Z,Dia\n0,0,0,2\n2,0,0,2\n", {}),
+        ("# id x y z r\n7 0 0 0 1\n8 2 0 0 1\n", {"unit": "mm"}),
+        ("a,b,c,diameter\n0,0,0,2\n2,0,0,2\n", {"unit": "mm", "columns": ("a", "b", "c", "diameter")}),
+        ("0 0 0 2\n2 0 0 2\n", {"unit": "mm", "diameters": True}),
+        ("x [px],y [px],z [px],r [px]\n0,0,0,1\n2,0,0,1\n", {"unit": 1e-3}),
+    ],
+)
+def test_csv_units_and_diameters_of_headers(write, text, options):
+    particles = bd.read_particles(write("mm.csv", text), **options)
+    np.testing.assert_allclose(particles.position, [[0, 0, 0], [2e-3, 0, 0]], rtol=1e-15)
+    np.testing.assert_allclose(particles.radius, 1e-3, rtol=1e-15)
+
+
+def test_units_of_headers_that_do_not_fit_are_refused(write):
+    path = write("px.csv", "x [px],y [px],z [px],r [px]\n0,0,0,1\n")
+    with pytest.raises(InputError, match=r"\[px\] of column 'x' is no unit of length.*give unit="):
+        bd.read_particles(path)
+    path = write("mm.csv", "x [mm],y [mm],z [mm],r [mm]\n0,0,0,1\n")
+    with pytest.raises(InputError, match=r"unit = 'm', but .* says that its unit is 0.001 m"):
+        bd.read_particles(path, unit="m")
+    path = write("two.csv", "x [mm],y [mm],z,r [m]\n0,0,0,1\n")
+    with pytest.raises(InputError, match="of two units, and one without"):
+        bd.read_particles(path)
+
+
+def test_tables_of_windows_editors_read_alike(tmp_path):
+    for k, encoding in enumerate(("utf-8-sig", "utf-16")):
+        path = tmp_path / f"{k}.csv"
+        path.write_bytes(("x,y,z,r\r\n" + table(",").replace("\n", "\r\n")).encode(encoding))
+        assert same(bd.read_particles(path))
+
+
+def dump(columns="id type x y z radius", borders="ff ff ff", scale=1.0):
+    box = "-1 5\n-2 4\n-3 3\n"
+    frames = []
+    for step, moved in ((0, 7.0), (10, 0.0)):
+        rows = "".join(
+            f"{10 + k} 1 {' '.join(repr(float(v)) for v in CENTRE[k] + moved)} {float(RADIUS[k] * scale)!r}\n"
+            for k in (2, 0, 3, 1)
+        )
+        head = f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS {borders}\n{box}"
+        frames.append(f"{head}ITEM: ATOMS {columns}\n{rows}")
+    return "".join(frames)
+
+
+def test_lammps_dumps(write):
+    path = write("dump.beam", dump())
+    assert same(bd.read_particles(path))
+    assert same(bd.read_particles(path, frame=0), CENTRE + 7.0)
+    assert same(bd.read_particles(path, frame=-2), CENTRE + 7.0)
+    assert same(bd.read_particles(write("d.dump", dump("id type xu yu zu diameter", scale=2.0))))
+    assert same(bd.read_particles(write("n.dump", dump("id type x y z c_size")), radius="c_size"))
+    assert same(bd.read_particles(write("o.lammpstrj", dump("id type x y z q")), radius=0.3), radius=np.full(4, 0.3))
+    cell = bd.read_particles(write("p.dump", dump(borders="pp pp pp")))
+    np.testing.assert_array_equal(cell.period, [6.0, 6.0, 6.0])
+    np.testing.assert_allclose(cell.position, CENTRE + np.array([1.0, 2.0, 3.0]))
+    assert bd.read_particles(write("p.dump", dump(borders="pp pp pp")), periodic=False).period is None
+    units = bd.read_particles(write("u.dump", "ITEM: UNITS\nmicro\n" + dump()))
+    np.testing.assert_allclose(units.position, 1e-6 * CENTRE)
+    scaled = dump("id type xs ys zs radius").replace("-1 5\n-2 4\n-3 3", "0 2\n0 2\n0 2")
+    np.testing.assert_allclose(bd.read_particles(write("s.dump", scaled)).position, 2.0 * CENTRE)
+
+
+@pytest.mark.parametrize(
+    ("text", "options", "message"),
+    [
+        (dump("id type x y z q"), {}, r"line 22: no column radius or diameter among id .* q; dump it, or give"),
+        (dump("id type a b c radius"), {}, "no columns x y z among"),
+        (dump(), {"frame": 5}, "frame = 5: .* has 2 snapshots; give one from 0 to 1"),
+        (dump().replace("-1 5", "-1 5 0.3"), {"periodic": True}, "the box is tilted"),
+        (dump()[:-20], {}, "columns where ITEM: ATOMS names 6"),
+        (dump().replace("13 1", "12 1"), {}, "two atoms of id 12"),
+        ("nothing\n", {}, "no ITEM: TIMESTEP"),
+    ],
+)
+def test_lammps_dumps_that_do_not_fit(write, text, options, message):
+    with pytest.raises(InputError, match=message):
+        bd.read_particles(write("bad.dump", text), **options)
+
+
+def xyz(comment="", scale=1.0):
+    sized = zip(CENTRE, RADIUS * scale, strict=True)
+    rows = "".join(f"Si {' '.join(repr(float(v)) for v in x)} {float(r)!r}\n" for x, r in sized)
+    return f"4\n{comment}\n{rows}"
+
+
+def test_xyz_plain_and_extended(write):
+    assert same(bd.read_particles(write("p.xyz", xyz()), columns=(1, 2, 3, 4)))
+    assert same(bd.read_particles(write("d.xyz", xyz(scale=2.0)), columns=(1, 2, 3, 4), diameters=True))
+    assert same(bd.read_particles(write("o.xyz", xyz("Atoms. Timestep: 0")), radius=0.3), radius=np.full(4, 0.3))
+    said = "Properties=species:S:1:pos:R:3:radius:R:1"
+    assert same(bd.read_particles(write("e.xyz", xyz(said))))
+    assert same(bd.read_particles(write("f.extxyz", xyz(said.replace("radius", "diameter"), 2.0))))
+    two = bd.read_particles(write("t.xyz", xyz(said).replace("Si 0.0", "Si 0.25") + xyz(said)), frame=0)
+    assert two.position[0, 0] == 0.25
+    cell = write("c.xyz", xyz(f'Lattice="6 0 0 0 6 0 0 0 6" {said} pbc="T T T"'))
+    np.testing.assert_array_equal(bd.read_particles(cell).period, [6.0, 6.0, 6.0])
+    assert bd.read_particles(cell, periodic=False).period is None
+
+
+@pytest.mark.parametrize(
+    ("text", "options", "message"),
+    [
+        (xyz(), {}, r"does not say where radii are; give columns= \(1, 2, 3, 4\).* or radius="),
+        (xyz("Properties=species:S:1:pos:R:3:mass:R:1"), {}, "no property radius among species, pos, mass"),
+        (xyz()[:-20], {"radius": 0.1}, "complete"),
+        ("four\n\n", {"radius": 0.1}, "line 1: 'four' where the number of atoms is due"),
+        (xyz(), {"columns": (1, 2, 3, "r")}, "four numbers from 0"),
+        (xyz('Lattice="6 1 0 0 6 0 0 0 6"'), {"radius": 0.1, "periodic": True}, "no cell with edges along the axes"),
+    ],
+)
+def test_xyz_that_does_not_fit(write, text, options, message):
+    with pytest.raises(InputError, match=message):
+        bd.read_particles(write("bad.xyz", text), **options)
+
+
 def test_yade_text_plain_and_periodic(write):
     assert same(bd.read_particles(write("export.txt", "#format x_y_z_r\n" + table())))
     assert same(bd.read_particles(write("ext.txt", "#format x_y_z_r_matId\n" + table().replace("\n", " 0\n"))))
     rows = "1 1 1 0.5 -1\n2 1 1 0.5 -1\n"
     periodic = bd.read_particles(write("pack.txt", "##PERIODIC:: 4 5 6\n" + rows))
     np.testing.assert_array_equal(periodic.period, [4.0, 5.0, 6.0])
+    with pytest.raises(InputError, match=r"line 1: 5 columns without a line #format, and the fifth, 0\.5"):
+        bd.read_particles(write("id.txt", "1 0 0 0 0.5\n2 0 0 3 0.5\n"))
     with pytest.raises(InputError, match="line 1: the format does not begin"):
         bd.read_particles(write("bad.txt", "#format id_x_y_z_r\n"))
 
@@ -178,6 +331,56 @@ def test_lammps_bonds_over_the_border_need_the_periodic_cell(write):
     np.testing.assert_allclose(bd.read_lattice(path, periodic=True).length, 1.0)
 
 
+@pytest.mark.parametrize("n", [3, 4, 5, 6])
+def test_bonds_over_the_border_are_refused_in_narrow_cells_too(write, n):
+    x = np.argwhere(np.ones((n, n, n))) + 0.5
+    apart = x[:, None] - x[None]
+    near = np.argwhere(np.triu(np.linalg.norm(apart - n * np.rint(apart / n), axis=2) < 1.001, 1))
+    atoms = "".join(f"{k} 1 1.0 1 {a} {b} {c}\n" for k, (a, b, c) in enumerate(x, start=1))
+    ends = "".join(f"{k} 1 {i + 1} {j + 1}\n" for k, (i, j) in enumerate(near, start=1))
+    box = "".join(f"0 {n} {axis}lo {axis}hi\n" for axis in "xyz")
+    path = write("cell.data", f"\n\n{box}\nAtoms # sphere\n\n{atoms}\nBonds\n\n{ends}")
+    with pytest.raises(InputError, match=rf"across half the specimen \({3 * n * n} such bonds\)"):
+        bd.read_lattice(path)
+    if n > 3:  # below two diameters of the largest no cell is periodic
+        np.testing.assert_allclose(bd.read_lattice(path, periodic=True).length, 1.0)
+
+
+def test_long_bonds_within_a_small_body_are_read(write):
+    """Second neighbours of three in a row reach across, too."""
+    x = np.argwhere(np.ones((3, 3, 3))).astype(float)
+    near = np.argwhere(np.triu(np.linalg.norm(x[:, None] - x[None], axis=2) < 2.001, 1))
+    atoms = "".join(f"{k} 1 1.0 1 {a} {b} {c}\n" for k, (a, b, c) in enumerate(x, start=1))
+    ends = "".join(f"{k} 1 {i + 1} {j + 1}\n" for k, (i, j) in enumerate(near, start=1))
+    path = write("reach.data", f"\n\nAtoms # sphere\n\n{atoms}\nBonds\n\n{ends}")
+    assert len(bd.read_lattice(path).pairs) == len(near)
+
+
+@pytest.mark.parametrize(
+    ("head", "velocities", "words"),
+    [
+        ("LAMMPS data file via write_data, version 2 Aug 2023, timestep = 5000, units = si", "", "of timestep 5000"),
+        ("LAMMPS data file", "\nVelocities\n\n10 0 0 -1 0 0 0\n", "velocities, which are not read"),
+        ("LAMMPS data file via write_data, version 2 Aug 2023, timestep = 0, units = si", "", ""),
+    ],
+)
+def test_strained_lammps_data_are_read_with_a_warning(write, head, velocities, words):
+    text = lammps("sphere").replace("LAMMPS data file", head).replace("\nVelocities\n\n10 0 0 0 0 0 0\n", velocities)
+    path = write("strained.data", text)
+    if words:
+        with pytest.warns(bd.errors.StressFreeWarning, match=f"{words}.* free of stress"):
+            bd.read_lattice(path)
+    else:
+        bd.read_lattice(path)
+    assert bd.read_particles(path) is not None  # spheres without bonds have no stress to lose
+
+
+def test_units_of_write_data_are_taken(write):
+    head = "LAMMPS data file via write_data, version 2 Aug 2023, timestep = 0, units = micro"
+    path = write("micro.data", lammps("sphere").replace("LAMMPS data file", head))
+    np.testing.assert_allclose(bd.read_particles(path).position, 1e-6 * CENTRE)
+
+
 @pytest.mark.parametrize(
     ("edit", "message"),
     [
@@ -204,6 +407,13 @@ def test_vtkhdf_of_our_own_comes_back_with_its_bonds(tmp_path):
     np.testing.assert_array_equal(lattice.pairs, PAIRS)
 
 
+def test_a_strained_vtkhdf_is_read_with_a_warning(tmp_path):
+    lattice = bd.Lattice(bd.Particles(CENTRE, RADIUS), PAIRS)
+    bd.write_vtkhdf(tmp_path / "strained.vtkhdf", lattice, elements={"displacement": 0.01 * CENTRE})
+    with pytest.warns(bd.errors.StressFreeWarning, match="its elements have displacements"):
+        bd.read_lattice(tmp_path / "strained.vtkhdf")
+
+
 @pytest.mark.parametrize("suffix", ["vtk", "vtp", "vtu"])
 def test_vtk_points_with_radii(tmp_path, suffix):
     pv = pytest.importorskip("pyvista")
@@ -224,7 +434,7 @@ def test_without_vtk_the_message_says_what_to_install(write, monkeypatch):
 
 
 def test_an_unknown_suffix_lists_the_known_ones(write):
-    with pytest.raises(InputError, match=r"'.xyz' files; known are \.h5"):
-        bd.read_particles(write("spheres.xyz", ""))
+    with pytest.raises(InputError, match=r"'.stp' files; known are \.h5"):
+        bd.read_particles(write("spheres.stp", ""))
     with pytest.raises(InputError, match="there is no file"):
         bd.read_particles("nowhere.csv")

@@ -69,6 +69,10 @@ class FillingWarning(UserWarning):
     """Particles that do not fill the shape they are said to fill, or stick out of it."""
 
 
+class StressFreeWarning(UserWarning):
+    """Bonds of a strained body are read from a file without their lengths at rest, and become free of stress."""
+
+
 class ThinBodyWarning(UserWarning):
     """A body of cells that is one cell thick somewhere: there it bends too softly or resists no twist."""
 

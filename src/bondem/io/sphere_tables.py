@@ -1,5 +1,6 @@
 """Spheres from tables of text: CSV, and what Yade writes."""
 
+import csv
 import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -47,7 +48,7 @@ def read_csv(
     words = _words(text, separator)
     header, place = None, number
     rows: list[tuple[int, list[str]]] = []
-    if all(_is_number(word, separator) for word in words):
+    if all(_is_number(word) for word in words):
         rows.append((number, words))
         if comment is not None:
             place, text = comment
@@ -58,7 +59,11 @@ def read_csv(
     rows.extend((number, _words(text, separator)) for number, text in lines if not text.startswith("#"))
     chosen = choose(path, place, header, columns, unit_given=unit_given)
     most = len(header) if header is not None else 4 if columns is None else None
-    return _spheres(path, [_row(path, k, row, separator, chosen, most) for k, row in rows], chosen, diameters)
+    spheres = _spheres(path, [_row(path, k, row, chosen, most) for k, row in rows], chosen, diameters)
+    marks = {mark for _, row in rows for k in chosen.columns for mark in ".," if mark in row[k]}
+    if len(marks) > 1:
+        raise InputError(f"'{path}' has numbers with commas and with points; write all decimals with a point")
+    return spheres
 
 
 def read_yade(path: Path, *, diameters: bool = False) -> RawSpheres:
@@ -72,7 +77,7 @@ def read_yade(path: Path, *, diameters: bool = False) -> RawSpheres:
     for number, text in numbered_lines(path):
         words = text.split()
         if words[0] == "##PERIODIC::":
-            period = np.array(_row(path, number, words[1:], None, Chosen((0, 1, 2)), None))
+            period = np.array(_row(path, number, words[1:], Chosen((0, 1, 2))))
         elif words[0] == "#format":
             said = True
             if not "_".join(words[1:]).startswith("x_y_z_r"):
@@ -80,10 +85,10 @@ def read_yade(path: Path, *, diameters: bool = False) -> RawSpheres:
         elif not text.startswith("#"):
             if not said and len(words) > 4 and not re.fullmatch(r"-?\d+", words[4]):
                 raise InputError(
-                    f"'{path}', line {number}: {len(words)} columns without a line #format, and the fifth, {words[4]},"
-                    " is no number of a clump; write x y z r only, or give .csv with a header"
+                    f"'{path}', line {number}: {len(words)} columns without a line #format, and the fifth,"
+                    f" {words[4]}, is no number of a clump; write x y z r only, or give .csv with a header"
                 )
-            rows.append(_row(path, number, words, None, chosen, None))
+            rows.append(_row(path, number, words, chosen))
     return _spheres(path, rows, chosen, diameters, period)
 
 
@@ -101,26 +106,26 @@ def _separator(text: str) -> str | None:
 
 def _words(text: str, separator: str | None) -> list[str]:
     plain = text.split("#")[0].strip()
-    words = _BLANKS.split(plain) if separator is None else plain.split(separator)
+    words = _BLANKS.split(plain) if separator is None else next(csv.reader([plain], delimiter=separator))
     while words and not words[-1].strip():  # a separator at the end of the line
         words.pop()
     return [word.strip().strip("\"'") for word in words]
 
 
-def _with_point(word: str, separator: str | None) -> str:
-    return word.replace(",", ".") if separator != "," and _DECIMAL_COMMA.fullmatch(word) else word
+def _with_point(word: str) -> str:
+    return word.replace(",", ".") if _DECIMAL_COMMA.fullmatch(word) else word
 
 
-def _is_number(word: str, separator: str | None) -> bool:
+def _is_number(word: str) -> bool:
     try:
-        float(_with_point(word, separator))
+        float(_with_point(word))
     except ValueError:
         return False
     return True
 
 
 def _row(
-    path: Path, line: int, words: Sequence[str], separator: str | None, chosen: Chosen, most: int | None
+    path: Path, line: int, words: Sequence[str], chosen: Chosen, most: int | None = None
 ) -> list[float]:
     """The chosen numbers of a line; the last is a size.
 
@@ -128,7 +133,6 @@ def _row(
         path: the file, for messages.
         line: its number.
         words: those of the line.
-        separator: what stands between them.
         chosen: columns to take.
         most: columns of a line at most, or None.
 
@@ -145,7 +149,7 @@ def _row(
             f"'{path}', line {line}: {len(words)} columns where {most} are known; name all of them in a header, pass"
             " columns= with the numbers of x, y, z and radius, and write decimals with a point"
         )
-    row = floats(path, line, [_with_point(words[k], separator) for k in chosen.columns])
+    row = floats(path, line, [_with_point(words[k]) for k in chosen.columns])
     if row[-1] <= 0.0:
         raise InputError(f"'{path}', line {line}: {row[-1]:g} is no size; give a positive one or remove the line")
     return row
