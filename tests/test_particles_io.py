@@ -176,7 +176,7 @@ def test_csv_units_and_diameters_of_headers(write, text, options):
 
 def test_units_of_headers_that_do_not_fit_are_refused(write):
     path = write("px.csv", "x [px],y [px],z [px],r [px]\n0,0,0,1\n")
-    with pytest.raises(InputError, match=r"\[px\] of column 'x' is no unit of length.*give unit="):
+    with pytest.raises(InputError, match=r"\[px\] of column 'x' is no known unit of length.*give unit="):
         bd.read_particles(path)
     path = write("mm.csv", "x [mm],y [mm],z [mm],r [mm]\n0,0,0,1\n")
     with pytest.raises(InputError, match=r"unit = 'm', but .* says that its unit is 0.001 m"):

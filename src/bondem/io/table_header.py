@@ -100,7 +100,7 @@ def choose(
     unknown = next((column for column in used if column.unknown), None)
     if unknown is not None and not unit_given:
         raise InputError(
-            f"'{path}', line {line}: [{unknown.unknown}] of column '{unknown.name}' is no unit of length we know; give"
+            f"'{path}', line {line}: [{unknown.unknown}] of column '{unknown.name}' is no known unit of length; give"
             " unit=, such as 'mm'"
         )
     units = {column.unit for column in used}

@@ -12,6 +12,7 @@ import numpy as np
 from bondem._checks import array, place
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
 from bondem.errors import InputError, UnitWarning
+from bondem.specimen.closed_surface import closed_surface
 from bondem.specimen.shape import Shape
 from bondem.specimen.triangles import Triangles
 from bondem.specimen.units import length_unit
@@ -22,8 +23,6 @@ _SUFFIXES = (".stl", ".ply")
 # Longest specimen taken for metres without being told so, with a warning and without [m].
 _PLAUSIBLE, _USUAL = 10.0, 1.0
 
-_FARTHEST = 1e30  # of a vertex [m]: beyond, volumes are no numbers any more
-
 # How far from a side of the bounding box a facet may lie to be part of that face, over the size of the box;
 # STL files keep seven digits.
 _FLUSH = 1e-6
@@ -33,14 +32,17 @@ _FLUSH = 1e-6
 class Surface(Shape):
     """What a closed triangulated surface encloses: `Surface("part.stl", unit="mm")`.
 
-    Facets in a side of the bounding box are the faces "x_min" … "z_max", all others "side".
+    Facets in a side of the bounding box are the faces "x_min" … "z_max", all others "side". Corners that several
+    solids of a file name, and triangles that are there twice, are made one. Solids must keep apart: those that
+    overlap are joined as two surfaces, `bd.Surface(…) | bd.Surface(…)`. A cavity faces inwards.
 
     Attributes:
         vertices: corners [m], (v, 3).
         triangles: the corners of each triangle, counter-clockwise seen from outside, (t, 3).
 
     Raises:
-        InputError: no such file, another format, a size that cannot be metres, or a surface that is not closed.
+        InputError: no such file, another format, a size that cannot be metres, a surface that is not closed, or
+            solids that overlap.
 
     Warns:
         UnitWarning: a file of more than a metre without a unit.
@@ -74,7 +76,7 @@ class Surface(Shape):
             x, t = _arrays(vertices, triangles)
         else:
             raise InputError("Surface needs a file, or both vertices= and triangles=")
-        t = _checked(name, x, t)
+        x, t = closed_surface(name, x, t)
         size = float(np.ptp(x, axis=0).max())
         if file is not None and scale is None and size > _PLAUSIBLE:
             raise InputError(
@@ -85,7 +87,7 @@ class Surface(Shape):
                 f"{name} is taken to be {size:.4g} m long; give unit='m' if it is, or unit='mm' if it is millimetres",
                 UnitWarning, stacklevel=2,
             )  # fmt: skip
-        x *= 1.0 if scale is None else scale
+        x = x * (1.0 if scale is None else scale)
         for key, values in (("vertices", x), ("triangles", t)):
             values.setflags(write=False)
             object.__setattr__(self, key, values)
@@ -210,30 +212,3 @@ def _read(file: Path) -> tuple[Floats, Ints]:
         return np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)
     except Exception as error:  # whatever a parser trips over
         raise InputError(f"{file} cannot be read as {file.suffix[1:].upper()} ({error}); export it again") from error
-
-
-def _checked(name: str, vertices: Floats, triangles: Ints) -> Ints:
-    """The triangles, without those that have no area, all facing outwards."""
-    if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
-        raise InputError(f"{name}: vertices {vertices.shape} and triangles {triangles.shape} are no (v, 3), (t, 3)")
-    if not np.isfinite(vertices).all() or np.abs(vertices).max(initial=0.0) > _FARTHEST:
-        raise InputError(f"{name} has a vertex that is not finite, or beyond all measure; export it again")
-    if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
-        raise InputError(f"{name}: triangles name vertices that are not there; count them from 0")
-    triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
-    if len(triangles) < 4:
-        raise InputError(f"{name} has {len(triangles)} triangles; a closed surface has at least four")
-    edge = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
-    there = np.unique(edge, axis=0, return_counts=True)
-    back = np.unique(edge[:, ::-1], axis=0)
-    if there[1].max() > 1 or not np.array_equal(there[0], back):
-        ends = np.unique(np.sort(edge, axis=1), axis=0, return_counts=True)[1]
-        wrong = int((ends % 2 == 1).sum())
-        if wrong:
-            raise InputError(f"{name} is not watertight: {wrong} edges have one triangle only; close the surface")
-        raise InputError(f"{name}: its triangles do not all face the same way; repair the normals and export again")
-    a, b, c = np.moveaxis(vertices[triangles] - vertices.mean(axis=0), 1, 0)
-    volume = float(np.einsum("ni,ni->", a, np.cross(b, c))) / 6.0
-    if abs(volume) <= 1e-12 * float(np.ptp(vertices, axis=0).max()) ** 3:
-        raise InputError(f"{name} encloses no volume; close the surface")
-    return triangles if volume > 0.0 else np.ascontiguousarray(triangles[:, ::-1])
