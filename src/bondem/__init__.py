@@ -7,6 +7,8 @@ package costs nothing. What type checkers and editors see is `__init__.pyi`, whi
 import importlib
 from typing import Any
 
+from bondem import _forking as _forking
+
 __version__ = "0.1.0"
 
 _PUBLIC = {

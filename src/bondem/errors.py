@@ -93,6 +93,10 @@ class UnstableRunError(BondemError):
     """A run on which a result depends became unstable."""
 
 
+class ForkError(BondemError):
+    """A process forked after bondem had used threads asks for a threaded loop, which cannot run there."""
+
+
 class StudyError(InputError):
     """A study file names something unknown or leaves out something needed."""
 
