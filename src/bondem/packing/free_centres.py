@@ -49,7 +49,7 @@ def thrown_free(
     raise InputError("pack: surfaces of around= leave no room for other cells; ask for more and smaller cells")
 
 
-def settled(
+def settled_free(
     shape: Shape,
     pins: PerElement3,
     free: PerElement3,

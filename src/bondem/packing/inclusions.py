@@ -18,7 +18,7 @@ from bondem._checks import instance, number
 from bondem._types import Floats, PerElement3
 from bondem.errors import InputError, PackingError
 from bondem.packing.even import usual_radius
-from bondem.packing.free_centres import MARGIN, settled, thrown_free
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
 from bondem.packing.sizes import Sieve
 from bondem.packing.start import thrown
 from bondem.specimen.aggregates import Aggregates
@@ -140,7 +140,7 @@ def around_balls(
     if free < len(radius):
         raise InputError(f"pack: {count} cells are all taken by the surfaces of {len(radius)} balls; ask for more")
     free_centres = thrown_free(shape, free, lambda x: np.abs(balls.depth(x)), _CLEAR * h, h, random)
-    x = settled(shape, pins, free_centres, h, told)
+    x = settled_free(shape, pins, free_centres, h, told)
     return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
 
 

@@ -17,7 +17,7 @@ from scipy.spatial import KDTree
 from bondem._types import PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.packing.even import kept_inside, usual_radius
-from bondem.packing.free_centres import MARGIN, settled, thrown_free
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
 from bondem.packing.graded import nearest_others, pushed
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.geometry import Shape
@@ -86,7 +86,7 @@ def around_surfaces(
         raise InputError(f"pack: {count} cells are all taken by the surfaces of around=; ask for more")
     nearest = partial(_nearest, sided)
     free = thrown_free(shape, count - len(pins), nearest, _CLEAR * h, h, random)
-    x = settled(shape, pins, free, h, told, nearest=nearest, clear=_CLEAR * h)
+    x = settled_free(shape, pins, free, h, told, nearest=nearest, clear=_CLEAR * h)
     return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
 
 
