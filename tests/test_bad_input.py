@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.campaign.sweep import is_campaign
 from bondem.errors import BondemError, DisconnectedError, EmptyRegionError, InputError, StudyError, UnstableStepError
-from bondem.study.study import parse_study
+from bondem.study.study import parse_study, read_study
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "silica.toml"
 LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
@@ -144,6 +145,29 @@ def test_a_bad_study_names_the_key(tmp_path, old, new, key, advice):
     assert key in str(caught.value)
     assert advice in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+@pytest.mark.parametrize("end", ["\r\n", "\r"])
+def test_studies_of_other_editors_read_alike(tmp_path, encoding, end):
+    text = EXAMPLE.read_text().replace("name = \"fused silica\"", "name = \"Glas, geprüft\"")
+    (tmp_path / "plain.toml").write_text(text, encoding="utf-8")
+    (tmp_path / "other.toml").write_bytes(text.replace("\n", end).encode(encoding))
+    assert read_study(tmp_path / "other.toml") == read_study(tmp_path / "plain.toml")
+    assert not is_campaign(tmp_path / "other.toml")
+    campaign = f"{text}\n[campaign]\nseeds = 2\n".replace("\n", end)
+    (tmp_path / "campaign.toml").write_bytes(campaign.encode(encoding))
+    assert is_campaign(tmp_path / "campaign.toml")
+
+
+@pytest.mark.parametrize(("text", "encoding", "words"), [
+    ("name = 'a'\n# Prüfkörper\n", "latin-1", r"line 2: the text is not UTF-8; save it with that encoding"),
+    ("name = “granite”\n", "utf-8", "texts need straight quotes"),
+])  # fmt: skip
+def test_a_study_that_is_no_text_says_what_to_do(tmp_path, text, encoding, words):
+    (tmp_path / "bad.toml").write_bytes(text.encode(encoding))
+    with pytest.raises(StudyError, match=words):
+        read_study(tmp_path / "bad.toml")
 
 
 def command(*arguments, cwd):

@@ -1,24 +1,29 @@
 """Campaigns: what they vary, on a local cluster whose workers die, run again, in a table."""
 
+import contextlib
 import json
 import os
+import shlex
 import signal
+import subprocess
+import warnings
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import psutil
 import pytest
 from click.testing import CliRunner
 
 import bondem as bd
 from bondem._extras import needed
-from bondem.campaign.cluster import connected, slurm_cluster
+from bondem.campaign.cluster import _require_protected, connected, slurm_cluster
 from bondem.campaign.coordinator import run_campaign
 from bondem.campaign.sweep import Campaign, Slurm, parse_campaign, read_campaign
 from bondem.campaign.work import carry_out, scalars
 from bondem.cli.campaign import command
 from bondem.cli.check import command as check
-from bondem.errors import InputError, MissingDependencyError, StudyError
+from bondem.errors import InputError, MissingDependencyError, StudyError, UnprotectedClusterWarning
 from bondem.study.pipeline import run_study
 from bondem.study.programme import read
 from bondem.study.study import parse_study
@@ -142,37 +147,71 @@ def test_a_specimen_is_what_bondem_run_makes(tmp_path: Path) -> None:
     assert len(list((tmp_path / "specimens").iterdir())) == 1
 
 
-def test_a_job_of_slurm_is_what_the_file_asks_for() -> None:
+def listening() -> set[tuple[str, int]]:
+    """Addresses on which this process and its children accept connections."""
+    me = psutil.Process()
+    found = set()
+    for one in (me, *me.children(recursive=True)):
+        with contextlib.suppress(psutil.Error):
+            found |= {tuple(c.laddr) for c in one.net_connections("tcp") if c.status == psutil.CONN_LISTEN}
+    return found
+
+
+def test_a_local_cluster_is_reached_from_this_machine_only() -> None:
+    before = listening()
+    with connected(workers=1) as client:
+        assert client.dashboard_link.startswith("http://127.0.0.1:")
+        opened = listening() - before
+    assert len(opened) >= 3  # scheduler, dashboard, worker
+    assert {host for host, _ in opened} == {"127.0.0.1"}
+
+
+def test_jobs_of_slurm_speak_tls_with_credentials_of_their_own(tmp_path: Path) -> None:
+    """The command of a job, started here, joins the cluster; a client without its credentials does not."""
+    pytest.importorskip("cryptography")
+    distributed = needed("dask.distributed", "campaign")
+    asked = Slurm("long", "glass", cores=1, memory="1GB", walltime="00:10:00")
+    before = listening()
+    with slurm_cluster(asked, tmp_path) as cluster:
+        assert cluster.scheduler_address.startswith("tls://")
+        ports = [port for host, port in listening() - before if host != "127.0.0.1"]
+        assert set(ports) == {int(cluster.scheduler_address.rpartition(":")[2])}  # and no page of the cluster
+        keys = list(tmp_path.glob(".credentials-*/*.pem"))
+        assert len(keys) == 3
+        assert all(key.stat().st_mode & 0o077 == 0 for key in keys)
+        with pytest.raises((OSError, TypeError)):
+            distributed.Client(cluster.scheduler_address, timeout="2s")
+        job = subprocess.Popen(shlex.split(cluster.job_script().strip().splitlines()[-1]), stderr=subprocess.DEVNULL)
+        try:
+            with distributed.Client(cluster, timeout="30s") as client:
+                assert client.submit(abs, -3).result(timeout=60) == 3
+        finally:
+            job.terminate()
+            job.wait()
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("address", "unprotected"), [
+    ("tcp://node7:8786", True), ("10.0.0.7:8786", True), ("tls://node7:8786", False), ("tcp://127.0.0.1:8786", False),
+    ("localhost:8786", False), ("tcp://[::1]:8786", False), ("inproc://x", False),
+])  # fmt: skip
+def test_schedulers_elsewhere_without_tls_are_doubted(address: str, unprotected: bool) -> None:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        _require_protected(address)
+    assert [one.category is UnprotectedClusterWarning for one in caught] == [True] * unprotected
+
+
+def test_a_job_of_slurm_is_what_the_file_asks_for(tmp_path: Path) -> None:
+    pytest.importorskip("cryptography")
     asked = Slurm("long", "glass", cores=16, memory="32GB", walltime="04:00:00", directives=("--exclusive",))
-    with slurm_cluster(asked) as cluster:
+    with slurm_cluster(asked, tmp_path) as cluster:
         script = cluster.job_script()
     for line in ("#SBATCH -p long", "#SBATCH -A glass", "#SBATCH --cpus-per-task=16", "#SBATCH --mem=30G",
                  "#SBATCH -t 04:00:00", "#SBATCH --exclusive"):  # fmt: skip
         assert line in script.splitlines()
     for option in ("--nworkers 16", "--nthreads 1", "--memory-limit 1.86GiB"):
         assert option in script
-
-
-def test_nobody_else_reaches_a_cluster(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A local one listens to this machine alone; one of SLURM asks for keys that this campaign has made."""
-    asked: dict[str, Any] = {}
-
-    class Cluster:
-        def __init__(self, **named: Any) -> None:
-            asked.update(named)
-            raise InterruptedError  # not started
-
-    monkeypatch.setattr("dask.distributed.LocalCluster", Cluster)
-    with pytest.raises(InterruptedError), connected(workers=1):
-        pass
-    assert (asked["host"], asked["dashboard_address"]) == ("127.0.0.1", "127.0.0.1:0")
-    asked.clear()
-    monkeypatch.setattr("dask_jobqueue.slurm.SLURMCluster", Cluster)
-    monkeypatch.setattr("bondem.campaign.cluster.temporary_credentials", lambda: "keys")
-    with pytest.raises(InterruptedError), connected(slurm=Slurm("long")):
-        pass
-    assert (asked["security"], asked["protocol"]) == ("keys", "tls://")
-    assert asked["scheduler_options"] == {"dashboard": False}
 
 
 def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path) -> None:

@@ -69,7 +69,7 @@ def test_any_decimal_number_is_rounded_once(digits, exponent, unit):
         ("5 mm", "-", "a plain number or a percentage"),
         ("5 m^2", "m", "m^2 is not a unit of [m]"),
         ("5 parsec", "m", "'parsec' is not known"),
-        ("72,5 GPa", "Pa", "',5 GPa' is not known"),
+        ("72,5 GPa", "Pa", "has a comma; write decimals with a point"),
         ("72.5 Gpa", "Pa", "'Gpa' is not known"),
         ("GPa", "Pa", "not a number with a unit"),
         ("nan Pa", "Pa", "not a number with a unit"),

@@ -7,6 +7,7 @@ Type checkers and editors read `__init__.pyi`, which a test compares with the li
 import importlib
 from typing import Any
 
+from bondem import _forking as _forking
 from bondem._describe import describe
 from bondem._environment import use_environment
 from bondem._names import no_attribute, suggesting

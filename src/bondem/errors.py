@@ -76,6 +76,10 @@ class FillingWarning(UserWarning):
     """Warning of particles that do not fill their shape, or stick out of it."""
 
 
+class StressFreeWarning(UserWarning):
+    """Warning of bonds of a strained body, read without their lengths at rest, that become free of stress."""
+
+
 class ThinBodyWarning(UserWarning):
     """Warning of a body of cells that is one cell thick somewhere, where it bends too softly or resists no twist."""
 
@@ -88,8 +92,16 @@ class IncompressibleWarning(UserWarning):
     """Warning of cells with a Poisson's ratio so near to ½ that a body that cannot bulge is too soft."""
 
 
+class UnprotectedClusterWarning(UserWarning):
+    """Warning of a Dask scheduler on another machine without TLS, to which anyone in its network can send code."""
+
+
 class UnstableRunError(BondemError):
     """Error for an unstable run whose result another computation needs."""
+
+
+class ForkError(BondemError):
+    """Error for a threaded loop in a process that was forked after bondem had used threads."""
 
 
 class StudyError(InputError):

@@ -72,7 +72,7 @@ def _carry_out(
     shown = time.perf_counter()
     if missing:
         slurm = None if address is not None or workers is not None else campaign.slurm
-        with connected(workers=workers, address=address, slurm=slurm) as client:
+        with connected(workers=workers, address=address, slurm=slurm, shared=out) as client:
             if dashboard is not None and client.dashboard_link:
                 dashboard(client.dashboard_link)
             for row in _arriving(client, missing, out.resolve()):

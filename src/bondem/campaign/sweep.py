@@ -13,6 +13,7 @@ from typing import Any
 
 from bondem._checks import place, shown
 from bondem.errors import StudyError
+from bondem.io.text_file import read_text
 from bondem.study.programme_run import code_hash
 from bondem.study.study import Study, parse_study, read_toml
 from bondem.study.toml_table import TomlTable
@@ -95,7 +96,7 @@ def read_campaign(path: str | Path) -> Campaign:
 def is_campaign(path: str | Path) -> bool:
     """True if a file has a table [campaign]; False if it cannot be read."""
     try:
-        return "campaign" in tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        return "campaign" in tomllib.loads(read_text(Path(path)))
     except (OSError, ValueError, RecursionError):
         return False
 

@@ -13,6 +13,8 @@ from bondem._extras import needed
 from bondem._types import ArrayLike, Floats, Ints, Pairs, PerElement3
 from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
+from bondem.io.field_names import check_names
+from bondem.io.lammps import STRAINED
 from bondem.io.vtk_cells import Corners
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -49,8 +51,8 @@ def export(
         elements: further fields by name, each (n,) or (n, k), for CSV, dumps and meshio.
 
     Raises:
-        InputError: an unknown format, one that cannot represent these elements, a field of the wrong length, or a
-            file that cannot be written.
+        InputError: an unknown format, one that cannot represent these elements, a field of the wrong length or with a
+            name that is in use or that the format cannot represent, or a file that cannot be written.
         MissingDependencyError: meshio is not installed.
     """
     path = place("export: path", path)
@@ -73,9 +75,24 @@ def export(
                 " give the lattice of its model"
             )
     frame = _Frame.of(lattice, state, density, elements)
+    _check_names(frame, elements or {}, suffix)
     require_writable(path, "file")
     with replacing(path) as new:
         writer(new, frame, suffix)
+
+
+def _check_names(frame: "_Frame", given: Mapping[str, ArrayLike], suffix: str) -> None:
+    """Refuse fields whose columns would be taken for others."""
+    own = {"x", "y", "z", frame.size[0]}
+    if frame.state is not None:
+        own |= {"displacement", "velocity"}
+    if suffix in _DUMP:
+        own |= {"id", "type"} | ({"vx", "vy", "vz"} if frame.state is not None else set())
+    check_names("export", given, own=own, forbidden=" " if suffix in (*_DUMP, ".vtk") else "")
+    columns = [key for name in frame.fields for key in frame.columns_of(name)]
+    twice = next((key for key in columns if columns.count(key) > 1), None)
+    if twice is not None and suffix in (*_TABLE, *_DUMP):
+        raise InputError(f"export: two fields make a column '{twice}'; give one another name")
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,14 +147,15 @@ class _Frame:
     @property
     def columns(self) -> dict[str, Floats]:
         """Field components by column name: components are numbered, vectors have letters."""
-        found: dict[str, Floats] = {}
-        for name, values in self.fields.items():
-            if values.ndim == 1:
-                found[name] = values
-                continue
-            ends = "xyz" if values.shape[1] == 3 else range(values.shape[1])
-            found |= {f"{name}_{end}": values[:, k] for k, end in enumerate(ends)}
-        return found
+        return {key: values for name in self.fields for key, values in self.columns_of(name).items()}
+
+    def columns_of(self, name: str) -> dict[str, Floats]:
+        """Columns of one field."""
+        values = self.fields[name]
+        if values.ndim == 1:
+            return {name: values}
+        ends = "xyz" if values.shape[1] == 3 else range(values.shape[1])
+        return {f"{name}_{end}": values[:, k] for k, end in enumerate(ends)}
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:
@@ -165,7 +183,8 @@ def _write_data(path: Path, frame: _Frame, suffix: str) -> None:
     """Write atoms of style bpm/sphere: id, molecule, type, diameter, density, x, y, z."""
     diameter, pairs = 2.0 * frame.lattice.particles.radius, frame.pairs
     with open(path, "w", encoding="utf-8") as file:
-        file.write("LAMMPS data file of bondem: units si, atom_style bpm/sphere\n\n")
+        strained = f", {STRAINED}" if frame.state is not None and np.any(frame.state.displacement) else ""
+        file.write(f"LAMMPS data file of bondem: units si, atom_style bpm/sphere{strained}\n\n")
         file.write(f"{len(diameter)} atoms\n{len(pairs)} bonds\n1 atom types\n1 bond types\n")
         # room for bonds: as many as the best bonded element has, and those that LAMMPS makes of both ends
         most = int(np.bincount(pairs.ravel(), minlength=1).max()) if len(pairs) else 0
@@ -189,8 +208,11 @@ def _write_dump(path: Path, frame: _Frame, suffix: str) -> None:
     edge = "ff ff ff" if frame.lattice.particles.period is None else "pp pp pp"
     name, size = frame.size
     velocity = {} if frame.state is None else dict(zip(("vx", "vy", "vz"), frame.state.velocity.T, strict=True))
-    others = {key: values for key, values in frame.columns.items() if not key.startswith("velocity_")}
-    columns = velocity | others
+    if frame.state is None:
+        columns = frame.columns
+    else:
+        others = (name for name in frame.fields if name != "velocity")
+        columns = velocity | {key: values for name in others for key, values in frame.columns_of(name).items()}
     with open(path, "w", encoding="utf-8") as file:
         file.write(f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n{len(size)}\nITEM: BOX BOUNDS {edge}\n")
         file.writelines(f"{float(low)!r} {float(high)!r}\n" for low, high in zip(*frame.bounds, strict=True))

@@ -10,6 +10,7 @@ from bondem._checks import array, instance, place
 from bondem._types import ArrayLike
 from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
+from bondem.io.field_names import check_names
 from bondem.io.vtk_cells import fields_of_cells, write_cells
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -39,7 +40,7 @@ def write_vtkhdf(
         bonds: further fields of the bonds by name, each (m,) or (m, k).
 
     Raises:
-        InputError: the file cannot be written, or a field has the wrong length.
+        InputError: the file cannot be written, or a field has the wrong length or a name that is taken.
     """
     path = place("write_vtkhdf: path", path)
     instance("write_vtkhdf", "lattice", lattice, Lattice, "a lattice")
@@ -55,7 +56,9 @@ def write_vtkhdf(
     if lattice.cells is not None:
         if bonds:
             raise InputError("write_vtkhdf: a body is written as cells, without lines for bonds=; leave it out")
-        given = fields_of_cells(lattice, state) | dict(elements or {})
+        own = fields_of_cells(lattice, state)
+        check_names("write_vtkhdf", elements or {}, own=own, forbidden="/")
+        given = own | dict(elements or {})
         checked = {name: _checked(name, field, len(lattice.particles)) for name, field in given.items()}
         write_cells(path, lattice, state, checked)
         return
@@ -71,6 +74,8 @@ def write_vtkhdf(
             "angular_velocity": state.angular_velocity,
         }
         of_bonds["integrity"] = state.bond_integrity
+    for added, own in ((elements, of_elements), (bonds, of_bonds)):
+        check_names("write_vtkhdf", added or {}, own=own, forbidden="/")
     plain = particles.position[pairs[:, 1]] - particles.position[pairs[:, 0]]
     drawn = np.abs(plain - lattice.branch).max(axis=1) < 1e-6 * particles.mean_radius
     require_writable(path, "VTK file")

@@ -13,7 +13,7 @@ from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 from bondem.errors import InputError
-from bondem.io.sphere_tables import RawSpheres
+from bondem.io.raw_spheres import RawSpheres
 from bondem.io.vtkhdf_spheres import radii
 
 _READERS = {".vtk": vtkGenericDataObjectReader, ".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader}

@@ -23,6 +23,7 @@ from bondem.packing.two_sided import Around, around_surfaces
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
+from bondem.specimen.shape import Placed
 
 __all__ = ["EVEN", "METHOD", "METHODS", "SEED", "aggregates", "pack"]
 
@@ -165,14 +166,19 @@ def pack(
     target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
     size_law = Uniform(SPREAD if spread is None else spread) if sizes is None else sizes
 
+    own = shape.shape if isinstance(shape, Placed) else shape
+
     def make() -> Particles:
         random = np.random.Generator(np.random.Philox(seed))
         spheres = _METHODS[method](
-            shape, size_law.radii(count, random), target, random,
+            own, size_law.radii(count, random), target, random,
             lambda steps: told(steps / (steps + _USUAL_STEPS)),
         )  # fmt: skip
         target.reach(spheres)
-        return filled(Particles(spheres.sphere[:, :3].copy(), spheres.sphere[:, 3].copy(), shape.period), shape)
+        centre = spheres.sphere[:, :3].copy()
+        if isinstance(shape, Placed):  # packed where it came from, so that its place changes nothing
+            centre = shape.place(centre)
+        return filled(Particles(centre, spheres.sphere[:, 3].copy(), shape.period), shape)
 
     request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
     return _kept(request, make, told, cache=cache)

@@ -16,14 +16,13 @@ from scipy.spatial.transform import Rotation
 from bondem._checks import count as whole
 from bondem._checks import instance, number
 from bondem._progress import staged
-from bondem._types import Floats, Mask, PerElement3
+from bondem._types import Floats, PerElement3
 from bondem.errors import InputError, PackingError
-from bondem.packing.even import kept_inside, points_of, usual_radius
-from bondem.packing.graded import nearest_others, pushed
+from bondem.packing.even import usual_radius
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
 from bondem.packing.sizes import Sieve
 from bondem.packing.start import thrown
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.cells.tessellation import cell_centroids
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
 
@@ -33,12 +32,9 @@ _DENSEST, _CLOSER = 0.55, 0.1
 _SETTLED, _STEPS = 5e-3, 20_000
 # Smallest radius of a ball over the size of a cell, and least number of directions.
 _LEAST, _DIRECTIONS = 1.25, 12
-# Distance from a surface, over the size of a cell, that free centres keep; distance between centres of two balls, and
-# of centres from walls, that is enough for both.
-_CLEAR, _APART, _MARGIN = 0.85, 0.5, 0.33
-# Times that centres are pushed apart with new neighbours, with the same ones, how many, and steps of Lloyd.
-_ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
-_TRIES = 1000
+# Distance from a surface, over the size of a cell, that free centres keep, and distance between centres of two balls
+# that is enough for both.
+_CLEAR, _APART = 0.85, 0.5
 
 
 @staged("placing aggregates")
@@ -145,22 +141,9 @@ def around_balls(
     free = count - len(pins)
     if free < len(radius):
         raise InputError(f"pack: the surfaces of {len(radius)} balls need more than {count} cells; ask for more")
-    x = np.concatenate([pins, _thrown_free(shape, free, balls, h, random)])
-    still = np.arange(len(x)) < len(pins)
-    margin = np.full(len(x), _MARGIN * h)
-    for _ in range(_ROUNDS):
-        other = nearest_others(x, _NEAR)[1]
-        for _ in range(_SAME):
-            x = _moved(shape, pushed(x, np.full(len(x), h), other), x, still, margin)
-    for step in range(_LLOYD):
-        told((step + 1) / (_LLOYD + 2))
-        x = _moved(shape, cell_centroids(points_of(shape, x, h)), x, still, margin)
+    free_centres = thrown_free(shape, free, lambda x: np.abs(balls.depth(x)), _CLEAR * h, h, random)
+    x = settled_free(shape, pins, free_centres, h, told)
     return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
-
-
-def _moved(shape: Shape, x: PerElement3, before: PerElement3, still: Mask, margin: Floats) -> PerElement3:
-    """Move free centres to new places inside the walls; the other centres stay."""
-    return np.where(still[:, None], before, kept_inside(shape, np.where(still[:, None], before, x), before, margin))
 
 
 def _layers(
@@ -177,7 +160,7 @@ def _layers(
         outer.append(at + (R + 0.5 * h) * way)
         whose.append(np.full(n, k))
     beyond, owner = np.concatenate(outer), np.concatenate(whose)
-    kept = shape.depth(beyond) >= _MARGIN * h
+    kept = shape.depth(beyond) >= MARGIN * h
     # where two balls face each other closely, one layer between them serves both
     pairs = KDTree(beyond).query_pairs(_APART * h, output_type="ndarray")
     for a, b in pairs[np.lexsort(pairs.T[::-1])] if len(pairs) else ():
@@ -192,18 +175,3 @@ def _directions(count: int) -> Floats:
     angle = math.pi * (3.0 - math.sqrt(5.0)) * np.arange(count)
     r = np.sqrt(1.0 - z * z)
     return np.column_stack([r * np.cos(angle), r * np.sin(angle), z])
-
-
-def _thrown_free(
-    shape: Shape, count: int, balls: Aggregates, h: float, random: np.random.Generator
-) -> PerElement3:
-    """Return random centres that lie in no layer [m], (count, 3)."""
-    lower, upper = shape.bounds
-    found = np.empty((0, 3))
-    for _ in range(_TRIES):
-        x = lower + (upper - lower) * random.random((2 * count, 3))
-        x = x[shape.depth(x) > _MARGIN * h]
-        found = np.concatenate([found, x[np.abs(balls.depth(x)) > _CLEAR * h]])
-        if len(found) >= count:
-            return found[:count]
-    raise InputError("pack: the layers around balls leave no room for other cells; ask for more and smaller cells")

@@ -14,12 +14,12 @@ from functools import partial
 import numpy as np
 from scipy.spatial import KDTree
 
-from bondem._types import Floats, Mask, PerElement, PerElement3
+from bondem._types import PerElement, PerElement3
 from bondem.errors import InputError
-from bondem.packing.even import kept_inside, points_of, usual_radius
+from bondem.packing.even import kept_inside, usual_radius
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
 from bondem.packing.graded import nearest_others, pushed
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.cells.tessellation import cell_centroids
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.regions import Plane
@@ -28,16 +28,16 @@ from bondem.specimen.regions import Plane
 Around = Plane | Shape | Aggregates
 
 # All over the size of a cell: distance of pins from a face; of faces that a pin belongs to; that free centres keep
-# from surfaces; between pins that are one too many, and of pins of two surfaces; of centres from walls.
-_HALF, _NEAR_FACE, _CLEAR, _TWIN, _MARGIN, _PIN_MARGIN = 0.5, 0.8, 1.25, 0.5, 0.33, 0.45
+# from surfaces; between pins that are one too many, and of pins of two surfaces; of pins from walls.
+_HALF, _NEAR_FACE, _CLEAR, _TWIN, _PIN_MARGIN = 0.5, 0.8, 1.25, 0.5, 0.45
 # A shift of the surface up to this share of the size of a cell counts as curvature, a larger one as an edge.
 _SHIFT = 0.08
 # Times that centres are pushed apart with new neighbours, with the same ones, how many, and steps of Lloyd.
 _ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
 # Farthest that a point of a layer is from a pin, over the size of a cell, and times that pins are put into holes.
 _HOLE, _FILLED = 0.8, 3
-# Points of the body that area is measured by, points of a layer to a pin, and times that free centres are thrown.
-_SAMPLES, _POINTS, _TRIES = 400_000, 150, 1000
+# Points of the body that area is measured by, and points of a layer to a pin.
+_SAMPLES, _POINTS = 400_000, 150
 
 _Depth = Callable[[PerElement3], PerElement]
 
@@ -84,25 +84,10 @@ def around_surfaces(
     pins = np.concatenate(layers)
     if count <= len(pins):
         raise InputError(f"pack: the surfaces of around= need more than {count} cells; ask for more")
-    x = np.concatenate([pins, _thrown(shape, count - len(pins), sided, h, random)])
-    still, margin = np.arange(count) < len(pins), np.full(count, _MARGIN * h)
-    for _ in range(_ROUNDS):
-        other = nearest_others(x, min(_NEAR, count))[1]
-        for _ in range(_SAME):
-            x = _moved(shape, pushed(x, np.full(count, h), other), x, still, margin, sided, h)
-    for step in range(_LLOYD):
-        told((step + 1) / (_LLOYD + 2))
-        x = _moved(shape, cell_centroids(points_of(shape, x, h)), x, still, margin, sided, h)
+    nearest = partial(_nearest, sided)
+    free = thrown_free(shape, count - len(pins), nearest, _CLEAR * h, h, random)
+    x = settled_free(shape, pins, free, h, told, nearest=nearest, clear=_CLEAR * h)
     return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
-
-
-def _moved(
-    shape: Shape, x: PerElement3, before: PerElement3, still: Mask, margin: Floats, sided: list[_Sided], h: float
-) -> PerElement3:
-    """Move free centres to new places inside the walls and clear of surfaces; the other centres stay."""
-    x = kept_inside(shape, np.where(still[:, None], before, x), before, margin)
-    stay = still | (_nearest(sided, x) < _CLEAR * h)
-    return np.where(stay[:, None], before, x)
 
 
 def _nearest(sided: list[_Sided], x: PerElement3) -> PerElement:
@@ -130,7 +115,7 @@ def _layers(
     # points of the layer, as many to each pin as decide its place
     inside = _onto(sided, inside[: _POINTS * wanted], h)
     pin = _spread(shape, sided, inside, min(wanted, len(inside)), h)
-    pin = pin[(shape.depth(pin) >= _MARGIN * h) & (sided.depth(pin) > 0.25 * h)]
+    pin = pin[(shape.depth(pin) >= MARGIN * h) & (sided.depth(pin) > 0.25 * h)]
     pin = _apart(pin, _TWIN * h)
     images = []
     for face in sided.faces:
@@ -138,7 +123,7 @@ def _layers(
         if not len(near):
             continue
         image = near - 2.0 * (face(near) - _shift(face, near, h))[:, None] * _slope(face, near, h)
-        images.append(image[(shape.depth(image) >= _MARGIN * h) & (sided.depth(image) < -0.25 * h)])
+        images.append(image[(shape.depth(image) >= MARGIN * h) & (sided.depth(image) < -0.25 * h)])
     outside = np.concatenate([np.empty((0, 3)), *images])
     if not len(pin) or not len(outside):
         raise InputError(
@@ -168,9 +153,9 @@ def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: flo
             middle = np.column_stack([np.bincount(own, weights=points[:, d], minlength=len(pin)) for d in range(3)])
             pin = _onto(sided, (middle / np.maximum(number, 1)[:, None])[number > 0], h)
     # in a corner of the body a point pushed off one wall comes to another: the nearest that is clear of all is taken
-    deep = points[shape.depth(points) > 1.02 * _MARGIN * h]
+    deep = points[shape.depth(points) > 1.02 * MARGIN * h]
     if len(deep):
-        shallow = np.flatnonzero(shape.depth(pin) < _MARGIN * h)
+        shallow = np.flatnonzero(shape.depth(pin) < MARGIN * h)
         pin[shallow] = deep[np.asarray(KDTree(deep).query(pin[shallow])[1])]
     return pin
 
@@ -215,18 +200,3 @@ def _apart(x: PerElement3, least: float) -> PerElement3:
         if kept[a] and kept[b]:
             kept[b] = False
     return x[kept]
-
-
-def _thrown(
-    shape: Shape, count: int, sided: list[_Sided], h: float, random: np.random.Generator
-) -> PerElement3:
-    """Return random centres that lie in no layer [m], (count, 3)."""
-    lower, upper = shape.bounds
-    found = np.empty((0, 3))
-    for _ in range(_TRIES):
-        x = lower + (upper - lower) * random.random((2 * count, 3))
-        x = x[shape.depth(x) > _MARGIN * h]
-        found = np.concatenate([found, x[_nearest(sided, x) > _CLEAR * h]])
-        if len(found) >= count:
-            return found[:count]
-    raise InputError("pack: surfaces of around= leave no room for other cells; ask for more and smaller cells")

@@ -99,6 +99,10 @@ class Placed(Shape):
     def faces(self) -> tuple[str, ...]:
         return self.shape.faces
 
+    def place(self, points: PerElement3) -> PerElement3:
+        """Points (n, 3) of `shape`, moved along with it [m]."""
+        return points @ np.array(self.turn).T + self.by
+
     def _back(self, points: PerElement3) -> PerElement3:
         return (np.atleast_2d(points) - self.by) @ np.array(self.turn)
 
@@ -253,19 +257,19 @@ class Cut(_Pair):
         same = shared(self.second.planes, self.first.planes, tiny)
         return tuple(face for face in self.second.faces if face not in same) or self.second.faces
 
-    def _beside(self, points: PerElement3) -> PerElement:
+    def beside(self, points: PerElement3) -> PerElement:
         """Distance from the removed shape [m], positive outside of it, (n,)."""
         return -self.second.depth_of(self._new, points)
 
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
-        walls = [self._beside(points)] if face == self.name else []
+        walls = [self.beside(points)] if face == self.name else []
         if face in self.first.faces:
             walls.append(self.first.face_depth(face, points))
         return np.min(walls, axis=0)
 
     def depth(self, points: PerElement3) -> PerElement:
-        return np.minimum(self.first.depth(points), self._beside(points))
+        return np.minimum(self.first.depth(points), self.beside(points))
 
     def face_centre(self, face: str) -> Vector:
         if face in self.first.faces:

@@ -13,6 +13,7 @@ from bondem._checks import array, place
 from bondem._names import users_line
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
 from bondem.errors import InputError, UnitWarning
+from bondem.specimen.closed_surface import closed_surface
 from bondem.specimen.shape import Shape
 from bondem.specimen.triangles import Triangles
 from bondem.specimen.units import length_unit
@@ -22,8 +23,6 @@ _SUFFIXES = (".stl", ".ply")
 
 # Longest specimen taken for metres without being told so, with a warning and without [m].
 _PLAUSIBLE, _USUAL = 10.0, 1.0
-
-_FARTHEST = 1e30  # of a vertex [m]: beyond, volumes are no numbers any more
 
 # How far from a side of the bounding box a facet may lie to be part of that face, over the size of the box;
 # STL files keep seven digits.
@@ -35,14 +34,16 @@ class Surface(Shape):
     """The solid enclosed by a triangulated surface, for example `Surface("part.stl", unit="mm")`.
 
     Facets in a side of the bounding box form the faces "x_min" … "z_max"; all other facets form the face "side".
+    Equal corners of several solids of a file, and doubled triangles, are merged. Solids must not touch: those that
+    overlap are joined as two surfaces, `bd.Surface(…) | bd.Surface(…)`. A cavity faces inwards.
 
     Attributes:
         vertices: corners [m], (v, 3).
         triangles: corner indices of each triangle, counter-clockwise seen from outside, (t, 3).
 
     Raises:
-        InputError: The file does not exist or has another format, its size cannot be in metres, or the surface is
-            not closed.
+        InputError: The file does not exist or has another format, its size cannot be in metres, the surface is not
+            closed, or solids overlap.
 
     Warns:
         UnitWarning: The part of a file without a unit is longer than one metre.
@@ -76,7 +77,7 @@ class Surface(Shape):
             x, t = _arrays(vertices, triangles)
         else:
             raise InputError("Surface needs a file, or both vertices= and triangles=")
-        t = _checked(name, x, t)
+        x, t = closed_surface(name, x, t)
         size = float(np.ptp(x, axis=0).max())
         if file is not None and scale is None and size > _PLAUSIBLE:
             raise InputError(
@@ -87,7 +88,7 @@ class Surface(Shape):
                 f"{name} is assumed to be {size:.4g} m long; give unit='m' to confirm, or unit='mm' for millimetres",
                 UnitWarning, stacklevel=users_line(),
             )  # fmt: skip
-        x *= 1.0 if scale is None else scale
+        x = x * (1.0 if scale is None else scale)
         for key, values in (("vertices", x), ("triangles", t)):
             values.setflags(write=False)
             object.__setattr__(self, key, values)
@@ -212,30 +213,3 @@ def _read(file: Path) -> tuple[Floats, Ints]:
         return np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)
     except Exception as error:  # whatever a parser trips over
         raise InputError(f"{file} cannot be read as {file.suffix[1:].upper()} ({error}); export it again") from error
-
-
-def _checked(name: str, vertices: Floats, triangles: Ints) -> Ints:
-    """Return the triangles that have an area, all oriented outwards."""
-    if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
-        raise InputError(f"{name}: vertices {vertices.shape}, triangles {triangles.shape}; give (v, 3) and (t, 3)")
-    if not np.isfinite(vertices).all() or np.abs(vertices).max(initial=0.0) > _FARTHEST:
-        raise InputError(f"{name} has a vertex that is not finite or beyond 1e30 m; export it again")
-    if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
-        raise InputError(f"{name}: triangles refer to vertices that do not exist; count vertices from 0")
-    triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
-    if len(triangles) < 4:
-        raise InputError(f"{name} has {len(triangles)} triangles; a closed surface has at least four")
-    edge = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
-    there = np.unique(edge, axis=0, return_counts=True)
-    back = np.unique(edge[:, ::-1], axis=0)
-    if there[1].max() > 1 or not np.array_equal(there[0], back):
-        ends = np.unique(np.sort(edge, axis=1), axis=0, return_counts=True)[1]
-        wrong = int((ends % 2 == 1).sum())
-        if wrong:
-            raise InputError(f"{name} is not watertight: {wrong} edges have one triangle only; close the surface")
-        raise InputError(f"{name}: its triangles do not all face the same way; repair the normals and export again")
-    a, b, c = np.moveaxis(vertices[triangles] - vertices.mean(axis=0), 1, 0)
-    volume = float(np.einsum("ni,ni->", a, np.cross(b, c))) / 6.0
-    if abs(volume) <= 1e-12 * float(np.ptp(vertices, axis=0).max()) ** 3:
-        raise InputError(f"{name} encloses no volume; close the surface")
-    return triangles if volume > 0.0 else np.ascontiguousarray(triangles[:, ::-1])

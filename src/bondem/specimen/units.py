@@ -88,6 +88,8 @@ def quantity(name: str, text: str, unit: str) -> float:
     if not rest:
         raise InputError(f"{name} = {shown(text)} is text without a unit; leave out the quotes, or write {example}")
     given = _unit(rest)
+    if given is None and rest[0] == "," and rest[1:2].isdigit():
+        raise InputError(f"{name} = {shown(text)} has a comma; write decimals with a point, such as {example}")
     if given is None:
         raise InputError(f"{name} = {shown(text)}: unit '{rest}' is not known; give {_kind(unit)} such as {example}")
     if given.dimension != wanted.dimension:

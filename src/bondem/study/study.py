@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from bondem.errors import StudyError
+from bondem.io.text_file import read_text
 from bondem.labtests.strengths import STRENGTH_TESTS
 from bondem.laws.bond import RADIUS_RULES, BondLaw
 from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
@@ -27,6 +28,8 @@ from bondem.study.toml_table import TomlTable
 
 STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
 Read = TypeVar("Read")
+# Quotation marks that word processors put in place of the straight ones.
+_CURLY = {*"\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}"}
 DYNAMIC_TESTS = ("dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact")
 TESTS = STATIC_TESTS + DYNAMIC_TESTS
 
@@ -221,13 +224,18 @@ def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
     Raises:
         StudyError: no such file, not TOML, or what the function raises.
     """
+    text = ""
     try:
-        text = path.read_bytes().decode()
+        text = read_text(path)
         data = tomllib.loads(text)
     except OSError as error:
         raise StudyError(f"study '{path}' cannot be read ({error.strerror}); check the path") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise StudyError(f"study '{path}' is not valid TOML ({error}); correct it there") from None
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        raise StudyError(f"study '{path}', line {line}: the text is not UTF-8; save it with that encoding") from None
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        advice = 'texts need straight quotes: "granite"' if _CURLY & {*text} else "correct it there"
+        raise StudyError(f"study '{path}' is not valid TOML ({error}); {advice}") from None
     try:
         return parse(data)
     except StudyError as error:
