@@ -131,4 +131,4 @@ def test_the_environment_sets_the_largest_number_of_threads():
         return done.stdout + done.stderr
 
     assert said("1").strip() == "1"
-    assert "BONDEM_NUM_THREADS = 'many' is no number of threads" in said("many")
+    assert "BONDEM_NUM_THREADS = 'many' is not a number of threads" in said("many")

@@ -64,7 +64,7 @@ def test_arrays_in_the_order_of_the_kernels_are_not_listed():
         ("velocity", (np.nan, 0.0, 0.0), "not finite"),
         ("velocity", "fast", "holds no numbers"),
         ("position", (0.0, 0.0, 1.0), r"give finite numbers of shape \(120, 3\)"),
-        ("orientation", (1.0, 1.0, 0.0, 0.0), "no unit quaternions"),
+        ("orientation", (1.0, 1.0, 0.0, 0.0), "not unit quaternions"),
         ("bond_eigenstrain", -1.0, "above -1"),
         ("bond_integrity", 0.0, "cannot be set"),
         ("veloctiy", (0.0, 0.0, 1.0), "did you mean 'velocity'"),
