@@ -338,7 +338,7 @@ def test_vtk_points_with_radii(tmp_path, suffix):
     path = tmp_path / f"spheres.{suffix}"
     cloud.save(path)
     assert same(bd.read_particles(path))
-    with pytest.raises(InputError, match=rf"spheres.{suffix}' has no point array 'size', but Radius"):
+    with pytest.raises(InputError, match=rf"spheres.{suffix}' has no point array 'size' .its arrays: Radius"):
         bd.read_particles(path, radius="size")
 
 

@@ -21,7 +21,7 @@ _ARROW = 0.16
 SCALE = 1e3
 
 
-def flat(point: Floats, view: View) -> Floats:
+def seen_from(point: Floats, view: View) -> Floats:
     """Places of points [m] in the picture [mm], and their depth, (k, 3)."""
     return SCALE * np.atleast_2d(point) @ view.axes.T
 
@@ -30,7 +30,7 @@ def draw_box(ax: Axes, lower: Floats, upper: Floats, view: View) -> None:
     """Draw the edges of the box about a body, with its coordinates [mm], and the axes."""
     corner = np.array(list(product(*zip(lower, upper, strict=True))))
     pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if (a ^ b).bit_count() == 1]
-    place = flat(corner, view)
+    place = seen_from(corner, view)
     behind = int(np.argmin(place[:, 2]))
     edges = [place[[a, b], :2] for a, b in pairs if behind in (a, b)]
     ax.add_collection(LineCollection(edges, colors=GREY, linewidths=0.7, zorder=0))
@@ -56,8 +56,8 @@ def draw_walls(ax: Axes, model: Model, state: State | None, lower: Floats, upper
     count = len(model.walls)
     moved = np.zeros((count, 3)) if state is None else state.wall_displacement
     growth = np.zeros(count) if state is None else state.wall_growth
-    place = flat(outlines.moved(moved, growth), view)
-    middle = flat(0.5 * (np.asarray(lower) + np.asarray(upper)), view)[0, 2]
+    place = seen_from(outlines.moved(moved, growth), view)
+    middle = seen_from(0.5 * (np.asarray(lower) + np.asarray(upper)), view)[0, 2]
     for wall in range(count):
         mine = np.flatnonzero(outlines.wall == wall)
         loops = [place[outlines.start[k] : outlines.start[k + 1]] for k in mine]
@@ -102,7 +102,7 @@ def draw_arrow(
     """
     long = _ARROW * float(np.linalg.norm(np.asarray(upper) - np.asarray(lower)))
     tip = start + long * np.asarray(along) / np.linalg.norm(along)
-    ends = flat(np.array([start, tip]), view)[:, :2]
+    ends = seen_from(np.array([start, tip]), view)[:, :2]
     ax.annotate("", ends[1], ends[0], zorder=7, annotation_clip=False,
                 arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.0, "mutation_scale": 14.0},
     )  # fmt: skip
