@@ -36,11 +36,11 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
         InputError: it is not closed, encloses nothing, or has solids that overlap, touch, or lie in each other.
     """
     if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
-        raise InputError(f"{name}: vertices {vertices.shape} and triangles {triangles.shape} are no (v, 3), (t, 3)")
+        raise InputError(f"{name}: vertices {vertices.shape}, triangles {triangles.shape}; give (v, 3) and (t, 3)")
     if not np.isfinite(vertices).all() or np.abs(vertices).max(initial=0.0) > _FARTHEST:
-        raise InputError(f"{name} has a vertex that is not finite, or beyond all measure; export it again")
+        raise InputError(f"{name} has a vertex that is not finite or beyond 1e30 m; export it again")
     if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
-        raise InputError(f"{name}: triangles name vertices that are not there; count them from 0")
+        raise InputError(f"{name}: triangles refer to vertices that do not exist; count vertices from 0")
     vertices, triangles = _merged(vertices, triangles, 0.0)
     if len(triangles) and not _is_closed(triangles):
         size = float(np.ptp(vertices, axis=0).max())
@@ -113,7 +113,7 @@ def _require_closed(name: str, triangles: Ints) -> None:
     lone, odd = int((count == 1).sum()), int(((count % 2 == 1) & (count > 1)).sum())
     if odd and odd >= lone:
         raise InputError(
-            f"{name}: {odd} edges have three triangles or more, an odd number: walls inside of the body, or solids"
+            f"{name}: {odd} edges have three triangles or more, an odd number: walls inside the body, or solids"
             " that share a part of a face; unite the solids, remove inner walls, and export again"
         )
     if lone:
