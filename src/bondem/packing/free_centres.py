@@ -46,7 +46,7 @@ def thrown_free(
         found = np.concatenate([found, x[nearest(x) > clear]])
         if len(found) >= count:
             return found[:count]
-    raise InputError("pack: surfaces of around= leave no room for other cells; ask for more and smaller cells")
+    raise InputError("pack: the layers along surfaces leave no room for other cells; ask for more and smaller cells")
 
 
 def settled_free(
