@@ -70,7 +70,7 @@ def test_names_follow_the_input_and_the_code() -> None:
     ({"vary": {"name.x": [1]}}, "'name' is not a table"),
     ({"slurm": {"cores": 0}}, "'campaign.slurm.cores' = 0"),
     ({"slurm": {"directives": ["a\nb"]}}, "a list of texts of one line each"),
-    ({"seeds": 10_000_000}, "give 1000000 at most"),
+    ({"seeds": 10_000_000}, "give at most 1000000"),
 ])  # fmt: skip
 def test_a_wrong_campaign_is_refused_before_any_work(changed: dict[str, Any], words: str) -> None:
     with pytest.raises(StudyError, match=words):
