@@ -23,7 +23,7 @@ _MODULES = re.compile(r"~?\b(?:bondem|collections|typing|pathlib|numpy)(?:\.\w+)
 
 def pages() -> Iterator[str]:
     """Code that the tests run, the guides before the examples."""
-    for folder in ("start", "guides", "."):
+    for folder in ("start", "guides", ".", "reference"):
         for page in sorted((DOCS / folder).glob("*.md")):
             yield from _FENCE.findall(page.read_text(encoding="utf-8"))
     for script in sorted((DOCS.parent / "examples").rglob("*.py")):
@@ -60,11 +60,26 @@ def examples() -> dict[str, str]:
     return found
 
 
+@cache
+def makers() -> dict[str, str]:
+    """The public function that returns each class, by the name of the class."""
+    import bondem
+
+    found: dict[str, str] = {}
+    for owner, prefix in ((bondem, ""), (bondem.labtests, "labtests.")):
+        for name in owner.__all__:
+            made = getattr(getattr(owner, name), "__annotations__", {}).get("return")
+            if isinstance(made, type):
+                found.setdefault(made.__name__, prefix + name)
+    return found
+
+
 def add_example(app: object, what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
     """Put an example of a public name at the end of its docstring."""
     if what not in ("class", "function", "data"):
         return
-    text = examples().get(name.removeprefix("bondem."))
+    short = name.removeprefix("bondem.")
+    text = examples().get(short) or examples().get(makers().get(short.split(".")[-1], ""))
     if text is not None:
         code = [f"   {one}" for one in text.splitlines()]
         lines += ["", ".. rubric:: Example", "", ".. code-block:: python", "", *code, ""]

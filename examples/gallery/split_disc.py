@@ -5,7 +5,7 @@ import numpy as np
 
 import bondem as bd
 
-disc = bd.connect(bd.pack(bd.Cylinder(25e-3, 10e-3), count=400, method="even", seed=1), method="laguerre")
+disc = bd.connect(bd.pack(bd.Cylinder(25e-3, 10e-3), count=300, method="even", seed=1), method="laguerre")
 concrete = bd.MohrCoulomb(tension=4e6, cohesion=14.3e6, friction_angle=0.61, fracture_energy=20.0)
 split = bd.labtests.brazilian(disc, bd.CellBond(E=40e9, nu=0.2), concrete)
 lost = np.bincount(disc.pairs.ravel(), np.repeat(1.0 - split.state.bond_integrity, 2)) / 13.0
