@@ -245,9 +245,9 @@ def test_particles_with_a_shape_they_do_not_fill(packing, tmp_path):
 
     for make in (given, from_file):
         assert "centres lie outside the given shape, a Box" in refused(lambda make=make: make(box(8e-3)), kind=InputError)
-        with pytest.warns(FillingWarning, match="stick out of the Box"):
+        with pytest.warns(FillingWarning, match="stick out of the given shape, a Box"):
             make(box(9.9e-3))
-        with pytest.warns(FillingWarning, match=r"the shape is larger than the body of spheres \(and 2 more such\)"):
+        with pytest.warns(FillingWarning, match=r"larger than the body of spheres \(and 2 more such\)"):
             make(box(12e-3))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
