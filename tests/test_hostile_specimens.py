@@ -244,7 +244,8 @@ def test_particles_with_a_shape_they_do_not_fill(packing, tmp_path):
         return parse_study({"name": "s", "specimen": table, "output": {"figures": False}}, folder=tmp_path)
 
     for make in (given, from_file):
-        assert "centres lie outside the given shape, a Box" in refused(lambda make=make: make(box(8e-3)), kind=InputError)
+        told = refused(lambda make=make: make(box(8e-3)), kind=InputError)
+        assert "centres lie outside the given shape, a Box" in told
         with pytest.warns(FillingWarning, match="stick out of the given shape, a Box"):
             make(box(9.9e-3))
         with pytest.warns(FillingWarning, match=r"larger than the body of spheres \(and 2 more such\)"):
