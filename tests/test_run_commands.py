@@ -157,7 +157,7 @@ def test_names_of_the_user_are_no_markup(tmp_path: Path) -> None:
     assert {"pack 1 of 2 100 %", "test 2 of 2 100 %"} <= set(lines)
     elsewhere = command("run", study, "--out", "out", "--log", "none/run.log", cwd=tmp_path)
     assert (elsewhere.returncode, elsewhere.stderr.count("\n")) == (2, 1)
-    assert "--log 'none/run.log' cannot be written" in elsewhere.stderr
+    assert "--log = 'none/run.log': cannot be written" in elsewhere.stderr
     assert "Beam [/8] [bold]" in done.stdout
     assert "out [/b]" in done.stdout
 
