@@ -228,7 +228,7 @@ def test_what_decides_is_checked() -> None:
     with pytest.raises(InputError, match=r"on = .tension.; give"):
         bd.Rankine(tension=F_T, on="tension")  # type: ignore[arg-type]
     cone = bd.DruckerPrager(tension=F_T, compression=1e7, fracture_energy=G_F, on="traction")
-    with pytest.raises(InputError, match=r"DruckerPrager: on = .traction. is of bd\.Rankine"):
+    with pytest.raises(InputError, match=r"DruckerPrager: on = .traction. applies to bd\.Rankine"):
         _ = bd.Model(body, LAW, density=RHO, failure=cone).softening
 
 
