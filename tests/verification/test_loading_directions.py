@@ -89,7 +89,7 @@ def test_a_crack_dissipates_its_projection(slope: float, curve: bd.Bilinear | No
 @pytest.mark.parametrize("slope", [0.6, 1.0])
 @pytest.mark.parametrize("share", [0.0, 0.3, 1.0, 3.0, math.inf])
 def test_a_bent_facet_begins_by_its_edge_and_dissipates_the_same(share: float, slope: float) -> None:
-    """p + b = f_t c at onset, for b / p = share; G_f A c whatever the share, of a facet without tangential traction."""
+    """p + b = f_t c at onset, for b / p = share; G_f A c whatever the share, without a tangential traction."""
     n, s, taken, begun = (slope, math.sqrt(1.0 - slope**2), 0.0), 1.0, 0.0, 0.0
     most = max(abs(one) for one in n)
     pulled, bent = (0.0, 1.0) if share == math.inf else (1.0, share)
@@ -126,7 +126,8 @@ def test_nothing_is_left_beyond_the_last_opening() -> None:
 def test_pressure_closes_the_bending_of_a_plane() -> None:
     """What pressure on a plane takes off its bending does not open it."""
     for bent, whole in ((2.9e6 + F_T, True), (3.1e6 + F_T, False)):
-        left = left_on_plane(1.0, (-3e6, 0.0, 0.0), (1.0, 0.0, 0.0), bent, F_T, LAST, math.inf, math.inf, 0.0, 0.0, 1.0)
+        pressed, n = (-3e6, 0.0, 0.0), (1.0, 0.0, 0.0)
+        left = left_on_plane(1.0, pressed, n, bent, F_T, LAST, math.inf, math.inf, 0.0, 0.0, 1.0)
         assert (left == 1.0) == whole
 
 
