@@ -37,6 +37,7 @@ autodoc_member_order = "bysource"
 napoleon_google_docstring = True
 napoleon_use_ivar = True
 napoleon_use_rtype = False
+napoleon_attr_annotations = False  # types of arrays as Python prints them; the text has their shapes
 
 linkcheck_timeout = 20
 linkcheck_anchors = False

@@ -98,6 +98,17 @@ def shorten(app: object, what: str, name: str, thing: object, options: object, s
     return readable(signature), readable(returned)
 
 
+def shorten_properties(app: object, document: Any) -> None:
+    """Make the types of properties readable, which Sphinx writes without asking."""
+    from docutils import nodes
+    from sphinx import addnodes
+
+    for note in document.findall(addnodes.desc_annotation):
+        text = note.astext()
+        if "ndarray" in text or "NDArray" in text:
+            note.children = [nodes.Text(readable(text) or "")]
+
+
 def escape_bars(app: object, what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
     """Keep |M| and x**2 as they are: to docutils they would be a substitution and bold."""
     lines[:] = [line.replace("|", "\\|").replace("**", "\\*\\*") for line in lines]
@@ -108,4 +119,5 @@ def setup(app: Any) -> dict[str, bool]:
     app.connect("autodoc-process-docstring", escape_bars)
     app.connect("autodoc-process-docstring", add_example, priority=900)
     app.connect("autodoc-process-signature", shorten)
+    app.connect("doctree-read", shorten_properties)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

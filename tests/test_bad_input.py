@@ -198,7 +198,7 @@ def test_the_command_refuses_a_bad_study_in_one_line(tmp_path, name):
         (["run", EXAMPLE, "--out", "out", "--threads", "9999"], "threads"),
         (["run", EXAMPLE, "--out", "file/out"], "output folder 'file/out' cannot be written"),
         (["run", EXAMPLE, "--out", "file"], "output folder 'file' is a file"),
-        (["resume", "missing.h5"], "no run file 'missing.h5'"),
+        (["resume", "missing.h5"], "'missing.h5': there is no run file"),
         (["resume", "file"], "not a run file"),
         (["walk"], "walk"),
         (["run", EXAMPLE, "--out", "out", "--colour", "red"], "--colour"),

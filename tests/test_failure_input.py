@@ -87,11 +87,11 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "a number": ("4000000", "a criterion such as bd.PeripheralStress", lambda: model(4e6)),
     "a class": ("PeripheralStress", "a criterion such as", lambda: model(bd.PeripheralStress)),
     "a beam's stress in the non-local law": (
-        "PeripheralStress is no criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
+        "PeripheralStress is not a criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
         lambda: model(STRESS, bd.NonLocal(E=1e9, nu=0.2), body()),
     ),
     "a cone in the non-local law": (
-        "DruckerPrager is no criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
+        "DruckerPrager is not a criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
         lambda: model(bd.DruckerPrager(tension=1e6, compression=1e7), bd.NonLocal(E=1e9, nu=0.2), body()),
     ),
     "softening in the non-local law": (
@@ -113,17 +113,17 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
         ),
     ),
     "a beam's stress in cells": (
-        "PeripheralStress judges beams", "use bd.MohrCoulomb",
+        "PeripheralStress applies to beams", "use bd.MohrCoulomb",
         lambda: model(STRESS, bd.CellBond(E=1e9, nu=0.2), body()),
     ),
     "a sum of forces in cells": (
-        "LinearSum judges beams", "use bd.MohrCoulomb",
+        "LinearSum applies to beams", "use bd.MohrCoulomb",
         lambda: model(
             bd.LinearSum(force=1.0, shear=1.0, bending=1.0, twisting=1.0), bd.CellBond(E=1e9, nu=0.2), body()
         ),
     ),
     "an ellipse in cells": (
-        "Elliptic judges beams", "use bd.MohrCoulomb",
+        "Elliptic applies to beams", "use bd.MohrCoulomb",
         lambda: model(bd.Elliptic(elongation=0.1, rotation=0.1), bd.CellBond(E=1e9, nu=0.2), body()),
     ),
     "bonds of two kinds": ("at the ends or at contact points", "give bonds of one kind", mixed),

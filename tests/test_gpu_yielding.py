@@ -12,6 +12,9 @@ from bondem.kernels.tables import FRACTURE, FRICTION, LOSS, PLASTIC, TRANSLATION
 from tests.gpu_sides import ends_alike, records_alike, three_sides
 from tests.test_gpu import only_slowly
 
+# a minute or two in the simulator; test_gpu, test_gpu_failure and test_gpu_cracks are one of each kind
+pytestmark = pytest.mark.validate
+
 YIELDING = "coulomb", "cone"
 CASES = (*YIELDING, "resumed", only_slowly("paused"), "own", "brittle cone")
 FIELDS = (

@@ -156,7 +156,7 @@ def test_a_study_splits_and_confines(tmp_path: Path) -> None:
     results = run_study(asked, tmp_path)
     split, pressed = results["tests"]["brazilian"], results["tests"]["triaxial"]
     assert split["theory"] == 4e6
-    assert split["error"] == pytest.approx(0.0, abs=0.15)
+    assert 0.0 < split["error"] < 0.25  # a disc of 0.4 E G_f / f_t² redistributes stress before it splits
     sine = math.sin(math.radians(35.0))
     assert pressed["theory"] == pytest.approx(54.94e6 + 5e6 * (1.0 + sine) / (1.0 - sine), rel=1e-3)
     assert pressed["error"] == pytest.approx(0.0, abs=0.05)

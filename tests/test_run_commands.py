@@ -153,11 +153,11 @@ def test_names_of_the_user_are_no_markup(tmp_path: Path) -> None:
     done = command("run", study, "--out", "out [/b]", "--log", "run.log", cwd=tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
     lines = [line.partition(" ")[2] for line in (tmp_path / "run.log").read_text().splitlines()]
-    assert (lines[0], lines[-1]) == ("begun", "ended")
+    assert (lines[0], lines[-1]) == ("started", "ended")
     assert {"pack 1 of 2 100 %", "test 2 of 2 100 %"} <= set(lines)
     elsewhere = command("run", study, "--out", "out", "--log", "none/run.log", cwd=tmp_path)
     assert (elsewhere.returncode, elsewhere.stderr.count("\n")) == (2, 1)
-    assert "--log 'none/run.log' cannot be written" in elsewhere.stderr
+    assert "--log = 'none/run.log': cannot be written" in elsewhere.stderr
     assert "Beam [/8] [bold]" in done.stdout
     assert "out [/b]" in done.stdout
 

@@ -26,7 +26,7 @@ PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 LANGUAGES = {"python", "toml", "sh", "text"}
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 # A block of code, and what it prints where a block of text follows at once.
-PRINTS = re.compile(r"^```python\n((?:(?!^```).*\n)*?)```\n\n```text\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+PRINTS = re.compile(r"^```python\n((?:(?!```)[^\n]*\n)*)```\n\n```text\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 PROGRAMS = ("bondem", "python", "python3", "pytest", "pip", "git", "cd")
 # Commands of seconds; all others take minutes to hours and are read only.

@@ -245,7 +245,7 @@ def test_the_command_warns_in_a_line_and_reads_units(tmp_path):
     done = command("calibrate", "--material", "granite", "--E", "69", "--count", "200", "--packings", "1")
     assert done.returncode == 0
     (line,) = done.stderr.splitlines()
-    assert line.startswith("bondem: warning: material 'granite': E = 69 Pa, of granite has about 6e+10 Pa")
+    assert line.startswith("bondem: warning: material 'granite': E = 69 Pa, but granite has about 6e+10 Pa")
     done = command("calibrate", "--E", "5 mm", "--nu", "0.2", "--rho", "2.2 g/cm^3")
     assert done.returncode == 2
     (line,) = done.stderr.splitlines()

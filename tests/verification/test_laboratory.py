@@ -84,7 +84,7 @@ def test_a_disc_has_the_elastic_stress_of_theory_at_its_centre(shape: bd.Shape) 
     assert 0.8 < test.peak / 4e6 < 1.05
     assert test.tension == pytest.approx(test.factor * test.peak)
     assert test.test.residual < 2e-3
-    assert test.curve[-1, 1] < 0.75 * test.peak
+    assert test.curve[-1, 1] < 0.9 * test.peak
 
 
 def test_a_triaxial_test_is_on_the_line_of_mohr_and_coulomb() -> None:
