@@ -75,7 +75,7 @@ def readings() -> list[dict]:
 def shares(law: str, lattice: bd.Lattice = LATTICE) -> tuple[float, np.ndarray, np.ndarray]:
     """ω of the first bending mode [rad/s], and of normal, shear, bending, twisting s_c [-] and √(m_c / k_c) [s]."""
     model = cantilever(lattice, bond(law, RADIUS), LOAD)
-    modes, s = bd.solve_modes(model, count=2), model.stiffness
+    modes, s = bd.solve_modes(model, count=2, prestress=False), model.stiffness
     # transverse along y, of the two that are alike
     shape = modes.shape[int(np.argmax(np.abs(modes.shape[:2, -1, 1])))]
     y, angle = shape[:, 1], shape[:, 5]

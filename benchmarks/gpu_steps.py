@@ -125,7 +125,7 @@ def main() -> None:
     try:
         boundary = importlib.import_module("bondem._compile_cuda")
     except ImportError as error:
-        sys.exit(f'nothing measured: numba-cuda is missing ({error}); pip install "bondem[gpu]"')
+        sys.exit(f'nothing measured: numba-cuda is missing ({error}); pip install -e ".[gpu]"')
     reason = boundary.missing()
     if reason is not None or boundary.SIMULATED:
         sys.exit(f"nothing measured: {reason or 'this is the simulator, which says nothing about speed'}")

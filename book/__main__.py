@@ -6,6 +6,7 @@ import tempfile
 from pathlib import Path
 
 from book.chapters import MEASUREMENTS
+from book.counting import counted
 from book.errors import BookError
 from book.fast import fast
 from book.markdown import counts
@@ -16,15 +17,18 @@ from book.results import RESULTS, ROOT
 
 def main(arguments: list[str] | None = None) -> int:
     """Exit status 0 when all went well, 1 when a page differs or a row of the fast part is missed, 2 on an error."""
-    parser = argparse.ArgumentParser(prog="python -m book", description="The calibration and validation book.")
+    parser = argparse.ArgumentParser(prog="python -m book", description="Write and check the validation pages.")
     action = parser.add_mutually_exclusive_group()
-    action.add_argument("--check", action="store_true", help="are the pages what the results render to?")
-    action.add_argument("--list", action="store_true", help="what is measured, and how")
-    action.add_argument("--measure", nargs="*", metavar="NAME", help="measure again; all without names")
+    action.add_argument("--check", action="store_true",
+        help="list pages that differ from the results, and missing figures")
+    action.add_argument("--rows", action="store_true", help="count rows by verdict, before and after the rule")
+    action.add_argument("--list", action="store_true", help="list the measurements and their commands")
+    action.add_argument("--measure", nargs="*", metavar="NAME", help="repeat measurements; all without names")
     action.add_argument("--fast", nargs="?", const="", metavar="DIR",
-        help="a small part from nothing; in DIR if given")
-    parser.add_argument("--no-run", action="store_true", help="with --measure: take in what the folder holds already")
-    parser.add_argument("--build", type=Path, default=BUILD, help="with --measure: where commands leave their own")
+        help="measure a small part from nothing; in DIR if given")
+    parser.add_argument("--no-run", action="store_true",
+        help="with --measure: use the files that the folder holds already")
+    parser.add_argument("--build", type=Path, default=BUILD, help="with --measure: folder for the output of commands")
     options = parser.parse_args(arguments)
     try:
         if options.list:
@@ -37,14 +41,18 @@ def main(arguments: list[str] | None = None) -> int:
             return _fast(options.fast)
         if options.check:
             found = list(differences())
-            print("\n".join(found) or "the book is what the results render to")
+            print("\n".join(found) or "the validation pages agree with the results")
             return bool(found)
+        if options.rows:
+            lines, lost = counted(chapters())
+            print("\n".join([*lines, *(lost or ["every miss is printed on its page and on the first page"])]))
+            return bool(lost)
         if options.measure is not None:
             measure(options.measure, build=options.build, run=not options.no_run)
         for path in write():
             print(f"wrote {path.relative_to(ROOT)}")
         rows = [row for chapter in chapters() for row in chapter.rows]
-        print(f"{len(rows)} rows: {counts(rows)}")
+        print(counts(rows))
     except BookError as error:
         print(f"book: {error}", file=sys.stderr)
         return 2

@@ -42,12 +42,14 @@ class Chapter:
         name: of its page, `docs/validation/NAME.md`.
         title: in the contents.
         summary: what it shows, in a sentence or two.
+        misses: what failed, in plain words without numbers; "" where every comparison is met.
         sections: of it.
     """
 
     name: str
     title: str
     summary: str
+    misses: str = ""
     sections: tuple[Section, ...]
 
     @property

@@ -1,5 +1,5 @@
-"""What can be wrong with the book."""
+"""Errors of the validation pages."""
 
 
 class BookError(Exception):
-    """A row without its number, a figure that is not there, a page that is not what the results render to."""
+    """A row without its number, a figure that is not there, a page that differs from the results."""

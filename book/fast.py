@@ -30,7 +30,7 @@ def fast(folder: Path) -> int:
     found = chapter(folder)
     (folder / "fast.md").write_text(page(found), encoding="utf-8")
     missed = [row for row in found.rows if row.verdict is Verdict.MISSED]
-    print(f"{len(list(found.rows))} rows: {counts(found.rows)}")
+    print(counts(found.rows))
     for row in missed:
         asked = row.tolerance.words(row.form) if row.tolerance else ""
         print(f"missed: {row.case}: {row.ours.text(row.form)}, asked {asked}, paper {row.paper_text or '–'}")

@@ -5,49 +5,17 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from book.chapter import Chapter, Figure, Section
-from book.claims import CLAIMS, Claim
 from book.row import Origin, Row, Verdict, tally
+from book.shown import Line, left_out, shown
 
-_GENERATED = "<!-- Written by `python -m book`; edit book/, not this file. -->\n"
-_INTRODUCTION = """# Validation
-
-What the papers print, what bondem gives, and the command that measures it. This book is generated: every number of
-ours is read from [`benchmarks/results`](../benchmarks/results), where the command beside it left it, a study, a
-benchmark or the tests; every verdict is computed from the numbers and a tolerance beside it. `python -m book
---measure NAME` measures a part again, `python -m book` writes these pages, and CI fails where they are not what the
-results render to. Verification (closed forms, conservation laws) is in `tests/verification/` and runs with the
-tests. Times and speeds are medians, of machines with 2 shared cores."""
-_LEGEND = """\
-- **met**: within the tolerance, and so one standard deviation to either side; the worst of several decides.
-- **met by the mean**: the mean is within the tolerance, single packings or runs are not all: it less or more one
-  standard deviation lies outside.
-- **missed**: outside.
-- **missed, explained**: outside a tolerance about the paper's number; the reason is given, and it is a miss all the
-  same.
-- **no paper value**: nothing is printed and nothing asked.
-
-± is one standard deviation over packings or runs. The last column is the number of the command in the list of its
-chapter; BUILD is a folder of one's own."""
+GENERATED = "<!-- Written by `python -m book`; edit book/, not this file. -->\n"
+_SENTENCE = re.compile(r"(?<! al\.)(?<!figs\.)(?<!fig\.)(?<!ref\.)(?<=[.!?]) (?=[A-ZΑ-Ω`\[(])")
 _LINK = re.compile(r"(\]\()([^)#:\s]+)(\)|#)")
-
-
-def front(chapters: Sequence[Chapter]) -> str:
-    """`docs/validation.md`: contents with counts, what is missed, what of it is explained."""
-    lines = [_GENERATED + _INTRODUCTION, _claims(CLAIMS, chapters), _contents(chapters), _LEGEND]
-    missed, differing = (
-        [(chapter, row) for chapter in chapters for row in chapter.rows if row.verdict is verdict]
-        for verdict in (Verdict.MISSED, Verdict.EXPLAINED)
-    )
-    if missed:
-        lines += ["## What is missed", _missed(missed)]
-    if differing:
-        lines += ["## What misses the papers' numbers, and why", _differing(differing)]
-    return "\n\n".join(lines) + "\n"
 
 
 def page(chapter: Chapter) -> str:
     """`docs/validation/NAME.md`."""
-    text = f"{_GENERATED}[Validation](validation.md)\n\n{_body(chapter, '#')}\n"
+    text = f"{GENERATED}[Validation](validation.md)\n\n{_body(chapter, '#')}\n"
     return moved(text, "validation")
 
 
@@ -57,20 +25,31 @@ def moved(text: str, folder: str) -> str:
 
 
 def table(rows: Sequence[Row], commands: Sequence[Origin]) -> str:
-    """Rows as a table, with remarks below it."""
-    remarks = list(dict.fromkeys(remark for row in rows for remark in row.remarks))
+    """The rows that have a verdict as a table, with remarks below it."""
+    lines = shown(rows)
+    remarks = list(dict.fromkeys(remark for line in lines for remark in line.remarks))
     columns = {
-        "case": [row.case for row in rows],
-        "source": [row.source for row in rows],
-        "paper": [row.paper_text for row in rows],
-        "bondem": [row.ours.text(row.form) for row in rows],
-        "tolerance": [_asked(row) for row in rows],
-        "verdict": [_verdict(row, remarks) for row in rows],
-        "command": [str(1 + commands.index(row.ours.origin)) for row in rows],
+        "case": [line.case for line in lines],
+        "source": [line.first.source for line in lines],
+        "published": [line.first.paper_text for line in lines],
+        "bondem": [line.ours for line in lines],
+        "required": [required(line.first).replace(" ", "\N{NO-BREAK SPACE}") for line in lines],
+        "verdict": [_verdict(line, remarks) for line in lines],
+        "#": [str(1 + commands.index(line.first.ours.origin)) for line in lines],
     }
-    lines = [_grid(columns), ""] if remarks else [_grid(columns)]
-    lines += [f"<sup>{_letter(k)}</sup> {_sentence(remark)}<br>" for k, remark in enumerate(remarks)]
-    return "\n".join(lines).removesuffix("<br>")
+    text = [_grid(columns), ""] if remarks else [_grid(columns)]
+    return "\n".join([*text, *notes(remarks)])
+
+
+def notes(remarks: Sequence[str]) -> list[str]:
+    """Remarks below a table or a list, each behind its letter."""
+    lines = [f"<sup>{_letter(k)}</sup> {sentence(remark)}<br>" for k, remark in enumerate(remarks)]
+    return [*lines[:-1], *(line.removesuffix("<br>") for line in lines[-1:])]
+
+
+def mark(remarks: Sequence[str], remark: str) -> str:
+    """The letter of a remark, behind what it belongs to."""
+    return f" <sup>{_letter(remarks.index(remark))}</sup>"
 
 
 def _grid(columns: Mapping[str, Sequence[str]]) -> str:
@@ -80,104 +59,35 @@ def _grid(columns: Mapping[str, Sequence[str]]) -> str:
     return "\n".join(lines + [f"| {' | '.join(cells)} |" for cells in zip(*kept.values(), strict=True)])
 
 
-def _asked(row: Row) -> str:
+def required(row: Row) -> str:
+    """What is required of a number, in words; "" where nothing is."""
     return row.tolerance.words(row.form) if row.tolerance else ""
 
 
-def address(chapter: Chapter) -> str:
-    """Where a chapter stands, from `docs`."""
-    return f"validation/{chapter.name}.md"
+def address(chapter: Chapter, section: Section | None = None) -> str:
+    """The address of a chapter, or of one of its sections, from `docs`."""
+    return f"validation/{chapter.name}.md" + (f"#{slug(section.title)}" if section else "")
+
+
+def slug(title: str) -> str:
+    """The anchor of a title, as Sphinx and GitHub derive it."""
+    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
 
 
 def counts(rows: Iterable[Row]) -> str:
-    """12 met, 2 missed, 1 of them explained."""
+    """16 comparisons: 12 met, 4 missed, 1 of them explained."""
     found = tally(rows)
+    compared = sum(found.values()) - found[Verdict.NO_PAPER]
     missed = sum(number for verdict, number in found.items() if verdict.is_miss)
     parts = [f"{found[verdict]} {verdict.value}" for verdict in (Verdict.MET, Verdict.BY_MEAN) if found[verdict]]
     if missed:
         why = f", {found[Verdict.EXPLAINED]} of them explained" if found[Verdict.EXPLAINED] else ""
         parts.append(f"{missed} missed{why}")
-    return ", ".join([*parts, *[f"{found[Verdict.NO_PAPER]} no paper value"] * bool(found[Verdict.NO_PAPER])])
+    return f"{compared} comparison{'s' * (compared != 1)}" + (f": {', '.join(parts)}" if parts else "")
 
 
-def _claims(claims: Sequence[Claim], chapters: Sequence[Chapter]) -> str:
-    """The claims as a table; a claim of a chapter that is not in the book is left out."""
-    known = {chapter.name: chapter for chapter in chapters}
-    pairs = [(claim, claim.row(chapters)) for claim in claims if claim.chapter in known]
-    if not pairs:
-        return ""
-    rows = [row for _, row in pairs]
-    held = [row for row in rows if not row.verdict.is_miss]
-    commands = list(dict.fromkeys(row.ours.origin for row in rows))
-    remarks = list(dict.fromkeys(remark for row in rows for remark in row.remarks))
-    grid = _grid({
-        "claim": [f"[{claim.says}]({address(known[claim.chapter])})" for claim, _ in pairs],
-        "the paper's way": [claim.theirs for claim, _ in pairs],
-        "ours": [claim.ours for claim, _ in pairs],
-        "unseen packings": [claim.unseen for claim, _ in pairs],
-        "paper": [row.paper_text for row in rows],
-        "bondem": [row.ours.text(row.form) for row in rows],
-        "tolerance": [_asked(row) for row in rows],
-        "verdict": [_verdict(row, remarks) for row in rows],
-        "command": [str(1 + commands.index(row.ours.origin)) for row in rows],
-    })  # fmt: skip
-    said = f"{len(rows)} claims: {len(held)} held, {len(rows) - len(held)} did not. The rest is behind each of them."
-    lines = [f"<sup>{_letter(k)}</sup> {_sentence(remark)}<br>" for k, remark in enumerate(remarks)]
-    below = "\n".join(lines).removesuffix("<br>")
-    return "\n\n".join(["## What is claimed", said, _commands(commands), grid, below])
-
-
-def _contents(chapters: Sequence[Chapter]) -> str:
-    head = "| chapter | rows | met | met by the mean | missed | of these explained | no paper value |"
-    lines = ["## Contents", "", head, "|---|--:|--:|--:|--:|--:|--:|"]
-    for chapter in chapters:
-        lines.append(_line(f"[{chapter.title}]({address(chapter)})",
-            list(chapter.rows)))
-    lines.append(_line("**all**", [row for chapter in chapters for row in chapter.rows]))
-    return "\n".join(lines)
-
-
-def _line(title: str, rows: Sequence[Row]) -> str:
-    found = tally(rows)
-    missed = sum(number for verdict, number in found.items() if verdict.is_miss)
-    numbers = found[Verdict.MET], found[Verdict.BY_MEAN], missed, found[Verdict.EXPLAINED], found[Verdict.NO_PAPER]
-    cells = [str(number or "") for number in numbers]
-    if missed:
-        cells[2] = f"**{missed}**"
-    return f"| {title} | {len(rows)} | {' | '.join(cells)} |"
-
-
-def _missed(found: Sequence[tuple[Chapter, Row]]) -> str:
-    return _grid({
-        "chapter": [_reference(chapter) for chapter, _ in found],
-        "case": [f"{row.case} ({'; '.join(row.remarks)})" if row.remarks else row.case for _, row in found],
-        "paper": [row.paper_text for _, row in found],
-        "bondem": [f"**{row.ours.text(row.form)}**" for _, row in found],
-        "tolerance": [_asked(row) for _, row in found],
-    })  # fmt: skip
-
-
-def _differing(found: Sequence[tuple[Chapter, Row]]) -> str:
-    """By chapter; rows of one reason together."""
-    lines = []
-    for chapter in dict.fromkeys(chapter.title for chapter, _ in found):
-        members = [(one, row) for one, row in found if one.title == chapter]
-        lines.append(f"- {_reference(members[0][0])}")
-        for reason in dict.fromkeys(row.reason for _, row in members):
-            cases = "; ".join(
-                f"{row.case}: {row.ours.text(row.form)}, paper {row.paper_text}" for _,
-                row in members if row.reason == reason
-            )
-            lines.append(f"  - *{_sentence(reason)}* {cases}.")
-    return "\n".join(lines)
-
-
-def _reference(chapter: Chapter) -> str:
-    return f"[{chapter.title}]({address(chapter)})"
-
-
-def _sentence(remark: str) -> str:
-    """With a capital, unless it begins with a symbol of one letter."""
+def sentence(remark: str) -> str:
+    """A remark with a full stop and with a capital, unless it begins with a symbol of one letter."""
     symbol = len(remark.split()[0].strip(",:")) == 1
     return f"{remark if symbol else remark[0].upper() + remark[1:]}".rstrip(".") + "."
 
@@ -186,22 +96,47 @@ def _letter(k: int) -> str:
     return chr(ord("a") + k)
 
 
-def _body(chapter: Chapter, mark: str) -> str:
+def _body(chapter: Chapter, level: str) -> str:
     rows = list(chapter.rows)
     commands = list(dict.fromkeys(row.ours.origin for row in rows))
-    lines = [f"{mark} {chapter.title}", chapter.summary]
+    lines = [f"{level} {chapter.title}", _lines(chapter.summary)]
     if rows:
-        lines += [f"*{len(rows)} rows: {counts(rows)}.*", _commands(commands)]
+        lines.append(f"*{sentence(counts(rows))}*")
+        lines += [f"What failed: {_lines(chapter.misses)}"] * any(row.verdict.is_miss for row in rows)
+        lines.append(_commands(commands))
     for section in chapter.sections:
-        lines += _section(section, f"{mark}#", commands)
+        lines += _section(section, f"{level}#", commands)
     return "\n\n".join(line for line in lines if line)
 
 
-def _section(section: Section, mark: str, commands: Sequence[Origin]) -> list[str]:
-    lines = [f"{mark} {section.title}", section.before]
-    if section.rows:
-        lines.append(table(section.rows, commands))
-    return [*lines, section.after, *map(_figure, section.figures)]
+def _section(section: Section, level: str, commands: Sequence[Origin]) -> list[str]:
+    """Nothing, if the section has neither text nor figures nor comparisons."""
+    parts = [
+        _lines(section.before),
+        table(section.rows, commands) if shown(section.rows) else "",
+        _lines(section.after),
+        *map(_figure, section.figures),
+        _left_out(section),
+    ]
+    return [f"{level} {section.title}", *parts] if any(parts) else []
+
+
+def _left_out(section: Section) -> str:
+    """How many numbers have nothing to be compared with, and the files that hold them."""
+    rows = left_out(section.rows)
+    if not rows:
+        return ""
+    files = sorted({row.ours.origin.kept for row in rows})
+    links = ", ".join(f"[{posixpath.basename(kept)}](../{kept})" for kept in files)
+    many = "One more number" if len(rows) == 1 else f"{len(rows)} more numbers"
+    has, it = ("has", "it is") if len(rows) == 1 else ("have", "they are")
+    return f"*{many} of this section {has} nothing to be compared with; {it} in {links}.*"
+
+
+def _lines(text: str) -> str:
+    """Prose with one sentence a line; tables stay as they are."""
+    parts = text.split("\n\n")
+    return "\n\n".join(part if part.startswith("|") else _SENTENCE.sub("\n", part) for part in parts)
 
 
 def _figure(figure: Figure) -> str:
@@ -217,6 +152,6 @@ def _commands(commands: Sequence[Origin]) -> str:
     return "\n".join(lines)
 
 
-def _verdict(row: Row, remarks: Sequence[str]) -> str:
-    word = f"**{row.verdict.value}**" if row.verdict.is_miss else row.verdict.value
-    return word + "".join(f" <sup>{_letter(remarks.index(remark))}</sup>" for remark in row.remarks)
+def _verdict(line: Line, remarks: Sequence[str]) -> str:
+    word = f"**{line.verdict.value}**" if line.verdict.is_miss else line.verdict.value
+    return word + "".join(mark(remarks, remark) for remark in line.remarks)

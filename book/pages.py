@@ -5,7 +5,9 @@ from pathlib import Path
 
 from book.chapter import Chapter
 from book.chapters import FILES
-from book.markdown import front, page
+from book.errors import BookError
+from book.front import front
+from book.markdown import page
 from book.results import ROOT
 from book.studies_page import filled
 
@@ -15,8 +17,16 @@ LARGEST_FIGURE = 1_000_000
 
 
 def chapters() -> list[Chapter]:
-    """All chapters in their order; an error if a row lacks its number."""
-    return [file.chapter() for file in FILES]
+    """All chapters in their order.
+
+    Raises:
+        BookError: a row lacks its number; or a comparison is missed and no words say what failed, or the reverse.
+    """
+    found = [file.chapter() for file in FILES]
+    for chapter in found:
+        if any(row.verdict.is_miss for row in chapter.rows) is not bool(chapter.misses):
+            raise BookError(f"'{chapter.name}': misses= says in plain words what failed, if something did; else ''")
+    return found
 
 
 def rendered(book: list[Chapter]) -> dict[Path, str]:
@@ -26,7 +36,7 @@ def rendered(book: list[Chapter]) -> dict[Path, str]:
 
 
 def write() -> list[Path]:
-    """Bring the pages to what the results render to; returns those that changed."""
+    """Write the pages that differ from the results; returns their paths."""
     changed = []
     for path, text in rendered(chapters()).items():
         if not path.exists() or path.read_text(encoding="utf-8") != text:
@@ -36,11 +46,11 @@ def write() -> list[Path]:
 
 
 def differences() -> Iterator[str]:
-    """What is not as the results render it, a sentence each; nothing when the book is up to date."""
+    """Pages that differ from the results, and missing figures, one sentence each."""
     book = chapters()
     for path, text in rendered(book).items():
         if not path.exists() or path.read_text(encoding="utf-8") != text:
-            yield f"{path.relative_to(ROOT)} is not what the results render to; run python -m book"
+            yield f"{path.relative_to(ROOT)} differs from the results; run python -m book"
     for chapter in book:
         for figure in (figure for section in chapter.sections for figure in section.figures):
             path = DOCS / "figures" / figure.name

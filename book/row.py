@@ -18,7 +18,7 @@ class Verdict(Enum):
     BY_MEAN = "met by the mean"
     MISSED = "missed"
     EXPLAINED = "missed, explained"
-    NO_PAPER = "no paper value"
+    NO_PAPER = "no verdict"
 
     @property
     def is_miss(self) -> bool:

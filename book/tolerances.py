@@ -60,7 +60,7 @@ class AtMost(Tolerance):
         return max(map(abs, values)) <= abs(_given(self.limit, paper)) * _ROUNDING
 
     def words(self, form: Form | Said) -> str:
-        return "≤ the paper's" if self.limit is None else f"≤ {form.text(self.limit, signed=False)}"
+        return "≤ published" if self.limit is None else f"≤ {form.text(self.limit, signed=False)}"
 
 
 @final
@@ -74,7 +74,7 @@ class AtLeast(Tolerance):
         return min(values) * _ROUNDING >= _given(self.limit, paper)
 
     def words(self, form: Form | Said) -> str:
-        return "≥ the paper's" if self.limit is None else f"≥ {form.text(self.limit, signed=False)}"
+        return "≥ published" if self.limit is None else f"≥ {form.text(self.limit, signed=False)}"
 
 
 @final

@@ -7,6 +7,9 @@ import pytest
 # What tests pack is packed anew, here and in the processes they start; those of the cache turn it on.
 os.environ["BONDEM_PACKING_CACHE"] = "off"
 
+# Tests of progress turn it on.
+os.environ.setdefault("BONDEM_PROGRESS", "off")
+
 pytest_plugins = ("tests.recording",)
 
 _OPTIONS = {"validate": "--validate", "gpu": "--gpu", "sanitize": "--sanitize"}

@@ -102,7 +102,7 @@ def test_a_single_ball_has_no_gap() -> None:
         (lambda: bd.aggregates(BOX, bd.Uniform(0.2), fraction=0.2, gap=GAP), "sieve"),
         (lambda: bd.aggregates(bd.Cell((1.0, 1.0, 1.0)), SIEVE, fraction=0.2, gap=GAP), "periodic"),
         (lambda: bd.aggregates(BOX, bd.Sieve((7.0, 14.0), (0.0, 1.0)), fraction=0.2, gap=GAP), "unit of the sieves"),
-        (lambda: bd.aggregates(BOX, SIEVE, fraction=0.5, gap=GAP), "go in"),
+        (lambda: bd.aggregates(BOX, SIEVE, fraction=0.5, gap=GAP), "fits"),
         (lambda: bd.pack(BOX, size=SIZE, method="even", around="stones"), "around"),
         (lambda: bd.pack(BOX, count=1000, around=stones()), "even"),
         (lambda: bd.pack(BOX, size=4e-3, method="even", around=stones(), cache=False), "too large for balls"),

@@ -174,7 +174,8 @@ USUAL: dict[str, dict[str, Any]] = {
     "crack_speed": {"events": EVENTS, "origin": (0.0, 0.0, 0.0), "direction": (1.0, 0.0, 0.0), "between": (0.0, 9.0),
                     "beyond": 0.0},
     "cracks": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
-    "bond_forces": {"model": BREAKING, "state": BREAKING.state()},
+    "bond_forces": {"model": BREAKING, "result": BREAKING.state()},
+    "element_stress": {"model": BREAKING, "result": BREAKING.state()},
     "explain": {"model": BREAKING, "state": BREAKING.state(), "most": 3},
     "failure_index": {"model": BREAKING, "state": BREAKING.state()},
     "fragments": {"lattice": LATTICE, "state": BREAKING.state(), "integrity": 0.5},
@@ -214,6 +215,7 @@ USUAL: dict[str, dict[str, Any]] = {
         "bar": PIECE, "law": CELLS, "failure": None, "density": 1e3, "pressure": 1e4, "rise": 1e-4, "fall": 1e-4,
         "duration": 1e-3, "rebound": 1e-3, "bins": 4,
     },
+    "show_progress": {"mode": "off"},
     "labtests.impact": {"lattice": BAR, "law": LAW, **MOVING, "velocity": 0.1},
 }  # fmt: skip
 # Read and write files (`test_hostile_specimens`, `test_runfile`), have no arguments, or are made by the package.
@@ -230,6 +232,9 @@ ELSEWHERE = {
     "QuasistaticResult", "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata",
     "Trial", "StrengthCalibration", "StrengthRun", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
+    # changes all runs that follow (`test_names`)
+    "set_threads",
+    "ElementStress",
     "BondForces", "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
     "CrackPolygons", "CrackSurfaces", "Cracks", "Explanation", "ImpliedFracture",
     # whole tests to failure (`test_strength`)

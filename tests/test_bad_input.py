@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.campaign.sweep import is_campaign
 from bondem.errors import BondemError, DisconnectedError, EmptyRegionError, InputError, StudyError, UnstableStepError
-from bondem.study.study import parse_study
+from bondem.study.study import parse_study, read_study
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "silica.toml"
 LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
@@ -113,7 +114,7 @@ STUDIES = {
     "E < 0": ("E = 72.5e9", "E = -72.5e9", "'material.E'", "give a number above 0 [Pa]"),
     "E is NaN": ("E = 72.5e9", "E = nan", "'material.E' = nan", "give a number above 0 [Pa]"),
     "E is text": ("E = 72.5e9", "E = '72.5'", "'material.E' = '72.5' is text", "leave out the quotes"),
-    "E is a length": ("E = 72.5e9", "E = '72.5 mm'", "'material.E' = '72.5 mm'", "mm is no unit of [Pa]"),
+    "E is a length": ("E = 72.5e9", "E = '72.5 mm'", "'material.E' = '72.5 mm'", "mm is not a unit of [Pa]"),
     "E in an unknown unit": ("E = 72.5e9", "E = '72.5 Gpa'", "'material.E'", "unit 'Gpa' is not known"),
     "nu = 0.5": ("nu = 0.17", "nu = 0.5", "'material.nu' = 0.5", "between -1 and 0.5"),
     "nu = -1": ("nu = 0.17", "nu = -1", "'material.nu' = -1", "between -1 and 0.5"),
@@ -123,10 +124,10 @@ STUDIES = {
     "count": ("count = 10_000", "count = 1e4", "'specimen.count'", "whole number"),
     "law": ("EulerBernoulli", "EulerBernouli", "'bond.law'", "did you mean 'EulerBernoulli'"),
     "test": ('"impact"', '"impakt"', "'impakt'", "did you mean 'impact'"),
-    "packings": ("packings = 1", "packings = 3", "'calibration.packings' = 3", "raise 'packings'"),
+    "packings": ("packings = 1", "packings = 3", "'calibration.packings' = 3", "increase 'packings'"),
     "both bond rules": ("tolerance = 0.0", "tolerance = 0.0\nreach = 1.1", "'bond.reach'", "not both"),
     "shape": ('"cylinder"', '"cone"', "'specimen.shape'", "cylinder, box"),
-    "not TOML": ("[material]", "[material", "not valid TOML", "mend it"),
+    "not TOML": ("[material]", "[material", "not valid TOML", "correct it"),
 }
 
 
@@ -144,6 +145,29 @@ def test_a_bad_study_names_the_key(tmp_path, old, new, key, advice):
     assert key in str(caught.value)
     assert advice in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+@pytest.mark.parametrize("end", ["\r\n", "\r"])
+def test_studies_of_other_editors_read_alike(tmp_path, encoding, end):
+    text = EXAMPLE.read_text().replace("name = \"fused silica\"", "name = \"Glas, geprüft\"")
+    (tmp_path / "plain.toml").write_text(text, encoding="utf-8")
+    (tmp_path / "other.toml").write_bytes(text.replace("\n", end).encode(encoding))
+    assert read_study(tmp_path / "other.toml") == read_study(tmp_path / "plain.toml")
+    assert not is_campaign(tmp_path / "other.toml")
+    campaign = f"{text}\n[campaign]\nseeds = 2\n".replace("\n", end)
+    (tmp_path / "campaign.toml").write_bytes(campaign.encode(encoding))
+    assert is_campaign(tmp_path / "campaign.toml")
+
+
+@pytest.mark.parametrize(("text", "encoding", "words"), [
+    ("name = 'a'\n# Prüfkörper\n", "latin-1", r"line 2: the text is not UTF-8; save it with that encoding"),
+    ("name = “granite”\n", "utf-8", "texts need straight quotes"),
+])  # fmt: skip
+def test_a_study_that_is_no_text_says_what_to_do(tmp_path, text, encoding, words):
+    (tmp_path / "bad.toml").write_bytes(text.encode(encoding))
+    with pytest.raises(StudyError, match=words):
+        read_study(tmp_path / "bad.toml")
 
 
 def command(*arguments, cwd):
@@ -174,7 +198,7 @@ def test_the_command_refuses_a_bad_study_in_one_line(tmp_path, name):
         (["run", EXAMPLE, "--out", "out", "--threads", "9999"], "threads"),
         (["run", EXAMPLE, "--out", "file/out"], "output folder 'file/out' cannot be written"),
         (["run", EXAMPLE, "--out", "file"], "output folder 'file' is a file"),
-        (["resume", "missing.h5"], "no run file 'missing.h5'"),
+        (["resume", "missing.h5"], "'missing.h5': there is no run file"),
         (["resume", "file"], "not a run file"),
         (["walk"], "walk"),
         (["run", EXAMPLE, "--out", "out", "--colour", "red"], "--colour"),
@@ -215,6 +239,6 @@ def test_an_unreachable_target_leaves_nothing_behind(tmp_path):
     (tmp_path / "study.toml").write_text(text)
     done = command("run", "study.toml", "--out", "out", "--packings", "1", cwd=tmp_path)
     assert done.returncode == 2
-    assert "nu = -0.5 is outside" in done.stderr
+    assert "nu = -0.5: outside" in done.stderr
     assert len(done.stderr.splitlines()) == 1
     assert sorted(path.name for path in tmp_path.iterdir()) == ["study.toml"]

@@ -86,3 +86,99 @@ def test_cells_and_other_states_are_refused() -> None:
     other = bd.Model(spheres(), LAWS["total"][0], RHO)
     with pytest.raises(InputError, match="belongs to another"):
         bd.bond_forces(other, model.state())
+
+
+def pulled(load: bd.Load, law: bd.BondLaw = LAWS["total"][0]) -> bd.Model:
+    """Spheres held at one end, with a load at the other."""
+    return bd.Model(spheres(), law, RHO, boundary=[bd.Fix(bd.Face("x_min", depth=0.2)), load])
+
+
+FAR = bd.Face("x_max", depth=0.2)
+
+
+@pytest.mark.parametrize("law", [LAWS["total"][0], bd.ParallelBond(E=E, nu=NU, radius_ratio=0.7, kappa=2.0)])
+def test_a_static_solution_has_the_forces_of_its_pose(law: bd.BondLaw) -> None:
+    """To the square of its rotations; and those of every free element are in equilibrium, to rounding."""
+    model = pulled(bd.Load(FAR, (1e-2, 2e-2, 0.0), moment=(0.0, 0.0, 1e-2)), law)
+    static = bd.solve_static(model)
+    found = bd.bond_forces(model, static)
+    n, (i, j) = len(model.lattice.particles), model.lattice.pairs.T
+    load, turn = np.zeros((n, 3)), np.zeros((n, 3))
+    for end, force, moment in ((i, -found.force, found.moment_i), (j, found.force, found.moment_j)):
+        np.add.at(load, end, force)
+        np.add.at(turn, end, moment)
+    free = np.setdiff1d(np.arange(n), np.concatenate([one.region.select(model.lattice) for one in model.boundary]))
+    size = np.abs(found.force).max()
+    assert np.abs(load[free]).max() < 1e-9 * size
+    assert np.abs(turn[free]).max() < 1e-9 * size
+    state = model.state()
+    state.displacement = static.displacement
+    half = 0.5 * static.rotation
+    state.orientation = np.column_stack([np.sqrt(1.0 - (half**2).sum(axis=1)), half])
+    if law.formulation == "total":
+        posed = bd.bond_forces(model, state)
+        for name in ("force", "moment_i", "moment_j"):
+            ours, theirs = getattr(found, name), getattr(posed, name)
+            assert np.abs(ours - theirs).max() < 1e-4 * np.abs(theirs).max()
+
+
+def test_bonds_of_a_static_solution_carry_their_stress_free_strain() -> None:
+    """A chain between two walls that would grow by ε*: -kn L ε* in each of its equal bonds."""
+    row = bd.Particles([[float(k), 0.0, 0.0] for k in range(4)], 0.5)
+    chain = bd.Lattice(row, [(0, 1), (2, 1), (2, 3)])
+    heat = bd.Eigenstrain(lambda centre: np.full(len(centre), 1e-3))
+    model = bd.Model(chain, LAWS["total"][0], RHO, boundary=[bd.Fix(bd.Index([0, 3])), heat])
+    found = bd.bond_forces(model, bd.solve_static(model))
+    assert found.normal == pytest.approx(-1e-3 * model.stiffness.kn, rel=1e-9)
+
+
+def test_the_mean_stress_of_elements_is_the_moment_of_the_loads() -> None:
+    """Σ V σ = Σ x ⊗ F over loads and supports, exactly; in a bar in tension between its ends F / A along x."""
+    model = pulled(bd.Load(FAR, (1e-2, 0.0, 0.0)))
+    static = bd.solve_static(model)
+    found = bd.element_stress(model, static)
+    assert found.volume.sum() == pytest.approx(12.0)
+    outer = static.reaction[:, :3].copy()
+    chosen, nodal = model.boundary[1].nodal(model.lattice)
+    outer[chosen] += nodal[:, :3]
+    whole = model.lattice.centre.T @ outer
+    np.testing.assert_allclose(np.einsum("n,nab->ab", found.volume, found.stress), whole, atol=1e-12)
+    middle = bd.Within(bd.Box((1.5, 2.0, 2.0)).moved((0.75, 0.0, 0.0)))
+    assert found.mean(middle)[0, 0] == pytest.approx(1e-2 / 4.0, rel=0.1)
+    np.testing.assert_array_equal(bd.cell_stress(model, static), found.symmetric)
+
+
+def test_the_couple_stress_of_a_bar_is_its_moment_over_its_section() -> None:
+    """Bent by M: elements alone have little couple stress, a section as a whole has M / A about its middle."""
+    model = pulled(bd.Load(FAR, moment=(0.0, 0.0, 1e-2)))
+    found = bd.element_stress(model, bd.solve_static(model))
+    middle = bd.Within(bd.Box((1.5, 2.0, 2.0)).moved((0.75, 0.0, 0.0)))
+    whole = found.mean_couple(middle)
+    assert whole[0, 2] == pytest.approx(1e-2 / 4.0, rel=0.15)
+    assert np.abs(found.mean(middle)).max() < 0.2 * 1e-2 / 4.0
+    alone = found.volume[:, None, None] * found.couple_stress
+    assert abs(alone.sum(axis=0)[0, 2] / 12.0) < 0.7 * whole[0, 2]
+
+
+def test_a_bent_chain_has_nothing_but_couple_stress() -> None:
+    """M L over the volume of the elements between the ends: no force, no stress."""
+    row = bd.Particles([[float(k), 0.0, 0.0] for k in range(5)], 0.5)
+    end = bd.Load(bd.Index([4]), moment=(0.0, 0.0, 3.0))
+    chain = bd.Lattice(row, [(0, 1), (2, 1), (2, 3), (3, 4)])
+    model = bd.Model(chain, bd.EulerBernoulli(E=E, nu=NU, radius=0.1), RHO, boundary=[bd.Fix(bd.Index([0])), end])
+    found = bd.element_stress(model, bd.solve_static(model))
+    assert np.abs(found.stress).max() < 1e-6
+    inner = found.volume[1:4, None, None] * found.couple_stress[1:4]
+    for one in inner:
+        assert one[0, 2] == pytest.approx(3.0, rel=1e-9)
+        assert np.abs(np.delete(one.ravel(), 2)).max() < 1e-6
+
+
+def test_results_of_other_kinds_are_refused() -> None:
+    model = pulled(bd.Load(FAR, (1e-2, 0.0, 0.0)))
+    with pytest.raises(InputError, match="give what bd"):
+        bd.bond_forces(model, 3.0)
+    chain = bd.Lattice(bd.Particles([[float(k), 0.0, 0.0] for k in range(5)], 0.5), [(0, 1), (1, 2), (2, 3), (3, 4)])
+    other = bd.solve_static(bd.Model(chain, LAWS["total"][0], RHO, boundary=bd.Fix(bd.Index([0]))))
+    with pytest.raises(InputError, match="the result has 5 elements"):
+        bd.element_stress(model, other)

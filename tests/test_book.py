@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -12,14 +13,17 @@ from book import pages
 from book.__main__ import main
 from book.chapter import Chapter, Section
 from book.chapters import MEASUREMENTS
+from book.counting import counted
 from book.errors import BookError
 from book.fast import chapter as fast_chapter
 from book.forms import PERCENT, SIGNED, Form, Said
-from book.markdown import front, moved, table
+from book.front import front
+from book.markdown import moved, slug, table
 from book.measure import sign
 from book.outcomes import TESTS
 from book.results import RESULTS, ROOT, Measurement
 from book.row import Measured, Origin, Row, Verdict
+from book.shown import shown
 from book.tolerances import AtLeast, AtMost, Near, So, Spans, Tolerance
 
 ORIGIN = Origin("bondem measure", "benchmarks/results/it.json")
@@ -128,19 +132,98 @@ def test_a_table_leaves_out_what_is_empty_and_says_remarks_once():
         Row(case="G", ours=ours(0.5), tolerance=AtMost(0.1), form=PERCENT),
     ]
     lines = table(rows, [ORIGIN]).splitlines()
-    assert lines[0] == "| case | source | paper | bondem | tolerance | verdict | command |"
-    assert lines[2] == "| E | Table 1 | 1 | 2 | ± 10 % | **missed, explained** <sup>a</sup> | 1 |"
-    assert lines[4] == "| G |  |  | 50.00 % | ≤ 10.00 % | **missed** | 1 |"
+    assert lines[0] == "| case | source | published | bondem | required | verdict | # |"
+    whole = [line.replace("\N{NO-BREAK SPACE}", " ") for line in lines]
+    assert whole[2] == "| E | Table 1 | 1 | 2 | ± 10 % | **missed, explained** <sup>a</sup> | 1 |"
+    assert whole[4] == "| G |  |  | 50.00 % | ≤ 10.00 % | **missed** | 1 |"
     assert lines[-1] == "<sup>a</sup> Walls are soft."
     assert table(rows[2:], [ORIGIN]).startswith("| case | bondem |")
 
 
+def test_rows_that_are_met_for_one_requirement_share_a_line_and_misses_never_do():
+    def row(case: str, value: float, **more) -> Row:
+        return Row(case=case, ours=ours(value), tolerance=AtMost(1.0), **more)
+
+    lines = shown([
+        row("bar, 300 cells: error", 0.1), row("bar, 1000 cells: error", 0.5), row("bar, 3000 cells: error", 2.0),
+        row("bar, 10 000 cells: error", 3.0), row("bar: number of cells", 0.1),
+        Row(case="bar, 300 cells: error", ours=ours(0.3)), row("bar, 300 cells: error", 0.2, source="fig. 1"),
+    ])  # fmt: skip
+    assert [(line.case, line.ours, line.verdict) for line in lines] == [
+        ("bar, 300 / 1000 cells: error (2 cases)", "0.1–0.5", Verdict.MET),
+        ("bar, 3000 cells: error", "2", Verdict.MISSED),
+        ("bar, 10 000 cells: error", "3", Verdict.MISSED),
+        ("bar: number of cells", "0.1", Verdict.MET),
+        ("bar, 300 cells: error", "0.2", Verdict.MET),  # of another source, so not the same requirement
+    ]
+
+
+@pytest.mark.parametrize(
+    ("cases", "together"),
+    [
+        (("E: mean", "ν: mean"), "E / ν: mean (2 cases)"),
+        (("cube, 8 thick: E", "plate: E"), "cube / plate, …: E (2 cases)"),
+        (tuple(f"E: calibrated on {n}" for n in (2, 3, 4, 8)), "E: calibrated on 2 … 8 (4 cases)"),
+        (("UCS, 9 cells, seeds 1, 2", "UCS, 9 cells, seeds 1"), "UCS, 9 cells, seeds 1, 2 / 1 (2 cases)"),
+        (("off eqs (8), (9): E, σ = 1", "off eqs (8), (9): E, σ = 2"), "off eqs (8), (9): E, σ = 1 / 2 (2 cases)"),
+    ],
+)
+def test_a_line_names_what_its_cases_have_in_common(cases: tuple[str, ...], together: str):
+    (line,) = shown([Row(case=case, ours=ours(0.5), tolerance=AtMost(1.0)) for case in cases])
+    assert line.case == together
+
+
+def test_a_line_of_several_rows_states_the_largest_scatter_and_every_remark():
+    rows = [
+        Row(case=f"bar, seed {k}", ours=ours(0.1 * k, scatter=0.01 * k), tolerance=AtMost(1.0), note=f"note {k}")
+        for k in (1, 2)
+    ]
+    (line,) = shown(rows)
+    assert line.ours == "0.1–0.2 (each ± 0.02 or less)"
+    assert line.remarks == ["note 1", "note 2"]
+
+
+def test_the_pages_have_few_rows_and_lose_no_miss(capsys):
+    chapters = pages.chapters()
+    lines, lost = counted(chapters)
+    assert not lost
+    assert int(lines[-1].split()[-1]) <= 520  # more than anyone reads
+    assert main(["--rows"]) == 0
+    assert capsys.readouterr().out.splitlines()[:-1] == lines
+    tables = [(ROOT / f"docs/validation/{chapter.name}.md").read_text(encoding="utf-8") for chapter in chapters]
+    printed = sum(len(re.findall(r"^\| .*\*\*missed", text, re.MULTILINE)) for text in tables)
+    listed = (ROOT / "docs/validation.md").read_text(encoding="utf-8").partition("## All misses")[2]
+    missed = sum(row.verdict.is_miss for chapter in chapters for row in chapter.rows)
+    assert printed == len(re.findall(r"^- \[", listed, re.MULTILINE)) == missed
+
+
+def test_a_miss_that_no_page_prints_is_found(monkeypatch, tmp_path):
+    row = Row(case="the one", ours=ours(2.0), tolerance=AtMost(1.0))
+    one = Chapter(name="it", title="It", summary="", misses="it fails.", sections=(Section(title="A", rows=(row,)),))
+    (tmp_path / "validation").mkdir()
+    (tmp_path / "validation/it.md").write_text("| the one | 2 | ≤ 1 | met | 1 |")
+    (tmp_path / "validation.md").write_text("- [another one](it.md)")
+    monkeypatch.setattr("book.counting.DOCS", tmp_path)
+    assert len(counted([one])[1]) == 2
+
+
+def test_a_chapter_with_misses_says_in_words_what_failed(monkeypatch):
+    row = Row(case="the one", ours=ours(2.0), tolerance=AtMost(1.0))
+    one = Chapter(name="it", title="It", summary="", sections=(Section(title="A", rows=(row,)),))
+    monkeypatch.setattr(pages, "FILES", [type("File", (), {"chapter": staticmethod(lambda: one)})])
+    with pytest.raises(BookError, match="what failed"):
+        pages.chapters()
+
+
 def test_the_front_page_hides_no_missed_row():
     missed = Row(case="the one", ours=ours(2.0), tolerance=AtMost(1.0))
-    one = Chapter(name="it", title="It", summary="", sections=(Section(title="Rows", rows=(missed,)),))
+    rows = Section(title="Its rows", rows=(missed, Row(case="aside", ours=ours(1.0))))
+    one = Chapter(name="it", title="It", summary="", misses="It is too large.", sections=(rows,))
     text = front([one])
-    assert "| [It](validation/it.md) | 1 |  |  | **1** |  |  |" in text
-    assert "| [It](validation/it.md) | the one | **2** | ≤ 1 |" in text
+    assert "| [It](validation/it.md) | 1 |  |  | **1** |  |" in text
+    assert "- [It](validation/it.md), 1 of 1: It is too large." in text
+    assert "- [the one](validation/it.md#its-rows): **2**, required ≤ 1" in text
+    assert "aside" not in text
 
 
 def test_links_follow_a_page_into_its_folder():
@@ -153,22 +236,26 @@ def test_the_pages_are_what_the_results_render_to(monkeypatch, capsys):
     assert main(["--check"]) == 0, capsys.readouterr().out
     monkeypatch.setattr(pages, "front", lambda chapters: "typed by hand")
     assert main(["--check"]) == 1
-    assert "docs/validation.md is not what the results render to" in capsys.readouterr().out
+    assert "docs/validation.md differs from the results" in capsys.readouterr().out
 
 
 def test_every_link_of_the_pages_leads_somewhere():
     lost = []
     for page in [ROOT / "docs/validation.md", *(ROOT / "docs/validation").glob("*.md")]:
         text = page.read_text(encoding="utf-8")
-        slugs = {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in re.findall(r"^#+ (.*)$", text,
-            re.M)}
         for target in re.findall(r"\]\(([^)\s]+)\)", text):
             path, _, anchor = target.partition("#")
             if target.startswith("http"):
                 continue
-            if (path and not (page.parent / path).exists()) or (not path and anchor not in slugs):
+            there = page.parent / path if path else page
+            if not there.exists() or (anchor and anchor not in _slugs(there)):
                 lost.append(f"{page.name}: {target}")
     assert not lost
+
+
+@cache
+def _slugs(page: Path) -> set[str]:
+    return {slug(title) for title in re.findall(r"^#+ (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)}
 
 
 def test_what_tests_record_stands_in_the_book_and_is_kept():

@@ -75,7 +75,7 @@ def test_parallel_bonds_are_calibrated_by_kappa(lattices):
 
 
 def test_a_target_out_of_reach_names_the_reach(lattices):
-    with pytest.raises(UnreachableTargetError, match=r"nu = 0\.45 is outside 0\.\d+ … 0\.\d+, which EulerBernoulli"):
+    with pytest.raises(UnreachableTargetError, match=r"nu = 0\.45: outside 0\.\d+ … 0\.\d+, the range of Euler"):
         bd.calibrate(
             lattices[0], bd.Material("rubber", E=1e6, nu=0.45, rho=1000.0), law=bd.EulerBernoulli, search=(0.5, 0.8)
         )
@@ -138,7 +138,7 @@ def test_without_a_law_one_that_reaches_the_material_is_taken(lattices):
     stiff = recommend(0.05)
     assert stiff.law is not bd.EulerBernoulli
     assert "not reached by EulerBernoulli" in stiff.reason
-    with pytest.raises(UnreachableTargetError, match=r"no bond law reaches nu = 0\.49"):
+    with pytest.raises(UnreachableTargetError, match=r"nu = 0\.49: no bond law reaches"):
         recommend(0.49)
 
 
@@ -289,3 +289,20 @@ def test_bad_input_says_what_to_do(lattices):
     with pytest.raises(InputError, match="search"):
         bd.calibrate(lattices[0], SILICA, search=(0.9, 0.1))
     assert math.isfinite(SILICA.G)
+
+
+@pytest.mark.parametrize(
+    ("shape", "words"),
+    [
+        (bd.Cylinder(radius=12.5e-3, length=20e-3), r"0.02 m long along x and 0.025 m wide, too short"),
+        (bd.Box((10e-3, 20e-3, 10e-3)), "too short for a tension test"),
+        (bd.Ball(10e-3), "a Ball has no faces x_min and x_max"),
+    ],
+)
+def test_a_specimen_that_a_tension_test_does_not_measure_is_refused_in_one_line(shape, words):
+    """Its ν is 10 % off at a length of 0.8 widths, and the bonds many times too stiff."""
+    short = bd.connect(bd.pack(shape, count=300, seed=1))
+    with pytest.raises(InputError, match=words) as caught:
+        bd.calibrate(short, SILICA)
+    assert "bd.Cell" in str(caught.value)
+    assert "\n" not in str(caught.value)

@@ -1,24 +1,29 @@
 """Campaigns: what they vary, on a local cluster whose workers die, run again, in a table."""
 
+import contextlib
 import json
 import os
+import shlex
 import signal
+import subprocess
+import warnings
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import psutil
 import pytest
 from click.testing import CliRunner
 
 import bondem as bd
 from bondem._extras import needed
-from bondem.campaign.cluster import slurm_cluster
+from bondem.campaign.cluster import _require_protected, connected, slurm_cluster
 from bondem.campaign.coordinator import run_campaign
 from bondem.campaign.sweep import Campaign, Slurm, parse_campaign, read_campaign
 from bondem.campaign.work import carry_out, scalars
 from bondem.cli.campaign import command
 from bondem.cli.check import command as check
-from bondem.errors import InputError, MissingDependencyError, StudyError
+from bondem.errors import InputError, MissingDependencyError, StudyError, UnprotectedClusterWarning
 from bondem.study.pipeline import run_study
 from bondem.study.programme import read
 from bondem.study.study import parse_study
@@ -59,18 +64,18 @@ def test_names_follow_the_input_and_the_code() -> None:
 
 @pytest.mark.parametrize(("changed", "words"), [
     ({"seeds": 0}, "'campaign.seeds' = 0; give how many, or a list"),
-    ({"seeds": [1, 1]}, "names a seed twice"),
+    ({"seeds": [1, 1]}, "contains a seed twice"),
     ({"seeds": [1, True]}, "give how many"),
     ({"seed": 3}, "did you mean 'campaign.seeds'"),
-    ({"vary": {"specimen.count": 3}}, "give a list of the values that 'specimen.count' takes"),
-    ({"vary": {"specimen": {"count": [100, 100]}}}, "names a value twice"),
+    ({"vary": {"specimen.count": 3}}, "give a list of values of 'specimen.count'"),
+    ({"vary": {"specimen": {"count": [100, 100]}}}, "contains a value twice"),
     ({"vary": {"specimen.cuont": [100]}}, "did you mean 'specimen.count'"),
     ({"vary": {"specimen.count": [100, -1]}}, r"= -1.*\(specimen of specimen.count = -1, seed = 3\)"),
-    ({"vary": {"seed": [1]}}, "seeds are 'campaign.seeds'"),
-    ({"vary": {"name.x": [1]}}, "'name' is no table"),
+    ({"vary": {"seed": [1]}}, "give seeds as 'campaign.seeds'"),
+    ({"vary": {"name.x": [1]}}, "'name' is not a table"),
     ({"slurm": {"cores": 0}}, "'campaign.slurm.cores' = 0"),
     ({"slurm": {"directives": ["a\nb"]}}, "a list of texts of one line each"),
-    ({"seeds": 10_000_000}, "give 1000000 at most"),
+    ({"seeds": 10_000_000}, "give at most 1000000"),
 ])  # fmt: skip
 def test_a_wrong_campaign_is_refused_before_any_work(changed: dict[str, Any], words: str) -> None:
     with pytest.raises(StudyError, match=words):
@@ -79,9 +84,9 @@ def test_a_wrong_campaign_is_refused_before_any_work(changed: dict[str, Any], wo
 
 def test_other_files_are_no_campaigns() -> None:
     for data, words in (
-        ({key: PACKED[key] for key in ("name", "specimen")}, "there is no .campaign."),
-        (PACKED | {"packings": 2}, "'packings' does not go with"),
-        (PACKED | {"specimens": []}, "are a test programme"),
+        ({key: PACKED[key] for key in ("name", "specimen")}, ".campaign. is missing"),
+        (PACKED | {"packings": 2}, "'packings' is not an option"),
+        (PACKED | {"specimens": []}, "belong to a test programme"),
     ):
         with pytest.raises(StudyError, match=words):
             parse_campaign(data)
@@ -92,7 +97,7 @@ def test_other_commands_know_a_campaign(tmp_path: Path) -> None:
         read(EXAMPLE)
     told = CliRunner().invoke(check, [str(EXAMPLE)])
     assert told.exception is None
-    assert "20 specimens, which differ by specimen.count, failure.tension, seed" in told.output
+    assert "20 specimens, varied by specimen.count, failure.tension, seed" in told.output
     assert "200 cells" in told.output
 
 
@@ -142,9 +147,65 @@ def test_a_specimen_is_what_bondem_run_makes(tmp_path: Path) -> None:
     assert len(list((tmp_path / "specimens").iterdir())) == 1
 
 
-def test_a_job_of_slurm_is_what_the_file_asks_for() -> None:
+def listening() -> set[tuple[str, int]]:
+    """Addresses on which this process and its children accept connections."""
+    me = psutil.Process()
+    found = set()
+    for one in (me, *me.children(recursive=True)):
+        with contextlib.suppress(psutil.Error):
+            found |= {tuple(c.laddr) for c in one.net_connections("tcp") if c.status == psutil.CONN_LISTEN}
+    return found
+
+
+def test_a_local_cluster_is_reached_from_this_machine_only() -> None:
+    before = listening()
+    with connected(workers=1) as client:
+        assert client.dashboard_link.startswith("http://127.0.0.1:")
+        opened = listening() - before
+    assert len(opened) >= 3  # scheduler, dashboard, worker
+    assert {host for host, _ in opened} == {"127.0.0.1"}
+
+
+def test_jobs_of_slurm_speak_tls_with_credentials_of_their_own(tmp_path: Path) -> None:
+    """The command of a job, started here, joins the cluster; a client without its credentials does not."""
+    pytest.importorskip("cryptography")
+    distributed = needed("dask.distributed", "campaign")
+    asked = Slurm("long", "glass", cores=1, memory="1GB", walltime="00:10:00")
+    before = listening()
+    with slurm_cluster(asked, tmp_path) as cluster:
+        assert cluster.scheduler_address.startswith("tls://")
+        ports = [port for host, port in listening() - before if host != "127.0.0.1"]
+        assert set(ports) == {int(cluster.scheduler_address.rpartition(":")[2])}  # and no page of the cluster
+        keys = list(tmp_path.glob(".credentials-*/*.pem"))
+        assert len(keys) == 3
+        assert all(key.stat().st_mode & 0o077 == 0 for key in keys)
+        with pytest.raises((OSError, TypeError)):
+            distributed.Client(cluster.scheduler_address, timeout="2s")
+        job = subprocess.Popen(shlex.split(cluster.job_script().strip().splitlines()[-1]), stderr=subprocess.DEVNULL)
+        try:
+            with distributed.Client(cluster, timeout="30s") as client:
+                assert client.submit(abs, -3).result(timeout=60) == 3
+        finally:
+            job.terminate()
+            job.wait()
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("address", "unprotected"), [
+    ("tcp://node7:8786", True), ("10.0.0.7:8786", True), ("tls://node7:8786", False), ("tcp://127.0.0.1:8786", False),
+    ("localhost:8786", False), ("tcp://[::1]:8786", False), ("inproc://x", False),
+])  # fmt: skip
+def test_schedulers_elsewhere_without_tls_are_doubted(address: str, unprotected: bool) -> None:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        _require_protected(address)
+    assert [one.category is UnprotectedClusterWarning for one in caught] == [True] * unprotected
+
+
+def test_a_job_of_slurm_is_what_the_file_asks_for(tmp_path: Path) -> None:
+    pytest.importorskip("cryptography")
     asked = Slurm("long", "glass", cores=16, memory="32GB", walltime="04:00:00", directives=("--exclusive",))
-    with slurm_cluster(asked) as cluster:
+    with slurm_cluster(asked, tmp_path) as cluster:
         script = cluster.job_script()
     for line in ("#SBATCH -p long", "#SBATCH -A glass", "#SBATCH --cpus-per-task=16", "#SBATCH --mem=30G",
                  "#SBATCH -t 04:00:00", "#SBATCH --exclusive"):  # fmt: skip
@@ -154,7 +215,7 @@ def test_a_job_of_slurm_is_what_the_file_asks_for() -> None:
 
 
 def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="there is no Dask scheduler at 'nonsense://x'"):
+    with pytest.raises(InputError, match="'nonsense://x': no Dask scheduler"):
         run_campaign(campaign(), tmp_path, address="nonsense://x")
     with pytest.raises(InputError, match="give the folder of a campaign"):
         bd.campaign_table(tmp_path / "none")
@@ -162,9 +223,9 @@ def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path
         for reader in (bd.campaign_table, bd.campaign_dataset, bd.read_campaign):
             with pytest.raises(InputError, match="give a path"):
                 reader(wrong)  # type: ignore[arg-type]
-    with pytest.raises(InputError, match=r"what bd.read_campaign"):
+    with pytest.raises(InputError, match=r"a campaign from bd.read_campaign"):
         bd.run_campaign(PACKED, tmp_path)  # type: ignore[arg-type]
-    with pytest.raises(MissingDependencyError, match=r'pip install "bondem\[campaign\]"'):
+    with pytest.raises(MissingDependencyError, match=r'clone of bondem, run pip install -e "\.\[campaign\]"'):
         needed("a_library_nobody_has", "campaign")
     both = CliRunner().invoke(command, [str(EXAMPLE), "--out", str(tmp_path), "--workers", "1", "--address", "tcp://x:1"])
     assert isinstance(both.exception, InputError)

@@ -233,7 +233,7 @@ def test_a_section_through_cells_has_the_area_of_the_shape(body):
 
 
 @pytest.mark.parametrize(("changed", "told"), [
-    ({"calibration": {"packings": 1}}, "nothing is calibrated"),
+    ({"calibration": {"packings": 1}}, "without calibration"),
     ({"bond": {"law": "CellBond", "nu_mu": 0.3}}, "'bond.nu_mu'"),
     ({"bond": {"law": "CellBond", "reach": 1.1}}, "'bond.reach'"),
     ({"bond": {"law": "CellBond", "facet_rotation": "twist"}}, "facet_rotation"),

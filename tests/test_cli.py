@@ -40,14 +40,21 @@ def finished(tmp_path_factory):
     """The silica study, small enough for a test."""
     folder = tmp_path_factory.mktemp("cli")
     (folder / "study.toml").write_text(EXAMPLE.read_text().replace("count = 10_000", "count = 600"))
-    done = command("run", "study.toml", "--out", "out", "--seed", "3", "--threads", "1", cwd=folder)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("BONDEM_PROGRESS", "auto")
+        done = command("run", "study.toml", "--out", "out", "--seed", "3", "--threads", "1", cwd=folder)
     return folder / "out", done
 
 
-def test_run_succeeds_and_is_silent_in_a_pipe_but_for_the_table(finished):
+def test_run_succeeds_and_says_its_stages_in_a_pipe(finished):
     _, done = finished
     assert done.returncode == 0
-    assert done.stderr == ""
+    lines = done.stderr.splitlines()
+    assert all(line.startswith("bondem: ") for line in lines)
+    stages = dict.fromkeys(line.rpartition("  ")[2] for line in lines)
+    assert [one for one in stages if not set(one) & set(":,%")] == [  # others say how far one is
+        "pack 1 of 2", "pack 2 of 2", "calibrate", "test 1 of 2", "test 2 of 2", "report",
+    ]  # fmt: skip
     lines = done.stdout.splitlines()
     assert "\x1b" not in done.stdout
     for name in ("static_bending", "dynamic_torsion", "impact"):
@@ -73,13 +80,14 @@ def test_run_leaves_results_report_and_figures(finished):
         "specimen", "geode", "contacts", "layering", "distribution", "calibration", "tension", "profiles", "modes",
         "vibration", "wave", "errors",
     }  # fmt: skip
-    assert sorted(path.name for path in out.iterdir()) == ["figures", "report.html", "results.json"]
+    assert sorted(path.name for path in out.iterdir()) == ["curves", "figures", "report.html", "results.json"]
 
 
 def test_the_report_holds_everything_it_shows(finished):
     out, _ = finished
     html = (out / "report.html").read_text()
-    assert html.count('src="data:image/png;base64,') == html.count("<img") == 12
+    assert html.count('src="data:image/webp;base64,') == html.count("<img") == 12
+    assert html.count("srcset=") == 12  # a figure for phones each
     assert "http" not in html.replace("https://www.w3.org", "")
     for text in ("Fused silica cylinder", "static bending", "6.63 %", "André et al. (2012)", "seed 4"):
         assert text in html

@@ -79,6 +79,30 @@ def test_constants_make_no_variants():
     assert len(between.signatures) == 1
 
 
+def test_a_pool_forked_after_threads_is_an_error_and_no_hang():
+    """Workers that end at their first threaded loop are replaced by a pool for ever."""
+    script = (
+        "import multiprocessing as mp, warnings, bondem as bd\n"
+        "warnings.simplefilter('ignore')\n"
+        "corner = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "tetrahedron = bd.Surface(vertices=corner, triangles=[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])\n"
+        "def work(x):\n"
+        "    return float(tetrahedron.depth([[x, x, x]])[0])\n"
+        "work(0.1)\n"
+        "with mp.get_context('fork').Pool(1) as pool:\n"
+        "    print(pool.apply_async(abs, (-3,)).get(60))\n"
+        "    try:\n"
+        "        pool.apply_async(work, (0.1,)).get(60)\n"
+        "    except bd.errors.ForkError as error:\n"
+        "        print(error)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=300, check=False)
+    plain, refused = done.stdout.splitlines()
+    assert plain == "3"
+    assert "get_context('spawn')" in refused
+    assert "Traceback" not in done.stderr  # from workers that the pool ends
+
+
 def test_a_fork_after_threads_is_told_of():
     """Before anything was compiled it is not; a subprocess is no fork."""
     code = (

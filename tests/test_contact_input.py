@@ -45,8 +45,8 @@ def grains(position, *, law, walls=()) -> bd.Model:
         (lambda: bd.WallGauge(0, "speed"), "'speed'"),
         (lambda: grains([[0, 0, 0]], law=None, walls=[bd.PlaneWall((0, 0, -1), (0, 0, 1))]), "contact="),
         (lambda: grains([[0, 0, 0]], law=bd.LinearContact(E=1.0), walls=[3]), "walls = 3; give bd.PlaneWall"),
-        (lambda: grains([[0, 0, 0]], law=3), "contact="),
-        (lambda: bd.Model(bd.Lattice(bd.Particles(2.0 * np.eye(3), 1.0), [[0, 1], [1, 2]]), None, 1.0), "bond="),
+        (lambda: grains([[0, 0, 0]], law=3), "contact = "),
+        (lambda: bd.Model(bd.Lattice(bd.Particles(2.0 * np.eye(3), 1.0), [[0, 1], [1, 2]]), None, 1.0), "bond = "),
     ],
 )
 def test_bad_input_is_refused(make, words: str) -> None:
@@ -56,7 +56,7 @@ def test_bad_input_is_refused(make, words: str) -> None:
 
 def test_walls_and_gauges_that_do_not_fit() -> None:
     model = grains([[0, 0, 2.0]], law=bd.LinearContact(E=1e7), walls=[bd.PlaneWall((0, 0, 0), (0, 0, 1))])
-    with pytest.raises(InputError, match="no wall 1"):
+    with pytest.raises(InputError, match="wall = 1 does not exist"):
         bd.solve_explicit(model, duration=1e-3, gauges={"wall": bd.WallGauge(1, "force")})
     with pytest.raises(InputError, match="walls"):
         bd.solve_static(model)

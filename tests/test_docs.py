@@ -5,24 +5,54 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 import bondem as bd
 
 DOCS = Path(__file__).parents[1] / "docs"
 
 
-def test_the_reference_has_every_public_name():
-    text = (DOCS / "api.md").read_text(encoding="utf-8")
-    told = re.findall(r"auto(?:class|function|data):: bondem\.([\w.]+)", text)
-    assert len(set(told)) == len(told)
-    ours = set(bd.__all__) - {"__version__", "errors", "labtests", "materials"}
-    assert {name for name in told if "." not in name} == ours
-    assert {name for name in told if "." in name} >= {f"labtests.{name}" for name in bd.labtests.__all__}
-
-
-def test_sphinx_builds_it_without_a_warning(tmp_path):
-    command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-d", str(tmp_path / "trees")]
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory):
+    """Folder of the pages as Sphinx makes them."""
+    folder = tmp_path_factory.mktemp("pages")
+    command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-d", str(folder / "trees")]
     done = subprocess.run(
-        [*command, str(DOCS), str(tmp_path / "html")], capture_output=True, text=True, timeout=300, check=False
+        [*command, str(DOCS), str(folder / "html")], capture_output=True, text=True, timeout=600, check=False
     )
     assert (done.returncode, done.stderr) == (0, "")
-    assert "class bondem.CellBond" in re.sub("<[^>]*>", "", (tmp_path / "html" / "api.html").read_text("utf-8"))
+    return folder / "html"
+
+
+def page(path):
+    """A page without its tags."""
+    return re.sub("<[^>]*>", "", path.read_text("utf-8"))
+
+
+def test_the_reference_has_every_public_name():
+    text = (DOCS / "reference" / "index.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^   ~bondem\.([\w.]+)$", text, re.MULTILINE)
+    assert len(set(listed)) == len(listed)
+    ours = set(bd.__all__) - {"__version__", "errors", "labtests", "materials"}
+    assert {name for name in listed if "." not in name} == ours
+    assert {name for name in listed if "." in name} >= {f"labtests.{name}" for name in bd.labtests.__all__}
+
+
+def test_every_name_has_a_page_of_its_own_with_readable_types(pages):
+    names = pages / "reference" / "names"
+    assert {f"bondem.{name}" for name in bd.labtests.__all__} - {one.stem for one in names.iterdir()} != set()
+    text = page(names / "bondem.CellBond.html")
+    assert "class bondem.CellBond" in text
+    assert "Example" in text
+    assert "ndarray" not in page(names / "bondem.Particles.html")
+
+
+def test_most_names_of_use_have_an_example(pages):
+    made = [page(one) for one in (pages / "reference" / "names").glob("bondem.*.html")]
+    assert sum("Example" in one for one in made) >= 90
+
+
+def test_the_pages_are_in_the_order_of_a_reader():
+    text = (DOCS / "index.md").read_text(encoding="utf-8")
+    order = re.findall(r"^:caption: (\w+)$", text, re.MULTILINE)
+    assert order == ["Start", "Guides", "Theory", "Validation", "Reference", "More"]

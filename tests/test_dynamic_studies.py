@@ -159,7 +159,7 @@ def test_a_face_that_is_held_keeps_its_velocity_and_first_passage_is_between_sam
     assert found.snapshots == ()
     time, signal = np.arange(5.0), np.array([0.0, 0.0, 1.0, 3.0, 2.0])
     assert first_passage(time, signal, 2.0) == pytest.approx(2.5)
-    with pytest.raises(InputError, match="at most 3"):
+    with pytest.raises(InputError, match="largest value 3 is below"):
         first_passage(time, signal, 4.0)
 
 

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import bondem as bd
 from bondem.cli.export import command
-from bondem.errors import InputError
+from bondem.errors import InputError, StressFreeWarning
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +39,8 @@ def moved(lattice: bd.Lattice) -> bd.State:
 def test_lammps_data_come_back_to_the_bit(spheres: bd.Lattice, tmp_path: Path) -> None:
     path, state = tmp_path / "body.data", moved(spheres)
     bd.export(path, spheres, state=state, density=2000.0)
-    back = bd.read_lattice(path, shape=bd.Box((4.2e-2, 2.2e-2, 2.2e-2)).moved((-1e-3, -1e-3, -1e-3)))
+    with pytest.warns(StressFreeWarning, match=r"bd.export wrote it of a state with displacements.*free of stress"):
+        back = bd.read_lattice(path, shape=bd.Box((4.2e-2, 2.2e-2, 2.2e-2)).moved((-1e-3, -1e-3, -1e-3)))
     np.testing.assert_array_equal(back.particles.position, spheres.particles.position + state.displacement)
     np.testing.assert_array_equal(back.particles.radius, spheres.particles.radius)
     np.testing.assert_array_equal(back.pairs, spheres.pairs[state.bond_integrity > 0.0])
@@ -64,6 +65,11 @@ def test_a_dump_holds_what_ovito_looks_for(spheres: bd.Lattice, tmp_path: Path) 
     np.testing.assert_array_equal(table[["vx", "vy", "vz"]], state.velocity)
     np.testing.assert_array_equal(table["radius"], spheres.particles.radius)
     np.testing.assert_array_equal(table["load"], load)
+    with_own = {"velocity_error": load, "load": load}  # which begins as the velocity does
+    bd.export(path, spheres, state=state, elements=with_own)
+    assert path.read_text().split("ITEM: ATOMS ")[1].splitlines()[0].split()[-2:] == ["velocity_error", "load"]
+    back = bd.read_particles(path)
+    np.testing.assert_array_equal(back.position, spheres.particles.position + state.displacement)
     low, high = (np.array([line.split() for line in head.splitlines()[5:8]], dtype=float)[:, k] for k in (0, 1))
     assert (low < table[["x", "y", "z"]].min()).all()
     assert (high > table[["x", "y", "z"]].max()).all()
@@ -125,7 +131,7 @@ def test_histories_are_tables_and_arrays() -> None:
 
 
 @pytest.mark.parametrize(("name", "given", "words"), [
-    ("x.stp", {}, "has a suffix we do not write; give one of .csv"),
+    ("x.stp", {}, "unsupported suffix; give one of .csv"),
     ("x.data", {}, "give density="),
     ("x.data", {"density": -1.0}, "density"),
     ("x.csv", {"elements": {"a": np.zeros(3)}}, r"has shape \(3,\); give \(300,\)"),
@@ -133,6 +139,14 @@ def test_histories_are_tables_and_arrays() -> None:
     ("x.csv", {"elements": [1]}, "fields by name"),
     ("x.csv", {"state": 3}, "a state of a model"),
     ("none/x.csv", {}, "none"),
+    ("x.dump", {"elements": {"my load": np.zeros(300)}}, r"field 'my load' has a blank.*use '_' instead"),
+    ("x.vtk", {"elements": {"my load": np.zeros(300)}}, r"field 'my load' has a blank"),
+    ("x.csv", {"elements": {"radius": np.zeros(300)}}, r"field 'radius' is in the file already"),
+    ("x.dump", {"elements": {"id": np.zeros(300)}}, r"field 'id' is in the file already"),
+    ("x.csv", {"elements": {"a\nb": np.zeros(300)}}, r"printable characters"),
+    ("x.csv", {"elements": {"": np.zeros(300)}}, r"printable characters"),
+    ("x.csv", {"elements": {3: np.zeros(300)}}, r"printable characters"),
+    ("x.csv", {"elements": {"u": np.zeros((300, 3)), "u_x": np.zeros(300)}}, r"two fields make a column 'u_x'"),
 ])  # fmt: skip
 def test_what_cannot_be_written_is_told(
     spheres: bd.Lattice, tmp_path: Path, name: str, given: dict[str, Any], words: str
@@ -142,9 +156,25 @@ def test_what_cannot_be_written_is_told(
     assert not list(tmp_path.iterdir())
 
 
+def test_fields_of_a_state_are_not_replaced(spheres: bd.Lattice, tmp_path: Path) -> None:
+    state, values = moved(spheres), np.zeros((300, 3))
+    for name in ("displacement", "velocity"):
+        with pytest.raises(InputError, match=f"field '{name}' is in the file already"):
+            bd.export(tmp_path / "x.csv", spheres, state=state, elements={name: values})
+        with pytest.raises(InputError, match=f"field '{name}' is in the file already"):
+            bd.write_vtkhdf(tmp_path / "x.vtkhdf", spheres, state=state, elements={name: values})
+    for name, given in (("a/b", "elements"), ("length", "bonds")):
+        with pytest.raises(InputError, match=f"field '{name}'"):
+            bd.write_vtkhdf(tmp_path / "x.vtkhdf", spheres, **{given: {name: np.zeros(len(spheres.pairs))}})  # pyright: ignore
+    # a comma in a name is quoted, and read as a part of it
+    bd.export(tmp_path / "comma.csv", spheres, elements={"a, b": np.zeros(300)})
+    back = bd.read_particles(tmp_path / "comma.csv", shape=spheres.particles.shape)
+    np.testing.assert_array_equal(back.radius, spheres.particles.radius)
+
+
 def test_cells_are_not_written_as_spheres(body: bd.Lattice, tmp_path: Path) -> None:
     for suffix in (".data", ".msh"):
-        with pytest.raises(InputError, match="cells are no spheres"):
+        with pytest.raises(InputError, match="hold spheres, not cells"):
             bd.export(tmp_path / f"x{suffix}", body, density=1.0)
 
 

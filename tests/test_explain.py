@@ -119,7 +119,7 @@ def test_doubts_name_what_is_not_resolved_and_what_governs() -> None:
     assert of(tension=25e6, fracture_energy=50.0) == ""  # 4 mm
     assert "surfaces of a solid" in of(tension=1e6, fracture_energy=0.1)
     assert "without a fracture energy" in of(tension=40e6)
-    assert "32 J/m² a millimetre" in of(tension=40e6)
+    assert "32 J/m² per mm" in of(tension=40e6)
 
 
 def test_who_is_nearest_is_named() -> None:
@@ -204,7 +204,7 @@ def test_bonds_are_explained_by_their_own_index() -> None:
 
 
 REFUSED: dict[str, tuple[str, Callable[[], object]]] = {
-    "no criterion": ("give the model failure=", lambda: bd.explain(bd.Model(grid(), STONE, 2600.0))),
+    "no criterion": ("give it failure=", lambda: bd.explain(bd.Model(grid(), STONE, 2600.0))),
     "no model": ("give bd.Model", lambda: bd.explain(None)),
     "another state": (
         "another lattice",

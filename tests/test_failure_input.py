@@ -87,15 +87,15 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "a number": ("4000000", "a criterion such as bd.PeripheralStress", lambda: model(4e6)),
     "a class": ("PeripheralStress", "a criterion such as", lambda: model(bd.PeripheralStress)),
     "a beam's stress in the non-local law": (
-        "PeripheralStress is no criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
+        "PeripheralStress is not a criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
         lambda: model(STRESS, bd.NonLocal(E=1e9, nu=0.2), body()),
     ),
     "a cone in the non-local law": (
-        "DruckerPrager is no criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
+        "DruckerPrager is not a criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
         lambda: model(bd.DruckerPrager(tension=1e6, compression=1e7), bd.NonLocal(E=1e9, nu=0.2), body()),
     ),
     "softening in the non-local law": (
-        "Rankine: NonLocal bonds break at once", "leave fracture_energy= out",
+        "Rankine: NonLocal bonds break at once", "leave out fracture_energy=",
         lambda: model(bd.Rankine(tension=1e6, fracture_energy=10.0), bd.NonLocal(E=1e9, nu=0.2), body()),
     ),
     "friction of a criterion in the non-local law": (
@@ -113,17 +113,17 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
         ),
     ),
     "a beam's stress in cells": (
-        "PeripheralStress judges beams", "use bd.MohrCoulomb",
+        "PeripheralStress applies to beams", "use bd.MohrCoulomb",
         lambda: model(STRESS, bd.CellBond(E=1e9, nu=0.2), body()),
     ),
     "a sum of forces in cells": (
-        "LinearSum judges beams", "use bd.MohrCoulomb",
+        "LinearSum applies to beams", "use bd.MohrCoulomb",
         lambda: model(
             bd.LinearSum(force=1.0, shear=1.0, bending=1.0, twisting=1.0), bd.CellBond(E=1e9, nu=0.2), body()
         ),
     ),
     "an ellipse in cells": (
-        "Elliptic judges beams", "use bd.MohrCoulomb",
+        "Elliptic applies to beams", "use bd.MohrCoulomb",
         lambda: model(bd.Elliptic(elongation=0.1, rotation=0.1), bd.CellBond(E=1e9, nu=0.2), body()),
     ),
     "bonds of two kinds": ("at the ends or at contact points", "give bonds of one kind", mixed),
@@ -152,7 +152,7 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
         lambda: bd.DruckerPrager(tension=1e6, compression=1e7, fracture_energy=1.0, dilatancy=0.5),
     ),
     "a brittle cone that slips": (
-        "are of cells that yield", "give fracture_energy too",
+        "apply to cells that yield", "give fracture_energy too",
         lambda: bd.DruckerPrager(tension=1e6, compression=1e7, fracture_energy_shear=5.0),
     ),
     "no function": ("function = 3", "give a function of a stress (3, 3)", lambda: own(3)),
@@ -169,7 +169,7 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "an index that is no number": ("no_number is nan at a stress", "return a finite number", lambda: own(no_number)),
     "an index that is a matrix": ("a_matrix cannot be compiled", "returns a number", lambda: own(a_matrix)),
     "an index that is nothing": ("nothing cannot be compiled", "returns a number", lambda: own(nothing)),
-    "what cannot be compiled": ("a_file cannot be compiled", "in what Numba knows", lambda: own(a_file)),
+    "what cannot be compiled": ("a_file cannot be compiled", "that Numba supports", lambda: own(a_file)),
     "an index that fails at rest": ("at_rest is 2 without stress", "give an index below 1", lambda: own(at_rest)),
     "an index that never fails": ("never stays below 1", "give an index that reaches 1", lambda: own(never)),
     "an index of the wrong sign": ("along stays below 1", "tension positive", lambda: own(along, tension=-1e6)),
@@ -178,7 +178,7 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "modes": ("explicit runs only", "leave failure= out", lambda: bd.solve_modes(free_model(), count=1)),
     "relaxation": ("explicit runs only", "leave failure= out", lambda: bd.solve_relaxed(free_model())),
     "an index without a criterion": (
-        "failure_index needs a criterion", "give the model failure=",
+        "failure_index: the model has no criterion", "give it failure=",
         lambda: bd.failure_index(free_model(None), free_model(None).state()),
     ),
     "an index of another lattice": (

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 import bondem as bd
 from bondem.report.crack_pictures import corners_moved, draw_cracks, draw_fragments, piece_colours
+from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
 
 ROOT = Path(__file__).parents[1]
@@ -75,14 +76,18 @@ def test_corners_go_with_their_cells() -> None:
     np.testing.assert_allclose(corners_moved(solid, body, state), quarter - arm, atol=1e-12)
 
 
-def test_pieces_have_colours_of_their_own_and_crumbs_one() -> None:
+def test_every_piece_has_a_colour_of_its_own() -> None:
     body, state = broken()
     pieces = bd.fragments(body, state)
     colour = piece_colours(pieces)
     assert len(np.unique(colour, axis=0)) == 2
     assert all(len(np.unique(colour[pieces.label == k], axis=0)) == 1 for k in range(2))
     state.integrity[:] = 0.0
-    assert len(np.unique(piece_colours(bd.fragments(body, state)), axis=0)) == 1
+    assert len(np.unique(piece_colours(bd.fragments(body, state)), axis=0)) == 24
+    many = np.unique(np.rint(255.0 * piece_palette(500)), axis=0)
+    assert len(many) == 500
+    steps = np.linalg.norm(np.diff(piece_palette(300), axis=0), axis=1)
+    assert steps.min() > 0.15  # pieces of like masses are told apart
 
 
 def test_surfaces_of_cracks_are_drawn_facet_by_facet() -> None:

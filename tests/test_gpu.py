@@ -45,7 +45,7 @@ def run(script: str, *arguments: str, **environment: str) -> str:
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory):
     """The small runs on the CPU and in the simulator."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     folder = tmp_path_factory.mktemp("cuda")
     bodies = str(folder / "bodies")
     run("cuda_cases.py", "cpu", str(folder / "cpu.npz"), bodies)
@@ -142,7 +142,7 @@ def test_a_wild_run_ends_as_on_the_cpu(outcomes, case: str) -> None:
 @pytest.fixture(scope="module")
 def compiled():
     """PTX of all kernels, and the bytes that each bond or element takes."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     return json.loads(run("cuda_ptx.py"))
 
 
@@ -151,13 +151,13 @@ def test_memory_is_what_the_documents_say(compiled) -> None:
     assert compiled["bytes"]["bonds"] == {"element": 212 + 4, "bond": 164}  # with body forces
     assert compiled["bytes"]["alike"] == {"element": 212, "bond": 124}
     assert compiled["bytes"]["breaking"] == {"element": 212 + 4 + 1, "bond": 164 + 128}
-    assert compiled["bytes"]["cells"] == {"element": 212 + 8 + 24, "bond": 196, "held facet": 288}
-    held = {"held facet": 288}
+    assert compiled["bytes"]["cells"] == {"element": 212 + 8 + 24, "bond": 196, "held facet": 344}
+    held = {"held facet": 344}
     assert compiled["bytes"]["breaking cells"] == {"element": 212 + 8 + 24 + 9, "bond": 196 + 129} | held
-    yielding = {"element": 212 + 8 + 24 + 135 + 176, "bond": 196 + 650 + 24, "held facet": 288 + 24}
+    yielding = {"element": 212 + 8 + 24 + 135 + 176, "bond": 196 + 667 + 24, "held facet": 344 + 24}
     assert compiled["bytes"]["yielding cells"] == yielding
     assert compiled["bytes"]["softening"] == {"element": 212 + 4 + 1, "bond": 164 + 128 + 108}
-    assert compiled["bytes"]["cracking cells"] == {"element": 212 + 8 + 24 + 135, "bond": 196 + 650} | held
+    assert compiled["bytes"]["cracking cells"] == {"element": 212 + 8 + 24 + 135, "bond": 196 + 667} | held
 
 
 def test_all_kernels_compile_without_a_driver(compiled) -> None:
@@ -176,7 +176,8 @@ def test_all_kernels_compile_without_a_driver(compiled) -> None:
         "cool_some", "mark_judged", "begin_judged",
         "soften_beams", "add_soft_losses", "log_soft", "press_some", "find_soft", "order_soft", "begin_soft",
         "soft_sums",
-        "schedule_rows", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold", "write_record",
+        "schedule_rows", "turn_moments", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold",
+        "write_record",
     }  # fmt: skip
     for name, text in ptx.items():
         assert ".visible .entry" in text, name
@@ -210,7 +211,7 @@ def model_and_plan(**options) -> tuple[bd.Model, Plan]:
 
 
 def test_what_the_device_cannot_do_is_refused() -> None:
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     heat = bd.Eigenstrain(1e-3, schedule=bd.Ramp(0.0, 1.0, 1e-3))
     open_end = bd.Absorbing(bd.Face("x_max"), density=1000.0, E=1e7, nu=0.2)
     for options, what in (
@@ -244,6 +245,7 @@ def test_every_option_is_known_to_the_device() -> None:
     }  # fmt: skip
     assert {f.name for f in dataclasses.fields(Plan)} == {
         "duration", "dt", "scheme", "damping", "gauges", "every", "save_every", "snapshot_every", "until", "safety",
+        "imbalance",
     }  # fmt: skip
 
 
@@ -252,7 +254,7 @@ def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
     monkeypatch.delitem(sys.modules, "bondem.solve.loop_cuda", raising=False)
     monkeypatch.delitem(sys.modules, "bondem._compile_cuda", raising=False)
     monkeypatch.setitem(sys.modules, "numba_cuda", None)
-    with pytest.raises(InputError, match=r"pip install \"bondem\[gpu\]\""):
+    with pytest.raises(InputError, match=r"pip install -e \"\.\[gpu\]\""):
         bd.solve_explicit(model_and_plan()[0], duration=1e-6, device="gpu")
 
 
@@ -261,11 +263,11 @@ def absent() -> str | None:
     try:
         return importlib.import_module("bondem._compile_cuda").missing()
     except ImportError as error:
-        return f"needs numba-cuda ({error}): pip install 'bondem[gpu]'"
+        return f"needs numba-cuda ({error}): pip install -e '.[gpu]'"
 
 
 def test_without_a_device_it_says_so() -> None:
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     if absent() is None:
         pytest.skip("there is a CUDA device here")
     with pytest.raises(InputError, match="no CUDA device or driver was found"):

@@ -16,7 +16,7 @@ FIELDS = "pose", "stress", "motion", "acceleration", "loss", "reaction", "integr
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory):
     """The runs on the CPU, in the simulator, and on the CPU from half a run of the simulator."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     return three_sides("cuda_cracks.py", tmp_path_factory.mktemp("cracks"))
 
 

@@ -16,7 +16,7 @@ FIELDS = "pose", "stress", "motion", "acceleration", "loss", "reaction", "integr
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory):
     """The runs on the CPU, in the simulator, and on the CPU from half a run of the simulator."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     return three_sides("cuda_facets.py", tmp_path_factory.mktemp("facets"))
 
 
@@ -41,7 +41,7 @@ def test_facets_break_beside_each_other_and_at_walls(outcomes) -> None:
 
 def test_what_threads_have_gathered_is_put_in_order() -> None:
     """The simulator gathers in order as it is: so this is shown apart."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     put_in_order = importlib.import_module("bondem.kernels.cuda.breaking").put_in_order
     rng = np.random.default_rng(1)
     for count in (0, 1, 2, 3, 10, 101):

@@ -14,7 +14,7 @@ FIELDS = "pose", "motion", "acceleration", "loss", "work", "reaction", "integrit
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory):
     """The runs on the CPU, in the simulator, and on the CPU from half a run of the simulator."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     folder = tmp_path_factory.mktemp("breaking")
     cpu, gpu, back = (str(folder / name) for name in ("cpu", "gpu", "back"))
     run("cuda_breaking.py", "cpu", f"{cpu}.npz", "", f"{cpu}.pkl")

@@ -8,6 +8,9 @@ from bondem.kernels.tables import FRACTURE, TRANSLATION, WORK
 from tests.gpu_sides import ends_alike, records_alike, two_and_back
 from tests.test_gpu import only_slowly
 
+# a minute or two in the simulator; test_gpu, test_gpu_failure and test_gpu_cracks are one of each kind
+pytestmark = pytest.mark.validate
+
 CRITERIA = "peripheral", "mohr coulomb"
 CASES = (*CRITERIA, only_slowly("paused"), "resumed", only_slowly("stale"), "alike")
 FIELDS = "pose", "motion", "acceleration", "loss", "reaction", "integrity", "released", "softened"
@@ -16,7 +19,7 @@ FIELDS = "pose", "motion", "acceleration", "loss", "reaction", "integrity", "rel
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory):
     """The runs on the CPU, in the simulator, and on the CPU from half a run of the simulator."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     return two_and_back("cuda_soft_beams.py", tmp_path_factory.mktemp("soft"))
 
 

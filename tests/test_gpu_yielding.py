@@ -12,6 +12,9 @@ from bondem.kernels.tables import FRACTURE, FRICTION, LOSS, PLASTIC, TRANSLATION
 from tests.gpu_sides import ends_alike, records_alike, three_sides
 from tests.test_gpu import only_slowly
 
+# a minute or two in the simulator; test_gpu, test_gpu_failure and test_gpu_cracks are one of each kind
+pytestmark = pytest.mark.validate
+
 YIELDING = "coulomb", "cone"
 CASES = (*YIELDING, "resumed", only_slowly("paused"), "own", "brittle cone")
 FIELDS = (
@@ -22,7 +25,7 @@ FIELDS = (
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory):
     """The runs on the CPU, in the simulator, and on the CPU from half a run of the simulator."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     return three_sides("cuda_yielding.py", tmp_path_factory.mktemp("yielding"))
 
 
@@ -102,7 +105,7 @@ def largest(stress, tension):
 
 
 def test_a_function_that_cuda_does_not_compile_is_refused_by_name(monkeypatch) -> None:
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install 'bondem[gpu]'")
+    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
     cracks = importlib.import_module("bondem.solve.cracks_cuda")
     pair = bd.Particles([[0.4, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.3, shape=bd.Box((2, 1, 1)))
     body = bd.connect(pair, method="laguerre")

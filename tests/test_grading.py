@@ -145,10 +145,10 @@ BAD = {
     "a plane of points": ("a shape, or points", lambda: bd.Graded(1.0, 2.0, (0.0, 0.0))),
     "everywhere": ("periodic", lambda: bd.Graded(1.0, 2.0, bd.Cell((1, 1, 1)))),
     "neither": ("count=.*or size=", lambda: bd.pack(bd.Box(BAR), method="even")),
-    "both": ("not both", lambda: bd.pack(bd.Box(BAR), count=10, size=0.01, method="even")),
+    "both": ("either count=", lambda: bd.pack(bd.Box(BAR), count=10, size=0.01, method="even")),
     "another method": ('method="even"', lambda: bd.pack(bd.Box(BAR), size=0.01)),
     "with a spread": ("leave out", lambda: bd.pack(bd.Box(BAR), size=0.01, spread=0.2, method="even")),
-    "no size": ("a positive size", lambda: bd.pack(bd.Box(BAR), size=-0.01, method="even")),
+    "not a size": ("a positive size", lambda: bd.pack(bd.Box(BAR), size=-0.01, method="even")),
     "text": ("a positive size", lambda: bd.pack(bd.Box(BAR), size="fine", method="even")),
     "too many": ("larger size", lambda: bd.pack(bd.Box(BAR), size=1e-5, method="even")),
     "too many somewhere": (f"more than {MOST_CELLS}", lambda: bd.pack(

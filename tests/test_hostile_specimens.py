@@ -244,10 +244,11 @@ def test_particles_with_a_shape_they_do_not_fill(packing, tmp_path):
         return parse_study({"name": "s", "specimen": table, "output": {"figures": False}}, folder=tmp_path)
 
     for make in (given, from_file):
-        assert "centres lie outside the Box" in refused(lambda make=make: make(box(8e-3)), kind=InputError)
-        with pytest.warns(FillingWarning, match="stick out of the Box"):
+        told = refused(lambda make=make: make(box(8e-3)), kind=InputError)
+        assert "centres lie outside the given shape, a Box" in told
+        with pytest.warns(FillingWarning, match="stick out of the given shape, a Box"):
             make(box(9.9e-3))
-        with pytest.warns(FillingWarning, match=r"the shape is larger than what fills it \(and 2 more such\)"):
+        with pytest.warns(FillingWarning, match=r"larger than the body of spheres \(and 2 more such\)"):
             make(box(12e-3))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -255,17 +256,17 @@ def test_particles_with_a_shape_they_do_not_fill(packing, tmp_path):
                 make(fits)
     told = refused(lambda: run_study(study(8), tmp_path / "out"), within=20.0, kind=StudyError)
     assert told.startswith("'specimen.particles': ")
-    assert "centres lie outside the Box" in told
-    with pytest.warns(FillingWarning, match="larger than what fills it"):
+    assert "centres lie outside the given shape, a Box" in told
+    with pytest.warns(FillingWarning, match="larger than the body of spheres"):
         results = run_study(study(12), tmp_path / "out")
     reasons = " ".join(results["packings"][0]["fabric_reasons"])
-    assert "the shape is larger than what fills it" in reasons
+    assert "the shape is larger than the body of spheres" in reasons
     assert "strata" not in reasons
 
 
 def test_a_cell_wider_than_its_packing():
     cell = bd.pack(bd.Cell((10e-3,) * 3), count=500)
-    with pytest.warns(FillingWarning, match=r"along [xyz] of the periodic cell"):
+    with pytest.warns(FillingWarning, match=r"of the periodic cell are empty along [xyz]"):
         bd.Particles(cell.position, cell.radius, shape=bd.Cell((12e-3,) * 3))
 
 

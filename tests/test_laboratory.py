@@ -77,9 +77,9 @@ def test_what_a_test_needs_is_told(name: str) -> None:
 
 
 WRONG: dict[str, tuple[str, str, dict[str, Any]]] = {
-    "a prism in the Brazilian test": ("brazilian", "no cylinder along x", {"specimen": "prism"}),
+    "a prism in the Brazilian test": ("brazilian", "not a cylinder along x", {"specimen": "prism"}),
     "strips too wide": ("brazilian", "half_angle = 0.8", {"half_angle": 0.8}),
-    "strips without a cell": ("brazilian", "no cell lies within", {"half_angle": 1e-6}),
+    "strips without a cell": ("brazilian", "contains no cell", {"half_angle": 1e-6}),
     "an ending above the peak": ("brazilian", "ending = 1.5", {"ending": 1.5}),
     "too fast": ("brazilian", "traverses = 0.5", {"traverses": 0.5}),
     "a density of zero": ("brazilian", "density = 0", {"density": 0.0}),
@@ -87,9 +87,9 @@ WRONG: dict[str, tuple[str, str, dict[str, Any]]] = {
     "no pressure": ("triaxial", "uniaxial_compression", {"pressure": 0.0}),
     "a text": ("triaxial", "pressure = '5 MPa'", {"pressure": "5 MPa"}),
     "cells that do not yield": ("triaxial", "shear strength", {"failure": bd.Rankine(tension=4e6)}),
-    "a ball in bending": ("three_point_bending", "no beam", {"specimen": "ball"}),
-    "a hole in place of a notch": ("three_point_bending", "cut one notch, from below", {"specimen": "holed"}),
-    "a span too long": ("three_point_bending", "half a strip over each end", {"span": 40e-3}),
+    "a ball in bending": ("three_point_bending", "not a beam", {"specimen": "ball"}),
+    "a hole in place of a notch": ("three_point_bending", "cut a single notch", {"specimen": "holed"}),
+    "a span too long": ("three_point_bending", "half a strip beyond each support", {"span": 40e-3}),
     "a span too short": ("three_point_bending", "at least the depth", {"span": 5e-3}),
     "a strip of nothing": ("three_point_bending", "strip = 0", {"strip": 0.0}),
     "another criterion": ("three_point_bending", "principal stress", {"failure": bd.Hydrostatic(tension=1e6)}),
@@ -156,7 +156,7 @@ def test_a_study_splits_and_confines(tmp_path: Path) -> None:
     results = run_study(asked, tmp_path)
     split, pressed = results["tests"]["brazilian"], results["tests"]["triaxial"]
     assert split["theory"] == 4e6
-    assert split["error"] == pytest.approx(0.0, abs=0.15)
+    assert 0.0 < split["error"] < 0.25  # a disc of 0.4 E G_f / f_t² redistributes stress before it splits
     sine = math.sin(math.radians(35.0))
     assert pressed["theory"] == pytest.approx(54.94e6 + 5e6 * (1.0 + sine) / (1.0 - sine), rel=1e-3)
     assert pressed["error"] == pytest.approx(0.0, abs=0.05)
@@ -179,7 +179,7 @@ def test_a_study_of_a_cut_specimen_breaks_it_only(name: str, tmp_path: Path) -> 
 
 REFUSED: dict[str, tuple[str, dict[str, Any]]] = {
     "no pressure": (r"triaxial\.pressure", {"tests": ["triaxial"]}),
-    "a table without its test": ("does not ask for triaxial", {"triaxial": {"pressure": 5e6}}),
+    "a table without its test": ("does not contain triaxial", {"triaxial": {"pressure": 5e6}}),
     "misspelt": (r"unknown key 'brazilian\.half_angel'", {"brazilian": {"half_angel": 0.1}}),
     "a box across a diameter": ("cylinder", {"specimen": BEAM}),
     "a bent cylinder": ("box", {"tests": ["three_point_bending"]}),

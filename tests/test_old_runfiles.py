@@ -129,7 +129,7 @@ def test_a_file_before_contacts_is_refused_in_a_line(tmp_path: Path) -> None:
     place = file_of(2, tmp_path)
     with h5py.File(place, "a") as file:
         file.attrs["schema"] = 1
-    with pytest.raises(RunFileError, match="older bondem, before there were contacts; start the run") as refused:
+    with pytest.raises(RunFileError, match="older bondem without contacts; start the run") as refused:
         read_run(place)
     assert str(place) in str(refused.value)
     assert "\n" not in str(refused.value)

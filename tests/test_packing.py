@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import trimesh
 
 import bondem as bd
 from bondem._compile import threads
@@ -105,6 +106,44 @@ def test_progress_rises_from_nothing_to_all():
     assert shares[0] < 0.1
     assert shares[-1] == 1.0
     assert (np.diff(shares) >= 0.0).all()
+
+
+@pytest.mark.parametrize("method", ["quench", "growth"])
+def test_a_moved_box_is_packed_as_one_at_the_origin(method):
+    box = bd.Box((10.0, 5.0, 5.0))
+    there = box.rotated("z", 0.3).moved((1.0, 2.0, 3.0))
+    here, moved = (bd.pack(one, count=200, seed=1, method=method) for one in (box, there))
+    np.testing.assert_array_equal(moved.radius, here.radius)
+    np.testing.assert_allclose(moved.position, there.place(here.position), rtol=1e-14)
+    assert moved.shape == there
+
+
+def walled(name):
+    """A box of 10 x 5 x 5 in other words, and what it is worth."""
+    box = bd.Box((10.0, 5.0, 5.0))
+    mesh = trimesh.creation.box(bounds=[[0, 0, 0], [10, 5, 5]])
+    return {
+        "surface": bd.Surface(vertices=mesh.vertices, triangles=mesh.faces),
+        "cut": box.cut(bd.Ball(radius=0.5).moved((5.0, 2.5, 2.5))),
+        "common": box & bd.Ball(radius=8.0).moved((5.0, 2.5, 2.5)),
+        "moved": (box.moved((0.0, 0.0, 1.0)) & bd.Box((10.0, 5.0, 6.0))).moved((1.0, 2.0, 3.0)),
+        "notched": box.cut(bd.Box((0.5, 1.0, 9.0)).moved((4.75, 4.0, -2.0))),
+    }[name]
+
+
+@pytest.mark.parametrize("name", ["surface", "cut", "common", "moved", "notched"])
+def test_spheres_reach_into_the_edges_of_shapes_that_are_made_of_others(name):
+    """Walls from a grid of depths are rounded at edges: no sphere touched two, and ends had a third fewer."""
+    shape, box = walled(name), bd.Box((10.0, 5.0, 5.0))
+    number = {}
+    for kind, one in (("box", box), ("other", shape)):
+        spheres = bd.pack(one, count=500, seed=1)
+        walls = (one.face_depth(face, spheres.position) for face in ("x_min", "x_max", "y_min", "z_min"))
+        on = [wall < spheres.radius * (1.0 + 1e-3) for wall in walls]
+        number[kind] = on[0].sum() + on[1].sum(), (on[2] & on[3]).sum()
+        assert (one.depth(spheres.position) > 0.9 * spheres.radius).all()
+    assert number["other"][0] > 0.75 * number["box"][0]
+    assert number["other"][1] > 0.4 * number["box"][1]
 
 
 def test_near_neighbours_in_space_are_near_in_order(packed):

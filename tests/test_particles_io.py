@@ -52,7 +52,7 @@ def test_what_is_saved_comes_back_to_the_bit(tmp_path, shape):
     told = bd.read_provenance(path)
     assert told == {"method": "quench", "seed": 3, "shape": shape, "target": 6.2, "bondem_version": bd.__version__}
     assert same(bd.read_particles(path), particles.position, particles.radius)
-    with pytest.raises(InputError, match="holds no bonds"):
+    with pytest.raises(InputError, match="has no bonds"):
         bd.read_lattice(path)
 
 
@@ -64,7 +64,7 @@ def test_a_lattice_is_saved_with_its_bonds(tmp_path):
 
 
 def test_files_that_are_not_ours_or_damaged_are_refused(tmp_path, write):
-    with pytest.raises(InputError, match=r"there is no particle file .*check the path"):
+    with pytest.raises(InputError, match=r"there is no particle file; check the path"):
         bd.load_particles(tmp_path / "nowhere.h5")
     with pytest.raises(InputError, match="not a particle file"):
         bd.load_particles(write("text.h5", "x y z r"))
@@ -115,9 +115,9 @@ def test_csv_columns_units_and_diameters(write):
         ("x,y,z,r\n0,0,0,1\n\n0,0,five,1\n", r"bad.csv', line 4: 'five' is not a number"),
         ("x,y,z,r\n0,0,0,1\n0,0,nan,1\n", r"line 3: nan is not finite"),
         ("x,y,z,r\n0,0,0\n", r"line 2: 3 columns where at least 4"),
-        ("x,y,z,r\n0,0,0,-1\n", r"line 2: -1 is no size"),
+        ("x,y,z,r\n0,0,0,-1\n", r"line 2: -1 is not a size"),
         ("x,y,w,r\n0,0,0,1\n", r"line 1: no column 'z' among x, y, w, r; .*columns="),
-        ("# nothing\n", "holds no spheres"),
+        ("# nothing\n", "has no spheres"),
         ("0 0 0 1\n0 0 0.1 1\n", r"bad.csv': elements 0 and 1 overlap"),
     ],
 )
@@ -126,12 +126,81 @@ def test_csv_errors_name_file_and_line(write, text, message):
         bd.read_particles(write("bad.csv", text))
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0;0;0;0,5\n1;0,1;0;0,4\n",
+        "x;y;z;r;\n0;0;0;0,5;\n1;0,1;0;0,4;\n",
+        "0\t0\t0\t0,5\n1\t0,1\t0\t0,4\n",
+        "0 0 0 0,5\n1 0,1 0 0,4\n",
+        '"x","y","z","r"\n"0","0","0","0,5"\n"1","0,1","0","0,4"\n',
+    ],
+)
+def test_csv_decimals_with_commas(write, text):
+    assert same(bd.read_particles(write("comma.csv", text)), CENTRE[:2] * [[1, 1, 1]], RADIUS[:2])
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("1,0,0,0,1\n2,3,0,0,1\n", r"line 1: 5 columns where 4 are known; name all.* in a header, give columns="),
+        ("0,5,0,0,0,0,0,5\n", r"line 1: 8 columns where 4 are known.*decimals with a point"),
+        ("x,y,z,r\n0,5,1,5,2,5,0,5\n", r"line 2: 8 columns where 4 are known.*decimals with a point"),
+        ("x;y;z;r\n0;0;0;1.000,5\n", r"'1.000,5' is not a number"),
+        ("x;y;z;r\n1,5;0;0;0.5\n", "with commas and with points"),
+    ],
+)
+def test_csv_that_would_be_misread_is_refused(write, text, message):
+    with pytest.raises(InputError, match=message):
+        bd.read_particles(write("odd.csv", text))
+
+
+@pytest.mark.parametrize(
+    ("text", "options"),
+    [
+        ("x [mm],y [mm],z [mm],r [mm]\n0,0,0,1\n2,0,0,1\n", {}),
+        ("x_mm;y_mm;z_mm;radius_mm\n0;0;0;1\n2;0;0;1\n", {}),
+        ("x [m] y [m] z [m] Diameter [mm]\n0 0 0 2\n2e-3 0 0 2\n", {}),
+        ("X (mm),Y,Z,Dia\n0,0,0,2\n2,0,0,2\n", {}),
+        ("# id x y z r\n7 0 0 0 1\n8 2 0 0 1\n", {"unit": "mm"}),
+        ("a,b,c,diameter\n0,0,0,2\n2,0,0,2\n", {"unit": "mm", "columns": ("a", "b", "c", "diameter")}),
+        ("0 0 0 2\n2 0 0 2\n", {"unit": "mm", "diameters": True}),
+        ("x [px],y [px],z [px],r [px]\n0,0,0,1\n2,0,0,1\n", {"unit": 1e-3}),
+    ],
+)
+def test_csv_units_and_diameters_of_headers(write, text, options):
+    particles = bd.read_particles(write("mm.csv", text), **options)
+    np.testing.assert_allclose(particles.position, [[0, 0, 0], [2e-3, 0, 0]], rtol=1e-15)
+    np.testing.assert_allclose(particles.radius, 1e-3, rtol=1e-15)
+
+
+def test_units_of_headers_that_do_not_fit_are_refused(write):
+    path = write("px.csv", "x [px],y [px],z [px],r [px]\n0,0,0,1\n")
+    with pytest.raises(InputError, match=r"\[px\] of column 'x' is no known unit of length.*give unit="):
+        bd.read_particles(path)
+    path = write("mm.csv", "x [mm],y [mm],z [mm],r [mm]\n0,0,0,1\n")
+    with pytest.raises(InputError, match=r"unit = 'm', but .* says that its unit is 0.001 m"):
+        bd.read_particles(path, unit="m")
+    path = write("two.csv", "x [mm],y [mm],z,r [m]\n0,0,0,1\n")
+    with pytest.raises(InputError, match="of two units, and one without"):
+        bd.read_particles(path)
+
+
+def test_tables_of_windows_editors_read_alike(tmp_path):
+    for k, encoding in enumerate(("utf-8-sig", "utf-16")):
+        path = tmp_path / f"{k}.csv"
+        path.write_bytes(("x,y,z,r\r\n" + table(",").replace("\n", "\r\n")).encode(encoding))
+        assert same(bd.read_particles(path))
+
+
 def test_yade_text_plain_and_periodic(write):
     assert same(bd.read_particles(write("export.txt", "#format x_y_z_r\n" + table())))
     assert same(bd.read_particles(write("ext.txt", "#format x_y_z_r_matId\n" + table().replace("\n", " 0\n"))))
     rows = "1 1 1 0.5 -1\n2 1 1 0.5 -1\n"
     periodic = bd.read_particles(write("pack.txt", "##PERIODIC:: 4 5 6\n" + rows))
     np.testing.assert_array_equal(periodic.period, [4.0, 5.0, 6.0])
+    with pytest.raises(InputError, match=r"line 1: 5 columns without a line #format, and the fifth, 0\.5"):
+        bd.read_particles(write("id.txt", "1 0 0 0 0.5\n2 0 0 3 0.5\n"))
     with pytest.raises(InputError, match="line 1: the format does not begin"):
         bd.read_particles(write("bad.txt", "#format id_x_y_z_r\n"))
 
@@ -178,6 +247,56 @@ def test_lammps_bonds_over_the_border_need_the_periodic_cell(write):
     np.testing.assert_allclose(bd.read_lattice(path, periodic=True).length, 1.0)
 
 
+@pytest.mark.parametrize("n", [3, 4, 5, 6])
+def test_bonds_over_the_border_are_refused_in_narrow_cells_too(write, n):
+    x = np.argwhere(np.ones((n, n, n))) + 0.5
+    apart = x[:, None] - x[None]
+    near = np.argwhere(np.triu(np.linalg.norm(apart - n * np.rint(apart / n), axis=2) < 1.001, 1))
+    atoms = "".join(f"{k} 1 1.0 1 {a} {b} {c}\n" for k, (a, b, c) in enumerate(x, start=1))
+    ends = "".join(f"{k} 1 {i + 1} {j + 1}\n" for k, (i, j) in enumerate(near, start=1))
+    box = "".join(f"0 {n} {axis}lo {axis}hi\n" for axis in "xyz")
+    path = write("cell.data", f"\n\n{box}\nAtoms # sphere\n\n{atoms}\nBonds\n\n{ends}")
+    with pytest.raises(InputError, match=rf"across half the specimen \({3 * n * n} such bonds\)"):
+        bd.read_lattice(path)
+    if n > 3:  # below two diameters of the largest no cell is periodic
+        np.testing.assert_allclose(bd.read_lattice(path, periodic=True).length, 1.0)
+
+
+def test_long_bonds_within_a_small_body_are_read(write):
+    """Second neighbours of three in a row reach across, too."""
+    x = np.argwhere(np.ones((3, 3, 3))).astype(float)
+    near = np.argwhere(np.triu(np.linalg.norm(x[:, None] - x[None], axis=2) < 2.001, 1))
+    atoms = "".join(f"{k} 1 1.0 1 {a} {b} {c}\n" for k, (a, b, c) in enumerate(x, start=1))
+    ends = "".join(f"{k} 1 {i + 1} {j + 1}\n" for k, (i, j) in enumerate(near, start=1))
+    path = write("reach.data", f"\n\nAtoms # sphere\n\n{atoms}\nBonds\n\n{ends}")
+    assert len(bd.read_lattice(path).pairs) == len(near)
+
+
+@pytest.mark.parametrize(
+    ("head", "velocities", "words"),
+    [
+        ("LAMMPS data file via write_data, version 2 Aug 2023, timestep = 5000, units = si", "", "of timestep 5000"),
+        ("LAMMPS data file", "\nVelocities\n\n10 0 0 -1 0 0 0\n", "velocities, which are not read"),
+        ("LAMMPS data file via write_data, version 2 Aug 2023, timestep = 0, units = si", "", ""),
+    ],
+)
+def test_strained_lammps_data_are_read_with_a_warning(write, head, velocities, words):
+    text = lammps("sphere").replace("LAMMPS data file", head).replace("\nVelocities\n\n10 0 0 0 0 0 0\n", velocities)
+    path = write("strained.data", text)
+    if words:
+        with pytest.warns(bd.errors.StressFreeWarning, match=f"{words}.* free of stress"):
+            bd.read_lattice(path)
+    else:
+        bd.read_lattice(path)
+    assert bd.read_particles(path) is not None  # spheres without bonds have no stress to lose
+
+
+def test_units_of_write_data_are_taken(write):
+    head = "LAMMPS data file via write_data, version 2 Aug 2023, timestep = 0, units = micro"
+    path = write("micro.data", lammps("sphere").replace("LAMMPS data file", head))
+    np.testing.assert_allclose(bd.read_particles(path).position, 1e-6 * CENTRE)
+
+
 @pytest.mark.parametrize(
     ("edit", "message"),
     [
@@ -204,6 +323,13 @@ def test_vtkhdf_of_our_own_comes_back_with_its_bonds(tmp_path):
     np.testing.assert_array_equal(lattice.pairs, PAIRS)
 
 
+def test_a_strained_vtkhdf_is_read_with_a_warning(tmp_path):
+    lattice = bd.Lattice(bd.Particles(CENTRE, RADIUS), PAIRS)
+    bd.write_vtkhdf(tmp_path / "strained.vtkhdf", lattice, elements={"displacement": 0.01 * CENTRE})
+    with pytest.warns(bd.errors.StressFreeWarning, match="its elements have displacements"):
+        bd.read_lattice(tmp_path / "strained.vtkhdf")
+
+
 @pytest.mark.parametrize("suffix", ["vtk", "vtp", "vtu"])
 def test_vtk_points_with_radii(tmp_path, suffix):
     pv = pytest.importorskip("pyvista")
@@ -212,19 +338,19 @@ def test_vtk_points_with_radii(tmp_path, suffix):
     path = tmp_path / f"spheres.{suffix}"
     cloud.save(path)
     assert same(bd.read_particles(path))
-    with pytest.raises(InputError, match=rf"spheres.{suffix}' has no point array 'size', but Radius"):
+    with pytest.raises(InputError, match=rf"spheres.{suffix}' has no point array 'size' .its arrays: Radius"):
         bd.read_particles(path, radius="size")
 
 
 def test_without_vtk_the_message_says_what_to_install(write, monkeypatch):
     monkeypatch.delitem(sys.modules, "bondem.io.vtk_spheres", raising=False)
     monkeypatch.setitem(sys.modules, "vtkmodules.util.numpy_support", None)
-    with pytest.raises(InputError, match=r"bondem\[view\]"):
+    with pytest.raises(InputError, match=r"\[view\]"):
         bd.read_particles(write("spheres.vtp", ""))
 
 
 def test_an_unknown_suffix_lists_the_known_ones(write):
-    with pytest.raises(InputError, match=r"'.xyz' files; known are \.h5"):
-        bd.read_particles(write("spheres.xyz", ""))
+    with pytest.raises(InputError, match=r"'.stp' files of spheres are not supported; give one of \.h5"):
+        bd.read_particles(write("spheres.stp", ""))
     with pytest.raises(InputError, match="there is no file"):
         bd.read_particles("nowhere.csv")

@@ -73,7 +73,7 @@ REFUSED: dict[str, tuple[str, dict[str, Any]]] = {
     "none": ("at least once", {"specimens": []}),
     "no tests": ("'specimens\\[1\\].tests' is missing or empty", {"specimens": [PRISM, DISC | {"tests": []}]}),
     "no name": (r"'specimens\[0\]\.name' is missing", {"specimens": [{**PRISM, "name": None}]}),
-    "two of a name": ("two named 'small-PRISM'", {"specimens": [PRISM, DISC, PRISM | {"name": "small-PRISM"}]}),
+    "two of a name": ("the name 'small-PRISM'", {"specimens": [PRISM, DISC, PRISM | {"name": "small-PRISM"}]}),
     "a name that is a path": ("letters, digits", {"specimens": [PRISM | {"name": "../prism"}]}),
     "a name of the programme's own": ("figures", {"specimens": [PRISM | {"name": "Figures"}]}),
     "an unknown key of a specimen": (
@@ -125,7 +125,7 @@ def test_a_file_is_a_study_or_a_programme() -> None:
 def test_specimens_are_spelt_in_the_plural(tmp_path: Path) -> None:
     text = (EXAMPLES / "concrete.toml").read_text().replace("[[specimens]]", "[[specimen]]")
     (tmp_path / "singular.toml").write_text(text.replace("[specimens.", "[specimen."))
-    with pytest.raises(StudyError, match=r"several specimens are \[\[specimens\]\]"):
+    with pytest.raises(StudyError, match=r"write \[\[specimens\]\] for several specimens"):
         read(tmp_path / "singular.toml")
 
 
@@ -184,7 +184,7 @@ def test_one_report_shows_all_specimens(finished: Any) -> None:
     html = (out / "report.html").read_text()
     for text in ("Measured against target", "Small prism", 'href="disc/report.html"', "Brazilian test", "fracture"):
         assert text in html
-    assert html.count('src="data:image/png;base64,') == html.count("<img") == 9
+    assert html.count('src="data:image/webp;base64,') == html.count("<img") == 9
     assert json.loads((out / "results.json").read_text()) == results
     assert (out / "disc" / "report.html").exists()
     drawn = {path.stem for path in (out / "disc" / "figures").glob("*.png")}

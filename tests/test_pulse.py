@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.cli.terminal import progress_bars, words_of
+from bondem.cli.terminal import progress_bars
 from bondem.solve.pulse import Pulse, heard, listening
 
 
@@ -43,5 +43,6 @@ def test_the_log_has_the_run_beside_the_stage(tmp_path) -> None:
 
 
 def test_words_of_a_pulse() -> None:
-    words = words_of(Pulse(1200, 5000, 1.2e-3, 400.0, 7, 1e-6, 1e-2))
-    assert words == "step 1200 of 5000, t = 0.0012 s, 400 steps/s, 9.5 s left at most, 7 broken, ledger 1e-04"
+    pulse = Pulse(1200, 5000, 1.2e-3, 400.0, 7, 1e-6, 1e-2)
+    wanted = "step 1200 of 5000, t = 0.0012 s, 400 steps/s, at most 9.5 s left, 7 broken, energy error 1e-04"
+    assert pulse.words == wanted

@@ -127,7 +127,8 @@ def test_the_quality_table_says_what_fabric_measured(examined):
     assert rows["strata of density"].first == percent(np.nanmax(first.strata.density))
     change = first.strata.density_gradient[np.argmax(np.abs(first.strata.density_gradient))]
     assert rows["change of density"].first == signed_percent(change)
-    assert (rows["the same in the core"].limit, rows["layers"].limit, rows["fineness"].limit) == ("30 %", "60 %", "")
+    limits = {name: rows[name].limit for name in ("anisotropy of the core", "layers", "fineness")}
+    assert list(limits.values()) == ["30 %", "60 %", ""]
     assert all(row.range == "" for row in quality_rows(examined[:1]))
 
 
@@ -136,7 +137,7 @@ def test_the_limits_shown_are_those_of_the_verdict():
     crystal = bd.connect(bd.Particles(grid, 0.5, period=(9.0, 9.0, 9.0)), tolerance=1e-9)
     quality = bd.fabric(crystal)
     rows = {row.name: row for row in quality_rows([Examined(seed=0, lattice=crystal, quality=quality)])}
-    for name, value in (("the same in the core", quality.core_rms_excess), ("layers", quality.strata.layers.max())):
+    for name, value in (("anisotropy of the core", quality.core_rms_excess), ("layers", quality.strata.layers.max())):
         assert 100.0 * value > float(rows[name].limit.split()[0])
         assert any(rows[name].limit.replace(" ", "") in reason.replace(" ", "") for reason in quality.reasons)
 

@@ -58,7 +58,7 @@ def test_info_and_watch_tell_of_a_run(tmp_path: Path) -> None:
     place = finished(tmp_path)
     done = command("info", place, cwd=tmp_path)
     assert done.returncode == 0
-    for words in ("finished", "12 spheres, 11 bonds", "ParaView opens the file", "the ledger misses"):
+    for words in ("finished", "12 spheres, 11 bonds", "ParaView opens the file", "error of the energy balance"):
         assert words in done.stdout
     told = json.loads(command("info", place, "--json", cwd=tmp_path).stdout)
     assert told["step"] == told["steps"]
@@ -84,7 +84,7 @@ def test_check_tells_what_every_example_does(example: Path, monkeypatch, capsys)
 
     check.main([str(example)], standalone_mode=False)
     told = capsys.readouterr().out
-    assert "is in order" in told
+    assert "is valid" in told
     for words in ("elements", "memory", "packings", "material", "law", "tests"):
         assert words in told
 
@@ -93,8 +93,8 @@ def test_check_tells_what_every_example_does(example: Path, monkeypatch, capsys)
     ("wrong", "right", "words"),
     [
         ("nuu = 0.2", "nu = 0.2", "did you mean 'material.nu'"),
-        ('radius = "50 MPa"', 'radius = "50 mm"', "MPa is no unit of"),
-        ('pressure = "5 mm"', 'pressure = "5 MPa"', "mm is no unit of"),
+        ('radius = "50 MPa"', 'radius = "50 mm"', "MPa is not a unit of"),
+        ('pressure = "5 mm"', 'pressure = "5 MPa"', "mm is not a unit of"),
         ('criterion = "MohrColoumb"', 'criterion = "MohrCoulomb"', "did you mean 'MohrCoulomb'"),
     ],
 )
@@ -153,11 +153,11 @@ def test_names_of_the_user_are_no_markup(tmp_path: Path) -> None:
     done = command("run", study, "--out", "out [/b]", "--log", "run.log", cwd=tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
     lines = [line.partition(" ")[2] for line in (tmp_path / "run.log").read_text().splitlines()]
-    assert (lines[0], lines[-1]) == ("begun", "ended")
+    assert (lines[0], lines[-1]) == ("started", "ended")
     assert {"pack 1 of 2 100 %", "test 2 of 2 100 %"} <= set(lines)
     elsewhere = command("run", study, "--out", "out", "--log", "none/run.log", cwd=tmp_path)
     assert (elsewhere.returncode, elsewhere.stderr.count("\n")) == (2, 1)
-    assert "--log 'none/run.log' cannot be written" in elsewhere.stderr
+    assert "--log = 'none/run.log': cannot be written" in elsewhere.stderr
     assert "Beam [/8] [bold]" in done.stdout
     assert "out [/b]" in done.stdout
 
@@ -178,17 +178,29 @@ def test_a_picture_of_a_run(tmp_path: Path, options: dict[str, str]) -> None:
     image = pytest.importorskip("PIL.Image")
     place = finished(tmp_path)
     if options.get("show") == "bonds":
-        with pytest.raises(InputError, match=r"there is no field 'velocity' here; there are .*integrity, length"):
+        with pytest.raises(InputError, match=r"field = 'velocity': no such field; choose from .*integrity, length"):
             scenes.render_run(place, tmp_path / "run.png", **options)
         options = options | {"field": "integrity"}
     out = scenes.render_run(place, tmp_path / "run.png", size=(300, 200), **options)
     with image.open(out) as picture:
         assert picture.size == (300, 200)
         assert len(picture.getcolors(1 << 20)) > 10
-    with pytest.raises(InputError, match="there is no snapshot 9999"):
+    with pytest.raises(InputError, match="snapshot = 9999"):
         scenes.render_run(place, tmp_path / "run.png", snapshot=9999)
     with pytest.raises(InputError, match=r"ends in .png"):
         scenes.render_run(place, tmp_path / "run.jpg")
+    with pytest.raises(InputError, match="camera = 'above' is unknown; give one of iso, x"):
+        scenes.render_run(place, tmp_path / "run.png", camera="above")
+
+
+def test_a_window_needs_a_display(tmp_path: Path, monkeypatch) -> None:
+    pytest.importorskip("bondem.report.scenes")
+    place = finished(tmp_path)
+    monkeypatch.delenv("DISPLAY", raising=False)
+    done = command("view", place, cwd=tmp_path)
+    assert done.returncode == 2
+    assert "no display is available" in done.stderr
+    assert done.stderr.count("\n") == 1
 
 
 @pytest.mark.validate

@@ -122,6 +122,91 @@ def test_what_is_no_closed_surface_is_refused(write, tmp_path):
     assert inside_out.volume == pytest.approx(6.0)
 
 
+def cube(low=(0.0, 0.0, 0.0), high=(1.0, 1.0, 1.0), inwards=False):
+    mesh = trimesh.creation.box(bounds=[low, high])
+    return mesh.vertices, mesh.faces[:, ::-1] if inwards else mesh.faces
+
+
+def together(*solids):
+    first = np.cumsum([0, *(len(x) for x, _ in solids)])
+    return {
+        "vertices": np.vstack([x for x, _ in solids]),
+        "triangles": np.vstack([t + k for (_, t), k in zip(solids, first, strict=False)]),
+    }
+
+
+def test_an_stl_of_several_solids_is_one_closed_body(tmp_path):
+    """OpenFOAM, LIGGGHTS and Ansys name the patches of a body so."""
+    x, t = cube()
+    text = ""
+    for k, patch in enumerate(t.reshape(6, 2, 3)):
+        facets = "".join(
+            "facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {a:.7g} {b:.7g} {c:.7g}\n" for a, b, c in x[one])
+            + "endloop\nendfacet\n" for one in patch
+        )  # fmt: skip
+        text += f"solid patch{k}\n{facets}endsolid patch{k}\n"
+    (tmp_path / "patches.stl").write_text(text)
+    surface = bd.Surface(tmp_path / "patches.stl", unit="mm")
+    assert surface.volume == pytest.approx(1e-9)
+    assert len(surface.triangles) == 12
+
+
+def test_corners_apart_by_the_digits_of_a_file_are_one():
+    x, t = cube((10.0, 10.0, 10.0), (11.0, 11.0, 11.0))
+    each = x[t].reshape(-1, 3) + np.random.default_rng(1).uniform(-2e-7, 2e-7, (36, 3))
+    surface = bd.Surface(vertices=each, triangles=np.arange(36).reshape(12, 3))
+    assert surface.volume == pytest.approx(1.0, rel=1e-5)
+
+
+def test_triangles_that_are_there_twice_are_left_out():
+    x, t = cube()
+    surface = bd.Surface(vertices=x, triangles=np.vstack([t, t[:2], np.roll(t[:1], 1, axis=1)]))
+    assert surface.volume == pytest.approx(1.0)
+    assert len(surface.triangles) == 12
+    mirrored = x * [-1.0, 1.0, 1.0] + [2.0, 0.0, 0.0], t[:, ::-1]  # the face between them has the same diagonal
+    shared = bd.Surface(**together(cube(), mirrored))
+    assert shared.volume == pytest.approx(2.0)
+    assert shared.depth([[1.0, 0.5, 0.5]])[0] == pytest.approx(0.5)  # no wall between the two
+    doubled = bd.Surface(**together(cube(), cube()))
+    assert doubled.volume == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("solids", "message"),
+    [
+        ((cube(), cube((0.5, 0.5, 0.5), (2.0, 2.0, 2.0))), "two of its 2 solids overlap or touch; unite"),
+        ((cube(), cube((0.9, 0.9, 0.9), (2.0, 2.0, 2.0))), "overlap or touch"),
+        ((cube(), cube((0.4, 0.4, -1.0), (0.6, 0.6, 2.0))), "overlap or touch"),
+        ((cube(), cube((1.0, 0.2, 0.2), (2.0, 0.8, 0.8))), "overlap or touch"),
+        ((cube(), cube((3.0, 0.0, 0.0), (4.0, 1.0, 1.0)), cube((0.2,) * 3, (0.8,) * 3)), "lies within another"),
+    ],
+)
+def test_solids_that_overlap_are_refused(solids, message):
+    """What lay in both counted as outside, silently: of crossing surfaces the nearest has the wrong normal."""
+    with pytest.raises(InputError, match=message):
+        bd.Surface(**together(*solids))
+
+
+def test_cavities_and_separate_solids_are_no_overlap():
+    hollow = bd.Surface(**together(cube(), cube((0.2,) * 3, (0.8,) * 3, inwards=True)))
+    assert hollow.volume == pytest.approx(1.0 - 0.6**3)
+    island = together(cube(), cube((0.2,) * 3, (0.8,) * 3, inwards=True), cube((0.4,) * 3, (0.6,) * 3))
+    assert bd.Surface(**island).volume == pytest.approx(1.0 - 0.6**3 + 0.2**3)
+    apart = bd.Surface(**together(cube(), cube((2.0, 0.0, 0.0), (3.0, 1.0, 1.0), inwards=True)))
+    assert apart.volume == pytest.approx(2.0)  # the second is turned
+    assert (apart.depth([[0.5, 0.5, 0.5], [2.5, 0.5, 0.5]]) > 0.0).all()
+    edge = bd.Surface(**together(cube(), cube((1.0, 1.0, 0.0), (2.0, 2.0, 1.0))))  # an edge of four triangles
+    assert edge.volume == pytest.approx(2.0)
+
+
+def test_edges_of_three_triangles_are_named():
+    x, t = cube()
+    wall = [[0, 3, 7]] if len({*t[0]} & {0, 3, 7}) < 3 else [[0, 1, 7]]
+    with pytest.raises(InputError, match=r"edges have three triangles or more, an odd number: walls inside"):
+        bd.Surface(vertices=x, triangles=np.vstack([t, wall]))
+
+
+
 # -- shapes of shapes -------------------------------------------------------------------------------------------
 
 PLATE = bd.Box(size=(1.0, 2.0, 3.0))
@@ -155,7 +240,7 @@ def test_overlap_and_joined():
     corner = bd.Box(size=(1.0, 1.0, 1.0)) & bd.Ball(radius=1.0)
     assert corner.volume == pytest.approx(math.pi / 6.0, rel=1e-3)
     assert corner.area == pytest.approx(5.0 * math.pi / 4.0, rel=1e-2)
-    with pytest.raises(InputError, match="nothing in common"):
+    with pytest.raises(InputError, match="do not intersect"):
         _ = PLATE & bd.Ball(radius=0.1).moved((9, 9, 9))
     grip, gauge = bd.Box(size=(1.0, 1.0, 1.0)), bd.Box(size=(3.0, 0.5, 0.5)).moved((0.5, 0.25, 0.25))
     bar = grip | gauge | grip.moved((3.0, 0.0, 0.0))

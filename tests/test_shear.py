@@ -123,8 +123,8 @@ def test_a_packing_by_shear_is_on_target_and_in_the_shape(shape, monkeypatch):
 @pytest.mark.parametrize(
     ("shape", "count", "says"),
     [
-        (bd.Ball(1.0), 300, "fills Box and Cylinder, .* take another method"),
-        (bd.Cell((1.0, 1.0, 1.0)), 300, "fills Box and Cylinder, .* take another method"),
+        (bd.Ball(1.0), 300, "fills Box and Cylinder, .* use another method"),
+        (bd.Cell((1.0, 1.0, 1.0)), 300, "fills Box and Cylinder, .* use another method"),
         (bd.Box((1.0, 0.1, 0.1)), 12, "too large .* ask for more spheres or a wider shape"),
         (bd.Cylinder(0.05, 1.0), 12, "too large .* ask for more spheres or a wider shape"),
     ],

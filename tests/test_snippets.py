@@ -20,12 +20,15 @@ from validation.__main__ import study_of
 from validation.frame.command import command_of
 
 ROOT = Path(__file__).parents[1]
-# Pages of Sphinx's own directives, which have no snippets.
-DIRECTIVES = {"api.md", "index.md"}
-PAGES = [ROOT / "README.md", *sorted(page for page in (ROOT / "docs").rglob("*.md") if page.name not in DIRECTIVES)]
+# What Sphinx writes or includes by its own directives.
+DIRECTIVES = re.compile(r"^```\{\w[\w-]*\}\n.*?^```$\n", re.MULTILINE | re.DOTALL)
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 LANGUAGES = {"python", "toml", "sh", "text"}
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-PROGRAMS = ("bondem", "python", "python3", "pytest", "pip")
+# A block of code, and what it prints where a block of text follows at once.
+PRINTS = re.compile(r"^```python\n((?:(?!```)[^\n]*\n)*)```\n\n```text\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+NUMBER = re.compile(r"\d+(?:\.\d+)?")
+PROGRAMS = ("bondem", "python", "python3", "pytest", "pip", "git", "cd")
 # Commands of seconds; all others take minutes to hours and are read only.
 QUICK = ("bondem calibrate",)
 
@@ -43,8 +46,13 @@ class Snippet:
         return f"{self.page.relative_to(ROOT)}:{self.line}"
 
 
+def read(page):
+    """The text of a page, with directives of Sphinx blanked line by line."""
+    return DIRECTIVES.sub(lambda found: "\n" * found.group().count("\n"), page.read_text(encoding="utf-8"))
+
+
 def fenced(page):
-    text = page.read_text(encoding="utf-8")
+    text = read(page)
     return [Snippet(page, text[: one.start()].count("\n") + 1, *one.groups()) for one in FENCE.finditer(text)]
 
 
@@ -53,7 +61,7 @@ def commands():
     found = []
     for page in PAGES:
         lines = [(one.line, line) for one in fenced(page) if one.language == "sh" for line in one.text.splitlines()]
-        outside = FENCE.sub("", page.read_text(encoding="utf-8"))
+        outside = FENCE.sub("", read(page))
         lines += [(0, line.strip()) for line in re.findall(r"^    (\S.*)$", outside, re.MULTILINE)
                   if line.split()[0] in PROGRAMS]  # fmt: skip
         found += [pytest.param(part.strip(), id=f"{page.relative_to(ROOT)}:{number}: {part.strip()}")
@@ -71,7 +79,7 @@ def test_snippets_are_found_and_say_what_they_are():
     assert {page.name for page in WITH_CODE} >= {"README.md", "calibration.md"}
     assert len(COMMANDS) >= 15
     for page in PAGES:  # a fence that is not closed would hide what follows
-        assert len(re.findall(r"^```", page.read_text(encoding="utf-8"), re.MULTILINE)) == 2 * len(fenced(page))
+        assert len(re.findall(r"^```", read(page), re.MULTILINE)) == 2 * len(fenced(page))
 
 
 @pytest.fixture
@@ -83,14 +91,24 @@ def clone(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("page", WITH_CODE, ids=lambda page: str(page.relative_to(ROOT)))
-def test_code_runs_as_printed(page, clone):
-    names = {}
+def test_code_runs_as_printed(page, clone, capsys):
+    names, expected = {}, dict(PRINTS.findall(read(page)))
     for block in fenced(page):
         if block.language == "python":
             # line numbers of the page in a traceback
             code = compile("\n" * block.line + block.text, str(page), "exec")
             exec(code, names)
+            printed = capsys.readouterr().out
+            if block.text in expected:
+                assert_alike(printed, expected[block.text])
     assert "bd" in names
+
+
+def assert_alike(printed, expected):
+    """Compare words exactly and numbers to a tenth: what breaks depends a little on the vector unit."""
+    assert NUMBER.sub("#", printed).split() == NUMBER.sub("#", expected).split()
+    numbers = ([float(one) for one in NUMBER.findall(text)] for text in (printed, expected))
+    assert next(numbers) == pytest.approx(next(numbers), rel=0.1)
 
 
 @pytest.mark.parametrize("block", [block for block in BLOCKS if block.language == "toml"], ids=str)
@@ -117,6 +135,9 @@ def test_commands_are_ones_there_are(command, clone):
             assert node is not None, name
         assert node.make_context(name, rest).params is not None
         named = [word for word in rest if word.endswith((".toml", ".h5"))]
+    elif program in ("git", "cd"):
+        assert rest[0] in ("clone", "bondem")
+        named = []
     elif rest[:2] == ["-m", "book"]:
         assert rest[2] == "--measure"
         assert set(rest[3:]) <= {one.name for one in MEASUREMENTS}

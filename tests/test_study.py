@@ -124,7 +124,7 @@ CYLINDER = {"shape": "cylinder", "radius": 5e-3, "length": 30e-3, "count": 500}
     ("keys", "key", "remedy"),
     [
         ({"specimen": CYLINDER | {"method": "grow"}}, "'specimen.method' = 'grow'", "did you mean 'growth'"),
-        ({"specimen": CYLINDER | {"method": "even", "spread": 0.2}}, "'specimen.spread' goes with", "leave it out"),
+        ({"specimen": CYLINDER | {"method": "even", "spread": 0.2}}, "'specimen.spread' is", "leave it out"),
         ({"specimen": CYLINDER | {"jamming": True, "volume_fraction": 0.6}}, "'specimen.volume_fraction' and", "one"),
         ({"specimen": CYLINDER | {"volume_fraction": 0.9}}, "'specimen.volume_fraction' = 0.9", "between 0 and 0.8"),
         ({"specimen": CYLINDER | {"jamming": 1}}, "'specimen.jamming' = 1", "true or false"),
@@ -156,8 +156,8 @@ CYLINDER = {"shape": "cylinder", "radius": 5e-3, "length": 30e-3, "count": 500}
             "'specimen.shape': a Cell",
             "cylinder or a box",
         ),
-        (BALL | {"tests": ["impact"]}, "'tests' asks for", "give [material]"),
-        (BALL | {"output": {"run_files": True}}, "'output.run_files' asks for", "give [material]"),
+        (BALL | {"tests": ["impact"]}, "'tests' needs", "give [material]"),
+        (BALL | {"output": {"run_files": True}}, "'output.run_files' needs", "give [material]"),
     ],
 )
 def test_what_cannot_be_is_refused_by_its_key(keys, key, remedy):
@@ -172,7 +172,7 @@ def test_calibration_needs_a_prism_and_tests_need_one_with_formulas(tmp_path):
     plan = SpecimenPlan(shape=bar, count=500)
     glass = bd.Material("glass", E=70e9, nu=0.2, rho=2500.0)
     assert Study(name="s", material=glass, specimen=plan, tests=()).tests == ()
-    with pytest.raises(bd.errors.StudyError, match="'tests' asks for impact, but a Joined is no bar along x"):
+    with pytest.raises(bd.errors.StudyError, match="'tests' contains impact, but a Joined is not a bar along x"):
         Study(name="s", material=glass, specimen=plan, tests=("impact",))
     waisted = bd.Box((4.0, 1.0, 1.0)).cut(bd.Box((1.0, 1.0, 0.3)).moved((1.5, 0.0, 0.0)))
     with pytest.raises(bd.errors.StudyError, match=r"'specimen\.shape': a Cut without flat ends"):
@@ -281,7 +281,7 @@ def test_stages_are_told_and_end_at_one(finished):
 def test_output_is_complete_and_nothing_else(finished):
     out, _, _ = finished
     assert sorted(path.name for path in out.iterdir()) == [
-        "report.html", "results.json", "specimen.vtkhdf", "specimen_7.h5", "specimen_8.h5",
+        "curves", "report.html", "results.json", "specimen.vtkhdf", "specimen_7.h5", "specimen_8.h5",
     ]  # fmt: skip
 
 

@@ -209,13 +209,13 @@ def test_without_coefficients_it_is_the_affine_estimate(bodies, cell):
 
 def test_beyond_what_it_was_fitted_to_it_warns(bodies):
     stubby = bd.Obermayr(E=1e9, nu=0.3, radius_ratio=2.2, alpha_s=5.0)
-    with pytest.warns(ExtrapolationWarning, match=r"shear over normal stiffness .* and here it is 1\.9"):
+    with pytest.warns(ExtrapolationWarning, match=r"shear over normal stiffness .* but the value is 1\.9"):
         SurfaceCorrection.default(stubby).E(bodies["contacts"])
-    with pytest.warns(ExtrapolationWarning, match=r"R̄S/V from 0 to 0\.\d+, and here it is 3"):
+    with pytest.warns(ExtrapolationWarning, match=r"R̄S/V from 0 to 0\.\d+, but the value is 3"):
         SurfaceCorrection.default(LAW).E(3.0)
     with pytest.raises(InputError, match="radius_ratio="):
         SurfaceCorrection.default(dataclasses.replace(LAW, radius_ratio=None, radius=1e-3)).E(0.1)
-    with pytest.raises(InputError, match="give a bond law"):
+    with pytest.raises(InputError, match="not a bond law"):
         SurfaceCorrection.default(bd.EulerBernoulli)  # pyright: ignore[reportArgumentType]
 
 

@@ -63,18 +63,18 @@ def test_any_decimal_number_is_rounded_once(digits, exponent, unit):
 @pytest.mark.parametrize(
     ("text", "unit", "words"),
     [
-        ("5 mm", "Pa", "mm is no unit of [Pa]"),
+        ("5 mm", "Pa", "mm is not a unit of [Pa]"),
         ("70e9", "Pa", "leave out the quotes"),
         ("0.25", "-", "leave out the quotes"),
         ("5 mm", "-", "a plain number or a percentage"),
-        ("5 m^2", "m", "m^2 is no unit of [m]"),
+        ("5 m^2", "m", "m^2 is not a unit of [m]"),
         ("5 parsec", "m", "'parsec' is not known"),
-        ("72,5 GPa", "Pa", "',5 GPa' is not known"),
+        ("72,5 GPa", "Pa", "has a comma; write decimals with a point"),
         ("72.5 Gpa", "Pa", "'Gpa' is not known"),
-        ("GPa", "Pa", "no number with a unit"),
-        ("nan Pa", "Pa", "no number with a unit"),
-        ("", "m", "no number with a unit"),
-        ("1" * 99 + " m", "m", "no number with a unit"),
+        ("GPa", "Pa", "not a number with a unit"),
+        ("nan Pa", "Pa", "not a number with a unit"),
+        ("", "m", "not a number with a unit"),
+        ("1" * 99 + " m", "m", "not a number with a unit"),
         ("5 m//s", "m/s", "is not known"),
         ("35 deg/s", "rad", "is not known"),
     ],
@@ -185,11 +185,11 @@ def doubted(call):
 
 
 def test_moduli_and_densities_off_by_a_thousand_are_doubted():
-    assert "granite about 6e+10 Pa" in doubted(lambda: bd.Material("granite", E=69, nu=0.26, rho=2630))
-    assert "granite about" in doubted(lambda: bd.Material("Lac du Bonnet Granite", E=69e9, nu=0.26, rho=2.63))
-    assert "no solid" in doubted(lambda: bd.Material("it", E=69, nu=0.26, rho=2630))
-    assert "no solid" in doubted(lambda: bd.Material("it", E=69e9, nu=0.26, rho=2.63))  # √(E/ρ) = 162 km/s
-    assert "no solid" in doubted(lambda: bd.Material("it", E=72.5e3, nu=0.17, rho=2.2e-9))  # N, mm, t
+    assert "granite has about 6e+10 Pa" in doubted(lambda: bd.Material("granite", E=69, nu=0.26, rho=2630))
+    assert "granite has about" in doubted(lambda: bd.Material("Lac du Bonnet Granite", E=69e9, nu=0.26, rho=2.63))
+    assert "solids have" in doubted(lambda: bd.Material("it", E=69, nu=0.26, rho=2630))
+    assert "solids have" in doubted(lambda: bd.Material("it", E=69e9, nu=0.26, rho=2.63))  # √(E/ρ) = 162 km/s
+    assert "solids have" in doubted(lambda: bd.Material("it", E=72.5e3, nu=0.17, rho=2.2e-9))  # N, mm, t
     for name, E, rho in (("silica aerogel", 1e6, 100.0), ("rubber", 2e6, 1000.0), ("gel", 5e3, 1000.0),
                          ("diamond", 1.1e12, 3515.0), ("tungsten", 4e11, 19_300.0), ("ice", 9e9, 917.0)):  # fmt: skip
         assert doubted(lambda E=E, rho=rho, name=name: bd.Material(name, E=E, nu=0.2, rho=rho)) == ""
@@ -219,7 +219,7 @@ def test_millimetres_taken_for_metres_are_doubted_unless_metres_are_said(tmp_pat
         vertices = ["vertex {} {} {}".format(*corner[k]) for k in face]
         rows += ["facet normal 0 0 0", "outer loop", *vertices, "endloop", "endfacet"]
     (tmp_path / "part.stl").write_text("\n".join([*rows, "endsolid part\n"]))
-    assert "is taken to be 5 m long" in doubted(lambda: bd.Surface(tmp_path / "part.stl"))
+    assert "is assumed to be 5 m long" in doubted(lambda: bd.Surface(tmp_path / "part.stl"))
     assert doubted(lambda: bd.Surface(tmp_path / "part.stl", unit="m")) == ""
     assert doubted(lambda: bd.Surface(tmp_path / "part.stl", unit="mm")) == ""
 
@@ -245,10 +245,10 @@ def test_the_command_warns_in_a_line_and_reads_units(tmp_path):
     done = command("calibrate", "--material", "granite", "--E", "69", "--count", "200", "--packings", "1")
     assert done.returncode == 0
     (line,) = done.stderr.splitlines()
-    assert line.startswith("bondem: warning: material 'granite': E = 69 Pa, of granite about 6e+10 Pa")
+    assert line.startswith("bondem: warning: material 'granite': E = 69 Pa, but granite has about 6e+10 Pa")
     done = command("calibrate", "--E", "5 mm", "--nu", "0.2", "--rho", "2.2 g/cm^3")
     assert done.returncode == 2
     (line,) = done.stderr.splitlines()
-    assert "--E = '5 mm': mm is no unit of [Pa]" in line
+    assert "--E = '5 mm': mm is not a unit of [Pa]" in line
     done = command("calibrate", "--E", "nan", "--nu", "0.2", "--rho", "2200")
     assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)

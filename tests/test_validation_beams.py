@@ -48,6 +48,7 @@ def spheres() -> bd.Lattice:
     return bd.connect(bd.pack(GREGOIRE.shape, count=400, seed=1))
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.ImbalanceWarning")  # pulled within six traverses
 @pytest.mark.usefixtures("quick")
 def test_bonds_are_set_by_the_strength_of_their_bar() -> None:
     """The strength of the bar follows that of its bonds: a second test comes nearer, and both are told."""
@@ -89,6 +90,7 @@ def test_bonds_near_rollers_do_not_break() -> None:
     assert len(SlowBeamsRun(replace(L_PANEL, spared=()), 1e-5, 1e-4, 1)._failure(body, bonds)) == 1
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.ImbalanceWarning")  # pulled within six traverses
 @pytest.mark.usefixtures("quick")
 @pytest.mark.filterwarnings("ignore::bondem.errors.StrengthWarning")
 def test_a_study_breaks_judges_and_draws(tmp_path: Any) -> None:

@@ -147,10 +147,11 @@ def test_beams_have_the_proportions_of_the_standard():
     assert case.shape.contains(across).tolist() == [False, True]
 
 
-@pytest.mark.parametrize("test", ["direct_tension", "brazilian"])
-def test_small_specimens_break_near_their_strength(test, tmp_path):
+@pytest.mark.parametrize(("test", "least", "most"), [("direct_tension", 0.8, 1.2), ("brazilian", 1.0, 1.3)])
+def test_small_specimens_break_near_their_strength(test, least, most, tmp_path):
+    """The disc has a diameter of 1.15 E G_f / f_t²: it redistributes stress before it splits."""
     row = GraniteRun(Granite(), test, 300, 1).measured(tmp_path)
-    assert row["peak"] == pytest.approx(Granite().tension, rel=0.2)
+    assert least < row["peak"] / Granite().tension < most
     assert row["broken"] > 0
     assert max(row["curve"]["stress"]) == pytest.approx(row["peak"], rel=1e-3)
 

@@ -66,9 +66,9 @@ def _speed() -> Section:
     return Section(
         title="Speed of the plates",
         before=(
-            f"{SLOWER.at('count')} elements and the paper's numbers, packing 1, the authors' areas: the speed of the"
-            " paper, half and a quarter of it. In splitting, plates of the paper's speed make the disc oscillate (its"
-            " curves have waves), by which the forces of both plates differ."
+            f"The rows compare the speed of the paper with half and a quarter of it, for {SLOWER.at('count')} "
+            "elements and the paper's sizes, packing 1 and the authors' areas. In splitting, plates at the paper's "
+            "speed make the disc oscillate (its curves have waves), so the forces of both plates differ."
         ),
         rows=tuple(rows),
     )
@@ -97,13 +97,13 @@ def _forces() -> Section:
     return Section(
         title="Forces of both plates",
         before=(
-            "Rankine at the paper's size and speed. Of the impulses of both plates, from a fifth of the peak on,"
-            " 2 to 3 % are missing at the plate that stands still. The momentum of the elements takes 0.4 % of them"
-            " at the most; the rest is local damping, which opposes the motion of a body that follows one plate:"
-            " 1.5 % with a damping of 0.1, 0.6 % with 0.03. At the peak itself the disc swings on top of that, the"
-            " more so the less it is damped. Where both plates move, each at half the speed, what is damped on one"
-            " side is damped on the other, and forces agree within 1 % with the same damping and the same strengths."
-            " The paper gives the relative velocity of the plates, and not which of them moves."
+            "The tests use Rankine at the paper's size and speed. From a fifth of the peak on, 2 to 3 % of the "
+            "impulse are missing at the fixed plate. The momentum of the elements accounts for at most 0.4 %; the "
+            "rest is local damping, which opposes the motion of a body that follows one plate: 1.5 % with a "
+            "damping of 0.1, 0.6 % with 0.03. At the peak the oscillation of the disc is superposed, more so with "
+            "less damping. If both plates move, each at half the speed, the damping of both sides cancels, and the "
+            "forces agree within 1 % with the same damping and the same strengths. The paper states the relative "
+            "velocity of the plates, and not which of them moves."
         ),
         rows=tuple(rows),
     )
@@ -119,9 +119,9 @@ def _platens() -> Section:
     return Section(
         title="Friction of the plates",
         before=(
-            f"{PLATENS.at('count')} elements, Rankine, the authors' areas; friction between elements stays 0.1."
-            " Smooth plates take a fifth off the compressive strength, more than 0.1 adds nothing, and splitting does"
-            " not mind."
+            f"Packings have {PLATENS.at('count')} elements, Rankine's criterion and the authors' areas; friction "
+            "between elements is 0.1. Smooth plates lower the compressive strength by a fifth, friction above 0.1 "
+            "adds nothing, and the splitting strength does not depend on it."
         ),
         rows=tuple(rows),
     )
@@ -140,14 +140,15 @@ def _noise() -> Section:
         ] + [Row(case=f"{told}: bonds above 6 / 55", ours=NOISE.of(*(one["above"] for one in ones)),
                  form=Form("%", 1e-2, ".2f"))]  # fmt: skip
     return Section(
-        title="How much of a Rankine strength in compression is noise",
+        title="Scatter of stresses and Rankine's criterion in compression",
         before=(
-            "In a uniform body in uniaxial compression σ1 is zero, and no pressure meets Rankine's criterion. The"
-            " cylinder at 20 MPa, nothing broken, bonds of its middle half: with the authors' areas one bond in"
-            " eighty has σ1 above 6 / 55 of the stress, so that 6 MPa are 55 MPa; with Laguerre facets none has,"
-            " stresses scatter a quarter to a sixth as much, and the same criterion bears 2.5 times as much at full"
-            " size. The compressive strength of this law with Rankine's criterion is the noise of its stresses, and"
-            " the ratio of both strengths a property of the construction."
+            "In a uniform body in uniaxial compression σ1 is zero, and no pressure violates Rankine's criterion. "
+            "These stresses are those of bonds in the middle half of the cylinder at 20 MPa, before failure. With "
+            "the authors' areas one bond in eighty has σ1 above 6 / 55 of the stress, so 6 MPa correspond to 55 "
+            "MPa. With Laguerre facets no bond has; stresses scatter a quarter to a sixth as much, and the same "
+            "criterion gives 2.5 times the strength at full size. The compressive strength of this law with "
+            "Rankine's criterion therefore follows from the scatter of its stresses, and the ratio of both "
+            "strengths is a property of the construction."
         ),
         rows=tuple(rows),
     )
@@ -194,13 +195,15 @@ def _reach() -> Section:
                 ours=REACH.of(*(one["peak"] / other[one["seed"]] for one in some))),
         ]  # fmt: skip
     return Section(
-        title="Sizes and gaps",
+        title="Sizes of packings and gaps of bonds",
         rows=tuple(rows),
         before=(
-            "Compression, Rankine with 6 MPa, the authors' areas: spheres at most so many (R1 + R2) apart are bonded,"
-            f" z is the coordination number; packings {seeds}, one after the other. The paper does not print the"
-            " gaps that it bonds. 40 GPa go in, and 55 MPa were measured. Mohr and Coulomb with its 14.5 MPa and 60°"
-            " bear less than Rankine at both gaps, so that no gap gives both criteria 55 MPa.\n\n" + "\n".join(lines)
+            "The tests are compression with Rankine (6 MPa) and the authors' areas. Spheres are bonded up to a"
+            " distance of reach × (R1 + R2), and z is the coordination number; entries are packings"
+            f" {seeds}. The paper does not print the gaps that it bonds. 40 GPa were put in, and 55 MPa were"
+            " measured. Mohr–Coulomb with 14.5 MPa and 60° has a lower strength than Rankine at both gaps, so no gap"
+            " gives both"
+            " criteria 55 MPa.\n\n" + "\n".join(lines)
         ),
     )
 

@@ -22,11 +22,11 @@ def chapter() -> Chapter:
         name="formulations",
         title="Total against incremental formulation, and Obermayr's bond",
         summary=(
-            "The papers add up rates of force step by step. Taken as one first writes them, they drift when a body"
-            " turns; at the middle of a step, as in bondem's incremental formulation, that is of second order. After"
-            " a closed cycle rates leave something behind however small the steps, which the energy of bondem's bonds"
-            " does not. At small rotations both agree. How and why:"
-            " [validation/incremental.md](validation/incremental.md)."
+            "The papers add rates of force step by step. Evaluated at the start of a step, these drift when a body "
+            "turns; evaluated at the middle of a step, as in bondem's incremental formulation, the drift is of "
+            "second order. After a closed cycle rates leave a residual force for any step; the energy of bondem's "
+            "bonds does not. At small rotations both formulations agree. Details are in "
+            "[validation/incremental.md](validation/incremental.md)."
         ),
         sections=(_turning(), _spinning(), _cycles(), _obermayr()),
     )
@@ -41,18 +41,21 @@ def _turning() -> Section:
             rows.append(Row(case=f"{body}, {form}: error of the forces after ten turns", tolerance=tolerance,
                             ours=DRIFT.of(found["force_error"][-1]), form=style))  # fmt: skip
         for form, order in (("incremental", 2.0), ("as printed", 1.0)):
-            rows.append(Row(case=f"{body}, {form}: order of that error in dt", form=ORDER,
+            rows.append(Row(case=f"{body}, {form}: order of the error of the forces in dt", form=ORDER,
                             ours=DRIFT.number("orders", f"turning, {body}, {form}: order in dt"),
                             tolerance=Near(target=order, absolute=0.1)))  # fmt: skip
     found = DRIFT.at("turning", {"body": "rod", "form": "as printed", "steps_a_turn": 8192})
     rows.append(
-        Row(case="rod, as printed, 8192 steps a turn: error over that of a false strain 2π²N/S", form=ORDER,
+        Row(case="rod, as printed, 8192 steps per turn: error over that of a false strain 2π²N/S", form=ORDER,
             ours=DRIFT.of(found["force_error"][-1] / found["expected_as_printed"]),
             tolerance=Near(target=1.0, absolute=0.05))
     )  # fmt: skip
     return Section(
-        title="Turned through ten turns as a rigid body",
-        before="Stretched, bent and twisted, then every element driven along its exact circle, 2048 steps a turn.",
+        title="Ten turns as a rigid body",
+        before=(
+            "The bodies are stretched, bent and twisted; every element is then driven along its exact circle, 2048 "
+            "steps per turn."
+        ),
         rows=tuple(rows),
         figures=(Figure("incremental_drift.png", "Where the incremental formulation drifts"),),
     )
@@ -71,7 +74,11 @@ def _spinning() -> Section:
                 Row(case=f"{body}, {form}: change of length", ours=DRIFT.of(found["length_change"]), form=ROUNDING,
                     note="the centrifugal stretch"),
             ]  # fmt: skip
-    return Section(title="Spinning freely through ten turns", before="At 0.8 of the critical step.", rows=tuple(rows))
+    return Section(
+        title="Spinning freely through ten turns",
+        before="Bodies spin freely at 0.8 of the critical step.",
+        rows=tuple(rows),
+    )
 
 
 def _cycles() -> Section:
@@ -83,17 +90,18 @@ def _cycles() -> Section:
         rows=(
             Row(case="forces of both formulations at a strain of 1e-5, difference", form=ROUNDING,
                 tolerance=AtMost(1e-4), ours=DRIFT.of(small)),
-            Row(case="order of that difference in the strain, 1e-5 to 1e-4", form=ORDER,
+            Row(case="order in the strain of the difference of both formulations, 1e-5 to 1e-4", form=ORDER,
                 tolerance=Near(target=1.0, absolute=0.05), ours=DRIFT.of(math.log10(larger / small))),
-            Row(case="ten closed cycles of 0.4 rad, total: what is left of the forces", form=ROUNDING,
+            Row(case="ten closed cycles of 0.4 rad, total: residual forces", form=ROUNDING,
                 tolerance=AtMost(1e-9), ours=DRIFT.of(DRIFT.at("cycles", {"form": "total"} | chosen)["left"][-1])),
-            Row(case="the same, incremental", form=PERCENT,
+            Row(case="ten closed cycles of 0.4 rad, incremental: residual forces", form=PERCENT,
                 ours=DRIFT.of(DRIFT.at("cycles", {"form": "incremental"} | chosen)["left"][-1])),
-            Row(case="order of what is left in the angle", form=ORDER, tolerance=Near(target=1.0, absolute=0.05),
+            Row(case="order in the angle of the residual forces, incremental", form=ORDER,
+                tolerance=Near(target=1.0, absolute=0.05),
                 ours=DRIFT.of(orders["cycles: order of what is left in the angle"]),
                 note="it does not fall with dt: rotations do not commute, so rates do not add up to zero"),
         ),
-        figures=(Figure("incremental_drift_cycles.png", "What closed cycles leave behind"),),
+        figures=(Figure("incremental_drift_cycles.png", "Residual forces after closed cycles"),),
     )  # fmt: skip
 
 
@@ -105,19 +113,24 @@ def _obermayr() -> Section:
         rows.append(Row(case=f"Obermayr, case 3, {n} bond{plural}: error of the tip", ours=CASES.of(found["error"]),
                         form=Form("%", 1e-2, "+.4f")))  # fmt: skip
     rows += [
-        Row(case="order of that error in the number of bonds", ours=CASES.number("shear", "order_obermayr"),
+        Row(case="Obermayr, case 3: order of the error of the tip in the number of bonds",
+            ours=CASES.number("shear", "order_obermayr"),
             form=Form(style=".3f"), tolerance=Near(target=2.0, absolute=0.01)),
         # the error of 160 bonds is 1e-5, and a solution has 1e-10
-        Row(case="largest distance from −(1 − s)/4n², s the share of shear", form=ROUNDING, tolerance=AtMost(1e-5),
+        Row(case="Obermayr: largest distance of the error from −(1 − s)/4n², s the share of shear", form=ROUNDING,
+            tolerance=AtMost(1e-5),
             ours=CASES.number("shear", "largest_distance", "Obermayr")),
-        Row(case="what parallel bonds tend to for ever more bonds", ours=CASES.number("shear", "limit_parallel"),
+        Row(case="limit of parallel bonds for many bonds", ours=CASES.number("shear", "limit_parallel"),
             form=Form("%", 1e-2, "+.4f"), note="their shear stiffness lacks the factor 9/10"),
-        Row(case="largest distance of parallel bonds from their limit and −(1 − s)/4n²", form=ROUNDING,
+        Row(case="parallel bonds: largest distance of the error from their limit and −(1 − s)/4n²", form=ROUNDING,
             tolerance=AtMost(1e-5), ours=CASES.number("shear", "largest_distance", "PBM")),
     ]  # fmt: skip
     return Section(
         title="Obermayr's bond, α_s = 9/10",
-        before="The stubby limit of Timoshenko's bond: exact for ever more bonds; the paper only says so.",
+        before=(
+            "Obermayr's bond is the limit of Timoshenko's bond for short bonds; it is exact in the limit of many "
+            "bonds."
+        ),
         rows=tuple(rows),
         figures=(Figure("chen_refinement.png", "Error of the tip over the number of bonds"),),
     )

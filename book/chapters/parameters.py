@@ -30,8 +30,12 @@ def chapter() -> Chapter:
         name="parameters",
         title="André et al. (2012): figures 11 and 13 to 18",
         summary=(
-            "What ν_μ, E_μ and r̃ do to E and ν, the calibration curves, and how E and ν depend on the number of"
-            " elements: in periodic cells, which have no walls, and in the paper's cylinder."
+            "The chapter shows the effect of ν_μ, E_μ and r̃ on E and ν, the calibration curves, and the effect of "
+            "the number of elements, in periodic cells (without walls) and in the paper's cylinder."
+        ),
+        misses=(
+            "E is not a quadratic function of r̃: its local exponent is larger than two. The calibrated E_μ "
+            "differs from the paper, because the packing differs."
         ),
         sections=(_nu_mu(), _bond_modulus(), _bond_radius(), _abacus(), _assembly()),
     )
@@ -53,7 +57,10 @@ def _nu_mu() -> Section:
             ]  # fmt: skip
     return Section(
         title="Figure 11: ν_μ",
-        before="Against ν_μ = 0.3; 1 % is what \"not significant\" may mean. Shear of Timoshenko bonds knows ν_μ.",
+        before=(
+            "Changes are relative to ν_μ = 0.3. The paper states \"not significant\"; 1 % is taken as its meaning. "
+            "The shear of Timoshenko bonds depends on ν_μ."
+        ),
         rows=tuple(rows),
         figures=(Figure("influence_nu_mu.png", "E and ν over ν_μ (figure 11)"),),
     )
@@ -81,9 +88,9 @@ def _bond_modulus() -> Section:
     return Section(
         title="Figure 13: E_μ",
         before=(
-            f"Changes over {len(moduli)} E_μ of {1e-9 * moduli[0]:g} … {1e-9 * moduli[-1]:g} GPa at each of"
-            f" {len(radii)} r̃ of {radii[0]:g} … {radii[-1]:g}, each a solution of its own of the first packing;"
-            f" slopes are means over {INFLUENCE.at('packings')} packings with their scatter."
+            f"The rows show changes over {len(moduli)} E_μ of {1e-9 * moduli[0]:g} … {1e-9 * moduli[-1]:g} GPa at"
+            f" each of {len(radii)} r̃ of {radii[0]:g} … {radii[-1]:g}, each computed separately on the first"
+            " packing."
         ),
         rows=tuple(rows),
         figures=(Figure("influence_E_mu.png", "E and ν over E_μ, a curve for each r̃ (figure 13)"),),
@@ -92,8 +99,8 @@ def _bond_modulus() -> Section:
 
 def _bond_radius() -> Section:
     stiffer = (
-        "elongation is stiff with r̃², shear and bending with r̃⁴: the local exponent is 2 + 2 × the share of the"
-        " energy that is not in elongation"
+        "the stiffness in elongation grows with r̃², in shear and bending with r̃⁴: the local exponent is 2 + 2 × the"
+        " share of the energy that is not in elongation"
     )
     rows = []
     for place, where in PLACES.items():
@@ -122,15 +129,16 @@ def _bond_radius() -> Section:
     return Section(
         title="Figure 14: r̃",
         before=(
-            "The paper calls E an increasing and ν a decreasing quadratic function of r̃. E/E_μ and ν are those of"
-            " every E_μ (figure 13), so what is found of one curve of a family is found of all. The last rows compare"
-            " the shapes: how much stiffer the cylinder is depends on r̃."
+            "The paper calls E an increasing and ν a decreasing quadratic function of r̃. E/E_μ and ν do not "
+            "depend on E_μ (figure 13), so one curve represents a family. The stiffness of the cylinder relative "
+            "to the cell depends on r̃."
         ),
         rows=tuple(rows),
         figures=(
             Figure(
                 "influence_radius_ratio.png",
-                "E and ν over r̃, a curve for each E_μ (figure 14); those of ν are one, so rings stand in one another",
+                "E and ν over r̃, a curve for each E_μ (figure 14); those of ν are one, so rings stand in one"
+                " another",
             ),
             Figure("influence_exponent.png", "Local exponent of E in r̃"),
         ),
@@ -138,7 +146,7 @@ def _bond_radius() -> Section:
 
 
 def _abacus() -> Section:
-    denser = "the packing decides: see Table 2"
+    denser = "the packing decides, as for Table 2"
     rows = []
     for place, where in PLACES.items():
         found = ABACUS.at("silica", place, "EulerBernoulli")
@@ -157,12 +165,12 @@ def _abacus() -> Section:
                                 ours=ABACUS.of(found["value"])))  # fmt: skip
     return Section(
         title="Figures 15 and 16: calibration curves",
-        before="The curves come with bondem as data. Of a law without a row for ν = 0.17, that is out of reach.",
+        before="The curves are part of bondem as data. Laws without a value for ν = 0.17 cannot have this ν.",
         rows=tuple(rows),
         figures=(
             Figure("abacus_silica.png", "Fused silica on the curves (figures 15 and 16)"),
             Figure("abacus_curves.png", "Calibration curves of four laws"),
-            Figure("abacus_reach.png", "What each law can have"),
+            Figure("abacus_reach.png", "E and ν that each law can represent"),
         ),
     )
 
@@ -200,7 +208,10 @@ def _assembly() -> Section:
                             ours=ASSEMBLY.of(cell["mean"], scatter=cell["std"])))  # fmt: skip
     return Section(
         title="Figures 17 and 18: the number of elements",
-        before="The paper's bonds in cylinders of ever more elements, four packings of each; scatter over the mean.",
+        before=(
+            "The paper's bonds are used in cylinders with increasing numbers of elements, four packings each; the "
+            "scatter is relative to the mean."
+        ),
         rows=tuple(rows),
         figures=(
             Figure("assembly_moduli.png", "E and ν over the number of elements (figure 17)"),

@@ -25,10 +25,11 @@ def chapter() -> Chapter:
     """The chapter."""
     return Chapter(
         name="runs",
-        title="Runs that are killed, what output costs, and campaigns",
+        title="Killed runs, cost of output, and campaigns",
         summary=(
-            "SIGKILL at random moments, single bits flipped, readers fuzzed, the cost of snapshots, and campaigns"
-            " whose workers die: [runs](runs.md), [campaigns](campaigns.md)."
+            "The chapter tests runs that are killed at random moments, files with flipped bits, fuzzed readers, "
+            "the cost of snapshots, and campaigns whose workers are killed. The features are described in "
+            "[runs](runs.md) and [campaigns](campaigns.md)."
         ),
         sections=(_killed(), _flipped(), _fuzzed(), _output(), _campaign()),
     )
@@ -43,27 +44,27 @@ def _killed() -> Section:
             f" {kept.at('every')}"
         )
         rows += [
-            Row(case=f"{told}: runs killed whose file bondem opens, and then VTK's own reader", paper=kills,
+            Row(case=f"{told}: killed runs whose file bondem opens, and then VTK's own reader", paper=kills,
                 ours=kept.of(kept.at("opened by both")), form=COUNT, tolerance=every),
-            Row(case="that VTK's own reader opens as the kill has left them", paper=kills, form=COUNT,
+            Row(case=f"{told}: killed runs whose file VTK's own reader opens directly", paper=kills, form=COUNT,
                 ours=kept.of(kept.at("kills") - kept.at("not read by VTK as left")), tolerance=every),
-            Row(case="that then end with the same bits as a run never stopped", paper=kills,
+            Row(case=f"{told}: killed runs that end with the bits of a run never stopped", paper=kills,
                 ours=kept.of(kept.at("same bits")), form=COUNT, tolerance=every),
-            Row(case="steps lost at most, of those told before the kill", form=COUNT,
+            Row(case=f"{told}: steps lost at most, of those reported before the kill", form=COUNT,
                 ours=kept.of(kept.at("lost at most")), tolerance=AtMost(kept.at("every"))),
-            Row(case="of them killed while a commit was being carried out (a journal was left)", form=COUNT,
+            Row(case=f"{told}: runs killed during a commit (a journal remained)", form=COUNT,
                 ours=kept.of(kept.at("with a journal"))),
         ]  # fmt: skip
     return Section(
-        title="Killed while they run and write",
+        title="Runs killed while they write",
         before=(
-            "Each run is a process of its own that writes a checkpoint and a snapshot every few steps; SIGKILL comes"
-            " at a random moment after the first."
+            "Each run is a process that writes a checkpoint and a snapshot every few steps; SIGKILL arrives at a "
+            "random moment after the first."
         ),
         rows=tuple(rows),
         after=(
-            "An earlier edition lost 12 of 200, killed between their first snapshot and their first checkpoint; since"
-            " then a checkpoint goes with the first snapshot."
+            "An earlier version lost 12 of 200 runs, killed between their first snapshot and their first "
+            "checkpoint. A checkpoint is now written with the first snapshot."
         ),
     )
 
@@ -72,12 +73,15 @@ def _flipped() -> Section:
     found = SURVIVAL.at("flipped")
     return Section(
         title="Flipped bits",
-        before=f"{found['flips']} single bits of a run file, each in a byte that is not zero.",
+        before=(
+            "In each test one bit of a run file is flipped, in a byte that is not zero; there were "
+            f"{found['flips']} tests."
+        ),
         rows=(
             Row(case="read as another state, record or mass", ours=SURVIVAL.of(found["other numbers"]), form=COUNT,
                 tolerance=AtMost(0.0)),
             Row(case="refused", ours=SURVIVAL.of(found["refused"]), form=COUNT),
-            Row(case="in what a run does not go on from (snapshots, what HDF5 does not use)",
+            Row(case="in parts that a resumed run does not use (snapshots, what HDF5 does not use)",
                 ours=SURVIVAL.of(found["harmless"]), form=COUNT),
         ),
     )  # fmt: skip
@@ -89,17 +93,16 @@ def _fuzzed() -> Section:
         found = FUZZING.at(key)
         rows += [
             Row(case=f"{words}: inputs", ours=FUZZING.of(found["inputs"]), form=COUNT),
-            Row(case=f"{words}: tracebacks, hangs, crashes, other numbers taken", ours=FUZZING.of(found["bad"]),
+            Row(case=f"{words}: tracebacks, hangs, crashes, wrong numbers accepted", ours=FUZZING.of(found["bad"]),
                 form=COUNT, tolerance=AtMost(0.0)),
         ]  # fmt: skip
     return Section(
         title="Fuzzing",
         before=(
-            f"libFuzzer, guided by the branches of the readers, for {FUZZING.at('study')['seconds']} s each, from the"
-            " examples and from three small runs. In earlier editions it found a run file whose damaged head ended in"
-            " an error of HDF5's own, and one in whose texts HDF5 searched for ever; and it learned to put in the"
-            " digest that a changed file would need, by which the comparison of digests no longer tells what it"
-            " expects."
+            f"libFuzzer runs for {FUZZING.at('study')['seconds']} s on each reader, guided by its branches, starting"
+            " from the examples and from three small runs. In earlier versions it found a run file whose damaged head"
+            " ended in an error of HDF5, and one whose texts made HDF5 search without end. It also learned to insert"
+            " the digest that a changed file needs; the comparison of digests no longer reveals the expected one."
         ),
         rows=tuple(rows),
     )
@@ -121,13 +124,13 @@ def _output() -> Section:
     return Section(
         title="Output",
         before=(
-            "Snapshots every hundredth of a run; the compression test of 12 000 elements takes 55 000 steps, and"
-            " finer bodies take more."
+            "Snapshots are written every hundredth of a run; the compression test of 12 000 elements takes 55 000 "
+            "steps, and finer bodies take more."
         ),
         rows=tuple(rows),
         after=(
-            "Once, at the first snapshot, the polyhedra of the cells are found and written. In an earlier edition"
-            " that was shared out over ten snapshots and counted a hundred times, which made 11 % of it."
+            "The polyhedra of the cells are computed and written once, at the first snapshot. An earlier version "
+            "spread this over ten snapshots and counted it a hundred times, which gave 11 %."
         ),
     )
 
@@ -138,18 +141,19 @@ def _campaign() -> Section:
     return Section(
         title="Campaigns",
         before=(
-            "Bars of 200 cells torn apart. A worker is killed by its process id every eight seconds or so, the"
-            " coordinator once, halfway, and started again."
+            "The jobs are bars of 200 cells that are torn apart. A worker is killed by its process id about every "
+            "eight seconds; the coordinator is killed once, halfway, and started again."
         ),
         rows=(
             Row(case="specimens that arrived", paper=wanted, ours=CAMPAIGN.of(found["arrived"]), form=COUNT,
                 tolerance=Near(relative=0.0)),
-            Row(case="twice, failed, or left unfinished", form=COUNT, tolerance=AtMost(0.0),
+            Row(case="specimens computed twice, failed, or left unfinished", form=COUNT, tolerance=AtMost(0.0),
                 ours=CAMPAIGN.of(found["twice"] + found["failed"] + found["unfinished folders"])),
             Row(case="workers killed", ours=CAMPAIGN.of(found["workers killed"]), form=COUNT),
-            Row(case="finished before the coordinator was killed", form=COUNT,
+            Row(case="specimens finished before the coordinator was killed", form=COUNT,
                 ours=CAMPAIGN.of(found["finished before"])),
-            Row(case="of these done again", ours=CAMPAIGN.of(found["done again"]), form=COUNT, tolerance=AtMost(0.0)),
+            Row(case="specimens finished before the coordinator was killed and computed again",
+                ours=CAMPAIGN.of(found["done again"]), form=COUNT, tolerance=AtMost(0.0)),
             Row(case=f"speed-up on two workers, {CAMPAIGN.at('few')} specimens of {CAMPAIGN.at('cells')} cells, start"
                 " of the cluster counted",
                 ours=CAMPAIGN.of(CAMPAIGN.at("speed-up")), form=Form(style=".2f"), tolerance=AtLeast(1.8)),

@@ -22,9 +22,9 @@ def chapter() -> Chapter:
         name="surface",
         title="Bodies against the bulk: the surface correction",
         summary=(
-            "Bonds that are calibrated in a cell without walls give a body another E and ν, by as much surface as it"
-            " has for its volume: packed to 6.2 contacts it is stiffer, packed to jamming or cut from a larger"
-            " packing softer. A correction reads that from the body's own lattice."
+            "Bonds that are calibrated in a cell without walls give a body another E and ν, in proportion to its "
+            "surface per volume: a body packed to 6.2 contacts is stiffer, a body packed to jamming or cut from a "
+            "larger packing is softer. A correction predicts this from the body's own lattice."
         ),
         sections=(_bodies(), _accuracy()),
     )
@@ -43,8 +43,11 @@ def _bodies() -> Section:
             for name, symbol in SYMBOLS.items()
         ]
     return Section(
-        title="What surfaces do",
-        before="Euler–Bernoulli bonds, r̃ = 0.7; measured in tension, between ends where forces act.",
+        title="Effect of surfaces",
+        before=(
+            "Bodies have Euler–Bernoulli bonds with r̃ = 0.7 and are measured in tension, between ends where "
+            "forces act."
+        ),
         rows=tuple(rows),
         figures=(Figure("surface.png", "E and ν of bodies over those of the bulk, measured and predicted"),),
     )
@@ -63,10 +66,10 @@ def _accuracy() -> Section:
                 ours=SURFACE.of(one["largest"]), tolerance=AtMost(0.03) if fine else None),
         ]  # fmt: skip
     return Section(
-        title="How well the correction predicts it",
+        title="Accuracy of the correction",
         before=(
-            "The correction fitted without the shape, or without the law, that it then predicts; beside it, what"
-            " R̄S/V alone can do. 3 % is asked at 20 000 elements."
+            "The correction is fitted without the shape, or without the law, that it then predicts. 3 % is "
+            "required at 20 000 elements."
         ),
         rows=tuple(rows),
     )

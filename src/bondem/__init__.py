@@ -1,15 +1,21 @@
-"""bondem: bonded-particle discrete element method.
+"""Bonded-particle discrete element method for solids that deform and break.
 
-`import bondem as bd` reaches every public name; each is loaded at its first use, so that importing the
-package costs nothing. What type checkers and editors see is `__init__.pyi`, which a test compares with the list here.
+`import bondem as bd` gives access to every public name. Names are loaded on first use, so that the import is fast.
+Type checkers and editors read `__init__.pyi`, which a test compares with the list here.
 """
 
 import importlib
 from typing import Any
 
+from bondem import _forking as _forking
+from bondem._describe import describe
+from bondem._environment import use_environment
+from bondem._names import no_attribute, suggesting
+
 __version__ = "0.1.0"
 
 _PUBLIC = {
+    "bondem._progress": ("show_progress",),
     "bondem.campaign.coordinator": ("run_campaign",),
     "bondem.campaign.sweep": ("Campaign", "CampaignSpecimen", "Slurm", "read_campaign"),
     "bondem.campaign.table": ("campaign_dataset", "campaign_table"),
@@ -78,6 +84,7 @@ _PUBLIC = {
     "bondem.observe.breakage": ("BrokenBonds", "failure_index"),
     "bondem.observe.cell_forces": ("SmallMotion",),
     "bondem.observe.cell_stress": ("cell_stress",),
+    "bondem.observe.element_stress": ("ElementStress", "element_stress"),
     "bondem.observe.energy": ("EnergyParts",),
     "bondem.solve.schemes": ("Scheme", "TchamwaWielgosz", "VelocityVerlet"),
     "bondem.solve.events": ("AtRest", "Event"),
@@ -99,6 +106,7 @@ _PUBLIC = {
     "bondem.calibration.strength": ("StrengthCalibration", "calibrate_strength"),
     "bondem.calibration.strength_runs": ("StrengthRun",),
     "bondem.calibration.uncertainty": ("Sample",),
+    "bondem._threads": ("set_threads",),
 }
 _MODULES = {"errors": "bondem.errors", "labtests": "bondem.labtests", "materials": "bondem.specimen.materials"}
 _HOME = {name: module for module, names in _PUBLIC.items() for name in names}
@@ -106,13 +114,27 @@ _HOME = {name: module for module, names in _PUBLIC.items() for name in names}
 __all__ = ["__version__", *sorted(_HOME), *_MODULES]
 
 
+# What other packages, and earlier versions of this one, call what is here.
+_INSTEAD = {
+    "solve_dynamic": "bd.solve_explicit", "solve_dynamics": "bd.solve_explicit", "run": "bd.solve_explicit",
+    "simulate": "bd.solve_explicit", "solve": "bd.solve_static or bd.solve_explicit", "Sphere": "bd.Ball",
+    "tessellate": "bd.connect(particles, method='laguerre')", "read_stl": "bd.Surface", "load_stl": "bd.Surface",
+    "HertzContact": "bd.HertzMindlin", "set_num_threads": "bd.set_threads",
+}  # fmt: skip
+
+
 def __getattr__(name: str) -> Any:
     if name in _HOME:
-        return getattr(importlib.import_module(_HOME[name]), name)
+        found = suggesting(_HOME[name], name)
+        describe(_PUBLIC)
+        return found
     if name in _MODULES:
         return importlib.import_module(_MODULES[name])
-    raise AttributeError(f"module 'bondem' has no attribute '{name}'")
+    raise AttributeError(no_attribute("bondem", name, __all__, _INSTEAD), name=name)
 
 
 def __dir__() -> list[str]:
     return __all__
+
+
+use_environment()

@@ -1,5 +1,7 @@
 from bondem import errors as errors
 from bondem import labtests as labtests
+from bondem._progress import show_progress as show_progress
+from bondem._threads import set_threads as set_threads
 from bondem.calibration.elastic import Calibration as Calibration
 from bondem.calibration.elastic import Trial as Trial
 from bondem.calibration.elastic import calibrate as calibrate
@@ -106,6 +108,8 @@ from bondem.observe.breakage import BrokenBonds as BrokenBonds
 from bondem.observe.breakage import failure_index as failure_index
 from bondem.observe.cell_forces import SmallMotion as SmallMotion
 from bondem.observe.cell_stress import cell_stress as cell_stress
+from bondem.observe.element_stress import ElementStress as ElementStress
+from bondem.observe.element_stress import element_stress as element_stress
 from bondem.observe.energy import EnergyParts as EnergyParts
 from bondem.packing import aggregates as aggregates
 from bondem.packing import pack as pack

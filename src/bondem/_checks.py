@@ -1,6 +1,6 @@
-"""Checks of what users give: each returns the value in the form wanted, or refuses it in one line.
+"""Checks of input values. Each returns the value in the required form, or raises an error of one line.
 
-`owner` is the class or function that was called and `name` the argument, so that the line says where to look.
+`owner` is the class or function that was called and `name` the argument, for the message.
 """
 
 import math
@@ -20,7 +20,7 @@ Kind = TypeVar("Kind")
 
 
 def shown(value: object) -> str:
-    """A value in a message: one short line."""
+    """Format a value for a message as one short line."""
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, np.ndarray) and value.ndim:
@@ -40,19 +40,19 @@ def number(
     below: float | None = None,
     advice: str = "",
 ) -> float:
-    """A finite number within bounds.
+    """Return a finite number within bounds.
 
     Args:
-        owner: who was called; may be empty.
-        name: of the argument.
-        value: what was given.
-        unit: of the number, for the message.
-        above, least: what it must exceed, or at least be.
-        below: what it must stay below.
-        advice: what to do, after "give"; made from the bounds unless given.
+        owner: class or function that was called; may be empty.
+        name: name of the argument.
+        value: value of the argument.
+        unit: unit of the number, for the message.
+        above, least: lower bound, exclusive or inclusive.
+        below: upper bound, exclusive.
+        advice: end of the message, after "give"; made from the bounds by default.
 
     Raises:
-        InputError: text, a truth value, NaN, infinity, beyond 10^±100, or out of bounds.
+        InputError: The value is text, a truth value, NaN, infinite, beyond 10^±100, or out of bounds.
     """
     found = _real(value)
     if (
@@ -94,10 +94,10 @@ def _bounds(above: float | None, least: float | None, below: float | None) -> st
 
 
 def count(owner: str, name: str, value: object, *, least: int = 0, advice: str = "") -> int:
-    """A whole number.
+    """Return a whole number.
 
     Raises:
-        InputError: something else, or one below `least`.
+        InputError: The value is not a whole number, or is below `least`.
     """
     found = _real(value)
     if found is None or not abs(found) < 2.0**62 or found != round(found) or found < least:
@@ -109,10 +109,10 @@ def count(owner: str, name: str, value: object, *, least: int = 0, advice: str =
 def vector(
     owner: str, name: str, value: object, *, unit: str = "", advice: str = ""
 ) -> tuple[float, float, float]:
-    """Three finite components.
+    """Return three finite components.
 
     Raises:
-        InputError: something else.
+        InputError: The value is not three finite components.
     """
     wanted = advice or "three finite components" + (f" [{unit}]" if unit else "")
     found = _numbers(value)
@@ -124,10 +124,10 @@ def vector(
 
 
 def array(owner: str, name: str, value: object, *, wanted: str) -> Floats:
-    """An array of numbers, whatever its shape, copied; `wanted` says what to give.
+    """Return an array of numbers of any shape, copied; `wanted` ends the message.
 
     Raises:
-        InputError: text, ragged lists, objects.
+        InputError: The value is text, a ragged list or an object.
     """
     found = _numbers(value)
     if found is None:
@@ -147,7 +147,7 @@ def _numbers(value: object) -> Floats | None:
 
 
 def possible(values: Floats) -> bool:
-    """Whether all are finite, and 0 or between 10^-100 and 10^100."""
+    """Return True if all values are finite, and 0 or between 10^-100 and 10^100."""
     size = np.abs(values)
     return bool((np.isfinite(values) & (size <= _LARGEST) & ((size == 0.0) | (size >= 1.0 / _LARGEST))).all())
 
@@ -155,10 +155,10 @@ def possible(values: Floats) -> bool:
 def instance(
     owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
 ) -> Kind:
-    """A value of given types; `wanted` says what to give.
+    """Return a value of given types; `wanted` ends the message.
 
     Raises:
-        InputError: another type.
+        InputError: The value has another type.
     """
     if not isinstance(value, kinds):
         where = f"{owner}: {name}" if owner else name
@@ -169,10 +169,10 @@ def instance(
 def several(
     owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
 ) -> tuple[Kind, ...]:
-    """One value of given types, or several of them, as a tuple; None is none.
+    """Return one value of given types, or several of them, as a tuple; None gives an empty tuple.
 
     Raises:
-        InputError: another type.
+        InputError: A value has another type.
     """
     if value is None:
         return ()
@@ -183,10 +183,10 @@ def several(
 
 
 def choice(owner: str, name: str, value: object, options: Sequence[str]) -> str:
-    """One of some words.
+    """Return one of a list of words.
 
     Raises:
-        InputError: something else.
+        InputError: The value is not in the list.
     """
     if not isinstance(value, str) or value not in options:
         raise InputError(f"{owner}: {name} = {shown(value)}; choose from {', '.join(filter(None, options))}")
@@ -194,10 +194,10 @@ def choice(owner: str, name: str, value: object, options: Sequence[str]) -> str:
 
 
 def place(name: str, value: object) -> Path:
-    """A path.
+    """Return a path.
 
     Raises:
-        InputError: neither text nor a path.
+        InputError: The value is neither text nor a path.
     """
     if not isinstance(value, str | Path) or "\0" in str(value):
         raise InputError(f"{name} = {shown(value)}; give a path, as text or pathlib.Path")

@@ -1,4 +1,4 @@
-"""Array aliases that carry shape: n elements, m bonds, s samples."""
+"""Aliases of arrays with their shapes: n elements, m bonds, s samples."""
 
 from typing import Annotated
 

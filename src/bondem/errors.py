@@ -1,97 +1,128 @@
-"""Everything bondem raises: one family, and every message ends with what to do."""
+"""Errors and warnings of bondem. Every message ends with advice."""
+
+import difflib
+from typing import TYPE_CHECKING
 
 
 class BondemError(Exception):
-    """Base of all errors raised on purpose by bondem."""
+    """Base of all errors that bondem raises deliberately."""
 
 
 class InputError(BondemError, ValueError):
-    """A value the user gave cannot be used."""
+    """Error for an input value that cannot be used."""
+
+
+class ArgumentError(InputError, TypeError):
+    """Error for an argument that a function or class does not accept; the message lists those that it accepts."""
 
 
 class EmptyRegionError(InputError):
-    """A region selects no connected element."""
+    """Error for a region that selects no connected element."""
 
 
 class DisconnectedError(InputError):
-    """The bonded specimen falls into more than one large piece."""
+    """Error for a bonded specimen that consists of more than one large piece."""
 
 
 class PackingError(BondemError):
-    """A packing did not reach what was asked for."""
+    """Error for a packing that did not reach its target."""
 
 
 class UnreachableTargetError(BondemError):
-    """A calibration target lies outside what the bond law can reach on this lattice."""
+    """Error for a calibration target outside the range of the bond law on this lattice."""
 
 
 class ConvergenceError(BondemError):
-    """An iterative solver stopped before its tolerance."""
+    """Error for an iterative solver that stopped before it reached its tolerance."""
 
 
 class UnstableStepError(InputError):
-    """A time step above the stability limit of the assembled lattice was asked for."""
+    """Error for a requested time step above the stability limit of the assembled lattice."""
 
 
 class StepWarning(UserWarning):
-    """A time step so close to the stability limit that large strains may take the run across it."""
+    """Warning of a time step so close to the stability limit that large strains may make the run unstable."""
 
 
 class ContactWarning(UserWarning):
-    """Contacts that their law does not describe: overlaps too deep, motion too fast for the step, or none given."""
+    """Warning of contacts outside the range of their law: deep overlaps, too fast motion, or no law given."""
 
 
 class ImbalanceWarning(UserWarning):
-    """An explicit run whose energy ledger misses more than a small share of its energies."""
+    """Warning of an explicit run whose energy ledger has an error of more than a small share of its energies."""
 
 
 class FaceWarning(UserWarning):
-    """A face of particles without a shape has far fewer elements than lie near it."""
+    """Warning of a face of particles without a shape that has far fewer elements than lie near it."""
 
 
 class StageWarning(UserWarning):
-    """A schedule of a run that goes on from a state is over before the run begins."""
+    """Warning of a schedule that begins before its run, whose time continues from that of its initial state."""
 
 
 class PrestressWarning(UserWarning):
-    """Modes of the reference of a model with loads, whose stresses would change them."""
+    """Warning of modes about the reference of a model with loads, whose stresses would change the modes."""
 
 
 class UnitWarning(UserWarning):
-    """A value that is possible, but so far off that its unit may be another one."""
+    """Warning of a possible value that is so unusual that its unit may be wrong."""
 
 
 class StrengthWarning(UserWarning):
-    """Strengths that mean a fracture energy which no such material has, so that nothing will break as it does."""
+    """Warning of strengths that imply a fracture energy far above that of real materials of this stiffness."""
 
 
 class FillingWarning(UserWarning):
-    """Particles that do not fill the shape they are said to fill, or stick out of it."""
+    """Warning of particles that do not fill their shape, or stick out of it."""
+
+
+class StressFreeWarning(UserWarning):
+    """Warning of bonds of a strained body, read without their lengths at rest, that become free of stress."""
 
 
 class ThinBodyWarning(UserWarning):
-    """A body of cells that is one cell thick somewhere: there it bends too softly or resists no twist."""
+    """Warning of a body of cells that is one cell thick somewhere, where it bends too softly or resists no twist."""
 
 
 class RaggedInterfaceWarning(UserWarning):
-    """Two materials meet along facets that zigzag about the surface between them, as cells do not end on it."""
+    """Warning of facets between two materials that zigzag about their interface, because cells do not end on it."""
 
 
 class IncompressibleWarning(UserWarning):
-    """Cells of a Poisson's ratio so near to ½ that a body that cannot bulge is too soft."""
+    """Warning of cells with a Poisson's ratio so near to ½ that a body that cannot bulge is too soft."""
+
+
+class UnprotectedClusterWarning(UserWarning):
+    """Warning of a Dask scheduler on another machine without TLS, to which anyone in its network can send code."""
 
 
 class UnstableRunError(BondemError):
-    """A run on which a result depends became unstable."""
+    """Error for an unstable run whose result another computation needs."""
+
+
+class ForkError(BondemError):
+    """Error for a threaded loop in a process that was forked after bondem had used threads."""
 
 
 class StudyError(InputError):
-    """A study file names something unknown or leaves out something needed."""
+    """Error for a study file with an unknown name or without a required entry."""
 
 
 class RunFileError(BondemError):
-    """A run file cannot be written, read or resumed."""
+    """Error for a run file that cannot be written, read or resumed."""
 
 
 class MissingDependencyError(BondemError, ImportError):
-    """A library that only some commands need is not installed; the message says how to get it."""
+    """Error for an optional library that is not installed; the message states how to install it."""
+
+
+if not TYPE_CHECKING:  # type checkers shall find wrong names themselves
+
+    def __getattr__(name: str) -> None:
+        near = difflib.get_close_matches(name, __dir__(), n=1)
+        hint = f"; did you mean '{near[0]}'?" if near else ""
+        raise AttributeError(f"bd.errors has no attribute '{name}'{hint}", name=name)
+
+
+def __dir__() -> list[str]:
+    return sorted(name for name, thing in globals().items() if isinstance(thing, type))

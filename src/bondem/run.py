@@ -1,4 +1,4 @@
-"""The public solvers: they turn a path into a sink and choose the device."""
+"""Public solvers, which open the run file and choose the device."""
 
 import importlib
 from collections.abc import Callable, Mapping, Sequence
@@ -6,6 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from bondem._checks import instance, shown
+from bondem._extras import install
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.runfile import RunFile, read_run
@@ -28,6 +30,7 @@ from bondem.solve.timestep import choose_step
 __all__ = ["resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"]
 
 
+@staged("explicit run")
 def solve_explicit(
     model: Model,
     *,
@@ -48,48 +51,51 @@ def solve_explicit(
     progress: Callable[[float], None] | None = None,
     callback: Callback | None = None,
 ) -> ExplicitResult:
-    """Explicit dynamics of a bonded specimen, from rest or from `state`.
+    """Solve the explicit dynamics of a bonded specimen, from rest or from `state`.
 
     Args:
-        model: what to run.
+        model: model to run.
         duration: physical time [s]; round(duration / dt) steps are taken.
-        dt: time step [s]; None for `safety` times the critical one of the assembled lattice.
-        scheme: time integration; velocity Verlet unless given.
-        damping: of elements or bonds, one kind or several in a tuple; none unless asked.
-        gauges: what to record, by name: `bd.Gauge`, `bd.WallGauge`.
+        dt: time step [s]; None for `safety` times the critical step of the assembled lattice.
+        scheme: time integration scheme; velocity Verlet by default.
+        damping: damping of elements or bonds, one kind or several in a tuple; none by default.
+        gauges: quantities to record, by name: `bd.Gauge`, `bd.WallGauge`.
         every: steps between records; 0 for none.
         save_every: steps between checkpoints into `out`; 0 for the last state only.
-        snapshot_every: steps between snapshots into `out`, which ParaView 6 shows as it grows; 0 for none.
-        until: an event that ends the run early, or several.
-        safety: share of the critical step to use when dt is None [-].
-        imbalance: shares of the largest energy so far (work, losses, stored energies), beyond which the balance of
-            the energy ledger gives a warning and stops the run with the status IMBALANCED [-]; None for no check,
-            and `math.inf` in place of one share for never. It is checked with each record, or now and then where
-            `every` is 0; not with `bd.TchamwaWielgosz`, which dissipates what no line of the ledger holds.
-        state: where to start, such as the end of another run of the same elements and bonds; it stays as it is. Its
-            time goes on, and with it that of all schedules: those of a second stage begin at `state.time`.
-        device: "cpu", or "gpu" for a CUDA device (`pip install "bondem[gpu]"`): beams of the total formulation
-            and cells, that may break, soften and yield by every criterion; without contacts and walls that bodies
-            touch. A function of `bd.StressCriterion` must compile for CUDA: numbers and `math`, not NumPy.
-        out: run file (HDF5) to write; nothing is written when None. With it SIGINT (Ctrl-C) and SIGTERM stop the run
-            after a checkpoint, for `resume`; a second one stops it at once.
-        progress: called now and then with the share done, 0 … 1.
-        callback: called as callback(state, record) with each record, a `History` of one; it must not change the
-            state, and ends the run by returning True.
+        snapshot_every: steps between snapshots into `out`, which ParaView 6 shows while the run continues; 0 for
+            none.
+        until: one event or several that end the run early.
+        safety: share of the critical step to use if dt is None [-].
+        imbalance: limits of the error of the energy ledger [-], as shares of the largest energy so far (work, losses,
+            stored energies). Beyond the first limit the run gives a warning. Beyond the second it stops with the
+            status IMBALANCED. None disables the check, and `math.inf` disables one limit. The ledger is checked with
+            each record, or at intervals if `every` is 0. There is no check with `bd.TchamwaWielgosz`, whose
+            dissipation is not in the ledger.
+        state: initial state, such as the end of another run of the same elements and bonds; it is not changed. Its
+            time continues, also for all schedules: those of a second stage begin at `state.time`.
+        device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs beams of the total
+            formulation and cells, which may break, soften and yield by every criterion. It does not run contacts and
+            walls that bodies touch. A function of `bd.StressCriterion` must compile for CUDA: numbers and `math`, not
+            NumPy.
+        out: run file (HDF5) to write; None for no file. With a file, SIGINT (Ctrl-C) and SIGTERM stop the run after a
+            checkpoint, from which `resume` continues; a second signal stops it at once.
+        progress: function called repeatedly with the completed share, 0 … 1.
+        callback: function called as callback(state, record) with each record, a `History` of one. It must not change
+            the state, and ends the run by returning True.
 
     Returns:
-        status, state, history, dt, steps and a message; a run that became unstable says so in its status and
-        returns the last good state, one that lost its energy balance returns the present state and all records.
+        Status, state, history, dt, steps and a message. The status of a run that became unstable says so, and its
+        state is the last good one. A run that lost its energy balance returns the present state and all records.
 
     Warns:
-        StepWarning: the given dt is above 0.9 of the critical step; the message says so too.
-        ImbalanceWarning: the balance of the energy ledger is beyond the first share of `imbalance`.
-        StageWarning: a schedule that is new in this stage began before it.
+        StepWarning: The given dt is above 0.9 of the critical step; the message of the result repeats this.
+        ImbalanceWarning: The error of the energy ledger exceeds the first limit of `imbalance`.
+        StageWarning: A schedule that is new in this stage began before it.
 
     Raises:
-        UnstableStepError: dt above the critical step.
-        InputError: a bad value, the state of another model, a prescribed displacement that does not begin where the
-            elements are, or an output path that cannot be written.
+        UnstableStepError: dt exceeds the critical step.
+        InputError: A value is invalid, the state belongs to another model, or the output file cannot be written. Or a
+            prescribed displacement does not begin where the elements are.
     """
     instance("solve_explicit", "model", model, Model, "bd.Model(...)")
     if state is not None:
@@ -115,7 +121,7 @@ def solve_explicit(
     own = begin(model, state)
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
     plan = replace(plan, dt=step.dt)
-    plan.steps  # noqa: B018  refuses more than anyone waits for
+    plan.steps  # noqa: B018  rejects excessive numbers of steps
     if out is None:
         return integrate(
             model, plan, state=own, progress=progress, callback=callback, loop_of=loop_of, remark=step.remark
@@ -130,12 +136,13 @@ def solve_explicit(
 
 
 def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile) -> ExplicitResult:
-    """The result, unless a signal stopped the run before its end."""
+    """Return the result, unless a signal stopped the run before its end."""
     if stopped is not None and result.message.startswith("interrupted"):
-        stop_by(stopped, f"{result.message}, step {result.steps}; bd.resume('{sink.path}') goes on from there")
+        stop_by(stopped, f"{result.message}, step {result.steps}; bd.resume('{sink.path}') continues from there")
     return result
 
 
+@staged("resumed run")
 def resume(
     path: str | Path,
     *,
@@ -143,19 +150,20 @@ def resume(
     failure: Criterion | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> ExplicitResult:
-    """Go on with a run from the last checkpoint in its run file, to the bit as if it had never stopped.
+    """Resume a run from the last checkpoint in its run file; the result is bit-identical to an uninterrupted run.
 
-    Checkpoints go on into the same file. A run that had ended comes back as it is.
+    Further checkpoints are written into the same file. For a finished run its result is returned.
 
     Args:
         path: run file, from `solve_explicit(..., out=path, save_every=...)`.
-        device: "cpu" or "gpu"; to the bit on the one it was begun on.
-        failure: the criterion of the run, where that is a `bd.StressCriterion`: no file holds its function.
-        progress: called now and then with the share done, 0 … 1.
+        device: "cpu" or "gpu"; the result is bit-identical only on the device of the first part.
+        failure: criterion of the run, required for a `bd.StressCriterion`, because a file cannot store its function.
+        progress: function called repeatedly with the completed share, 0 … 1.
 
     Raises:
-        RunFileError: no such file, not a run file, damaged, of a newer bondem, or of another criterion.
-        InputError: the file cannot be written.
+        RunFileError: The file does not exist, is not a run file, is damaged or of a newer bondem, or holds another
+            criterion.
+        InputError: The file cannot be written.
     """
     kept = read_run(path, failure=failure)
     if kept.state.step and any(event.happened(kept.state) for event in kept.plan.events):
@@ -180,10 +188,10 @@ def resume(
 
 
 def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, State, float], Loop] | None:
-    """What makes the loop of a run on a device; None for that of the CPU.
+    """Return the factory of the loop of a run on a device, None for the CPU.
 
     Raises:
-        InputError: an unknown device, one that is not here, or one that cannot run this.
+        InputError: The device is unknown or missing, or cannot run this model.
     """
     if isinstance(device, str) and device == "cpu":
         return None
@@ -193,7 +201,7 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
         gpu = importlib.import_module("bondem.solve.loop_cuda")
     except ImportError as error:
         raise InputError(
-            f"device='gpu' needs the package numba-cuda ({error}): pip install \"bondem[gpu]\", or use device='cpu'"
+            f"device='gpu' needs the package numba-cuda ({error}); {install('gpu')}, or use device='cpu'"
         ) from error
     gpu.require_runnable(model, plan)
     return gpu.GpuLoop

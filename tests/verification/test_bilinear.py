@@ -70,8 +70,8 @@ def test_two_cells_follow_the_curve_by_load_factors(pair: bd.Lattice) -> None:
     errors = []
     for ripple in (0.1, 0.05):
         ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=1e-6)]
-        law = bd.CellBond(E=E, nu=0.0, facet_rotation="full")
-        model = bd.Model(pair, law, density=2500.0, failure=SOFT, boundary=ends)
+        # of two cells nothing resists the twist, which does no work
+        model = bd.Model(pair, bd.CellBond(E=E, nu=0.0), density=2500.0, failure=SOFT, boundary=ends)
         found = bd.solve_quasistatic(model, bd.Face("x_max"), ripple=ripple, together=0.0, until=0.0)
         k = E / SIZE
         line = SofteningLine(STRENGTH, k * 3.6 * UNIT, PETERSSON.stress, PETERSSON.steep)
@@ -118,7 +118,7 @@ def test_a_curve_is_of_what_softens(pair: bd.Lattice) -> None:
         bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY, curve="bilinear")  # type: ignore[arg-type]
     beams = bd.MohrCoulomb(tension=1e6, cohesion=1e6, friction_angle=0.5, fracture_energy=50.0, curve=PETERSSON)
     lattice = bd.Lattice(bd.Particles(pair.centre, 0.5 * SIZE), [[0, 1]])
-    with pytest.raises(InputError, match="beams soften along a straight line"):
+    with pytest.raises(InputError, match="leave it out for beams"):
         bd.Model(lattice, bd.EulerBernoulli(E=E, nu=0.2, radius_ratio=0.5), density=2500.0, failure=beams)
 
 

@@ -111,6 +111,7 @@ def crushing(time: float) -> tuple[bd.Fix, bd.Drive]:
     return bd.Fix(ends[0]), bd.Drive(ends[1], vx=bd.Ramp(0.0, -6.0, time), vy=bd.Ramp(0.0, 3.0, time))
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # crushed far
 @pytest.mark.parametrize(
     "contact",
     [
@@ -139,6 +140,7 @@ def test_the_ledger_is_second_order_through_crushing(contact: bd.ContactLaw, one
     assert np.log2(missed[0] / missed[-1]) / 3.0 > 1.8
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft grains at high speed
 def test_momentum_is_kept_where_pieces_touch(one_thread: None) -> None:
     model = block(5, WEAK, bd.LinearContact(E=1e7, friction=0.5, damping=0.05))
     lattice, mass = model.lattice, model.mass[:, None]

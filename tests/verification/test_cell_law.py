@@ -309,7 +309,7 @@ def test_bad_input_is_refused_in_one_line():
     with pytest.raises(bd.errors.InputError, match="facet_rotation"):
         bd.CellBond(E=1.0, nu=0.3, facet_rotation="half")
     beam = bd.EulerBernoulli(E=1.0, nu=0.3, radius_ratio=0.5)
-    with pytest.raises(bd.errors.InputError, match="all cells of a body"):
+    with pytest.raises(bd.errors.InputError, match="for all cells"):
         bd.Model(block(4, 4, 4), {bd.Everything(): bd.CellBond(E=1.0, nu=0.3), bd.Face("x_min"): beam}, 1.0)
     with pytest.raises(bd.errors.InputError, match="follow no law"):
         bd.Model(block(4, 4, 4), {bd.Face("x_min"): bd.CellBond(E=1.0, nu=0.3)}, 1.0)

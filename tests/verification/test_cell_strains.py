@@ -120,3 +120,54 @@ def test_pauses_files_and_threads_leave_no_trace(
     np.testing.assert_array_equal(rest.state.work, whole.state.work)
     if failure is not None:
         assert len(whole.state.cracks) > 0
+
+
+def test_a_linear_field_of_strain_bends_a_free_body_without_stress(body: bd.Lattice) -> None:
+    """ε* = g z: u = g (x z, y z, (z² - x² - y²) / 2) is compatible with it, the curvature being g."""
+    g = 1e-3
+
+    def field(centre: np.ndarray) -> np.ndarray:
+        return g * centre[:, 2]
+
+    static = bd.solve_static(bd.Model(body, LAW, RHO, boundary=bd.Eigenstrain(field)))
+    x, y, z = (body.centre - body.centre.mean(axis=0)).T
+    one = np.ones_like(x)
+    basis = np.stack([x * z, x, y, z, one], axis=1)
+    fitted = np.linalg.lstsq(basis, static.displacement[:, 0], rcond=None)[0]
+    assert fitted[0] == pytest.approx(g, rel=0.06)  # four cells across the depth
+    clamped = 0.5 * E * (g * body.centre[:, 2]) ** 2 @ body.cells.volume / (1.0 - 2.0 * NU)
+    assert static.energy.total < 0.05 * clamped
+
+
+def test_a_field_of_strain_by_element_is_that_of_a_function_and_follows_its_schedule(body: bd.Lattice) -> None:
+    values = 1e-3 * np.sin(body.centre[:, 0])
+    rise = bd.Ramp(0.0, 1.0, 4e-3)
+    array = bd.Eigenstrain(values, WARM, schedule=rise)
+    function = bd.Eigenstrain(lambda centre: 1e-3 * np.sin(centre[:, 0]), WARM, schedule=rise)
+    np.testing.assert_array_equal(array.parts(body), function.parts(body))
+    inside = np.where(WARM.mask(body), values, 0.0)
+    np.testing.assert_allclose(array.parts(body), inside[body.pairs].mean(axis=1), atol=1e-18)
+    state = bd.Model(body, LAW, RHO, boundary=array).state()
+    for time, share in ((0.0, 0.0), (1e-3, 0.25), (1.0, 1.0)):
+        state.time = time
+        np.testing.assert_allclose(state.stress_free_strain, share * array.parts(body), atol=1e-18)
+
+
+def test_a_uniform_array_is_a_number(body: bd.Lattice) -> None:
+    same = [bd.Eigenstrain(1e-3), bd.Eigenstrain(np.full(len(body.particles), 1e-3))]
+    moved = [bd.solve_static(bd.Model(body, LAW, RHO, boundary=one)).displacement for one in same]
+    np.testing.assert_array_equal(*moved)
+
+
+@pytest.mark.parametrize(
+    ("strain", "words"),
+    [
+        (np.zeros((2, 3)), r"shape \(2, 3\)"), ([0.0, np.nan], "not finite"), ([0.0, -1.5], "above -1"),
+        ([1e-3, 2e-3], r"values have shape \(2,\)"), (lambda centre: centre, "one value per element"),
+        (lambda centre: -2.0 + 0.0 * centre[:, 0], "above -1"),
+    ],
+)  # fmt: skip
+def test_other_fields_of_strain_are_refused(body: bd.Lattice, strain, words: str) -> None:
+    with pytest.raises(bd.errors.InputError, match=words) as caught:
+        bd.Model(body, LAW, RHO, boundary=bd.Eigenstrain(strain)).constraints  # noqa: B018  made at first use
+    assert "\n" not in str(caught.value)

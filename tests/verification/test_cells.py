@@ -283,7 +283,7 @@ def test_what_cannot_be_cut_is_refused():
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", bd.errors.FillingWarning)
         lonely = bd.Particles([[0.3, 0.5, 0.5], [0.7, 0.5, 0.5]], 0.2, shape=apart)
-    with pytest.raises(bd.errors.InputError, match=r"1 m³ of the 2 m³ of the shape.*apart from all"):
+    with pytest.raises(bd.errors.InputError, match=r"1 m³ of the 2 m³ of the shape.*contains no element"):
         bd.connect(lonely, method="laguerre")
     with pytest.raises(bd.errors.InputError, match="no cells"):
         bd.polyhedra(bd.connect(body("box").particles))
@@ -336,3 +336,15 @@ def test_fabric_of_a_body_looks_at_the_spheres_for_their_overlap():
     touching, body = bd.connect(particles), bd.connect(particles, method="laguerre")
     assert np.abs(body.centre - particles.position).max() > 0.05 * particles.mean_radius
     assert bd.fabric(body).largest_overlap == pytest.approx(bd.fabric(touching).largest_overlap, rel=1e-9)
+
+
+def test_a_periodic_cell_without_a_shape_is_its_own_shape():
+    """Particles with a period alone can be cut into cells: their shape is no box about the spheres."""
+    packed = bd.pack(bd.Cell((2.0, 2.0, 2.0)), count=100, method="even", seed=1)
+    bare = bd.Particles(packed.position, packed.radius, period=packed.period)
+    assert isinstance(bare.shape, bd.Cell)
+    assert bare.shape.size == (2.0, 2.0, 2.0)
+    body, wanted = (bd.connect(one, method="laguerre") for one in (bare, packed))
+    assert body.cells.volume.sum() == pytest.approx(8.0)
+    assert not len(body.cells.free.cell)
+    np.testing.assert_array_equal(body.pairs, wanted.pairs)

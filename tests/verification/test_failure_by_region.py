@@ -163,16 +163,16 @@ def test_the_implied_fracture_is_that_of_most_facets() -> None:
 @pytest.mark.parametrize(
     ("failure", "message"),
     [
-        ({}, "names no region"),
+        ({}, "has no region"),
         ({MIDDLE: STRONG}, "bonds have no strength"),
         ({bd.Everything(): STRONG, MIDDLE: None}, "failure"),
-        ({bd.Everything(): STRONG, MIDDLE: bd.Rankine(tension=2e6)}, "beside brittle ones"),
-        ({bd.Everything(): STRONG, (MIDDLE, MIDDLE, MIDDLE): WEAK}, "two: give"),
+        ({bd.Everything(): STRONG, MIDDLE: bd.Rankine(tension=2e6)}, "with brittle ones"),
+        ({bd.Everything(): STRONG, (MIDDLE, MIDDLE, MIDDLE): WEAK}, "names 3 regions"),
         ({bd.Everything(): STRONG, "middle": WEAK}, "failure="),
         ({bd.Everything(): STRONG, MIDDLE: BRITTLE}, "single bonds"),
         ({bd.Everything(): STRONG, MIDDLE: replace(WEAK, curve=bd.Bilinear())}, "curve"),
         ({bd.Everything(): STRONG, MIDDLE: bd.Hydrostatic(tension=2e6, fracture_energy=30.0)}, "may differ"),
-        ({bd.Everything(): bd.PeripheralStress(tension=1e6, shear=1e6)}, "judges beams"),
+        ({bd.Everything(): bd.PeripheralStress(tension=1e6, shear=1e6)}, "applies to beams"),
         ({bd.Everything(): bd.Rankine(tension=4e6, fracture_energy=1e-4)}, "snap back"),
     ],
 )  # fmt: skip

@@ -102,5 +102,5 @@ def test_refusals(body: bd.Lattice) -> None:
         bd.Pressure(bd.Face("x_max"), P, follows="yes")  # type: ignore[arg-type]
     spheres = bd.connect(bd.pack(BOX, count=150, seed=1))
     law = bd.EulerBernoulli(E=E, nu=0.2, radius_ratio=0.5)
-    with pytest.raises(InputError, match="turns with facets"):
+    with pytest.raises(InputError, match="rotates with facets"):
         bd.Model(spheres, law, RHO, boundary=[bd.Pressure(bd.Face("x_max"), P, follows=True)])

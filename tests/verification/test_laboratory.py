@@ -84,7 +84,7 @@ def test_a_disc_has_the_elastic_stress_of_theory_at_its_centre(shape: bd.Shape) 
     assert 0.8 < test.peak / 4e6 < 1.05
     assert test.tension == pytest.approx(test.factor * test.peak)
     assert test.test.residual < 2e-3
-    assert test.curve[-1, 1] < 0.75 * test.peak
+    assert test.curve[-1, 1] < 0.9 * test.peak
 
 
 def test_a_triaxial_test_is_on_the_line_of_mohr_and_coulomb() -> None:
@@ -158,3 +158,27 @@ def test_a_core_is_pushed_out_of_its_ring() -> None:
     assert test.residual < 2e-3
     moved = test.state.displacement[:, 0]
     assert moved[core.piston.select(body)].mean() < 3.0 * moved[core.plate.select(body)].mean() < 0.0
+
+
+def test_the_mouth_of_a_notch_opens_as_the_beam_turns_about_the_ligament() -> None:
+    """CMOD: by linear elastic fracture mechanics 24 σ a V(a/h) / E at small loads (Tada), a and h from below."""
+    depth, notch = 20e-3, 6e-3
+    place = bd.Within(bd.Box((40e-3, 30e-3, 30e-3)).moved((0.0, -1e-3, -1e-3)))
+    other = bd.Within(bd.Box((60e-3, 30e-3, 30e-3)).moved((60e-3, -1e-3, -1e-3)))
+    test = bent((100e-3, depth, 20e-3), 1000, notch=notch, span=80e-3, most=3, gauges={"halves": (place, other)})
+    assert test.cmod is not None
+    assert test.cmod.shape == test.load.shape == test.deflection.shape == (4,)
+    assert test.cmod[0] == test.load[0] == 0.0
+    stress = 1.5 * test.load[1] * 80e-3 / (20e-3 * depth**2)
+    ratio = notch / depth
+    shape = 0.76 - 2.28 * ratio + 3.87 * ratio**2 - 2.04 * ratio**3 + 0.66 / (1.0 - ratio) ** 2
+    wanted = 4.0 * stress * notch / LAW.E * shape
+    assert test.cmod[1] == pytest.approx(wanted, rel=0.25)
+    assert test.path.gauge["halves"].shape == (3, 3)
+    assert 0.0 < test.path.gauge["halves"][0, 0] < test.cmod[1]
+
+
+def test_a_plain_beam_has_no_mouth_and_names_of_gauges_are_not_taken_twice() -> None:
+    assert bent((60e-3, 20e-3, 20e-3), 300, span=40e-3, most=1).cmod is None
+    with pytest.raises(bd.errors.InputError, match="gauge 'left' is one of its own"):
+        bent((60e-3, 20e-3, 20e-3), 300, span=40e-3, most=1, gauges={"left": (bd.Everything(), bd.Everything())})

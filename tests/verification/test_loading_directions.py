@@ -86,6 +86,51 @@ def test_a_crack_dissipates_its_projection(slope: float, curve: bd.Bilinear | No
     assert taken == pytest.approx(G_F * slope, rel=1e-3)
 
 
+@pytest.mark.parametrize("slope", [0.6, 1.0])
+@pytest.mark.parametrize("share", [0.0, 0.3, 1.0, 3.0, math.inf])
+def test_a_bent_facet_begins_by_its_edge_and_dissipates_the_same(share: float, slope: float) -> None:
+    """p + b = f_t c at onset, for b / p = share; G_f A c whatever the share, without a tangential traction."""
+    n, s, taken, begun = (slope, math.sqrt(1.0 - slope**2), 0.0), 1.0, 0.0, 0.0
+    most = max(abs(one) for one in n)
+    pulled, bent = (0.0, 1.0) if share == math.inf else (1.0, share)
+    for size in np.geomspace(0.1 * F_T, 4.0 * LAST, 40_000):
+        t, b = (float(size) * pulled, 0.0, 0.0), float(size) * bent
+        frame = np.diag([1.0, 0.0, 0.0])
+        left = left_in_bulk(s, t, n, b, frame, np.eye(3), F_T, LAST, 0.0, 1.0)
+        here = b * slope / most  # the part of the bending that opens along e_1
+        begun = (t[0] + here) if s == 1.0 else begun
+        taken += 0.5 * (t[0] ** 2 + here**2) * (s - left) / STIFF
+        s = left
+    assert s == 0.0
+    if slope == 1.0:  # inclined facets may begin along their second direction, which bending opens too
+        assert begun == pytest.approx(F_T, rel=1e-3)
+        # the middle of a facet that is bent a little opens by `last` before the rms of its points does
+        assert taken == pytest.approx(G_F, rel=3e-2 if share == 0.3 else 5e-3)
+    else:
+        assert begun <= F_T * slope * (1.0 + 1e-3)
+        assert taken <= G_F * slope * (1.0 + 5e-3)
+
+
+def test_nothing_is_left_beyond_the_last_opening() -> None:
+    """A facet that has begun and is pulled across, in a direction that no principal stress has, ends at `last`."""
+    n, away = (1.0, 0.0, 0.0), math.sqrt(1.0 / 3.0)
+    frame, t = np.diag([1.0, 0.0, 0.0]), (away, away, away)
+    below, beyond = (
+        left_in_bulk(0.9, tuple(size * LAST * one for one in t), n, 0.0, frame, np.eye(3), F_T, LAST, 0.0, 1.0)
+        for size in (0.99, 1.01)
+    )
+    assert below > 0.0
+    assert beyond == 0.0
+
+
+def test_pressure_closes_the_bending_of_a_plane() -> None:
+    """What pressure on a plane takes off its bending does not open it."""
+    for bent, whole in ((2.9e6 + F_T, True), (3.1e6 + F_T, False)):
+        pressed, n = (-3e6, 0.0, 0.0), (1.0, 0.0, 0.0)
+        left = left_on_plane(1.0, pressed, n, bent, F_T, LAST, math.inf, math.inf, 0.0, 0.0, 1.0)
+        assert (left == 1.0) == whole
+
+
 @pytest.mark.parametrize("angle", [0.0, 0.5, 1.0])
 def test_a_plane_dissipates_its_own_area(angle: float) -> None:
     """G_f per area of the facet, whatever the angle between opening and normal; from t_n = f_w on."""
@@ -228,7 +273,7 @@ def test_what_decides_is_checked() -> None:
     with pytest.raises(InputError, match=r"on = .tension.; give"):
         bd.Rankine(tension=F_T, on="tension")  # type: ignore[arg-type]
     cone = bd.DruckerPrager(tension=F_T, compression=1e7, fracture_energy=G_F, on="traction")
-    with pytest.raises(InputError, match=r"DruckerPrager: on = .traction. is of bd\.Rankine"):
+    with pytest.raises(InputError, match=r"DruckerPrager: on = .traction. applies to bd\.Rankine"):
         _ = bd.Model(body, LAW, density=RHO, failure=cone).softening
 
 

@@ -334,7 +334,7 @@ def test_loads_that_make_no_sense_are_refused(rod) -> None:
     model = rod(3)
     for make, message in (
         (lambda: bd.BodyForce((0.0, 1.0)), "three finite"),
-        (lambda: bd.Pressure(bd.Index([0]), 1.0), "is no face"),
+        (lambda: bd.Pressure(bd.Index([0]), 1.0), "is not a face"),
         (lambda: bd.Pressure(bd.Face("x_min"), math.nan), "finite"),
         (lambda: bd.Absorbing(bd.Face("x_min"), density=-1.0, E=1e9, nu=0.2), "positive"),
         (lambda: bd.Absorbing(bd.Face("x_min"), density=1.0, E=1e9, nu=0.5), "Poisson"),

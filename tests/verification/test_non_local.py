@@ -215,7 +215,7 @@ def test_step_is_found_by_the_lagged_operator(body: bd.Lattice):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         bd.solve_explicit(bd.Model(body, law(0.49), RHO), duration=0.0)
-    assert any("lagging stress" in str(one.message) for one in caught)
+    assert any("lagged stress" in str(one.message) for one in caught)
 
 
 def test_weighted_areas_of_a_cubic_lattice_close_cubes():

@@ -43,5 +43,5 @@ def test_a_contact_beside_a_bond_bears_no_tension(one_thread: None) -> None:
 
 def test_contacts_beside_facets_of_cells_are_refused() -> None:
     body = bd.connect(bd.pack(bd.Box((1.0, 1.0, 1.0)), count=20, method="even", seed=1), method="laguerre")
-    with pytest.raises(InputError, match="leave parallel= out for cells"):
+    with pytest.raises(InputError, match="leave out parallel= for cells"):
         bd.Model(body, bd.CellBond(E=1e9, nu=0.2), density=1000.0, contact=bd.LinearContact(E=1e9, parallel=True))

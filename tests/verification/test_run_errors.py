@@ -251,9 +251,12 @@ def joint(seed: int) -> tuple[bd.Model, float, float]:
 @pytest.mark.filterwarnings("ignore::bondem.errors.StrengthWarning")
 @pytest.mark.parametrize("seed", [1, 2])
 def test_a_flat_joint_slips_by_more_than_a_facet_at_the_default_step(seed: int) -> None:
-    """Before: the energy that appeared was 13 and 29 % of the work, and intact blocks broke."""
+    """Before: the energy that appeared was 13 and 29 % of the work, and intact blocks broke.
+
+    From a slip of 1.13 cells on, those at the edge have lost what they lay on and sink, as nothing else touches.
+    """
     model, size, speed = joint(seed)
-    run = bd.solve_explicit(model, duration=14.0 * size / 1000.0 + 1.25 * size / speed, every=50)
+    run = bd.solve_explicit(model, duration=14.0 * size / 1000.0 + 1.1 * size / speed, every=50)
     assert run.status is bd.Status.COMPLETED
     energy = run.history.energy
     assert energy["friction"][-1] > 0.5 * energy["work"][-1]
@@ -282,7 +285,7 @@ def test_parted_elements_that_sink_into_each_other_give_a_warning() -> None:
 
     apart = end(-1.0)  # halves that fly apart say nothing
     assert apart.position[0, 0] < -0.4
-    with pytest.warns(ContactWarning, match="sink into each other at t = .*no contact law was given"):
+    with pytest.warns(ContactWarning, match="separated elements overlap at t = .*no contact law"):
         end(1.0)
     closed = State(model)
     SinkingCheck(model).look(closed)  # nothing is broken

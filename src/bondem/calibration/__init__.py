@@ -1,4 +1,4 @@
-"""From a material to bond parameters: targets in, laws out."""
+"""Calibration of bond parameters to the properties of a material."""
 
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.strength import StrengthCalibration, calibrate_strength

@@ -1,7 +1,8 @@
-"""The calibration curves of every law, computed once: ν and E/E_μ of packings over the parameter that sets ν.
+"""Calibration curves of every law, computed once: ν and E/E_μ of packings over the parameter that sets ν.
 
-The files in `curves`, named after laws, are what `python -m validation abacus` found in periodic cells: André et al.
-(2012), figs 15 and 16. Where a curve is, the search for the value of a parameter starts next to its end.
+The files in `curves`, named after laws, hold the results of `python -m validation abacus` for periodic cells, as in
+figs 15 and 16 of André et al. (2012). If a law has a curve, its calibration starts from the curve, close to the
+solution.
 """
 
 import json
@@ -22,15 +23,15 @@ from bondem.laws.bond import BondLaw
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """ν and E/E_μ of packings of 6.2 contacts a sphere, in bulk, over one parameter of a law.
+    """Calibration curve of a law: ν and E/E_μ of the bulk with 6.2 contacts per sphere, over one parameter.
 
     Attributes:
         law: name of the law.
-        parameter: name of its parameter that varies.
-        fixed: its other parameters; ν_μ is 0.3.
-        values: of the parameter, ascending [-], shape (k,).
+        parameter: name of the varied parameter.
+        fixed: values of the other parameters; ν_μ is 0.3.
+        values: values of the parameter, ascending [-], shape (k,).
         nu, nu_std: mean and standard deviation of Poisson's ratio over packings [-], shape (k,).
-        stiffness_ratio, stiffness_ratio_std: those of E/E_μ [-], shape (k,).
+        stiffness_ratio, stiffness_ratio_std: mean and standard deviation of E/E_μ over packings [-], shape (k,).
     """
 
     law: str
@@ -44,20 +45,20 @@ class Curve:
 
     @classmethod
     def read(cls, law: str, data: Mapping[str, Any]) -> "Curve":
-        """The curve of a law, as `python -m validation abacus` writes it."""
+        """Read the curve of a law from a file of `python -m validation abacus`."""
         arrays = ("values", "nu", "nu_std", "stiffness_ratio", "stiffness_ratio_std")
         return cls(law, data["parameter"], dict(data["fixed"]),
                    **{name: np.array(data[name], dtype=float) for name in arrays})  # fmt: skip
 
     @property
     def reach(self) -> tuple[float, float]:
-        """Smallest and largest ν on the curve [-]."""
+        """Smallest and largest ν of the curve [-]."""
         return float(self.nu.min()), float(self.nu.max())
 
     def value_for(self, nu: float) -> float | None:
-        """The value of the parameter that gives ν [-], or None where the curve does not reach.
+        """Parameter value for a given ν [-], or None outside the range of the curve.
 
-        The inverse of `nu_at`; where ν turns, on the longer branch.
+        This is the inverse of `nu_at`. For a curve that is not monotone, it uses the longest monotone branch.
         """
         first, last = self._branch
         low, high = sorted((self.nu[first], self.nu[last]))
@@ -73,14 +74,14 @@ class Curve:
         return float(np.exp(place))
 
     def nu_at(self, value: float) -> float | None:
-        """ν at a value of the parameter [-], or None beyond the ends of the curve.
+        """Poisson's ratio ν at a parameter value [-], or None beyond the ends of the curve.
 
-        Monotone cubic interpolation over the logarithm of the parameter.
+        The interpolation is monotone and cubic in the logarithm of the parameter.
         """
         return self._at(self.nu, value)
 
     def stiffness_ratio_at(self, value: float) -> float | None:
-        """E/E_μ at a value of the parameter [-], or None beyond the ends of the curve."""
+        """Stiffness ratio E/E_μ at a parameter value [-], or None beyond the ends of the curve."""
         ratio = self._at(np.log(self.stiffness_ratio), value)
         return None if ratio is None else float(np.exp(ratio))
 
@@ -91,7 +92,7 @@ class Curve:
 
     @property
     def _branch(self) -> tuple[int, int]:
-        """Ends of the longest stretch over which ν is strictly monotone."""
+        """Ends of the longest strictly monotone branch of ν."""
         rising = np.sign(np.diff(self.nu))
         turns = [0, *(np.flatnonzero(rising[1:] != rising[:-1]) + 1), len(rising)]
         first, last = max(pairwise(turns), key=lambda ends: ends[1] - ends[0])
@@ -99,7 +100,7 @@ class Curve:
 
 
 def curve(law: type[BondLaw]) -> Curve | None:
-    """The curve that comes with bondem for a family of laws, or None."""
+    """Calibration curve shipped with bondem for a family of laws, or None."""
     return _shipped(law.__name__)
 
 

@@ -1,4 +1,7 @@
-"""The affine (Voigt) estimate: moduli of a lattice if all elements moved with the mean strain. A sum over bonds."""
+"""Affine (Voigt) estimate of the moduli of a lattice, as a sum over its bonds.
+
+The estimate assumes that all elements move with the mean strain.
+"""
 
 import math
 from dataclasses import dataclass
@@ -20,17 +23,18 @@ _PRISM = 0.01
 
 @dataclass(frozen=True, eq=False)
 class AffineEstimate:
-    """Moduli before the elements give way, and what decides how much they do.
+    """Moduli of a lattice without relaxation of its elements, and the quantities that govern the relaxation.
 
     Attributes:
-        stiffness: C = 1/V Σ kn δn δn + ks δs·δs over the bonds, six unit strains [Pa], (6, 6).
-        E: Young's modulus [Pa]: along x of a bar, of the isotropic average of anything else.
-        nu: Poisson's ratio [-], likewise.
-        coordination: mean over the bonds of the number of bonds of the two elements they join [-].
-        looseness: mean over the bonds of 1/z_i + 1/z_j, the bonds of the two elements [-]: how much they give way.
-        wall: R̄ times the area along which the load runs over the volume, both of what is counted [-].
-        shear: Σ ks L² / Σ kn L² [-].
-        bending: Σ kb / Σ kn L² [-].
+        stiffness: C = 1/V Σ kn δn δn + ks δs·δs over the bonds, for six unit strains [Pa], (6, 6).
+        E: Young's modulus [Pa]: along x for a bar, otherwise of the isotropic average.
+        nu: Poisson's ratio [-]: along x for a bar, otherwise of the isotropic average.
+        coordination: mean over the bonds of the mean number of bonds of their two elements [-].
+        looseness: mean over the bonds of 1/z_i + 1/z_j, with z the numbers of bonds of the two elements [-]. It
+            measures the relaxation.
+        wall: R̄ times the wall area along the load over the volume of the counted region [-].
+        shear: ratio Σ ks L² / Σ kn L² [-].
+        bending: ratio Σ kb / Σ kn L² [-].
     """
 
     stiffness: Floats
@@ -44,23 +48,24 @@ class AffineEstimate:
 
 
 def is_bar(lattice: Lattice) -> bool:
-    """Whether the shape has the same section all along x, so that its middle half is a gauge for tension."""
+    """True if the section of a shape is constant along x, so that its middle half is a gauge for tension."""
     shape = lattice.particles.envelope
     return bool(shape.faces) and abs(shape.section() * shape.extent / shape.volume - 1.0) <= _PRISM
 
 
 def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None = None) -> AffineEstimate:
-    """Sum up the bonds of a lattice.
+    """Compute the affine estimate of a lattice.
 
-    Of a bar, those in the middle half of its length, where `static_tension` measures: the walls that count are then
-    its sides, and its ends do not. Of any other shape and of a periodic cell, all, and E is the mean over all
-    directions. What is loaded along a direction is then shorter than the body by a radius at either end, as loads
-    enter at centres: by R̄ times half the surface in volume, as a surface S has a shadow of S/4 on average (Cauchy).
+    For a bar, the sum is over the bonds in the middle half of its length, as in `static_tension`. The walls that
+    count are then its sides. For other shapes and periodic cells the sum is over all bonds, and E is the mean over
+    all directions. As loads act at centres of elements, the loaded length is shorter than the body by a radius at
+    either end. The loaded volume is therefore smaller by R̄ times half the surface, as a surface S has a mean shadow
+    of S/4 (Cauchy).
 
     Args:
         lattice: elements and bonds.
-        law: a bond law, or laws by region.
-        bar: whether to take it for a bar; as `is_bar` says unless given.
+        law: bond law, or laws by region.
+        bar: True to treat the lattice as a bar; None to use `is_bar`.
 
     Raises:
         InputError: bonds that do not resist every strain, such as those of a plane lattice.
@@ -84,7 +89,7 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
     E, nu = _along_x(stiffness) if bar else _isotropic(stiffness)
     E = E if bar else E / (1.0 - wall)
     if not (math.isfinite(E) and E > 0.0):
-        raise InputError("the bonds of this lattice do not resist every strain; pack a body, not a chain or a plane")
+        raise InputError("lattice: its bonds do not resist every strain; pack a body, not a chain or a plane")
     return AffineEstimate(
         stiffness=stiffness,
         E=E,

@@ -1,4 +1,4 @@
-"""Density of the elements: from mass equality, eq (19) of André et al. (2012), or from all moments of the body."""
+"""Density of the elements, from eq (19) of André et al. (2012) or from all mass moments of the body."""
 
 from collections.abc import Sequence
 
@@ -14,10 +14,11 @@ _ROUNDING = 1e-10
 
 
 def element_density(lattices: Sequence[Lattice], rho: float) -> float:
-    """ρ_μ = ρ_M V_M / Σ V_μ [kg/m³], V_M the volume of the shape.
+    """Compute the uniform element density that gives specimens the mass of their material, ρ_μ = ρ_M V_M / Σ V_μ
+    [kg/m³].
 
-    The sum runs over connected elements: rattlers do not move with the specimen, so their mass is not part of
-    it. Over several lattices both volumes are added up.
+    V_M is the volume of the shape, and the sum is over connected elements: rattlers do not move with the specimen, so
+    that their mass does not count. Over several lattices both volumes are summed.
 
     Args:
         lattices: the specimens.
@@ -29,25 +30,25 @@ def element_density(lattices: Sequence[Lattice], rho: float) -> float:
 
 
 def balanced_density(lattice: Lattice, rho: float) -> PerElement:
-    """Densities with which a specimen has the mass, the centre of mass and the inertia tensor of its shape.
+    """Compute densities of elements for the mass, the centre of mass and the inertia tensor of the shape.
 
-    Eq (19) gives the mass only: spheres leave the skin of a body emptier than its core, so that its moments of
-    inertia come out a few percent low. Here every element has its own density,
+    Eq (19) gives the mass only: as spheres fill the skin of a body less than its core, its moments of inertia are a
+    few percent too small. Here each element has its own density,
 
         min Σ (ρ_i / ρ_μ - 1)²   with   Σ m_i = M,   Σ m_i x_i = M c,   Σ m_i (r_i² 1 - r_i r_iᵀ + 2/5 R_i² 1) = I,
 
-    ρ_μ that of eq (19): a minimum with ten linear conditions, whose solution varies smoothly over the body (a
-    polynomial of second degree in place, times the element's volume). Rattlers keep ρ_μ and count nowhere.
+    with ρ_μ of eq (19). The minimum under ten linear conditions varies smoothly over the body: it is a polynomial of
+    second degree in position times the element's volume. Rattlers keep ρ_μ and are not counted.
 
     Args:
-        lattice: the specimen; `Model(density=)` takes the result.
+        lattice: the specimen; `Model(density=)` accepts the result.
         rho: density of the material [kg/m³].
 
     Returns:
-        ρ_μ of each element [kg/m³], user's order, (n,), all positive.
+        Density ρ_μ of each element [kg/m³], user's order, (n,), all positive.
 
     Raises:
-        InputError: no positive densities do it (too few elements), or a periodic cell.
+        InputError: no positive densities satisfy the conditions (too few elements), or a periodic cell.
     """
     particles, inside = lattice.particles, lattice.connected
     body = moments(particles.envelope)
@@ -63,8 +64,9 @@ def balanced_density(lattice: Lattice, rho: float) -> PerElement:
         factor += np.linalg.lstsq(rows, wanted - rows @ factor, rcond=None)[0]
     if np.abs(rows @ factor - wanted).max() > _ROUNDING or not (factor > 0.0).all():
         raise InputError(
-            f"{len(mass)} connected elements cannot have the mass and inertia of {particles.envelope} with positive"
-            " densities; pack more elements, or keep the one density of eq (19) (element_density)"
+            f"lattice: {len(mass)} connected elements cannot have the mass and inertia of {particles.envelope} at"
+            " positive"
+            " densities; pack more elements, or use the uniform density of eq (19) (bd.element_density)"
         )
     density = np.full(len(particles), uniform)
     density[inside] *= factor
@@ -72,7 +74,7 @@ def balanced_density(lattice: Lattice, rho: float) -> PerElement:
 
 
 def _conditions(arm: Floats, own: PerElement) -> Floats:
-    """What unit masses at arms (n, 3) with inertia `own` of each add to mass, first moments and inertia, (10, n)."""
+    """Contributions of unit masses at arms (n, 3) with inertia `own` to mass, first moments and inertia, (10, n)."""
     x, y, z = arm.T
     one = np.ones_like(x)
     return np.stack([one, x, y, z, y * y + z * z + own, z * z + x * x + own, x * x + y * y + own,

@@ -1,4 +1,4 @@
-"""What Poisson's ratios a bond law can give, and which law to take for a material."""
+"""Range of Poisson's ratios of a bond law, and the recommended law for a material."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -16,14 +16,14 @@ _MARGIN = 0.01
 
 @dataclass(frozen=True)
 class Reach:
-    """Poisson's ratios that a law gives on a lattice.
+    """Poisson's ratios of a law on a lattice over its free parameter.
 
     Attributes:
         law: family of bond laws.
-        parameter: what is varied.
-        values: of the parameter, in ascending order.
-        nu: Poisson's ratio at each [-].
-        stiffness_ratio: E / E_μ at each [-].
+        parameter: name of the varied parameter.
+        values: values of the parameter, ascending [-].
+        nu: Poisson's ratio at each value [-].
+        stiffness_ratio: ratio E / E_μ at each value [-].
     """
 
     law: type[BondLaw]
@@ -34,22 +34,22 @@ class Reach:
 
     @property
     def smallest(self) -> float:
-        """Smallest ν found [-]."""
+        """Smallest computed ν [-]."""
         return min(self.nu)
 
     @property
     def largest(self) -> float:
-        """Largest ν found [-]."""
+        """Largest computed ν [-]."""
         return max(self.nu)
 
 
 @dataclass(frozen=True)
 class Recommendation:
-    """A law for a material.
+    """Recommended law for a material.
 
     Attributes:
         law: family of bond laws.
-        reason: a sentence.
+        reason: reason for the choice, as a sentence.
     """
 
     law: type[BondLaw]
@@ -59,14 +59,14 @@ class Recommendation:
 def reach(
     lattice: Lattice, law: type[BondLaw], *, nu_mu: float = 0.3, points: int = 5, **fixed: Any
 ) -> Reach:
-    """Compute what ν a law gives on a lattice over the range that calibration searches.
+    """Compute ν of a law on a lattice over the range of its free parameter.
 
     Args:
         lattice: the specimen, or a periodic cell.
         law: family of bond laws.
         nu_mu: Poisson's ratio of the bonds [-].
-        points: number of values, in equal ratios.
-        **fixed: further parameters of the law; radius_ratio is 1 where it is not what varies.
+        points: number of values, in geometric progression.
+        **fixed: further parameters of the law; radius_ratio is 1 by default if it is not the free parameter.
     """
     free = law.free
     low, high = free.search
@@ -76,12 +76,12 @@ def reach(
 
 
 def recommend(nu: float) -> Recommendation:
-    """The law to take for a Poisson's ratio: the first of the catalogue whose curve passes it with room.
+    """Recommend a law for a Poisson's ratio: the first of the catalogue whose curve covers it with a margin.
 
-    The curves are those of `python -m validation abacus`, for packings of 6.2 contacts a sphere.
+    The curves are those of `python -m validation abacus`, for packings of 6.2 contacts per sphere.
 
     Raises:
-        UnreachableTargetError: no law reaches ν.
+        UnreachableTargetError: no law covers ν.
     """
     reaches = []
     for law in LAWS.values():
@@ -96,6 +96,7 @@ def recommend(nu: float) -> Recommendation:
                 law, f"{law.__name__} bonds reach ν from {low:.2f} to {high:.2f} by {known.parameter}{passed}"
             )
     raise UnreachableTargetError(
-        f"no bond law reaches nu = {nu:g} by more than {_MARGIN:g}: {', '.join(reaches)}; choose law= and search="
+        f"nu = {nu:g}: no bond law reaches it by more than {_MARGIN:g} ({', '.join(reaches)}); choose law= and"
+        " search="
         " yourself"
     )

@@ -1,11 +1,11 @@
-"""What one lattice does with a bond law: E and ν, and how both change with the parameters of the law.
+"""Elastic response of one lattice with a bond law: E and ν and their derivatives with respect to parameters.
 
-Both are linear functionals of a static solution, or its energy, so their derivatives need no difference of two
-solutions. With K u = f, ε = cᵀ u and the adjoint K λ = c,
+Both are linear functionals of a static solution, or its energy, so that derivatives need no finite differences of
+solutions. With K u = f, ε = cᵀ u and the adjoint problem K λ = c,
 
-    dε/dp = - λᵀ (dK/dp) u = - Σ bonds, (dk/dp) × (products of the bond's deformation under u and under λ),
+    dε/dp = - λᵀ (dK/dp) u = - Σ bonds, (dk/dp) × (products of the bond's deformation under u and under λ).
 
-and in a periodic cell, whose stiffness is stationary in the motions, the same sum with u for λ.
+In a periodic cell, whose stiffness is stationary in the motions, the sum uses u for λ.
 """
 
 from dataclasses import dataclass, replace
@@ -31,11 +31,11 @@ _STEP = 1e-5
 
 @dataclass(frozen=True)
 class Slope:
-    """How a lattice changes with a parameter p of its bonds.
+    """Derivatives of the moduli of a lattice with respect to a parameter p of its bonds.
 
     Attributes:
-        log_E: d ln E / dp.
-        nu: dν / dp.
+        log_E: derivative d ln E / dp.
+        nu: derivative dν / dp.
     """
 
     log_E: float
@@ -43,15 +43,15 @@ class Slope:
 
 
 class Response:
-    """E and ν of one lattice with one law: bulk moduli of a periodic cell, else a tension test along x.
+    """E and ν of one lattice with one law: bulk moduli of a periodic cell, otherwise a tension test along x.
 
     Attributes:
         lattice: the specimen.
-        law: its bonds.
+        law: bond law.
         E: Young's modulus [Pa].
         nu: Poisson's ratio [-].
-        tension: the tension test, or None.
-        moduli: the bulk moduli, or None.
+        tension: tension test, or None.
+        moduli: bulk moduli, or None.
     """
 
     def __init__(self, lattice: Lattice, law: BondLaw, *, guess: "Response | None" = None) -> None:
@@ -75,7 +75,8 @@ class Response:
             self.E, self.nu = self.tension.E, self.tension.nu
 
     def slope(self, parameter: str) -> Slope:
-        """Derivatives to a parameter of the law, by its name: "nu", "radius_ratio" or what it declares free.
+        """Derivatives with respect to a parameter of the law, by its name: "nu", "radius_ratio" or its free
+        parameter.
 
         A tension test solves two adjoint problems, once for all parameters; bulk moduli need none.
         """
@@ -89,11 +90,11 @@ class Response:
         return Slope(float(-d_axial / strain[0]), float(-(d_lateral + self.nu * d_axial) / strain[0]))
 
     def forget_matrix(self) -> None:
-        """Free the matrix it was solved with; it is assembled again where slopes are first asked for later."""
+        """Free the assembled matrix; a later request for slopes assembles it again."""
         self._statics = None
 
     def _deformations(self) -> tuple[BondStrain, ...]:
-        """Of the bonds under the tension and under the adjoints of axial and mean lateral strain."""
+        """Deformations of the bonds under tension and under the adjoints of axial and mean lateral strain."""
         if self._adjoint is None:
             assert self.tension is not None
             if self._statics is None:
@@ -113,7 +114,7 @@ class Response:
 
 
 def stiffness_slope(lattice: Lattice, law: BondLaw, parameter: str) -> Floats:
-    """Derivatives of kn, ks, kb and kt of every bond to a parameter of the law, (4, m)."""
+    """Derivatives of kn, ks, kb and kt of every bond with respect to a parameter of the law, (4, m)."""
     bonds = bond_geometry(lattice)
     value = float(getattr(law, parameter))
     step = _STEP * max(abs(value), 1e-3)

@@ -1,4 +1,4 @@
-"""The search for the value of a parameter at which a specimen has a Poisson's ratio."""
+"""Search for the parameter value at which a specimen has a given Poisson's ratio."""
 
 import math
 from collections.abc import Callable
@@ -9,11 +9,11 @@ from bondem.errors import ConvergenceError, UnreachableTargetError
 
 @dataclass(frozen=True)
 class Search:
-    """A positive law parameter that ν depends on, monotonically, and where to look for it.
+    """Search range of a positive law parameter on which ν depends monotonically.
 
     Attributes:
         name: keyword of the law.
-        low, high: ends of the search.
+        low, high: ends of the range [-].
     """
 
     name: str
@@ -29,20 +29,20 @@ class Search:
         tolerance: float,
         who: str,
     ) -> float:
-        """The value at which ν is within `tolerance` of the target.
+        """Find the parameter value at which ν is within `tolerance` of the target.
 
-        Newton's method in the logarithm of the value, with a cubic through two values and their slopes from the
-        second step on, inside a bracket as soon as there is one: two or three evaluations do.
+        Newton's method runs in the logarithm of the value. From the second step on it uses the cubic through two
+        values and their slopes, within a bracket once there is one. Two or three evaluations suffice.
 
         Args:
-            measure: ν and its derivative at a value.
-            target: of ν [-].
-            start: first value, from curves of similar specimens; the geometric mean of the ends unless given.
-            tolerance: on ν [-].
-            who: whose parameter it is, for messages.
+            measure: function of the value that returns ν and its derivative.
+            target: target value of ν [-].
+            start: first value, from curves of similar specimens [-]; None for the geometric mean of the ends.
+            tolerance: tolerance of ν [-].
+            who: owner of the parameter, for messages.
 
         Raises:
-            UnreachableTargetError: ν does not pass the target between `low` and `high`.
+            UnreachableTargetError: ν does not reach the target between `low` and `high`.
             ConvergenceError: ν is too rough for the tolerance.
         """
         points: list[_Point] = []
@@ -67,8 +67,9 @@ class Search:
                 visit(ends[0] if here.x == ends[1] else ends[1])
                 reach = sorted(target + point.miss for point in points)
                 raise UnreachableTargetError(
-                    f"nu = {target:g} is outside {reach[0]:.3f} … {reach[-1]:.3f}, which {who} reach on this"
-                    f" lattice for {self.name} in [{self.low:g}, {self.high:g}]; choose another law, or search= wider"
+                    f"nu = {target:g}: outside {reach[0]:.3f} … {reach[-1]:.3f}, the range of {who} on this"
+                    f" lattice for {self.name} in [{self.low:g}, {self.high:g}]; choose another law, or a wider"
+                    " search="
                 )
         return self._value(here.x)
 
@@ -92,7 +93,7 @@ class Search:
 
 @dataclass(frozen=True)
 class _Point:
-    """One evaluation: x the logarithm of the value, the miss of ν and its derivative to x."""
+    """Evaluated point: x the logarithm of the value, with the error of ν and its derivative in x."""
 
     x: float
     miss: float
@@ -100,19 +101,19 @@ class _Point:
 
 
 def _rising(points: list[_Point]) -> float:
-    """+1 where ν rises with the parameter, -1 where it falls: as the points lie, else as the slope says."""
+    """Return +1 if ν increases with the parameter, -1 if it decreases, from the points or else from the slope."""
     left, right = min(points, key=lambda point: point.x), max(points, key=lambda point: point.x)
     return math.copysign(1.0, right.miss - left.miss if right.x > left.x else left.slope)
 
 
 def _beyond(here: _Point, points: list[_Point], ends: tuple[float, float]) -> bool:
-    """Whether the target lies outside of the end that was just tried."""
+    """True if the target lies beyond the end that was tried last."""
     outward = 1.0 if here.x == ends[1] else -1.0
     return here.miss * _rising(points) * outward < 0.0
 
 
 def _through(a: _Point, b: _Point) -> float:
-    """x(miss) at miss = 0 by the cubic through two points and their slopes."""
+    """Root of the cubic x(error) through two points and their slopes, at error = 0."""
     width = b.miss - a.miss
     t = -a.miss / width
     start, end = width / a.slope, width / b.slope

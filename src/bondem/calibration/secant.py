@@ -1,4 +1,4 @@
-"""Steps towards several targets at once, in logarithms, from few and costly evaluations: Broyden's secant method."""
+"""Broyden's secant method in logarithms, towards several targets with few and costly evaluations."""
 
 from dataclasses import dataclass, replace
 
@@ -14,13 +14,13 @@ _SINGULAR = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class Secant:
-    """What is known of y = log(results) about a point x = log(parameters).
+    """Linear model of y = log(results) about a point x = log(parameters).
 
     Attributes:
-        x, y: the best point so far, (k,), and its results, (m,).
-        slopes: d y / d x, (m, k).
-        target: of y, (m,).
-        weight: one over the tolerance of y, (m,).
+        x, y: best point so far, (k,), and its results, (m,).
+        slopes: derivatives d y / d x, (m, k).
+        target: target of y, (m,).
+        weight: inverse tolerance of y, (m,).
     """
 
     x: Floats
@@ -31,15 +31,15 @@ class Secant:
 
     @property
     def miss(self) -> float:
-        """Largest distance from a target over its tolerance [-]; at most 1 where all are met."""
+        """Largest distance from a target over its tolerance [-]; at most 1 once all targets are met."""
         return self.miss_of(self.y)
 
     def miss_of(self, y: Floats) -> float:
-        """The same of other results."""
+        """Largest distance of given results from their targets over the tolerance [-]."""
         return float(np.abs((y - self.target) * self.weight).max())
 
     def step(self, most: float, low: Floats, high: Floats) -> Floats:
-        """Gauss and Newton's step from the best point within bounds, none of its components longer than `most`."""
+        """Compute the Gauss–Newton step from the best point within bounds, with no component longer than `most`."""
         scaled = self.slopes * self.weight[:, None]
         miss = (self.target - self.y) * self.weight
         found, free = np.zeros(len(self.x)), np.ones(len(self.x), dtype=bool)
@@ -56,11 +56,11 @@ class Secant:
         return found if longest <= most else found * (most / longest)
 
     def foreseen(self, step: Floats) -> float:
-        """What `miss` is expected to be after a step [-]."""
+        """Value of `miss` predicted after a step [-]."""
         return self.miss_of(self.y + self.slopes @ step)
 
     def learned(self, x: Floats, y: Floats) -> "Secant":
-        """After another evaluation: Broyden's slopes, about the better of both points."""
+        """Update the slopes by Broyden's formula after an evaluation; the model is then about the better point."""
         moved = x - self.x
         surprise = y - self.y - self.slopes @ moved
         slopes = self.slopes + np.outer(surprise, moved) / (moved @ moved + _NOISE**2)
@@ -69,12 +69,12 @@ class Secant:
         return replace(self, slopes=slopes)
 
     def inverse(self) -> Floats:
-        """d x / d target, by the same least squares as `step`, (k, m)."""
+        """Derivatives d x / d target by the least squares of `step`, (k, m)."""
         scaled = self.slopes * self.weight[:, None]
         return np.linalg.pinv(scaled, rcond=_SINGULAR) * self.weight[None, :]
 
     @property
     def separates(self) -> bool:
-        """Whether the results tell all parameters apart."""
+        """True if the results determine all parameters."""
         values = np.linalg.svd(self.slopes * self.weight[:, None], compute_uv=False)
         return bool(values[-1] > _SINGULAR * values[0])

@@ -1,7 +1,7 @@
-"""Calibration of strengths: what bonds must bear so that specimens have the strengths of a material.
+"""Calibration of strengths: failure parameters for given strengths of specimens.
 
-Celigueta et al. (2020) find two parameters by hand until uniaxial compression and the Brazilian test fit; this is
-their loop. Why as it is: docs/decisions/0024-strength-calibration.md.
+Celigueta et al. (2020) adjust two parameters by hand until uniaxial compression and the Brazilian test fit. This
+module automates their loop; docs/decisions/0024-strength-calibration.md has the reasons.
 """
 
 import inspect
@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import count, number, place, shown
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.calibration.secant import Secant
 from bondem.calibration.strength_runs import Runs, StrengthRun, Test, functions_of
@@ -26,17 +27,17 @@ _WHO = "calibrate_strength"
 
 @dataclass(frozen=True, eq=False)
 class StrengthCalibration:
-    """What a strength calibration found.
+    """Result of a strength calibration.
 
     Attributes:
-        reached: whether all targets were met within their tolerances.
-        message: how it ended, in one line.
-        runs: every run, in order; the first one is at the start, with nothing calibrated.
+        reached: True if all targets were met within their tolerances.
+        message: reason for the end, in one line.
+        runs: all runs, in order; the first one uses the start values.
         best: number of the best run, counted from 1.
-        names: of the parameters.
-        targets: of each test target and tolerance [Pa].
-        sensitivities: d ln strength / d ln parameter, by test and parameter [-]; None after a single run,
-            as where the start meets all targets.
+        names: names of the parameters.
+        targets: target and tolerance of each test [Pa].
+        sensitivities: derivatives d ln strength / d ln parameter, by test and parameter [-]; None after a single run,
+            as when the start meets all targets.
     """
 
     reached: bool
@@ -49,12 +50,12 @@ class StrengthCalibration:
 
     @property
     def nearest(self) -> StrengthRun:
-        """The best run, whether or not it met the targets."""
+        """Best run, also if it missed the targets."""
         return self.runs[self.best - 1]
 
     @property
     def parameters(self) -> dict[str, float]:
-        """Found parameters, by name.
+        """Calibrated parameters by name.
 
         Raises:
             ConvergenceError: the targets were not reached; `.nearest` is the best run.
@@ -64,21 +65,26 @@ class StrengthCalibration:
         return dict(self.nearest.parameters)
 
     def sample(self, parameter: str, measured: Mapping[str, Sequence[float]] | None = None) -> Sample:
-        """The value of a parameter with which each packing would have met the targets by itself, to first order.
+        """Values of a parameter with which each packing alone would have met the targets, to first order.
 
         Args:
-            parameter: its name.
-            measured: strengths of several packings at the parameters of the best run, by test [Pa]; those of
-                that run itself unless given.
+            parameter: name of the parameter.
+            measured: strengths of several packings at the parameters of the best run, by test [Pa]; None for those of
+                the best run.
 
         Raises:
-            InputError: another parameter, no slopes, other tests, or not as many packings in every test.
+            InputError: an unknown parameter, no slopes, other tests, or different numbers of packings in the tests.
         """
         if parameter not in self.names:
-            raise InputError(f"parameter = {shown(parameter)}; choose from {', '.join(self.names)}")
+            raise InputError(
+                f"parameter = {shown(parameter)}: unknown parameter; choose from {', '.join(self.names)}"
+            )
         given = self.nearest.measured if measured is None else measured
         if set(given) != set(self.targets) or len({len(values) for values in given.values()}) != 1:
-            raise InputError(f"measured = {shown(given)}; give {', '.join(self.targets)} of the same packings")
+            raise InputError(
+                f"measured = {shown(given)}: other tests or packings; give {', '.join(self.targets)} of the same"
+                " packings"
+            )
         logs = np.log(np.array([given[test] for test in self.targets], dtype=float))
         goal = np.log([target for target, _ in self.targets.values()])
         shift = self._inverse()[self.names.index(parameter)] @ (goal[:, None] - logs)
@@ -92,7 +98,7 @@ class StrengthCalibration:
         kind: str = "confidence",
         level: float = 0.95,
     ) -> tuple[float, float]:
-        """Interval of a parameter from the scatter of packings, of its logarithm; see `sample`, `Sample.interval`.
+        """Compute an interval of a parameter from the scatter of packings, in its logarithm; see `Sample.interval`.
 
         Raises:
             InputError: fewer than two packings, or an unknown parameter or kind.
@@ -102,9 +108,11 @@ class StrengthCalibration:
         return math.exp(low), math.exp(high)
 
     def tolerated(self, parameter: str) -> tuple[float, float]:
-        """Values of a parameter that strengths anywhere within the tolerances of the targets would have led to."""
+        """Range of a parameter for strengths anywhere within the tolerances of the targets."""
         if parameter not in self.names:
-            raise InputError(f"parameter = {shown(parameter)}; choose from {', '.join(self.names)}")
+            raise InputError(
+                f"parameter = {shown(parameter)}: unknown parameter; choose from {', '.join(self.names)}"
+            )
         room = np.array([tolerance / target for target, tolerance in self.targets.values()])
         half = float(np.abs(self._inverse()[self.names.index(parameter)]) @ room)
         value = self.nearest.parameters[parameter]
@@ -112,7 +120,7 @@ class StrengthCalibration:
 
     def _inverse(self) -> Floats:
         if self.sensitivities is None:
-            raise InputError("one run tells no slopes; begin farther from the targets, or allow more runs")
+            raise InputError("a single run has no slopes; start farther from the targets, or allow more runs")
         slopes = np.array([list(row.values()) for row in self.sensitivities.values()])
         size = np.array([target / tolerance for target, tolerance in self.targets.values()])
         zero = np.zeros(len(size))
@@ -137,6 +145,7 @@ class StrengthCalibration:
         return "\n".join(lines)
 
 
+@staged("calibration of strengths", shares=False)
 def calibrate_strength(
     tests: Mapping[str, Test],
     targets: Mapping[str, tuple[float, float]],
@@ -150,33 +159,35 @@ def calibrate_strength(
     progress: Callable[[str], None] | None = None,
     executor: Executor | None = None,
 ) -> StrengthCalibration:
-    """Find parameters of failure with which tests give strengths asked for.
+    """Calibrate failure parameters so that tests give target strengths.
 
-    Secants in logarithms (Broyden): strengths are near powers of the parameters, and products of them are one step.
-    One run at the start, one for each slope that is not known beforehand, then steps until all targets are met. Runs
-    with `out` are kept there test by test, and a calibration that is called again goes on where it was.
+    The method is Broyden's secant method in logarithms: strengths are approximately powers of the parameters, so that
+    one step covers products of them. It makes a run at the start, one run for each unknown slope, and then steps
+    until all targets are met. With `out`, each finished test is stored; a repeated call continues from the stored
+    tests.
 
     Args:
-        tests: by name, functions of the parameters as keywords that return a strength [Pa], or one of each of
-            several packings, whose mean is calibrated; or a list of functions, one for each packing.
-        targets: of each test the strength and the tolerance [Pa].
-        start: of each parameter a positive value to begin with.
-        strengths: names of those parameters that, multiplied by one factor together, multiply all strengths by it. It
-            saves a run; where a fracture energy makes it hold roughly only, the steps correct for it.
-        bounds: of some parameters the least and the largest value.
-        most: runs; each is all tests at one set of parameters.
-        out: folder of the runs; None keeps nothing.
-        about: what the tests are made of (body, law, version of a rig); runs about something else are refused.
-        progress: told of each test before it begins, in a line.
-        executor: carries out all tests of a run at once, those of lists one by one: a
-            `concurrent.futures.ProcessPoolExecutor`, or `Client.get_executor()` of a Dask cluster. Functions and what
-            they hold go to its workers by pickle. None does one test after the other.
+        tests: functions by name, which take the parameters as keywords and return a strength [Pa], or one strength
+            per packing, whose mean is calibrated; or lists of functions, one per packing.
+        targets: target strength and tolerance of each test [Pa].
+        start: positive start value of each parameter.
+        strengths: names of the parameters that scale all strengths by a common factor if multiplied by that factor
+            together. This saves a run. If a fracture energy makes the scaling approximate, the steps correct for it.
+        bounds: lowest and highest value of some parameters.
+        most: largest number of runs; a run is all tests at one set of parameters.
+        out: folder of the runs; None stores nothing.
+        about: description of the tests (body, law, version of a rig); stored runs with another description are
+            rejected.
+        progress: callback, called with one line of text before each test.
+        executor: executor for all tests of a run in parallel, lists function by function: a
+            `concurrent.futures.ProcessPoolExecutor`, or `Client.get_executor()` of a Dask cluster. Functions are sent
+            to its workers by pickle. None runs the tests in sequence.
 
     Returns:
-        The calibration, reached or not: `.parameters` raises where it was not, and `.message` says by how much.
+        The calibration, reached or not: if not, `.parameters` raises an error and `.message` states the miss.
 
     Raises:
-        InputError: tests, targets and start that do not fit each other, bad numbers, a folder about other tests.
+        InputError: inconsistent tests, targets and start, numbers out of range, or a folder of other tests.
         UnstableRunError: a test failed at the start.
     """
     goals = _checked(tests, targets, start)
@@ -185,11 +196,13 @@ def calibrate_strength(
     low, high = _bounds(start, bounds)
     most = count(_WHO, "most", most, least=1)
     if not isinstance(about, str):
-        raise InputError(f"{_WHO}: about = {shown(about)}; give a text")
+        raise InputError(f"{_WHO}: about = {shown(about)}: not a text; give a text")
     if progress is not None and not callable(progress):
-        raise InputError(f"{_WHO}: progress = {shown(progress)}; give a function, or None")
+        raise InputError(f"{_WHO}: progress = {shown(progress)}: not callable; give a function, or None")
     if executor is not None and not callable(getattr(executor, "submit", None)):
-        raise InputError(f"{_WHO}: executor = {shown(executor)}; give one of concurrent.futures, or None")
+        raise InputError(
+            f"{_WHO}: executor = {shown(executor)}: not an executor; give one of concurrent.futures, or None"
+        )
     made = Runs(tests, about, None if out is None else place(f"{_WHO}: out", out), progress, executor)
     found = StrengthSearch(made, names, goals, together, low, high, most).from_start(np.array(list(start.values())))
     sensitivities = None
@@ -203,7 +216,7 @@ def calibrate_strength(
 
 
 def _checked(tests: object, targets: object, start: object) -> dict[str, tuple[float, float]]:
-    """Targets and tolerances by test, once everything fits each other."""
+    """Targets and tolerances by test, after a check of their consistency."""
     for name, given, wanted in (
         ("tests", tests, "functions by name, such as {'ucs': press}"),
         ("targets", targets, "target and tolerance by test, such as {'ucs': (55e6, 2e6)}"),
@@ -216,10 +229,10 @@ def _checked(tests: object, targets: object, start: object) -> dict[str, tuple[f
     assert isinstance(start, Mapping)
     if set(tests) != set(targets):
         raise InputError(
-            f"{_WHO}: tests {', '.join(tests)} and targets {', '.join(targets)}; give a target for each test"
+            f"{_WHO}: tests {', '.join(tests)} do not match targets {', '.join(targets)}; give a target for each test"
         )
     if len(start) > len(tests):
-        raise InputError(f"{_WHO}: {len(start)} parameters for {len(tests)} tests; fix some, or add tests")
+        raise InputError(f"{_WHO}: start has {len(start)} parameters for {len(tests)} tests; fix some, or add tests")
     for name, value in start.items():
         number(_WHO, f"start['{name}']", value, above=0.0)
     goals: dict[str, tuple[float, float]] = {}
@@ -235,11 +248,11 @@ def _checked(tests: object, targets: object, start: object) -> dict[str, tuple[f
 
 
 def _takes(name: str, test: object, start: Mapping[str, float]) -> None:
-    """Make sure that a test takes the parameters as keywords."""
+    """Check that a test takes the parameters as keywords."""
     parts = functions_of(test)
     if not parts or not all(callable(part) for part in parts):
         raise InputError(
-            f"{_WHO}: tests['{name}'] = {shown(test)}; give a function of the parameters, or a list of some"
+            f"{_WHO}: tests['{name}'] = {shown(test)}; give a function of the parameters, or a list of functions"
         )
     for part in parts:
         try:
@@ -251,7 +264,7 @@ def _takes(name: str, test: object, start: Mapping[str, float]) -> None:
 
 
 def _scaled(names: tuple[str, ...], strengths: object) -> Floats:
-    """1 for parameters that scale all strengths together, 0 for others, (k,)."""
+    """Mask of the parameters that scale all strengths together, 1 or 0, (k,)."""
     given = list(strengths) if isinstance(strengths, Sequence) and not isinstance(strengths, str) else [strengths]
     if not all(isinstance(name, str) and name in names for name in given):
         raise InputError(f"{_WHO}: strengths = {shown(strengths)}; give names out of {', '.join(names)}, as a tuple")
@@ -259,7 +272,7 @@ def _scaled(names: tuple[str, ...], strengths: object) -> Floats:
 
 
 def _bounds(start: Mapping[str, float], bounds: object) -> tuple[Floats, Floats]:
-    """Logarithms of the least and largest values, (k,) each."""
+    """Logarithms of the lowest and highest values, (k,) each."""
     low, high = np.full(len(start), -np.inf), np.full(len(start), np.inf)
     if bounds is None:
         return low, high

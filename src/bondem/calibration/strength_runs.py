@@ -1,4 +1,4 @@
-"""Tests of a strength calibration, each kept on disk as soon as it is done."""
+"""Tests of a strength calibration, each stored on disk as soon as it is finished."""
 
 import json
 import math
@@ -21,23 +21,23 @@ _FILE = "strength_calibration.json"
 
 
 def is_series(test: object) -> bool:
-    """Whether a test is a function for each packing."""
+    """True if a test is a list of functions, one per packing."""
     return isinstance(test, Sequence) and not isinstance(test, str)
 
 
 def functions_of(test: Any) -> list[Callable[..., object]]:
-    """The functions of a test, one for all packings or one for each."""
+    """Functions of a test: one for all packings or one per packing."""
     return list(test) if is_series(test) else [test]
 
 
 @dataclass(frozen=True)
 class StrengthRun:
-    """All tests with one set of parameters.
+    """Results of all tests with one set of parameters.
 
     Attributes:
-        parameters: by name.
-        measured: of each test the strength [Pa] of each packing.
-        failed: why a test gave none; empty where all did.
+        parameters: values by name.
+        measured: strength of each packing by test [Pa].
+        failed: reason for a failed test; empty if all succeeded.
     """
 
     parameters: Mapping[str, float]
@@ -51,15 +51,15 @@ class StrengthRun:
 
 @dataclass(frozen=True)
 class Runs:
-    """Makes runs, or takes them from the file where they are.
+    """Run the tests of a strength calibration, or read stored results.
 
     Attributes:
-        tests: by name.
-        about: what the tests are made of; runs of a file with another one are refused.
-        folder: of the file, or None.
-        progress: told what is about to be tested.
-        executor: carries out all tests of a run at once; None does one after the other.
-        kept: all single tests that are known: parameters, test, and strengths or why there are none.
+        tests: tests by name.
+        about: description of the tests; a file with another description is rejected.
+        folder: folder of the stored results, or None.
+        progress: callback, called with the next test.
+        executor: executor for all tests of a run in parallel; None runs them in sequence.
+        kept: known tests: parameters, test, and strengths or the reason for failure.
     """
 
     tests: Mapping[str, Test]
@@ -82,19 +82,19 @@ class Runs:
             for row in rows:
                 row["parameters"], row["test"], row["strength"], row["failed"]
         except (ValueError, KeyError, TypeError, OSError) as error:
-            raise InputError(f"calibrate_strength: '{file}' holds no runs; move it away") from error
+            raise InputError(f"calibrate_strength: '{file}' is not a file of runs; move or delete it") from error
         if about != self.about:
             raise InputError(
-                f"calibrate_strength: '{self.folder}' holds runs about {shown(about)}, not {shown(self.about)};"
+                f"calibrate_strength: out = '{self.folder}': has runs about {shown(about)}, not {shown(self.about)};"
                 " choose another folder"
             )
         self.kept.extend(rows)
 
     def run(self, number: int, parameters: Mapping[str, float]) -> StrengthRun:
-        """All tests at some parameters; none that is kept is repeated.
+        """Run all tests at given parameters, except those with stored results.
 
         Raises:
-            InputError: a test gave something else than positive numbers.
+            InputError: a test returned something other than positive numbers.
         """
         names, rows = list(self.tests), dict[str, dict[str, Any]]()
         for together in [names] if self.executor is not None else [[name] for name in names]:
@@ -116,7 +116,7 @@ class Runs:
         return next(same, None)
 
     def _begin(self, number: int, name: str, parameters: Mapping[str, float]) -> list[Callable[[], object]]:
-        """What gives the strengths of a test; where there is an executor all of it is under way."""
+        """Start a test and return a function for its strengths; an executor runs all tests in parallel."""
         if self.progress is not None:
             told = ", ".join(f"{key} = {value:.5g}" for key, value in parameters.items())
             self.progress(f"run {number}, {name}: {told}")
@@ -127,7 +127,7 @@ class Runs:
         return [one.result for one in under_way]
 
     def _keep(self, name: str, parameters: Mapping[str, float], parts: list[Callable[[], object]]) -> dict[str, Any]:
-        """Wait for a test and keep what it gave, or why it gave nothing."""
+        """Store the strengths of a finished test, or the reason for its failure."""
         strength, failed = list[float](), ""
         try:
             found = [part() for part in parts]
@@ -154,7 +154,7 @@ def _strengths(name: str, found: object) -> list[float]:
         values = np.zeros(0)
     if values.ndim != 1 or not values.size or not all(0.0 < value < math.inf for value in values):
         raise InputError(
-            f"calibrate_strength: test '{name}' gave {shown(found)}; let it return a positive strength in Pa, or one"
+            f"calibrate_strength: test '{name}' returned {shown(found)}; return a positive strength in Pa, or one"
             " for each packing"
         )
     return values.tolist()

@@ -1,4 +1,4 @@
-"""The loop of a strength calibration: a run at the start, runs for slopes, and runs along secants."""
+"""Loop of a strength calibration: a run at the start, runs for slopes, and runs along secants."""
 
 import math
 from dataclasses import dataclass, field
@@ -21,19 +21,19 @@ _HALVINGS = 4
 
 @dataclass
 class StrengthSearch:
-    """The loop, and what it has seen.
+    """State of the calibration loop.
 
     Attributes:
-        made: makes runs.
-        names: of the parameters.
+        made: source of runs.
+        names: names of the parameters.
         goals: target and tolerance by test [Pa].
-        together: 1 for parameters that scale all strengths together, (k,).
+        together: mask of the parameters that scale all strengths together, 1 or 0, (k,).
         low, high: logarithms of the bounds, (k,).
-        most: runs.
-        runs: in order.
-        points: logarithms of parameters and of strengths of each run that gave some.
-        secant: slopes, once they are known.
-        reason: why it ended where it did.
+        most: largest number of runs.
+        runs: finished runs, in order.
+        points: logarithms of parameters and of strengths, for each successful run.
+        secant: linear model of the strengths, once slopes are known.
+        reason: reason for the end.
     """
 
     made: Runs
@@ -49,7 +49,7 @@ class StrengthSearch:
     reason: str = ""
 
     def from_start(self, values: Floats) -> "StrengthSearch":
-        """Go on until all targets are met, all runs are used up, or no step leads on.
+        """Iterate until all targets are met, the runs are used up, or no step improves the result.
 
         Raises:
             UnstableRunError: a test failed at the start.
@@ -67,17 +67,17 @@ class StrengthSearch:
 
     @property
     def best(self) -> int:
-        """Number of the run that is nearest to the targets, from 1."""
+        """Number of the run nearest to the targets, counted from 1."""
         return 1 + min(self.points, key=lambda k: self._miss(self.points[k][1]))
 
     @property
     def reached(self) -> bool:
-        """Whether it meets all of them."""
+        """True if the best run meets all targets."""
         return self._miss(self.points[self.best - 1][1]) <= 1.0
 
     @property
     def message(self) -> str:
-        """How it ended, in one line."""
+        """Reason for the end, in one line."""
         best = self.runs[self.best - 1]
         found = ", ".join(
             f"{test} {best.mean(test) / 1e6:.4g} MPa for {target / 1e6:.4g} ± {tolerance / 1e6:.4g}"
@@ -98,14 +98,14 @@ class StrengthSearch:
         return np.array([target / tolerance for target, tolerance in self.goals.values()])
 
     def _miss(self, y: Floats) -> float:
-        """Largest distance from a target over its tolerance: of strengths, not of their logarithms."""
+        """Largest distance of the strengths, not of their logarithms, from their targets over the tolerance."""
         return float(np.max([
             abs(math.exp(value) - target) / tolerance
             for value, (target, tolerance) in zip(y, self.goals.values(), strict=True)
         ]))  # fmt: skip
 
     def _visit(self, x: Floats, values: Floats | None = None) -> Floats | None:
-        """Logarithms of the mean strengths at a point; None where a test failed."""
+        """Logarithms of the mean strengths at a point; None if a test failed."""
         given = np.exp(x) if values is None else values
         parameters = dict(zip(self.names, map(float, given), strict=True))
         done = self.made.run(len(self.runs) + 1, parameters)
@@ -117,9 +117,10 @@ class StrengthSearch:
         return y
 
     def _probe(self, x: Floats, y: Floats) -> None:
-        """First slopes: of each parameter, but for one of those that scale together, from a run with it changed.
+        """Determine the first slopes from runs with one changed parameter each.
 
-        Runs are made where the scale, which is known, brings the strengths as near to their targets as it can.
+        One parameter that scales with others needs no run. The runs are made where the known scale brings the
+        strengths closest to their targets.
         """
         slopes = np.zeros((len(y), len(x)))
         scaled = np.flatnonzero(self.together)
@@ -141,7 +142,7 @@ class StrengthSearch:
                     slopes[:, k] = (found - y - shift * bool(len(scaled))) / alone
                     break
             else:
-                self.reason = f"its slope could not be told, as tests failed with another {self.names[k]}"
+                self.reason = f"the slope of {self.names[k]} is unknown, as tests with changed values failed"
                 return
             if self.reached:
                 break
@@ -151,7 +152,7 @@ class StrengthSearch:
         self.secant = Secant(*near, slopes, self._target, self._weight)
 
     def _step(self, secant: Secant, shorter: int) -> int:
-        """One run along the secants; returns how often the next step is to be halved."""
+        """Make one run along the secants and return the number of halvings of the next step."""
         if len(self.runs) >= self.most:
             self.reason = "all runs are used up"
             return shorter
@@ -170,7 +171,7 @@ class StrengthSearch:
         return 0 if better else shorter + 1
 
     def _obstacle(self, secant: Secant, shorter: int) -> str:
-        """Why no step leads on."""
+        """Reason why no step improves the result."""
         if shorter > _HALVINGS:
             return "strengths scatter more than their tolerances, or tests fail nearby"
         at = [
@@ -180,5 +181,5 @@ class StrengthSearch:
         if at:
             return f"{', '.join(at)} at a bound"
         if not secant.separates:
-            return "the tests do not tell the parameters apart"
+            return "the tests do not determine all parameters"
         return "no change of the parameters leads nearer to all targets"

@@ -1,16 +1,16 @@
-"""The surface correction: what a bond law calibrated in the bulk gives in a body, where walls are near.
+"""Surface correction: the moduli of a bond law, calibrated in the bulk, in a body with walls.
 
-Spheres at a wall have fewer neighbours. In a packing with a given mean number of contacts the inside has more of them
-instead, and thin bodies come out stiffer; at the onset of jamming, or cut from a larger packing, nothing makes up for
-the skin, and they come out softer. What decides is the lattice, so that is what the prediction looks at: the affine
-estimate, a sum over its bonds, times a factor for how much the elements give way,
+Spheres at a wall have fewer neighbours. In a packing with a prescribed mean number of contacts the interior
+compensates with more contacts, and thin bodies are stiffer. At the onset of jamming, or in a body cut from a larger
+packing, the skin is not compensated, and thin bodies are softer. The prediction uses the lattice itself: the affine
+estimate, a sum over its bonds, times a factor for the relaxation of the elements,
 
     ln(E / E_affine) = Σ_jk c_jk f_j g_k,    ν - ν_affine = Σ_jk d_jk f_j g_k,
     f = 1, ln p, ln² p, ln(12 q / p),    p = Σ ks L² / Σ kn L²,  q = Σ kb / Σ kn L²      (the law),
     g = 1, ln v, w, w ln v, ln z,     v = ⟨1/z_i + 1/z_j⟩,  z = ⟨z_i + z_j⟩ / 2,  w = R̄ S / V   (the lattice),
 
-with coefficients measured by `python -m validation surface`. A sum over bonds costs nothing beside an equilibrium,
-and is as good as the scatter of single packings; to know a specimen better than that, test it.
+with coefficients measured by `python -m validation surface`. The sum over bonds is far cheaper than an equilibrium,
+and as accurate as the scatter of single packings. A higher accuracy requires a test of the specimen.
 """
 
 import json
@@ -24,6 +24,7 @@ from typing import Any
 
 import numpy as np
 
+from bondem._names import users_line
 from bondem._types import Floats
 from bondem.calibration.affine import AffineEstimate, affine_estimate
 from bondem.errors import InputError
@@ -38,11 +39,11 @@ _COORDINATION, _LOOSENESS = 6.6, 0.32
 
 
 class ExtrapolationWarning(UserWarning):
-    """A prediction for a law or a lattice beyond those it was fitted to."""
+    """Warning of a prediction for a law or lattice outside the range of the fit."""
 
 
 def surface_ratio(lattice: Lattice) -> float:
-    """R̄ S / V: mean radius times the area of the shape over its volume [-]; 0 for a periodic cell."""
+    """Ratio R̄ S / V: mean radius times the surface of the shape over its volume [-]; 0 for a periodic cell."""
     if lattice.particles.period is not None:
         return 0.0
     shape = lattice.particles.envelope
@@ -50,31 +51,31 @@ def surface_ratio(lattice: Lattice) -> float:
 
 
 def law_terms(shear: Any, bending: Any) -> Floats:
-    """f of the model: 1, ln p, ln² p, ln(12 q / p), last axis."""
+    """Terms f of the model on the last axis: 1, ln p, ln² p, ln(12 q / p)."""
     x = np.log(shear)
     return np.stack([np.ones_like(x), x, x * x, np.log(12.0 * np.asarray(bending)) - x], axis=-1)
 
 
 def lattice_terms(coordination: Any, looseness: Any, wall: Any) -> Floats:
-    """g of the model: 1, ln v, w, w ln v, ln z, last axis."""
+    """Terms g of the model on the last axis: 1, ln v, w, w ln v, ln z."""
     z, v, w = np.log(np.asarray(coordination) / _COORDINATION), np.log(np.asarray(looseness) / _LOOSENESS), wall
     return np.stack([np.ones_like(z), v, np.asarray(w, dtype=float), v * w, z], axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
 class SurfaceModel:
-    """Coefficients of the correction, and what they were fitted to.
+    """Coefficients of the surface correction, with the range and error of their fit.
 
     Attributes:
-        E, nu: c_jk and d_jk, (4, 5).
-        E_curve, nu_curve: of E/E_bulk - 1 and ν/ν_bulk - 1 over R̄S/V in s, s ln p, s², s² ln p, for bodies with 6.2
-            contacts a sphere, (4,).
-        E_error, nu_error: a, b of the relative standard error √(a² + b² / elements) of what is predicted from a
-            lattice, on shapes left out of the fit, (2,).
-        E_curve_error, nu_curve_error: relative standard error of what is predicted from R̄S/V.
-        length: mean length of the bonds in the bulk and its standard deviation, over R̄ [-], (2,).
-        number: of the bonds in the bulk, in a volume R̄³.
-        coordination, looseness: of the bulk, as in `AffineEstimate`.
+        E, nu: coefficients c_jk and d_jk, (4, 5).
+        E_curve, nu_curve: coefficients of E/E_bulk - 1 and ν/ν_bulk - 1 as functions of s = R̄S/V in s, s ln p, s²,
+            s² ln p, for bodies with 6.2 contacts per sphere, (4,).
+        E_error, nu_error: a, b of the relative standard error √(a² + b² / elements) of predictions from a lattice, on
+            shapes outside the fit, (2,).
+        E_curve_error, nu_curve_error: relative standard error of predictions from R̄S/V [-].
+        length: mean and standard deviation of the length of bonds in the bulk, over R̄ [-], (2,).
+        number: number of bonds in the bulk per volume R̄³ [-].
+        coordination, looseness: values of the bulk, as in `AffineEstimate` [-].
         fitted: lowest and highest "coordination", "looseness", "wall", "shear" and "softness" (12 q / p) of the fit.
     """
 
@@ -94,7 +95,7 @@ class SurfaceModel:
 
     @classmethod
     def read(cls, data: Mapping[str, Any]) -> "SurfaceModel":
-        """From what a JSON file holds under these names."""
+        """Create the model from the contents of its JSON file."""
         E, nu, E_curve, nu_curve, length = (
             np.array(data[name], dtype=float) for name in ("E", "nu", "E_curve", "nu_curve", "length")
         )
@@ -110,13 +111,13 @@ class SurfaceModel:
         )  # fmt: skip
 
     def moduli(self, estimate: AffineEstimate) -> tuple[float, float]:
-        """E [Pa] and ν [-] predicted."""
+        """Predicted E [Pa] and ν [-]."""
         f = law_terms(estimate.shear, estimate.bending)
         g = lattice_terms(estimate.coordination, estimate.looseness, estimate.wall)
         return estimate.E * math.exp(float(f @ self.E @ g)), estimate.nu + float(f @ self.nu @ g)
 
     def bulk(self, law: BondLaw, mean_radius: float) -> AffineEstimate:
-        """The estimate of a large periodic cell with 6.2 contacts a sphere, an isotropic one."""
+        """Isotropic estimate of a large periodic cell with 6.2 contacts per sphere."""
         # two lengths that have this mean and this standard deviation stand for all
         length = mean_radius * (self.length[0] + self.length[1] * np.array([-1.0, 1.0]))
         half = 0.5 * length
@@ -125,7 +126,7 @@ class SurfaceModel:
         return self._isotropic(k, length, volume)
 
     def _isotropic(self, k: BondStiffness, length: Floats, volume: float) -> AffineEstimate:
-        """The estimate of bonds that point all ways alike."""
+        """Estimate of bonds with uniformly distributed directions."""
         normal, shear = float(k.kn @ length**2), float(k.ks @ length**2)
         mean = Isotropic(K=normal / (9.0 * volume), G=(normal / 15.0 + shear / 10.0) / volume)
         stiffness = np.diag([2.0 * mean.G] * 3 + [mean.G] * 3)
@@ -149,14 +150,14 @@ def _default() -> SurfaceModel:
 
 @dataclass(frozen=True)
 class SurfaceCorrection:
-    """E and ν of a specimen over those of the bulk, for one bond law.
+    """E and ν of a specimen relative to those of the bulk, for one bond law.
 
-    The bulk is a large periodic cell of default packing (6.2 contacts a sphere, κ = 25 %), as `bd.bulk_moduli`
-    measures it. To go from one calibrated lattice to another, divide: `E(other) / E(calibrated)`; what the reference
-    is then drops out. A bar is predicted as `labtests.static_tension` measures it along x, anything else as a whole.
+    The bulk is a large periodic cell of default packing (6.2 contacts per sphere, κ = 25 %), as measured by
+    `bd.bulk_moduli`. The ratio of two lattices, `E(other) / E(calibrated)`, does not depend on this reference. The
+    prediction for a bar is that of `labtests.static_tension` along x, for other shapes that of the whole body.
 
     Attributes:
-        law: the bonds.
+        law: bond law.
         model: coefficients.
     """
 
@@ -165,23 +166,23 @@ class SurfaceCorrection:
 
     @classmethod
     def default(cls, law: BondLaw) -> "SurfaceCorrection":
-        """The correction measured by `python -m validation surface`.
+        """Correction with the coefficients measured by `python -m validation surface`.
 
         Args:
-            law: any bond law; its modulus does not matter.
+            law: bond law; its modulus does not matter.
         """
         if not isinstance(law, BondLaw):
-            raise InputError(f"law = {law!r}; give a bond law, such as calibrate(...).law")
+            raise InputError(f"law = {law!r}: not a bond law; give one, such as calibrate(...).law")
         return cls(law, _default())
 
     def E(self, where: Lattice | float) -> float:
-        """E over that of the bulk [-].
+        """Young's modulus over that of the bulk [-].
 
         Args:
-            where: a lattice; or R̄S/V of a body packed with 6.2 contacts a sphere, which is less exact.
+            where: lattice; or the less accurate R̄S/V of a body packed with 6.2 contacts per sphere [-].
 
         Warns:
-            ExtrapolationWarning: beyond what the model was fitted to.
+            ExtrapolationWarning: outside the range of the fit.
         """
         if isinstance(where, Lattice):
             own, bulk = self._both(where)
@@ -189,11 +190,11 @@ class SurfaceCorrection:
         return 1.0 + float(self._curve_terms(where) @ self.model.E_curve)
 
     def nu(self, where: Lattice | float) -> float:
-        """ν over that of the bulk [-]; argument as of `E`.
+        """Poisson's ratio over that of the bulk [-]; the argument is that of `E`.
 
-        For a body twice as long as it is thick or longer. Equal tractions on the ends of a stubbier one load its
-        soft skin too much, which `static_tension` sees as a ν some percent lower; between rigid plates it has the ν
-        given here.
+        The value holds for bodies at least twice as long as thick. Uniform tractions on the ends of shorter bodies
+        overload their soft skin, and `static_tension` measures a ν some percent smaller. Between rigid plates their ν
+        is the value given here.
         """
         if isinstance(where, Lattice):
             own, bulk = self._both(where)
@@ -218,7 +219,7 @@ class SurfaceCorrection:
     def _curve_terms(self, s: float) -> Floats:
         if self.law.radius is not None:
             raise InputError(
-                "the correction over R̄S/V needs a law with radius_ratio=, not radius=; or give it a lattice"
+                "where: R̄S/V needs a law with radius_ratio=, not radius=; give such a law, or a lattice"
             )
         bulk = self.model.bulk(self.law, 1.0)
         self._check(bulk, wall=float(s))
@@ -250,8 +251,9 @@ class SurfaceCorrection:
             low, high = self.model.fitted[name]
             if not low - 0.02 * (high - low) <= value <= high + 0.02 * (high - low):
                 warnings.warn(
-                    f"the surface correction was fitted for {what[name]} from {low:.3g} to {high:.3g}, and here it is"
+                    f"the surface correction was fitted for {what[name]} from {low:.3g} to {high:.3g}, but the"
+                    " value is"
                     f" {value:.3g}: test the specimen itself (labtests.static_tension or uniform_stress)",
                     ExtrapolationWarning,
-                    stacklevel=4,
+                    stacklevel=users_line(),
                 )

@@ -1,4 +1,4 @@
-"""What a handful of packings says about all others: intervals of Student's distribution."""
+"""Intervals of Student's distribution for quantities of a few packings."""
 
 import math
 from dataclasses import dataclass
@@ -15,61 +15,61 @@ _MOST = 100_000
 
 
 def half_width(n: int, *, kind: str, level: float) -> float:
-    """Half an interval over the standard deviation of n packings; see `Sample.interval`."""
+    """Half-width of an interval over the standard deviation of n packings; see `Sample.interval`."""
     if kind not in KINDS:
-        raise InputError(f"kind = '{kind}'; choose from {', '.join(KINDS)}")
+        raise InputError(f"kind = '{kind}': unknown kind; choose from {', '.join(KINDS)}")
     if not 0.0 < level < 1.0:
-        raise InputError(f"level = {level}; give a probability between 0 and 1, such as 0.95")
+        raise InputError(f"level = {level}: not a probability; give a number between 0 and 1, such as 0.95")
     if n < 2:
-        raise InputError("one packing says nothing about the scatter of others; calibrate on two or more")
+        raise InputError("a single packing has no scatter; calibrate on two or more")
     share = 1.0 / n + (1.0 if kind == "prediction" else 0.0)
     return float(student.ppf(0.5 + 0.5 * level, n - 1)) * math.sqrt(share)
 
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """One quantity of several packings made alike.
+    """Values of one quantity for several packings made alike.
 
     Attributes:
-        values: of each packing, (n,).
+        values: value of each packing, (n,).
     """
 
     values: Floats
 
     @property
     def mean(self) -> float:
-        """Arithmetic mean."""
+        """Arithmetic mean of the values."""
         return float(np.mean(self.values))
 
     @property
     def std(self) -> float:
-        """Standard deviation over the packings, n - 1 in the denominator; 0 for one packing."""
+        """Standard deviation of the values, with n - 1 in the denominator; 0 for a single packing."""
         return float(np.std(self.values, ddof=1)) if len(self.values) > 1 else 0.0
 
     def interval(self, *, kind: str = "confidence", level: float = 0.95) -> tuple[float, float]:
-        """Where the mean of all packings ("confidence") or one new packing ("prediction") lies.
+        """Compute the interval of the mean of all packings ("confidence") or of one new packing ("prediction").
 
-        mean ± t s √(1/n) or ± t s √(1 + 1/n), with t of n - 1 degrees of freedom: right, on average over
-        calibrations, in `level` of all cases where packings scatter normally.
+        The interval is mean ± t s √(1/n) or ± t s √(1 + 1/n), with t of n - 1 degrees of freedom. For normally
+        distributed packings it holds with probability `level`, on average over calibrations.
 
         Raises:
-            InputError: fewer than two packings, which have no scatter to learn from, or an unknown kind.
+            InputError: fewer than two packings, which have no scatter, or an unknown kind.
         """
         half = half_width(len(self.values), kind=kind, level=level) * self.std
         return self.mean - half, self.mean + half
 
     def packings_for(self, precision: float, *, level: float = 0.95) -> int:
-        """How many packings make the confidence interval of the mean no wider than ± precision × mean.
+        """Number of packings for a confidence interval of the mean within ± precision × mean.
 
-        Takes the scatter of these packings for that of all.
+        The scatter of these packings is taken for that of all packings.
 
         Raises:
             InputError: fewer than two packings, or a precision that is not positive.
         """
         if not precision > 0.0:
-            raise InputError(f"precision = {precision}; give a positive share, such as 0.01")
+            raise InputError(f"precision = {precision}: not positive; give a positive share, such as 0.01")
         if len(self.values) < 2:
-            raise InputError("one packing says nothing about the scatter of others; calibrate on two or more")
+            raise InputError("a single packing has no scatter; calibrate on two or more")
         ratio = self.std / abs(precision * self.mean)
 
         def too_wide(n: int) -> bool:
@@ -79,7 +79,7 @@ class Sample:
         while too_wide(high):
             low, high = high, 2 * high
             if high > _MOST:
-                raise InputError(f"precision = {precision:g} takes more than {_MOST} packings; use larger ones")
+                raise InputError(f"precision = {precision:g}: needs more than {_MOST} packings; use larger packings")
         while high - low > 1:
             middle = (low + high) // 2
             low, high = (middle, high) if too_wide(middle) else (low, middle)

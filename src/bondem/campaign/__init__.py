@@ -1,1 +1,1 @@
-"""Many studies at once: what is varied, on which cluster, and the table of all."""
+"""Campaigns: many studies over varied parameters on a cluster, with one table of results."""

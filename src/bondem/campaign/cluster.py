@@ -1,21 +1,30 @@
-"""Where the specimens of a campaign are worked on: processes of this machine, SLURM jobs, or any Dask cluster."""
+"""Workers of a campaign: processes of this machine, SLURM jobs, or any Dask cluster.
+
+A Dask scheduler executes all code that a client sends. A local cluster therefore listens on the loopback interface
+only, and a cluster across machines speaks TLS with credentials that end with the campaign.
+"""
 
 import logging
 import os
+import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, Protocol, TypeVar
 
 from bondem._checks import count
 from bondem._extras import needed
 from bondem.campaign.sweep import Slurm
-from bondem.errors import InputError
+from bondem.errors import InputError, UnprotectedClusterWarning
 
 # A task is given up when so many workers have died over it.
 _DEATHS = 5
 # How long to wait for a scheduler [s].
 _PATIENCE = "10s"
+# Pages of a cluster are for users of this machine only.
+_LOOPBACK = "127.0.0.1:0"
+_ROLES = ("scheduler", "worker", "client")
 # What Dask does beside the work, up to a hundred times a second: 9 % of two cores that both work, 1 % with these.
 _QUIET = {
     "distributed.worker.profile.enabled": False,
@@ -35,18 +44,26 @@ Named = TypeVar("Named", bound=_Named)
 
 @contextmanager
 def connected(
-    *, workers: int | None = None, address: str | None = None, slurm: Slurm | None = None
+    *,
+    workers: int | None = None,
+    address: str | None = None,
+    slurm: Slurm | None = None,
+    shared: Path | None = None,
 ) -> Iterator[Any]:
     """A client of a cluster, which is ended with the block unless it is somebody else's.
 
     Args:
-        workers: processes of this machine, one a core unless given; each works on one thread.
-        address: of the scheduler of a cluster that is there, such as "tcp://host:8786".
-        slurm: jobs to ask for.
+        workers: number of processes of this machine with one thread each; None for one per core.
+        address: scheduler address of an existing cluster, such as "tls://host:8786".
+        slurm: SLURM jobs to request.
+        shared: folder that the machines of SLURM jobs share, for their credentials.
 
     Raises:
         InputError: no such scheduler, or fewer than one worker.
-        MissingDependencyError: Dask is not installed.
+        MissingDependencyError: Dask, or what makes credentials, is not installed.
+
+    Warns:
+        UnprotectedClusterWarning: the scheduler of `address` is on another machine and does not use TLS.
     """
     distributed, config = needed("dask.distributed", "campaign"), needed("dask", "campaign").config
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what fails is told by rows
@@ -58,6 +75,7 @@ def connected(
     }
     with config.set(settings):
         if address is not None:
+            _require_protected(address)
             try:
                 client = distributed.Client(address, timeout=_PATIENCE)
             except (OSError, ValueError) as error:
@@ -69,15 +87,16 @@ def connected(
                 yield client
             return
         if slurm is not None:
-            cluster: Any = slurm_cluster(slurm)
-            cluster.scale(jobs=slurm.jobs)
+            with slurm_cluster(slurm, shared or Path()) as cluster, distributed.Client(cluster) as client:
+                cluster.scale(jobs=slurm.jobs)
+                yield client
         else:
             number = count("campaign", "workers", workers or os.cpu_count() or 1, least=1)
-            cluster = distributed.LocalCluster(
-                n_workers=number, threads_per_worker=1, dashboard_address=":0", silence_logs=logging.CRITICAL
-            )
-        with cluster, distributed.Client(cluster) as client:
-            yield client
+            with distributed.LocalCluster(
+                n_workers=number, threads_per_worker=1, host="127.0.0.1", dashboard_address=_LOOPBACK,
+                silence_logs=logging.CRITICAL,
+            ) as local, distributed.Client(local) as client:  # fmt: skip
+                yield client
 
 
 def submitted(
@@ -86,9 +105,9 @@ def submitted(
     """Hand out work and yield each finished task with what it was asked for, as they come.
 
     Args:
-        client: of a cluster.
-        work: what a worker does with one and the folder.
-        asked: what is to be done, each with a name of its own.
+        client: client of a cluster.
+        work: function of a worker, of a task and the folder.
+        asked: tasks, each with its own name.
         out: the folder, which all workers share.
     """
     jobs = {client.submit(work, one, out, key=f"bondem-{one.name}", pure=False): one for one in asked}
@@ -97,16 +116,49 @@ def submitted(
         job.release()
 
 
-def slurm_cluster(slurm: Slurm) -> Any:
-    """The cluster of dask-jobqueue, no job of which is asked for yet; `.job_script()` is the text of one.
+@contextmanager
+def slurm_cluster(slurm: Slurm, shared: Path) -> Iterator[Any]:
+    """Create the dask-jobqueue cluster, before any job is requested; `.job_script()` is the script of a job.
 
     Args:
-        slurm: what a job is.
+        slurm: options of the jobs.
+        shared: folder for the credentials, which all jobs can read.
 
     Raises:
-        MissingDependencyError: dask-jobqueue is not installed.
+        MissingDependencyError: dask-jobqueue or cryptography is not installed.
     """
-    return needed("dask_jobqueue.slurm", "campaign").SLURMCluster(
+    jobqueue = needed("dask_jobqueue.slurm", "campaign")
+    with _credentials(shared) as security, jobqueue.SLURMCluster(
         queue=slurm.queue, account=slurm.account, cores=slurm.cores, processes=slurm.cores, memory=slurm.memory,
-        walltime=slurm.walltime, job_extra_directives=list(slurm.directives), scheduler_options={"dashboard": False},
-    )  # fmt: skip
+        walltime=slurm.walltime, job_extra_directives=list(slurm.directives), security=security,
+        scheduler_options={"dashboard": False, "dashboard_address": _LOOPBACK},
+        worker_extra_args=["--no-dashboard", "--dashboard-address", _LOOPBACK],
+    ) as cluster:  # fmt: skip
+        yield cluster
+
+
+@contextmanager
+def _credentials(shared: Path) -> Iterator[Any]:
+    """Create credentials for TLS for the block, in files that only the user can read, deleted with it."""
+    distributed = needed("dask.distributed", "campaign")
+    needed("cryptography.x509", "campaign")
+    made = distributed.Security.temporary().get_tls_config_for_role("worker")
+    with TemporaryDirectory(prefix=".credentials-", dir=shared) as folder:
+        files = {name: Path(folder).resolve() / f"{name}.pem" for name in made if made[name]}
+        for name, file in files.items():
+            file.touch(mode=0o600)
+            file.write_text(made[name])
+        ends = {f"tls_{role}_{name}": str(files[name]) for role in _ROLES for name in ("cert", "key")}
+        yield distributed.Security(require_encryption=True, tls_ca_file=str(files["ca_file"]), **ends)
+
+
+def _require_protected(address: str) -> None:
+    """Warn if code and results go to another machine unencrypted, where anyone may send code."""
+    scheme, _, rest = address.rpartition("://")
+    host = rest.rpartition(":")[0].strip("[]")
+    if scheme in ("", "tcp") and host not in ("localhost", "::1") and not host.startswith("127."):
+        warnings.warn(
+            f"the scheduler at '{address}' does not use TLS: anyone who reaches it can run code as its user; start it"
+            " with certificates and give tls://, or keep it in a network that you trust",
+            UnprotectedClusterWarning, stacklevel=3,
+        )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The pipeline behind `bondem campaign`: hand out the specimens, gather their rows, tell which failed."""
+"""Pipeline of `bondem campaign`: distribute the specimens, collect their rows and report failures."""
 
 import json
 import time
@@ -8,6 +8,7 @@ from typing import Any
 
 import bondem
 from bondem._checks import instance, place
+from bondem._progress import reported
 from bondem.campaign.cluster import connected, submitted
 from bondem.campaign.sweep import Campaign, CampaignSpecimen
 from bondem.campaign.table import require_tables, write_tables
@@ -31,32 +32,32 @@ def run_campaign(
     progress: Told | None = None,
     dashboard: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
-    """Carry out a campaign; what is finished in the folder is not done again.
+    """Run a campaign; specimens already finished in the folder are not run again.
 
-    It leaves `specimens/NAME/` with what `bondem run` leaves of each, named when all is in it; `table.parquet` and
-    `table.csv`, written again as specimens arrive; and `results.json`, with the specimens that failed, their input
-    and the reason.
+    The folder gets `specimens/NAME/` with the results of `bondem run` of each specimen, named once they are complete.
+    `table.parquet` and `table.csv` are updated as specimens finish. `results.json` lists the failed specimens with
+    their input and the reason.
 
     Args:
-        campaign: what to do.
+        campaign: the campaign.
         out: folder for the results, on a file system that all workers share.
-        workers: processes of a local cluster; one a core unless given.
-        address: of the scheduler of a cluster that is there.
-        progress: told the share that is done.
-        dashboard: told the address of the cluster's own page.
+        workers: number of processes of a local cluster; None for one per core.
+        address: scheduler address of an existing cluster.
+        progress: callback, called with the completed share [-].
+        dashboard: callback, called with the address of the cluster's status page.
 
     Returns:
-        What `results.json` holds: "finished", "failed" with a row each, "seconds".
+        Contents of `results.json`: "finished", "failed" with a row per specimen, "seconds".
 
     Raises:
         InputError: the folder cannot be written, another process writes to it, or no scheduler is at the address.
         MissingDependencyError: Dask or pandas is not installed.
     """
-    instance("run_campaign", "campaign", campaign, Campaign, "what bd.read_campaign returns")
+    instance("run_campaign", "campaign", campaign, Campaign, "a campaign from bd.read_campaign")
     folder = place("out", out)
     require_tables()
-    with only_writer(folder, "output folder"):
-        return _carry_out(campaign, folder, workers, address, progress or (lambda *_: None), dashboard)
+    with only_writer(folder, "output folder"), reported(progress) as tell:
+        return _carry_out(campaign, folder, workers, address, tell, dashboard)
 
 
 def _carry_out(
@@ -71,7 +72,7 @@ def _carry_out(
     shown = time.perf_counter()
     if missing:
         slurm = None if address is not None or workers is not None else campaign.slurm
-        with connected(workers=workers, address=address, slurm=slurm) as client:
+        with connected(workers=workers, address=address, slurm=slurm, shared=out) as client:
             if dashboard is not None and client.dashboard_link:
                 dashboard(client.dashboard_link)
             for row in _arriving(client, missing, out.resolve()):
@@ -95,7 +96,7 @@ def _carry_out(
 
 
 def _arriving(client: Any, missing: Iterable[CampaignSpecimen], out: Path) -> Iterator[dict[str, Any]]:
-    """Rows as they come; a specimen over which worker after worker died has its row, too."""
+    """Rows in the order of completion; a specimen whose workers died repeatedly also gets a row."""
     for job, one in submitted(client, carry_out, missing, out):
         if job.status == "finished":
             yield job.result()

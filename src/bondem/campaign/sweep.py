@@ -1,4 +1,4 @@
-"""What a campaign varies: a study file with a table [campaign], and the specimens it stands for."""
+"""Specimens of a campaign, from a study file with a table [campaign]."""
 
 import copy
 import hashlib
@@ -13,6 +13,7 @@ from typing import Any
 
 from bondem._checks import place, shown
 from bondem.errors import StudyError
+from bondem.io.text_file import read_text
 from bondem.study.programme_run import code_hash
 from bondem.study.study import Study, parse_study, read_toml
 from bondem.study.toml_table import TomlTable
@@ -23,14 +24,14 @@ _MOST = 1_000_000
 
 @dataclass(frozen=True)
 class CampaignSpecimen:
-    """One study of a campaign.
+    """Specimen of a campaign, as a study.
 
     Attributes:
-        name: of its folder.
-        varied: what makes it what it is, by dotted key; its seed among them.
-        document: the study, as a TOML document.
-        folder: where the files it names are looked for.
-        inputs: a hash of the study, of the files it names and of the code.
+        name: name of its folder.
+        varied: varied values by dotted key, with the seed.
+        document: study as a TOML document.
+        folder: folder of the files that the study names.
+        inputs: hash of the study, of its files and of the code.
     """
 
     name: str
@@ -42,15 +43,15 @@ class CampaignSpecimen:
 
 @dataclass(frozen=True)
 class Slurm:
-    """How jobs are asked of SLURM, by dask-jobqueue; None is its own default.
+    """Options of SLURM jobs for dask-jobqueue; None selects its default.
 
     Attributes:
         queue: partition.
-        account: to charge.
-        cores: of a job, each a worker.
-        memory: of a job, as SLURM takes it: "16GB".
-        walltime: of a job, "HH:MM:SS".
-        jobs: how many.
+        account: account to charge.
+        cores: number of cores per job, each a worker.
+        memory: memory per job, in the notation of SLURM: "16GB".
+        walltime: time limit per job, "HH:MM:SS".
+        jobs: number of jobs.
         directives: further lines of the script after #SBATCH.
     """
 
@@ -65,13 +66,13 @@ class Slurm:
 
 @dataclass(frozen=True)
 class Campaign:
-    """Specimens, each a study of one packing.
+    """Campaign: specimens, each a study of one packing.
 
     Attributes:
-        name: of the study.
-        keys: what is varied, in the order of the columns; "seed" last.
-        specimens: in the order of the file.
-        slurm: jobs to ask for; None for a local cluster, or one by its address.
+        name: name of the study.
+        keys: dotted keys of the varied values, in the order of the columns, "seed" last.
+        specimens: specimens, in the order of the file.
+        slurm: SLURM jobs to request; None for a local cluster, or one by its address.
     """
 
     name: str
@@ -83,39 +84,41 @@ class Campaign:
 def read_campaign(path: str | Path) -> Campaign:
     """Read a study file with a table [campaign].
 
-    Every specimen is read as `bondem run` would read it, so that a wrong value is found before any work.
+    Every specimen is read like a study of `bondem run`, so that wrong values are found before any work.
 
     Raises:
-        StudyError: no such file, not TOML, or a key that is unknown, missing or out of range, of any specimen.
+        StudyError: no such file, invalid TOML, or a key of any specimen that is unknown, missing or out of range.
     """
     path = place("path", path)
     return read_toml(path, lambda data: parse_campaign(data, folder=path.parent))
 
 
 def is_campaign(path: str | Path) -> bool:
-    """Whether a file has a table [campaign]; False of what cannot be read."""
+    """True if a file has a table [campaign]; False if it cannot be read."""
     try:
-        return "campaign" in tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        return "campaign" in tomllib.loads(read_text(Path(path)))
     except (OSError, ValueError, RecursionError):
         return False
 
 
 def parse_campaign(data: Mapping[str, Any], *, folder: Path = Path()) -> Campaign:
-    """The campaign a TOML document describes.
+    """Create the campaign of a TOML document.
 
     Args:
         data: the document.
-        folder: where the files it names are looked for.
+        folder: folder of the files that it names.
 
     Raises:
         StudyError: a key that is unknown, missing or out of range.
     """
     if "campaign" not in data:
-        raise StudyError("there is no [campaign]; give one with 'seeds' or [campaign.vary], or use bondem run")
+        raise StudyError("[campaign] is missing; give one with 'seeds' or [campaign.vary], or use bondem run")
     if "specimens" in data:
-        raise StudyError("[[specimens]] are a test programme; a campaign varies one [specimen]")
+        raise StudyError("[[specimens]] belong to a test programme; give one [specimen], which the campaign varies")
     if "packings" in data:
-        raise StudyError("'packings' does not go with [campaign], of one packing each; give 'campaign.seeds'")
+        raise StudyError(
+            "'packings' is not an option of a campaign, whose specimens have one packing each; give 'campaign.seeds'"
+        )
     shared = {key: value for key, value in data.items() if key != "campaign"}
     first = TomlTable(shared).count("seed", default=Study.seed, least=0)
     with TomlTable(data).section("campaign") as table:
@@ -125,7 +128,7 @@ def parse_campaign(data: Mapping[str, Any], *, folder: Path = Path()) -> Campaig
     for _, values in vary:
         total *= len(values)
     if total > _MOST:
-        raise StudyError(f"'campaign' asks for {total} specimens; give {_MOST} at most")
+        raise StudyError(f"'campaign' has {total} specimens; give at most {_MOST}")
     code, made = code_hash(), []
     for varied in _combinations(vary, seeds):
         made.append(_specimen(shared, varied, folder, code))
@@ -145,7 +148,7 @@ def _seeds(table: TomlTable, first: int) -> list[int]:
     if isinstance(given, int):
         return list(range(first, first + given))
     if len(set(given)) < len(given):
-        raise StudyError("'campaign.seeds' names a seed twice; take one out")
+        raise StudyError("'campaign.seeds' contains a seed twice; remove one")
     return list(given)
 
 
@@ -154,17 +157,17 @@ def _vary(table: TomlTable) -> list[tuple[str, list[Any]]]:
     for key, values in _flat(table.section("vary").all()):
         where = f"campaign.vary.{key}"
         if key in ("seed", "packings", "name") or key.partition(".")[0] == "campaign":
-            raise StudyError(f"'{where}': this cannot be varied; seeds are 'campaign.seeds'")
+            raise StudyError(f"'{where}': cannot be varied; give seeds as 'campaign.seeds'")
         if not isinstance(values, list) or not values:
-            raise StudyError(f"'{where}' = {shown(values)}; give a list of the values that '{key}' takes")
+            raise StudyError(f"'{where}' = {shown(values)}: not a list; give a list of values of '{key}'")
         if any(values.count(value) > 1 for value in values):
-            raise StudyError(f"'{where}' names a value twice; take one out")
+            raise StudyError(f"'{where}' contains a value twice; remove one")
         found.append((key, values))
     return found
 
 
 def _flat(table: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
-    """Dotted keys of all lists: `"material.E" = […]` and `material.E = […]` are one."""
+    """Dotted keys of all lists; `"material.E" = […]` and `material.E = […]` are equivalent."""
     for key, value in table.items():
         name = f"{path}.{key}" if path else key
         if isinstance(value, Mapping):
@@ -211,7 +214,7 @@ def _put(document: dict[str, Any], key: str, value: Any) -> None:
     for name in tables:
         inner = inner.setdefault(name, {})
         if not isinstance(inner, dict):
-            raise StudyError(f"'campaign.vary.{key}': '{name}' is no table of the study")
+            raise StudyError(f"'campaign.vary.{key}': '{name}' is not a table of the study; correct the key")
     inner[last] = value
 
 

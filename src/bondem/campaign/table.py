@@ -1,4 +1,4 @@
-"""The table of a campaign: a row a specimen, a column for each thing varied and each number found."""
+"""Table of a campaign: one row per specimen, one column per varied value and per result."""
 
 import json
 from collections.abc import Iterable, Sequence
@@ -14,7 +14,7 @@ TABLE = "table.parquet"
 
 
 def require_tables() -> None:
-    """Make sure that tables can be written, before any work.
+    """Check that tables can be written, before any work.
 
     Raises:
         MissingDependencyError: pandas or pyarrow is not installed.
@@ -24,11 +24,11 @@ def require_tables() -> None:
 
 
 def write_tables(rows: Iterable[dict[str, Any]], keys: Sequence[str], out: Path) -> None:
-    """Write `table.parquet` and `table.csv`, each in one move.
+    """Write `table.parquet` and `table.csv`, each by one atomic move.
 
     Args:
-        rows: of finished specimens.
-        keys: what is varied; the first columns after the name.
+        rows: rows of the finished specimens.
+        keys: dotted keys of the varied values, the first columns after the name.
         out: folder of the campaign.
     """
     flat = [
@@ -44,17 +44,17 @@ def write_tables(rows: Iterable[dict[str, Any]], keys: Sequence[str], out: Path)
 
 
 def campaign_table(out: str | Path) -> Any:
-    """The table of a campaign, finished or running.
+    """Read the table of a campaign, finished or running.
 
     Args:
-        out: its folder.
+        out: folder of the campaign.
 
     Returns:
-        A pandas.DataFrame, a row a specimen; columns are its name, what was varied, and numbers of its
-        `results.json` by dotted names such as "macro.E" [Pa] and "tests.ucs.measured" [Pa].
+        A pandas.DataFrame with one row per specimen. The columns are its name, the varied values, and the numbers of
+        its `results.json` by dotted names such as "macro.E" [Pa] and "tests.ucs.measured" [Pa].
 
     Raises:
-        InputError: there is no table.
+        InputError: the folder has no table.
         MissingDependencyError: pandas or pyarrow is not installed.
     """
     require_tables()
@@ -66,23 +66,22 @@ def campaign_table(out: str | Path) -> Any:
 
 
 def campaign_dataset(out: str | Path) -> Any:
-    """The same table as arrays over what was varied: `dataset["macro.E"].mean("seed")`.
+    """Read the table of a campaign as arrays over the varied values: `dataset["macro.E"].mean("seed")`.
 
     Args:
         out: folder of the campaign.
 
     Returns:
-        An xarray.Dataset with a dimension for each thing that was varied; not-a-number where a specimen has not
-        arrived or failed.
+        An xarray.Dataset with a dimension for each varied value; NaN for specimens that are unfinished or failed.
 
     Raises:
-        InputError: there is no table, or it has no row yet.
+        InputError: the folder has no table, or the table has no row yet.
         MissingDependencyError: pandas, pyarrow or xarray is not installed.
     """
     frame = campaign_table(out)
     needed("xarray", "campaign")  # to_xarray takes it
     if frame.empty:
-        raise InputError(f"'{out}/{TABLE}' has no row yet; wait for a specimen to arrive")
+        raise InputError(f"'{out}/{TABLE}' has no row yet; try again once a specimen is finished")
     keys = list(frame.attrs["varied"])
     dataset = frame.set_index(keys).to_xarray()
     return dataset.rename({key: key.rpartition(".")[2] for key in keys if _alone(key, keys)})
@@ -94,5 +93,5 @@ def _alone(key: str, keys: Sequence[str]) -> bool:
 
 
 def _plain(value: Any) -> Any:
-    """A value that a column can hold: tables and lists as text."""
+    """Value of a column; tables and lists become text."""
     return value if isinstance(value, str | int | float | bool) else json.dumps(value, default=str)

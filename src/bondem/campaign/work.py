@@ -1,4 +1,4 @@
-"""What a worker does: one specimen, in a folder that gets its name when all is in it."""
+"""Work on one specimen of a campaign, in a folder that gets its name once the results are complete."""
 
 import contextlib
 import json
@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from bondem._compile import threads
+from bondem._progress import quiet
 from bondem.campaign.sweep import CampaignSpecimen
 from bondem.errors import BondemError
 from bondem.io.atomic import write_text
@@ -25,14 +26,14 @@ _UNFINISHED = ".unfinished"
 
 
 def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
-    """Do one specimen, on one thread.
+    """Run one specimen on one thread.
 
     Args:
-        specimen: what to do.
+        specimen: the specimen.
         out: folder of the campaign, on a file system that all workers share.
 
     Returns:
-        Its row: "name", "varied" and "values"; or "error" in place of values, where the specimen itself is at fault.
+        Row of the specimen: "name", "varied" and "values"; or "error" instead of values for a faulty specimen.
     """
     final = out / SPECIMENS / specimen.name
     known = finished(specimen, out)
@@ -41,7 +42,7 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
     own = final.parent / f".{specimen.name}.{socket.gethostname()}-{os.getpid()}-{uuid.uuid4().hex[:8]}{_UNFINISHED}"
     begun = time.perf_counter()
     try:
-        with threads(1):
+        with threads(1), quiet():
             results = run_study(parse_study(specimen.document, folder=specimen.folder), own)
     except BondemError as error:
         shutil.rmtree(own, ignore_errors=True)
@@ -59,7 +60,7 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
 
 
 def finished(specimen: CampaignSpecimen, out: Path) -> dict[str, Any] | None:
-    """The row of a specimen that is finished in `out` by the same study and code, or None."""
+    """Row of a specimen that is finished in `out` with equal study and code, or None."""
     record = _record(out / SPECIMENS / specimen.name)
     if record is None or record.get("inputs") != specimen.inputs:
         return None
@@ -67,7 +68,7 @@ def finished(specimen: CampaignSpecimen, out: Path) -> dict[str, Any] | None:
 
 
 def _record(folder: Path) -> dict[str, Any] | None:
-    """What a finished specimen left of itself; None where none is."""
+    """Stored results of a finished specimen, or None."""
     try:
         return json.loads((folder / RECORD).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -75,14 +76,14 @@ def _record(folder: Path) -> dict[str, Any] | None:
 
 
 def clear(out: Path) -> None:
-    """Remove what workers left unfinished that are no more, and their locks."""
+    """Remove unfinished folders of dead workers, and their locks."""
     for left in (out / SPECIMENS).glob(f".*{_UNFINISHED}*"):
         with contextlib.suppress(OSError):
             shutil.rmtree(left) if left.is_dir() else left.unlink()
 
 
 def scalars(results: Mapping[str, Any], path: str = "") -> dict[str, Any]:
-    """Numbers and texts of results by dotted names; lists, such as those of each packing, are left out."""
+    """Numbers and texts of results by dotted names, without lists such as those of each packing."""
     found: dict[str, Any] = {}
     for key, value in results.items():
         name = f"{path}.{key}" if path else key

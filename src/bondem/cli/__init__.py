@@ -1,8 +1,8 @@
-"""The command `bondem`.
+"""Command line of bondem, the command `bondem`.
 
-Exit status 0 when all went well, 2 for a bad study or bad input (one line on stderr that says what to do),
-3 when a run became unstable or lost its energy balance. Each command is loaded when it is called, so that
-`bondem --version` is instant.
+The exit status is 0 for success, 2 for bad input and 3 for a run that became unstable or lost its energy balance. Bad
+input gives one line on stderr that states what to do. Each subcommand is imported when it is called, so that `bondem
+--version` is instant.
 """
 
 import importlib
@@ -24,7 +24,7 @@ OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130
 
 
 class _Commands(click.Group):
-    """The commands, each in a file of its name under `bondem.cli`."""
+    """Group of commands, each in a module of its name under `bondem.cli`."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(_COMMANDS)
@@ -53,7 +53,7 @@ def main() -> None:
 
 
 def leave_with(command: click.Command) -> NoReturn:
-    """Run a command and leave with its exit status; warnings and errors are one line each."""
+    """Run a command and leave with its exit status; print each warning and error as one line."""
     with warnings.catch_warnings():
         warnings.showwarning = _warn
         status = _status(command)
@@ -87,7 +87,7 @@ def _by_interrupt(error: BaseException | None) -> bool:
 
 
 def _told(stop: BaseException) -> str:
-    """What an interrupt says, such as how to go on."""
+    """Message of an interrupt, such as how to resume the run."""
     cause = stop.__cause__ or stop.__context__
     return str(stop) or (str(cause) if isinstance(cause, KeyboardInterrupt) else "") or "interrupted"
 

@@ -1,4 +1,4 @@
-"""`bondem calibrate --E 72.5e9 --nu 0.17 --rho 2201`: bonds for a material, in one command."""
+"""`bondem calibrate`: calibrate the bonds of a material."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -24,30 +24,35 @@ _LAWS: dict[str, type[BondLaw]] = {law.title.lower().replace("–", "-"): law fo
 
 
 @click.command("calibrate")
-@click.option("--material", metavar="NAME", help="From the library, such as granite; --E, --nu, --rho change it.")
+@click.option("--material", metavar="NAME",
+              help="Material of the library, such as granite; --E, --nu and --rho override its values.")  # fmt: skip
 @click.option("--E", "E", type=Quantity("Pa"), help="Young's modulus [Pa], or with its unit: \"72.5 GPa\".")
 @click.option("--nu", type=Quantity("-"), help="Poisson's ratio [-].")
 @click.option("--rho", type=Quantity("kg/m³"), help="Density [kg/m³], or with its unit: \"2.2 g/cm^3\".")
-@click.option("--law", type=click.Choice(tuple(_LAWS)), help="Bond law; the recommended one unless given.")
+@click.option("--law", type=click.Choice(tuple(_LAWS)), help="Bond law; the recommended one by default.")
 @click.option("--count", type=click.IntRange(min=200), default=CalibrationPlan.count, show_default=True,
-              help="Elements each.")  # fmt: skip
+              help="Number of elements per packing.")  # fmt: skip
 @click.option("--packings", type=click.IntRange(min=1), default=CalibrationPlan.packings, show_default=True,
-              help="Packings.")  # fmt: skip
+              help="Number of packings.")  # fmt: skip
 @click.option("--shape", type=click.Choice(tuple(SHAPES)), default=CalibrationPlan.shape, show_default=True,
-              help="A periodic cell (bulk, no surfaces) or the cylinder of André et al. (2012).")  # fmt: skip
+              help="Periodic cell (bulk, no surfaces) or the cylinder of André et al. (2012).")  # fmt: skip
 @click.option("--spread", type=Quantity("-", least=0.0, below=2.0), default=CalibrationPlan.spread, show_default=True,
-              help="Full range of the radii over their mean, κ.")  # fmt: skip
+              help="Full range of the radii over their mean, κ [-].")  # fmt: skip
 @click.option("--nu-mu", type=Quantity("-"), default=CalibrationPlan.nu_mu, show_default=True,
-              help="Poisson's ratio of the bonds.")  # fmt: skip
+              help="Poisson's ratio of the bonds [-].")  # fmt: skip
 @click.option("--seed", type=click.IntRange(min=0), default=CalibrationPlan.seed, show_default=True,
-              help="Of the first packing.")  # fmt: skip
-@click.option("--out", metavar="DIR", type=click.Path(path_type=Path), help="Where calibration.json goes.")
-@click.option("--threads", type=click.IntRange(min=1), help="Number of threads; all cores unless given.")
+              help="Seed of the first packing.")  # fmt: skip
+@click.option("--out", metavar="DIR", type=click.Path(path_type=Path),
+              help="Folder for calibration.json and its figure.")  # fmt: skip
+@click.option("--threads", type=click.IntRange(min=1), help="Number of threads; all cores by default.")
 def command(
     material: str | None, E: float | None, nu: float | None, rho: float | None, law: str | None, count: int,
     packings: int, shape: str, spread: float, nu_mu: float, seed: int, out: Path | None, threads: int | None,
 ) -> None:  # fmt: skip
-    """Find the bonds with which a material has its E, ν and ρ, and say how sure that is."""
+    """Calibrate bonds to E, ν and ρ of a material.
+
+    The result states the scatter over the packings and the confidence intervals.
+    """
     plan = CalibrationPlan(
         material=_material(material, E, nu, rho), law=_LAWS[law] if law else None, count=count, packings=packings,
         shape=shape, spread=spread, nu_mu=nu_mu, seed=seed,

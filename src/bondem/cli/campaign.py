@@ -1,4 +1,4 @@
-"""`bondem campaign STUDY.toml --out DIR`."""
+"""`bondem campaign STUDY.toml --out DIR`: run a study for many seeds and values."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -8,31 +8,38 @@ import click
 from rich.console import Console
 from rich.markup import escape
 
+from bondem._progress import span
 from bondem.campaign.coordinator import run_campaign
 from bondem.campaign.sweep import read_campaign
-from bondem.cli.terminal import progress_bars, span
+from bondem.cli.terminal import progress_bars
 from bondem.errors import InputError
 
-#: Exit status where specimens failed.
+#: Exit status after failed specimens.
 FAILED = 1
-# So many of them are shown.
+# Number of failed specimens that are listed.
 _SHOWN = 5
 
 
 @click.command("campaign")
 @click.argument("study_file", metavar="STUDY.toml", type=click.Path(path_type=Path))
-@click.option("--out", required=True, metavar="DIR", type=click.Path(path_type=Path), help="Where results go.")
-@click.option("--workers", type=click.IntRange(min=1), help="Processes of this machine; one a core unless given.")
-@click.option("--address", metavar="URL", help='Scheduler of a Dask cluster that is there, such as "tcp://host:8786".')
-@click.option("--log", metavar="FILE", type=click.Path(path_type=Path), help="Where progress is written to, too.")
+@click.option("--out", required=True, metavar="DIR", type=click.Path(path_type=Path), help="Folder for results.")
+@click.option("--workers", type=click.IntRange(min=1),
+              help="Number of worker processes on this machine; one per core by default.")  # fmt: skip
+@click.option("--address", metavar="URL",
+              help='Scheduler address of an existing Dask cluster, such as "tcp://host:8786".')  # fmt: skip
+@click.option("--log", metavar="FILE", type=click.Path(path_type=Path),
+              help="Log file for progress, written in addition to the terminal.")  # fmt: skip
 def command(study_file: Path, out: Path, workers: int | None, address: str | None, log: Path | None) -> int:
-    """Do a study for all seeds and values that its table [campaign] names, several at once.
+    """Run a study for all seeds and values of its table [campaign], in parallel.
 
-    Run again with the same DIR, it does what is not finished there. Workers that die are replaced and their
-    specimens done again. Exit status 1 when specimens failed: results.json has their input and the reason.
+    Called again with the same DIR, the command runs only unfinished specimens. Workers that die are replaced, and
+    their specimens run again. The exit status is 1 if specimens failed; results.json then lists their input and the
+    reason.
     """
     if workers is not None and address is not None:
-        raise InputError("give --workers, for processes of this machine, or --address, not both")
+        raise InputError(
+            "--workers and --address: both are given; give --workers for processes of this machine, or --address"
+        )
     campaign = read_campaign(study_file)
     with progress_bars(log) as progress:
         results = run_campaign(

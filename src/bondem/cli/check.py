@@ -1,4 +1,4 @@
-"""`bondem check STUDY.toml`."""
+"""`bondem check STUDY.toml`: check a study without running it."""
 
 from pathlib import Path
 
@@ -15,9 +15,10 @@ from bondem.study.study import parse_study
 @click.command("check")
 @click.argument("study_file", metavar="STUDY.toml", type=click.Path(path_type=Path))
 def command(study_file: Path) -> None:
-    """Read a study and say what it will do, without doing it; exit status 2 for one that is wrong.
+    """Check a study and print what it will compute, without running it.
 
-    Sizes of elements, time steps and memory are estimates from the volume of the shape.
+    Element sizes, time steps and memory are estimated from the volume of the shape. The exit status is 2 for an
+    invalid study.
     """
     console = Console(highlight=False, markup=False)
     if not console.is_terminal:
@@ -27,12 +28,12 @@ def command(study_file: Path) -> None:
         campaign = read_campaign(study_file)
         first = campaign.specimens[0]
         title, studies = campaign.name, [("first specimen", parse_study(first.document, folder=first.folder))]
-        differ = f"{len(campaign.specimens)} specimens, which differ by {', '.join(campaign.keys)}"
+        differ = f"{len(campaign.specimens)} specimens, varied by {', '.join(campaign.keys)}"
     else:
         asked = read(study_file)
         title = asked.name
         studies = [(one.name, one.study) for one in asked.series] if isinstance(asked, Programme) else [("", asked)]
-    console.print(f"{title}: {study_file} is in order", soft_wrap=True)
+    console.print(f"{title}: {study_file} is valid", soft_wrap=True)
     if differ:
         console.print(differ, soft_wrap=True)
     for name, study in studies:

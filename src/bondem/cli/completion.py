@@ -1,4 +1,4 @@
-"""`bondem completion bash|zsh|fish`."""
+"""`bondem completion bash|zsh|fish`: shell completion."""
 
 import click
 from click.shell_completion import get_completion_class
@@ -11,7 +11,7 @@ _SHELLS = ("bash", "zsh", "fish")
 @click.command("completion")
 @click.argument("shell", type=click.Choice(_SHELLS))
 def command(shell: str) -> None:
-    """Print what makes a shell complete commands and options.
+    """Print the script that completes commands and options in a shell.
 
     For bash: echo 'eval "$(bondem completion bash)"' >> ~/.bashrc
     """

@@ -1,4 +1,4 @@
-"""`bondem export FILE.h5 OTHER`."""
+"""`bondem export FILE.h5 OTHER`: write a file for another program."""
 
 from pathlib import Path
 
@@ -15,11 +15,12 @@ from bondem.io.runfile import read_run
 @click.command("export")
 @click.argument("file", metavar="FILE.h5", type=click.Path(path_type=Path))
 @click.argument("other", metavar="OTHER", type=click.Path(path_type=Path))
-@click.option("--density", type=float, metavar="RHO", help="Of a packing [kg/m³], for LAMMPS; a run has its own.")
+@click.option("--density", type=float, metavar="RHO",
+              help="Density of the elements of a packing [kg/m³], for LAMMPS; not for run files.")  # fmt: skip
 def command(file: Path, other: Path, density: float | None) -> None:
     """Write the last checkpoint of a run file, or a packing with its bonds, for another program.
 
-    OTHER is .csv, .data (LAMMPS), .dump (OVITO), .vtu, .vtk, .xdmf or .msh.
+    The format follows from the suffix of OTHER: .csv, .data (LAMMPS), .dump (OVITO), .vtu, .vtk, .xdmf or .msh.
     """
     try:
         read_contents(file)
@@ -29,7 +30,7 @@ def command(file: Path, other: Path, density: float | None) -> None:
         export(other, read_lattice(file), density=density)
         return
     if density is not None:
-        raise InputError("a run file has the density of its model; leave out --density")
+        raise InputError("--density: a run file has the density of its model; leave out --density")
     run = read_run(file)
     lattice = run.model.lattice
     volume = lattice.particles.volume if lattice.cells is None else lattice.cells.volume

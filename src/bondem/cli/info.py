@@ -1,4 +1,4 @@
-"""`bondem info RUN.h5`."""
+"""`bondem info RUN.h5`: contents of a run file."""
 
 from pathlib import Path
 
@@ -6,15 +6,15 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from bondem.cli.terminal import span
+from bondem._progress import span
 from bondem.io.run_contents import RunContents, read_contents
 
 
 @click.command("info")
 @click.argument("run_file", metavar="RUN.h5", type=click.Path(path_type=Path))
-@click.option("--json", "as_json", is_flag=True, help="Everything as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="Print the complete contents as JSON.")
 def command(run_file: Path, as_json: bool) -> None:
-    """Say what is in a run file: how far it is, what broke, how the energy ledger closes, who wrote it."""
+    """Print the contents of a run file: progress, broken bonds, energy balance and origin."""
     found = read_contents(run_file)
     if as_json:
         click.echo(found.as_json())
@@ -26,9 +26,9 @@ def command(run_file: Path, as_json: bool) -> None:
 
 
 def lines_of(found: RunContents) -> list[tuple[str, str]]:
-    """What is said of a run file, name and words."""
+    """Summary of a run file as pairs of a name and a text."""
     done = found.step / found.steps if found.steps else 1.0
-    stands = "being written now" if found.written else "finished" if done >= 1.0 else "not finished"
+    stands = "being written" if found.written else "finished" if done >= 1.0 else "not finished"
     lines = [
         ("file", f"{found.path}, {found.size / 1e6:.3g} MB, schema {found.schema}, {stands}"),
         ("model", f"{found.elements} {'cells' if found.cells else 'spheres'},"
@@ -38,17 +38,17 @@ def lines_of(found: RunContents) -> list[tuple[str, str]]:
         ("wall time", _pace(found)),
         ("broken", f"{found.broken} {'facets' if found.cells else 'bonds'}"),
         ("energy", "no records" if found.imbalance is None else
-                   f"{found.records} records, the ledger misses {found.imbalance:.2g} of its largest entry"),
+                   f"{found.records} records, error of the energy balance {found.imbalance:.2g} of its largest term"),
         ("snapshots", f"{found.snapshots}; ParaView opens the file" if found.snapshots else "none"),
         ("made by", ", ".join(f"{key} {value}" for key, value in found.provenance.items())),
     ]  # fmt: skip
     if not found.written and done < 1.0:
-        lines.append(("go on with", f"bondem resume {found.path}"))
+        lines.append(("resume with", f"bondem resume {found.path}"))
     return lines
 
 
 def _pace(found: RunContents) -> str:
     if found.rate is None:
-        return "not known"
+        return "unknown"
     rest = "" if not found.left else f", {span(found.left)} left"
     return f"{span(found.seconds)}, {found.rate:.4g} steps/s{rest}"

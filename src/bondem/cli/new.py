@@ -1,4 +1,4 @@
-"""`bondem new silica`, `bondem new ucs` …: a commented study to begin from."""
+"""`bondem new silica`, `bondem new ucs` …: write a study template."""
 
 from pathlib import Path
 
@@ -13,14 +13,15 @@ from bondem.study.beginnings import TEMPLATES, template
 @click.argument("kind", metavar="|".join(TEMPLATES), type=click.Choice(tuple(TEMPLATES)))
 @click.argument("file", metavar="[FILE]", type=click.Path(path_type=Path), required=False)
 def command(kind: str, file: Path | None) -> None:
-    """Write a commented study file to begin from.
+    """Write a commented study file as a template.
 
-    silica has beam bonds, which are calibrated; all others have cells, which need no calibration. concrete is a test
-    programme of several specimens; ucs, brazilian, shear, crushing and impact are single tests to failure.
+    The template silica has beam bonds, which are calibrated. All others have cells, which need no calibration. The
+    template concrete is a test programme of several specimens; ucs, brazilian, shear, crushing and impact are single
+    tests to failure.
     """
     path = file or Path(TEMPLATES[kind])
     if path.exists():
-        raise InputError(f"'{path}' is there already; name another FILE, or move it away")
+        raise InputError(f"FILE = '{path}': the file exists; give another FILE, or move the file")
     require_writable(path, "study file")
     write_text(path, template(kind, str(path)))
-    click.echo(f"{path}: change what you like, then  bondem run {path} --out out/")
+    click.echo(f"{path} was written; edit the file, then run  bondem run {path} --out out/")

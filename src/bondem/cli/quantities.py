@@ -1,4 +1,4 @@
-"""Options of the command line that are physical quantities: plain numbers in SI, or with a unit ("72.5 GPa")."""
+"""Command-line options that are physical quantities: plain numbers in SI, or numbers with a unit ("72.5 GPa")."""
 
 import click
 
@@ -8,13 +8,13 @@ from bondem.specimen.units import quantity
 
 
 class Quantity(click.ParamType):
-    """A finite number in a unit, or a text with a unit of the same kind.
+    """Finite number in SI, or text with a unit of the same dimension.
 
     Args:
-        unit: SI unit; "-" for plain numbers, of which text may be a percentage; "%" for numbers in percent.
-        above: what it must exceed, if anything.
-        least: or at least be.
-        below: what it must stay below.
+        unit: SI unit; "-" for plain numbers, whose text may be a percentage; "%" for numbers in percent.
+        above: exclusive lower limit, or None.
+        least: inclusive lower limit, or None.
+        below: exclusive upper limit, or None.
     """
 
     def __init__(

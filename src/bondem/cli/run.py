@@ -1,4 +1,4 @@
-"""`bondem run STUDY.toml --out DIR`."""
+"""`bondem run STUDY.toml --out DIR`: run a study."""
 
 from pathlib import Path
 
@@ -12,20 +12,21 @@ from bondem.study.programme_run import run_programme
 
 @click.command("run")
 @click.argument("study_file", metavar="STUDY.toml", type=click.Path(path_type=Path))
-@click.option("--out", required=True, metavar="DIR", type=click.Path(path_type=Path), help="Where results go.")
-@click.option("--packings", type=click.IntRange(min=1), help="Number of packings, instead of the study's.")
-@click.option("--seed", type=click.IntRange(min=0), help="Seed of the first packing, instead of the study's.")
-@click.option("--threads", "count", type=click.IntRange(min=1), help="Number of threads; all cores unless given.")
-@click.option("--log", metavar="FILE", type=click.Path(path_type=Path), help="Where progress is written to, too.")
-@click.option("--fresh", is_flag=True, help="Of several specimens, run those again too that are finished in DIR.")
+@click.option("--out", required=True, metavar="DIR", type=click.Path(path_type=Path), help="Folder for results.")
+@click.option("--packings", type=click.IntRange(min=1), help="Number of packings; overrides the study.")
+@click.option("--seed", type=click.IntRange(min=0), help="Seed of the first packing; overrides the study.")
+@click.option("--threads", "count", type=click.IntRange(min=1), help="Number of threads; all cores by default.")
+@click.option("--log", metavar="FILE", type=click.Path(path_type=Path),
+              help="Log file for progress, written in addition to the terminal.")  # fmt: skip
+@click.option("--fresh", is_flag=True, help="Run all specimens of a programme again, also those finished in DIR.")
 def command(
     study_file: Path, out: Path, packings: int | None, seed: int | None, count: int | None, fresh: bool,
     log: Path | None,
 ) -> None:
-    """Do everything a study names: pack, check, connect, calibrate, test, report.
+    """Run a study: pack, check, connect, calibrate, test and report.
 
-    A file with several [[specimens]] leaves a folder for each and one report of all. Run again with the same DIR, it
-    goes on with the specimens that are not finished there.
+    A file with several [[specimens]] gives a folder for each specimen and one common report. Called again with the
+    same DIR, the command continues with the unfinished specimens.
     """
     asked = read(study_file).changed(packings=packings, seed=seed)
     with on_threads(count), progress_bars(log) as progress:

@@ -1,4 +1,4 @@
-"""`bondem schema`."""
+"""`bondem schema`: JSON schema of study files."""
 
 import json
 
@@ -11,6 +11,6 @@ from bondem.study.schema import schema
 def command() -> None:
     """Print the JSON schema of study files, for editors that complete and check TOML.
 
-    Keep it, and name it in the first line of a study: #:schema ./bondem.schema.json
+    Save the output as bondem.schema.json and refer to it in the first line of a study: #:schema ./bondem.schema.json
     """
     click.echo(json.dumps(schema(), indent=2, ensure_ascii=False))

@@ -1,16 +1,17 @@
-"""The way to pictures of run files, which need an optional extra."""
+"""Access to pictures of run files, which need an optional extra."""
 
 import importlib
 from typing import Any
 
+from bondem._extras import install
 from bondem.errors import InputError
 
-#: What can be drawn; "auto" is cells where there are any, else elements, and cracks with them.
+#: Objects to draw; "auto" selects cells if the file has them, otherwise elements, and cracks with both.
 SHOWN = ("auto", "elements", "cells", "cracks", "bonds")
 
 
 def seeing() -> Any:
-    """The module that draws.
+    """Import the module that draws run files.
 
     Raises:
         InputError: the extra is not installed.
@@ -18,4 +19,4 @@ def seeing() -> Any:
     try:
         return importlib.import_module("bondem.report.scenes")
     except ImportError as error:
-        raise InputError(f'pictures need pyvista ({error}): pip install "bondem[view]"') from error
+        raise InputError(f"pictures need pyvista ({error}); {install('view')}") from error

@@ -1,18 +1,17 @@
-"""What the commands share: threads, progress on a terminal, and the table of results."""
+"""Shared parts of the commands: threads, progress on a terminal and the table of results."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import closing, contextmanager, nullcontext
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console, RenderableType
+from rich.console import Console
 from rich.markup import escape
-from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
-from rich.text import Text
 
-from bondem._compile import compiled_before, most_threads, say_nothing, threads
+from bondem._compile import most_threads, threads
+from bondem._progress import stages
 from bondem.errors import InputError
 from bondem.laws.catalogue import LAWS
 from bondem.report.numbers import percent, signed_percent, with_unit
@@ -20,86 +19,50 @@ from bondem.solve.pulse import Pulse, listening
 from bondem.study.study import Study
 
 _EXPLANATION = (
-    "error = measured / theory − 1, mean over the packings; theory has each specimen's own E and ν and the length"
-    " from wall to wall.",
-    "refined: a consistency check, no validation: theory with the specimen's own length, between elements held and"
-    " loaded,",
-    "and its own section, that its tension test fills.",
+    "error = measured / theory − 1, mean over the packings. Theory uses E and ν of each specimen and the length"
+    " between walls.",
+    "refined: a consistency check, not a validation. Theory uses the length between the held and the loaded elements",
+    "and the section that carries the axial force in the tension test.",
 )
 
 
 @contextmanager
 def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], None]]:
-    """A bar a stage on a terminal, nothing in a pipe; yields progress(stage, share done).
+    """Show stages as bars on a terminal, as lines on stderr elsewhere; yield progress(stage, completed share).
 
     Args:
-        log: file that is told the same, a line for each twentieth of a stage.
+        log: file for one line per twentieth of a stage, or None.
 
     Raises:
-        InputError: the file cannot be written.
+        InputError: the log file cannot be written.
     """
-    console = Console(stderr=True)
-    say_nothing()
-    if console.is_terminal and not compiled_before():
-        console.print("First run after an install or an update: bondem compiles itself, once, for half a minute.")
-    columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
-    with _Bars(*columns, console=console, disable=not console.is_terminal) as bars:
-        tasks: dict[str, TaskID] = {}
+    if log is None:
+        with stages(at_once=True) as show:
+            yield show
+        return
+    with closing(_Log(log)) as lines, listening(lines.hear), stages(at_once=True) as show:
 
         def progress(stage: str, share: float) -> None:
-            if stage not in tasks:
-                tasks[stage] = bars.add_task(escape(stage), total=1.0)
-            bars.update(tasks[stage], completed=share)
-            if lines is not None:
-                lines.tell(stage, share)
+            show(stage, share)
+            lines.tell(stage, share)
 
-        def hear(pulse: Pulse) -> None:
-            bars.told = words_of(pulse) if pulse.step < pulse.steps else ""
-            if lines is not None:
-                lines.hear(pulse)
-
-        with closing(_Log(log)) if log is not None else nullcontext() as lines, listening(hear):
-            yield progress
-
-
-class _Bars(Progress):
-    """Bars, and a line on the run that goes on."""
-
-    told = ""
-
-    def get_renderables(self) -> Iterable[RenderableType]:
-        yield from super().get_renderables()
-        if self.told:
-            yield Text(f"  {self.told}", style="dim")
-
-
-def words_of(pulse: Pulse) -> str:
-    """A moment of a run in a line."""
-    words = [
-        f"step {pulse.step} of {pulse.steps}", f"t = {pulse.time:.4g} s", f"{pulse.rate:.0f} steps/s",
-        f"{span(pulse.left)} left at most",
-    ]  # fmt: skip
-    if pulse.broken:
-        words.append(f"{pulse.broken} broken")
-    if pulse.balance is not None:
-        words.append(f"ledger {pulse.balance:.0e}")
-    return ", ".join(words)
+        yield progress
 
 
 class _Log:
-    """Lines of time, stage and share."""
+    """Log file of time, stage and completed share."""
 
     def __init__(self, path: Path) -> None:
         try:
             self._file = path.open("a", encoding="utf-8", buffering=1)
         except OSError as error:
-            raise InputError(f"--log '{path}' cannot be written ({error.strerror}); give another file") from None
+            raise InputError(f"--log = '{path}': cannot be written ({error.strerror}); give another file") from None
         self._told: dict[str, int] = {}
         self._heard = ""
-        self._write("begun")
+        self._write("started")
 
     def tell(self, stage: str, share: float) -> None:
-        """A line, where a further twentieth of the stage is done."""
+        """Write a line if another twentieth of the stage is complete."""
         step = int(20.0 * share + 1e-9)
         if step > self._told.get(stage, -1):
             self._told[stage] = step
@@ -107,11 +70,11 @@ class _Log:
             self._heard = ""
 
     def hear(self, pulse: Pulse) -> None:
-        """What the next line says of the run."""
-        self._heard = f": {words_of(pulse)}"
+        """Store the progress of the run for the next line."""
+        self._heard = f": {pulse.words}"
 
     def close(self) -> None:
-        """The last line."""
+        """Write the last line and close the file."""
         self._write("ended")
         self._file.close()
 
@@ -121,29 +84,19 @@ class _Log:
 
 @contextmanager
 def on_threads(count: int | None) -> Iterator[None]:
-    """Run on `count` threads, or on all there are.
+    """Use `count` threads, or all available threads for None, within the context.
 
     Raises:
-        InputError: more than there are.
+        InputError: more threads than the machine has.
     """
     if count is not None and count > most_threads():
-        raise InputError(f"--threads {count}, but there are {most_threads()} here; ask for that many at most")
+        raise InputError(f"--threads = {count}: this machine has {most_threads()} threads; give at most that number")
     with threads(count):
         yield
 
 
-def span(seconds: float) -> str:
-    """A time as people read it: "12.3 s", "4 min 05 s", "2 h 31 min"."""
-    if seconds < 59.95:
-        return f"{seconds:.1f} s"
-    whole = round(seconds)
-    if whole < 3600:
-        return f"{whole // 60} min {whole % 60:02d} s"
-    return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
-
-
 def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
-    """Print a finished study."""
+    """Print the results of a study."""
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = 120
@@ -175,7 +128,7 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
 
 
 def show_programme(results: Mapping[str, Any], out: Path) -> None:
-    """Print a finished test programme: measured against target."""
+    """Print the results of a test programme, measured values beside targets."""
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = 140
@@ -200,8 +153,8 @@ def show_programme(results: Mapping[str, Any], out: Path) -> None:
 def _law(micro: Mapping[str, Any]) -> str:
     if micro["law"] not in LAWS:
         return (
-            f"  {micro['law']}: nothing calibrated; of the material E = {with_unit(micro['E_mu'], 'Pa')},"
-            f" ν = {micro['nu_mu']:g}, ρ = {with_unit(micro['rho_mu'], 'kg/m³')}; measured"
+            f"  {micro['law']}, not calibrated: E = {with_unit(micro['E_mu'], 'Pa')},"
+            f" ν = {micro['nu_mu']:g}, ρ = {with_unit(micro['rho_mu'], 'kg/m³')} of the material; measured"
         )
     free = LAWS[micro["law"]].free
     varied = "" if free.is_radius else f" {free.symbol} = {micro[free.name]:.4f},"

@@ -1,4 +1,4 @@
-"""`bondem view RUN.h5`."""
+"""`bondem view RUN.h5`: show a run file in a window."""
 
 from pathlib import Path
 
@@ -9,14 +9,17 @@ from bondem.cli.seeing import SHOWN, seeing
 
 @click.command("view")
 @click.argument("run_file", metavar="RUN.h5", type=click.Path(path_type=Path))
-@click.option("--field", help="What colours elements: a field of the file, or 'fragment'.  [displacement]")
-@click.option("--show", type=click.Choice(SHOWN), default="auto", show_default=True, help="What is drawn.")
-@click.option("--snapshot", type=int, default=-1, show_default=True, help="Which one; -1 is the last.")
+@click.option("--field", help="Field that colours elements: a field of the file, or 'fragment'.  [displacement]")
+@click.option("--show", type=click.Choice(SHOWN), default="auto", show_default=True, help="Objects to draw.")
+@click.option("--snapshot", type=int, default=-1, show_default=True, help="Index of the snapshot; -1 is the last.")
 @click.option("--warp", type=click.FloatRange(min=0.0), default=1.0, show_default=True,
-              help="By how much displacements are enlarged.")  # fmt: skip
-def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float) -> None:
-    """Open a window on a run file, to turn it and to move through its snapshots with a slider.
+              help="Magnification of displacements.")  # fmt: skip
+@click.option("--camera", default="iso", show_default=True, metavar="VIEW",
+              help="Direction of view: iso, x, -x, y, -y, z, -z, or AZIMUTH,ELEVATION in degrees.")  # fmt: skip
+def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: float, camera: str) -> None:
+    """Open a run file in a window with rotation and a slider for snapshots.
 
-    It needs the optional extra, pip install "bondem[view]", and a screen.
+    A display and the optional extra are required: pip install -e ".[view]" in a clone. Without a display the exit
+    status is 2.
     """
-    seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp)
+    seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp, camera=camera)

@@ -1,4 +1,4 @@
-"""`bondem watch RUN.h5`."""
+"""`bondem watch RUN.h5`: follow a run."""
 
 import time
 from pathlib import Path
@@ -8,8 +8,8 @@ from rich.console import Console
 from rich.live import Live
 from rich.table import Table
 
+from bondem._progress import span
 from bondem.cli.info import lines_of
-from bondem.cli.terminal import span
 from bondem.errors import RunFileError
 from bondem.io.run_contents import RunContents, read_contents
 
@@ -17,13 +17,13 @@ from bondem.io.run_contents import RunContents, read_contents
 @click.command("watch")
 @click.argument("run_file", metavar="RUN.h5", type=click.Path(path_type=Path))
 @click.option("--interval", type=click.FloatRange(min=0.05), default=1.0, show_default=True, metavar="SECONDS",
-              help="Between two looks.")  # fmt: skip
+              help="Time between two readings of the file.")  # fmt: skip
 @click.option("--patience", type=click.FloatRange(min=0.0), default=60.0, show_default=True, metavar="SECONDS",
-              help="How long to wait for a file that is not there yet.")  # fmt: skip
+              help="Time limit for the file to appear.")  # fmt: skip
 def command(run_file: Path, interval: float, patience: float) -> None:
-    """Watch a run: how far it is at its last checkpoint, until nobody writes it any more.
+    """Show the progress of a run at each checkpoint until the run ends.
 
-    On a terminal the display is kept up to date; in a pipe there is a line for each checkpoint.
+    On a terminal the display is updated in place; in a pipe each checkpoint gives one line.
     """
     console = Console(highlight=False, markup=False)
     found, began = None, time.monotonic()

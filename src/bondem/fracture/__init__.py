@@ -1,1 +1,1 @@
-"""What fracture leaves: pieces. Arrays in, arrays out."""
+"""Results of fracture: fragments, cracks and emissions. Functions take arrays and return arrays."""

@@ -1,4 +1,4 @@
-"""How a crack grows: the front of what has broken along a direction, and its speed."""
+"""Growth of a crack: its front along a direction, and its speed."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,19 +12,19 @@ from bondem.errors import InputError
 from bondem.fracture.directions import unit_vector
 from bondem.observe.breakage import BrokenBonds
 
-# Theil–Sen takes a slope of every pair: of more advances than this it takes as many, evenly chosen.
+# Theil–Sen computes a slope for every pair: of more advances than this, so many are evenly chosen.
 _MOST = 1500
 
 
 @dataclass(frozen=True, eq=False)
 class CrackGrowth:
-    """The front of a crack: the farthest that has broken so far, at each of its k advances.
+    """The front of a crack, the farthest broken position so far, at each of its k advances.
 
     Attributes:
-        time: of each advance [s], shape (k,).
+        time: time of each advance [s], shape (k,).
         length: distance of the front from the origin, along the direction [m], rising, shape (k,).
         speed: median of the slopes of all pairs of advances (Theil–Sen) [m/s].
-        interval: in which the speed lies with 95 % confidence, of errors that do not depend on each other [m/s].
+        interval: 95 % confidence interval of the speed, for independent errors [m/s].
     """
 
     time: Floats
@@ -44,23 +44,26 @@ def crack_speed(
     between: tuple[float, float] | None = None,
     beyond: float = 0.0,
 ) -> CrackGrowth:
-    """Length of a crack over time, and how fast it grows.
+    """Measure the length of a crack over time, and its speed.
 
-    The front is the largest (x - origin)·direction of all that has broken. The slope of Theil and Sen is that of most
-    of its course, and is not led astray by the jumps of a crack that branches or starts anew ahead of itself, as long
-    as these are less than 29 % of its advances.
+    The front is the largest (x - origin)·direction of all broken bonds or facets so far. The speed is the slope of
+    Theil and Sen, the median slope of all pairs of advances. It is insensitive to the jumps of a crack that branches
+    or restarts ahead of its front, if these are less than 29 % of its advances.
 
     Args:
-        events: what broke, `run.events`.
-        origin: where the crack begins, such as the tip of a notch [m].
-        direction: along which it grows, of any length.
-        between: count advances from a time to another only [s].
-        beyond: count advances from this length on only [m], as where the front is past the damage about a notch.
+        events: broken bonds, `run.events`.
+        origin: point where the crack begins, such as the tip of a notch [m].
+        direction: direction of growth, of any length.
+        between: time interval in which advances count [s]; None for all.
+        beyond: length from which advances count [m], for example beyond the damage around a notch.
+
+    Returns:
+        Times and lengths of the advances, and the speed with its confidence interval.
 
     Raises:
-        InputError: fewer than three advances, or a direction of no length.
+        InputError: There are fewer than three advances, or the direction has zero length.
 
-    Reference: Theil (1950); Sen (1968), whose interval it is.
+    Reference: Theil (1950); Sen (1968) for the interval.
     """
     instance("crack_speed", "events", events, BrokenBonds, "run.events")
     start = np.array(vector("crack_speed", "origin", origin, unit="m"))
@@ -77,7 +80,7 @@ def crack_speed(
     time, reach = time[kept], reach[kept]
     if len(time) < 3:
         raise InputError(
-            f"crack_speed: the front advances {len(time)} times along this direction; a speed needs 3 or more: check"
+            f"crack_speed: the front advances {len(time)} times along this direction, a speed needs 3 or more; check"
             " origin, direction, between and beyond"
         )
     some = np.unique(np.linspace(0, len(time) - 1, min(len(time), _MOST)).round().astype(int))

@@ -1,4 +1,4 @@
-"""Outlines of broken facets, which go with their cells; of broken beams discs."""
+"""Outlines of broken facets, which move with their cells; for broken beams, discs."""
 
 from dataclasses import dataclass
 
@@ -17,13 +17,13 @@ _CORNERS = 24
 
 @dataclass(frozen=True, eq=False)
 class CrackPolygons:
-    """Polygons of facets, p of them; a facet on which walls or pieces of cells meet may have several.
+    """Outlines of facets as p polygons. A facet at which walls or pieces of cells meet may have several polygons.
 
     Attributes:
         vertex: corners, polygon by polygon, half-way between both faces of the facet [m], shape (v, 3).
         start: corners of polygon q are start[q] … start[q + 1] - 1, shape (p + 1,).
         facet: row in `Cracks.facets` of each polygon, shape (p,).
-        reference: the corners in the reference, next to element i [m], shape (v, 3).
+        reference: corners in the reference, next to element i [m], shape (v, 3).
     """
 
     vertex: Floats
@@ -38,9 +38,9 @@ class CrackPolygons:
 def crack_polygons(
     lattice: Lattice, state: State, chosen: Ints, faces: Faces, solid: Polyhedra | None = None
 ) -> CrackPolygons:
-    """Polygons of some facets, by their user's numbers; regular ones of the area of the section of beams.
+    """Return polygons of some facets, by their user's numbers; for beams, regular ones of the area of the section.
 
-    `solid` are the polygons of all cells, where they are known.
+    `solid` are the polygons of all cells, if they are known.
     """
     reference, start, facet = _discs(faces) if lattice.facets is None else _outlines(lattice, chosen, solid)
     number = chosen[np.repeat(facet, np.diff(start))]

@@ -1,4 +1,4 @@
-"""Surfaces that broken facets make together: how large, how they lie, and how rough they are."""
+"""Surfaces made of connected broken facets: size, orientation and roughness."""
 
 from dataclasses import dataclass
 
@@ -11,18 +11,18 @@ from bondem.fracture.faces import Faces
 
 @dataclass(frozen=True, eq=False)
 class CrackSurfaces:
-    """Surfaces of cracks, s of them, the largest first; each has a mean plane through its centroid.
+    """Crack surfaces, s of them, the largest first; each has a mean plane through its centroid.
 
     Attributes:
-        count: facets of each, shape (s,).
-        area: of all its facets [m²], shape (s,).
-        projected_area: of its facets on its mean plane, Σ A |n·m| [m²]; what hangs over counts as often, shape (s,).
-        normal: m of the mean plane, the direction along which Σ A (n·m)² is largest; its largest component is
+        count: number of facets of each surface, shape (s,).
+        area: total area of its facets [m²], shape (s,).
+        projected_area: area projected onto its mean plane, Σ A |n·m| [m²], shape (s,); overhanging parts count too.
+        normal: normal m of the mean plane, the direction along which Σ A (n·m)² is largest; its largest component is
             positive [-], shape (s, 3).
         roughness: area over projected area [-], at least 1, shape (s,).
         deviation: root mean square distance of the centroids of its facets from the mean plane, by area [m], (s,).
         position: centroid [m], shape (s, 3).
-        extent: of the corners of its facets along x, y and z [m], shape (s, 3).
+        extent: extent of the corners of its facets along x, y and z [m], shape (s, 3).
     """
 
     count: Ints
@@ -39,13 +39,13 @@ class CrackSurfaces:
 
 
 def crack_surfaces(faces: Faces, polygons: CrackPolygons, label: Ints, shift: Floats) -> CrackSurfaces:
-    """The surfaces of labelled facets.
+    """Compute the surfaces of labelled facets.
 
     Args:
         faces: the facets, k of them.
-        polygons: their outlines.
-        label: which surface each belongs to, shape (k,).
-        shift: what brings the facets of a surface side by side [m], shape (k, 3).
+        polygons: outlines of the facets.
+        label: surface of each facet, shape (k,).
+        shift: shift that brings the facets of a surface side by side [m], shape (k, 3).
     """
     s = int(label.max(initial=-1)) + 1
     A, n, place = faces.area, faces.normal, faces.centroid + shift

@@ -1,4 +1,4 @@
-"""The surfaces that cracks have made: broken facets where they are now, and how they hang together."""
+"""Crack surfaces of a state: broken facets in their present place, and their connection."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -28,20 +28,20 @@ _NEAR = 1.5
 
 @dataclass(frozen=True, eq=False)
 class Cracks:
-    """Broken facets of cells, or broken beams as discs of their sections, k of them, where they are in a state.
+    """Broken facets of cells, or broken beams as discs of their sections, k of them, in the pose of a state.
 
-    Each lies half-way between its two faces, which have gone with their cells.
+    Each lies half-way between its two faces, which move with their cells.
 
     Attributes:
         facets: user's numbers, ascending, shape (k,).
-        areas: of each in the reference, of a beam that of its section [m²], shape (k,).
-        centroid: [m], shape (k, 3).
+        areas: area of each facet in the reference, or of the section of a beam [m²], shape (k,).
+        centroid: centroids [m], shape (k, 3).
         normal: mean of the normals of both faces, from element i to j [-], shape (k, 3).
-        opening: distance of the two faces along the normal, below 0 where they overlap [m], shape (k,).
-        sliding: across the normal [m], shape (k,).
-        surface: which surface each belongs to, shape (k,).
-        surfaces: facets that hang together: those of cells by a common edge, broken beams whose middles lay within
-            1.5 mean diameters of each other.
+        opening: distance of the two faces along the normal, negative where they overlap [m], shape (k,).
+        sliding: displacement between the faces across the normal [m], shape (k,).
+        surface: surface that each facet belongs to, shape (k,).
+        surfaces: sets of connected facets. Facets of cells are connected by a common edge, broken beams if their
+            middles lay within 1.5 mean diameters of each other.
         polygons: outlines, for pictures and files.
     """
 
@@ -57,30 +57,30 @@ class Cracks:
 
     @property
     def area(self) -> float:
-        """Of all facets, each counted once though it has two faces [m²]."""
+        """Total area of the facets, each counted once although it has two faces [m²]."""
         return float(self.areas.sum())
 
     def __len__(self) -> int:
         return len(self.facets)
 
     def projected_area(self, direction: Sequence[float]) -> float:
-        """Area of all facets seen along a direction, Σ A |n·d| [m²]; what hangs over counts as often.
+        """Return the area of all facets seen along a direction, Σ A |n·d| [m²]; overhanging parts count too.
 
         Raises:
-            InputError: a direction that is no vector, or of no length.
+            InputError: The direction is not a vector, or has zero length.
         """
         return float(self.areas @ np.abs(self.normal @ unit_vector("projected_area", "direction", direction)))
 
     def write_vtkhdf(self, path: str | Path) -> None:
         """Write the polygons as VTKHDF PolyData, which ParaView 5.11 and later opens.
 
-        Each has the number of its facet, of its surface, the area of the facet, opening, sliding and normal.
+        Each polygon has the fields facet, surface, area of the facet, opening, sliding and normal.
 
         Args:
-            path: file to write, by custom ending in .vtkhdf.
+            path: file to write, by custom with the suffix .vtkhdf.
 
         Raises:
-            InputError: the file cannot be written.
+            InputError: The file cannot be written.
         """
         row = self.polygons.facet
         fields = {
@@ -92,15 +92,16 @@ class Cracks:
 
 
 def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
-    """The crack surfaces of a state.
+    """Extract the crack surfaces of a state.
 
     Args:
-        lattice: what it is a state of.
-        state: of an explicit run, such as `run.state`.
-        integrity: facets at or below it count, in [0, 1): 0 for broken ones, more for those that soften too.
+        lattice: lattice of the state.
+        state: state of an explicit run, such as `run.state`.
+        integrity: largest integrity of the facets that count, in [0, 1): 0 for broken facets only, more to include
+            facets that soften.
 
     Raises:
-        InputError: a state of another lattice, or an integrity outside [0, 1).
+        InputError: The state belongs to another lattice, or the integrity is outside [0, 1).
     """
     instance("cracks", "lattice", lattice, Lattice, "the lattice of the model")
     instance("cracks", "state", state, State, "the state of a run, or model.state()")
@@ -128,7 +129,7 @@ def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
 
 
 def _edges(lattice: Lattice, polygons: CrackPolygons, k: int) -> tuple[Ints, Ints]:
-    """Pairs of facets that share an edge, two corners, in the reference."""
+    """Return pairs of facets that share an edge (two corners) in the reference."""
     corner, size = polygons.reference, np.diff(polygons.start)
     facet = np.repeat(polygons.facet, size)
     period = lattice.particles.period
@@ -147,7 +148,7 @@ def _edges(lattice: Lattice, polygons: CrackPolygons, k: int) -> tuple[Ints, Int
 
 
 def _near(lattice: Lattice, faces: Faces) -> tuple[Ints, Ints]:
-    """Pairs of broken beams whose middles lie near each other in the reference."""
+    """Return pairs of broken beams whose middles lie near each other in the reference."""
     period, middle = lattice.particles.period, faces.reference
     inside = middle if period is None else np.mod(middle, period)
     if period is not None:
@@ -158,7 +159,7 @@ def _near(lattice: Lattice, faces: Faces) -> tuple[Ints, Ints]:
 
 
 def _unwrapped(lattice: Lattice, links: csr_array, centroid: Floats, label: Ints) -> Floats:
-    """What brings the facets of each surface of a periodic cell side by side [m], (k, 3)."""
+    """Return the shifts that bring the facets of each surface of a periodic cell side by side [m], (k, 3)."""
     shift = np.zeros_like(centroid)
     if lattice.particles.period is None:
         return shift

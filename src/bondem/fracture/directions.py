@@ -1,4 +1,4 @@
-"""Directions that users give."""
+"""Directions given by users."""
 
 import numpy as np
 
@@ -8,10 +8,10 @@ from bondem.errors import InputError
 
 
 def unit_vector(owner: str, name: str, value: object) -> Floats:
-    """A direction.
+    """Return a direction as a unit vector.
 
     Raises:
-        InputError: something else than three finite components, or a vector of no length.
+        InputError: The value is not three finite components, or has zero length.
     """
     found = np.array(vector(owner, name, value))
     size = float(np.linalg.norm(found))

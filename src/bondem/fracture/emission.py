@@ -1,4 +1,4 @@
-"""Acoustic emission: what breaks close together in space and time is one event, with an energy and a magnitude."""
+"""Acoustic emission: breakages close in space and time form one event, with an energy and a magnitude."""
 
 from dataclasses import dataclass
 
@@ -22,19 +22,19 @@ _REACH = 2.0
 
 @dataclass(frozen=True, eq=False)
 class AcousticEmission:
-    """Emissions, c clusters of what broke, in the order in which they begin.
+    """Emissions, c clusters of breakages, in the order in which they begin.
 
-    The energy is what breaking released, all of it: how much of that would reach a sensor is not known. A share that
-    is the same for all shifts all magnitudes alike, and does not change b.
+    The energy is all the energy released by breakage; the share that would reach a sensor is unknown. A share equal
+    for all emissions shifts all magnitudes by the same amount and does not change b.
 
     Attributes:
-        time: when each begins [s], shape (c,).
-        duration: from the first to the last that broke [s], shape (c,).
-        position: mean by energy [m], shape (c, 3); of a periodic cell next to where it began.
-        energy: released [J], shape (c,).
-        magnitude: 2/3 log10(E / J) - 3.2, from log10(E / J) = 1.5 M + 4.8; -inf of no energy, shape (c,).
-        count: how many broke, shape (c,).
-        mode: the one in which most energy was released, shape (c,).
+        time: beginning of each emission [s], shape (c,).
+        duration: time from its first to its last breakage [s], shape (c,).
+        position: mean position by energy [m], shape (c, 3); in a periodic cell next to where it began.
+        energy: energy released [J], shape (c,).
+        magnitude: 2/3 log10(E / J) - 3.2, from log10(E / J) = 1.5 M + 4.8; -inf for zero energy, shape (c,).
+        count: number of breakages, shape (c,).
+        mode: mode in which most energy was released, shape (c,).
         label: emission of each row of the events, shape (e,).
 
     Reference: Gutenberg and Richter (1956), log10(E / erg) = 1.5 M + 11.8.
@@ -53,19 +53,19 @@ class AcousticEmission:
         return len(self.time)
 
     def b_value(self, *, completeness: float | None = None, width: float = 0.1) -> BValue:
-        """Slope b of log10 N(≥ M) = a - b M by maximum likelihood, b = log10(e) / (mean(M) - M_c) over all M ≥ M_c.
+        """Estimate the slope b of log10 N(≥ M) = a - b M by maximum likelihood.
 
-        Magnitudes here are no multiples of a bin, so that nothing is taken off M_c for the width of one. Cracks that
-        run through the whole specimen and single breaks, all of about one energy, do not follow a power law: look at
-        the magnitudes before you believe a slope.
+        The estimate is b = log10(e) / (mean(M) - M_c) over all M ≥ M_c. Magnitudes here are not rounded to bins, so
+        that M_c needs no correction for a bin width. Cracks through the whole specimen, and single breakages of about
+        one energy, do not follow a power law: inspect the magnitudes before you trust a slope.
 
         Args:
-            completeness: M_c, above which no emission is missing; by default the middle of the bin that holds
-                most, the point of maximum curvature, which is often a little low.
-            width: of these bins [-].
+            completeness: M_c, above which no emission is missing. The default is the middle of the fullest bin, the
+                point of maximum curvature, which is often a little low.
+            width: width of these bins [-].
 
         Raises:
-            InputError: fewer than 10 emissions above M_c, or all of one magnitude.
+            InputError: There are fewer than 10 emissions above M_c, or all have one magnitude.
 
         Reference: Aki (1965); Utsu (1965); error by Shi and Bolt (1982); M_c by Wiemer and Wyss (2000).
         """
@@ -75,27 +75,29 @@ class AcousticEmission:
 def acoustic_emission(
     events: BrokenBonds, *, time: float | None = None, distance: float | None = None, model: Model | None = None
 ) -> AcousticEmission:
-    """Gather what broke into emissions: single links of what is near in space and in time.
+    """Group breakages into emissions, by single links between those near in space and in time.
 
-    Two that broke belong together where they are at most `distance` apart and at most `time` apart, and so do all
-    that such links join; Hazzard and Young (2002) gather broken bonds in much the same way. Both numbers decide what
-    an emission is: try others.
+    Two breakages are linked if they are at most `distance` and at most `time` apart. All breakages joined by links
+    form one emission, much as Hazzard and Young (2002) group broken bonds. Both numbers define what an emission is:
+    vary them.
 
     Args:
-        events: what broke, `run.events`.
-        time: [s]; by default as long as a wave in a thin rod, √(E/ρ), runs over `distance`.
-        distance: [m]; by default twice the mean length of the bonds, or spacing of the cells.
-        model: of which the defaults are; without it give both numbers. Of a periodic one distances go through the
-            edges of its cell. Of beams the wave is that of a chain, L √(k_n / m), median of all bonds.
+        events: broken bonds, `run.events`.
+        time: largest time between linked breakages [s]. The default is the time in which a wave in a thin rod,
+            √(E/ρ), travels `distance`.
+        distance: largest distance between linked breakages [m]. The default is twice the mean length of the bonds, or
+            spacing of the cells.
+        model: model from which the defaults are computed; without it give both numbers. In a periodic model distances
+            cross the edges of its cell. For beams the wave is that of a chain, L √(k_n / m), median of all bonds.
 
     Raises:
-        InputError: neither a model nor both numbers, or numbers that are not positive.
+        InputError: Neither a model nor both numbers are given, or a number is not positive.
     """
     instance("acoustic_emission", "events", events, BrokenBonds, "run.events")
     if model is not None:
         instance("acoustic_emission", "model", model, Model, "bd.Model(...) or None")
     if model is None and (time is None or distance is None):
-        raise InputError("acoustic_emission: what is near is not known; give time= [s] and distance= [m], or model=")
+        raise InputError("acoustic_emission: time or distance is missing; give time= [s], distance= [m], or model=")
     if distance is None:
         assert model is not None
         distance = _REACH * float(model.lattice.length.mean())
@@ -110,7 +112,7 @@ def acoustic_emission(
 
 
 def _wave_speed(model: Model) -> float:
-    """Speed of a wave in a thin rod of the material, or in a chain of bonds [m/s]."""
+    """Return the speed of a wave in a thin rod of the material, or in a chain of bonds [m/s]."""
     lattice, mass = model.lattice, model.mass
     if model.cells is not None and lattice.cells is not None:
         G, lame = model.cell_constants.G, model.cell_constants.lame
@@ -121,7 +123,7 @@ def _wave_speed(model: Model) -> float:
 
 
 def _clusters(events: BrokenBonds, reach: float, span: float, period: Floats | None) -> Ints:
-    """Number of the cluster of each, in the order in which they begin, (e,)."""
+    """Return the cluster of each breakage, numbered in the order in which clusters begin, (e,)."""
     e = len(events)
     near = np.zeros((0, 2), dtype=np.int64)
     if e:

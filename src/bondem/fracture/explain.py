@@ -1,4 +1,4 @@
-"""Why something breaks or does not: what strengths mean with these elements, and who is nearest to failure."""
+"""Explanation of fracture in a model: implied fracture properties, and the bonds nearest to failure."""
 
 from dataclasses import dataclass
 
@@ -16,24 +16,24 @@ from bondem.specimen.plausibility import strength_doubts
 
 # Fewer elements than this in a process zone do not resolve it.
 _RESOLVED = 2.0
-# Energy that it takes to part the atoms of a solid, about, twice the energy of a surface [J/m²].
+# Approximate energy that separates the atoms of a solid, twice the energy of a surface [J/m²].
 _SURFACE = 1.0
 
 
 @dataclass(frozen=True, eq=False)
 class Explanation:
-    """What a model means for fracture; `print` it.
+    """Fracture properties that a model implies, as values and as a text for `print`.
 
     Attributes:
-        implied: strength, fracture energy and toughness by the medians of bonds or facets.
-        doubts: what is hardly meant so, or not resolved; one text each.
-        nearest: user's numbers of the bonds or facets nearest to failure, the nearest first; none without a state.
-        index: of these, 1 where they break or begin to soften [-].
+        implied: strength, fracture energy and toughness, as medians of bonds or facets.
+        doubts: properties that are hardly intended or not resolved, one text each.
+        nearest: user's numbers of the bonds or facets nearest to failure, the nearest first; empty without a state.
+        index: failure index of these, 1 at breakage or onset of softening [-].
         position: middle of these in the reference [m], shape (k, 3).
-        broken: how many have broken.
-        softening: how many soften.
-        yielding: index of the cell nearest to yielding, 1 where it yields [-]; 0 where none can.
-        text: all of it.
+        broken: number of broken bonds or facets.
+        softening: number of softening bonds or facets.
+        yielding: index of the cell nearest to yielding, 1 where it yields [-]; 0 if no cell can yield.
+        text: the whole explanation.
     """
 
     implied: ImpliedFracture
@@ -51,21 +51,21 @@ class Explanation:
 
 
 def explain(model: Model, state: State | None = None, *, most: int = 5) -> Explanation:
-    """What strengths, stiffness and size of elements mean for fracture; with a state, who is nearest to failure.
+    """Explain what strengths, stiffness and size of elements imply for fracture, and what is nearest to failure.
 
     Args:
-        model: with a criterion of failure.
-        state: of this model, at any rotation.
-        most: how many of the nearest are listed.
+        model: model with a failure criterion.
+        state: state of this model, at any rotation; None for no list of the bonds nearest to failure.
+        most: largest number of bonds in that list.
 
     Raises:
-        InputError: a model without a criterion or without bonds, or a state of another model.
+        InputError: The model has no criterion or no bonds, or the state belongs to another model.
     """
     instance("explain", "model", model, Model, "bd.Model(...)")
     many = count("explain", "most", most)
     implied = model.implied_fracture
     if implied is None:
-        raise InputError("explain needs a criterion and bonds: give the model failure=bd.PeripheralStress(...)")
+        raise InputError("explain: the model has no criterion or no bonds; give it failure=bd.PeripheralStress(...)")
     doubts = _doubts(model, implied)
     lines = _implied_lines(model, implied)
     nearest, index, broken, softening, yielding = np.zeros(0, dtype=np.int64), np.zeros(0), 0, 0, 0.0
@@ -99,7 +99,7 @@ def _part(model: Model) -> str:
 
 
 def _doubts(model: Model, one: ImpliedFracture) -> list[str]:
-    """What is hardly meant so, or not resolved."""
+    """Return descriptions of properties that are hardly intended or not resolved."""
     found = strength_doubts(one.strength, one.E, one.density, one.fracture_energy)
     if one.fracture_energy < _SURFACE:
         advice = "check its unit (J/m²)" if one.softens else "give a fracture_energy (cells), or stronger bonds"
@@ -110,7 +110,7 @@ def _doubts(model: Model, one: ImpliedFracture) -> list[str]:
     if one.softens and one.irwin < _RESOLVED * one.length:
         found.append(
             f"the process zone, E G_c/f_t² = {_number(one.irwin, 'm')}, is {one.irwin / one.length:.2g} elements"
-            f" long and not resolved; take elements below {_number(one.irwin / _RESOLVED, 'm')}"
+            f" long and not resolved; use elements below {_number(one.irwin / _RESOLVED, 'm')}"
         )
     if one.softens and one.irwin > one.extent:
         found.append(
@@ -120,7 +120,7 @@ def _doubts(model: Model, one: ImpliedFracture) -> list[str]:
     if not one.softens:
         found.append(
             "without a fracture energy toughness is that of the elements: G_c grows with their length, by"
-            f" {1e-3 * one.fracture_energy / one.length:.3g} J/m² a millimetre; choose L for the G_c of the material"
+            f" {1e-3 * one.fracture_energy / one.length:.3g} J/m² per mm; choose L for the G_c of the material"
         )
     return found
 
@@ -169,7 +169,7 @@ def _state_lines(
 
 
 def _number(value: float, unit: str) -> str:
-    """Three digits and a prefix."""
+    """Format a value with three digits and a unit prefix."""
     if unit == "J/m²" or value == 0.0 or not np.isfinite(value):
         return f"{value:.3g} {unit}"
     for size, prefix in ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")):

@@ -1,4 +1,4 @@
-"""The two faces of facets or beams: where they are in a state, and how far they have come apart."""
+"""The two faces of facets or beams: their places in a state, and the gap between them."""
 
 from dataclasses import dataclass
 
@@ -15,13 +15,13 @@ class Faces:
     """Some facets of a state, k of them.
 
     Attributes:
-        area: in the reference, of beams that of the section [m²], shape (k,).
+        area: area in the reference, or of the section of a beam [m²], shape (k,).
         reference: centroids, or contact points of beams, in the reference, next to element i [m], shape (k, 3).
         straight: normals in the reference, from element i to j [-], shape (k, 3).
-        centroid: half-way between both faces [m], shape (k, 3).
-        normal: mean of those of both faces [-], shape (k, 3).
-        opening: along the normal [m], shape (k,).
-        sliding: across it [m], shape (k,).
+        centroid: points half-way between both faces [m], shape (k, 3).
+        normal: mean of the normals of both faces [-], shape (k, 3).
+        opening: gap along the normal [m], shape (k,).
+        sliding: displacement across it [m], shape (k,).
     """
 
     area: Floats
@@ -34,7 +34,7 @@ class Faces:
 
 
 def faces_of(lattice: Lattice, state: State, chosen: Ints) -> Faces:
-    """The faces of some facets, by their user's numbers."""
+    """Return the faces of some facets, by their user's numbers."""
     i, j = lattice.pairs[chosen].T
     branch = lattice.branch[chosen]
     if lattice.facets is not None:
@@ -57,21 +57,21 @@ def faces_of(lattice: Lattice, state: State, chosen: Ints) -> Faces:
 
 
 def moved_points(lattice: Lattice, state: State, facet: Ints, points: Floats) -> tuple[Floats, Floats]:
-    """Points of the reference that lie on facets, next to their element i, as they have gone with both elements.
+    """Move points on facets, given in the reference next to element i, with both elements.
 
     Args:
-        lattice: what it is a state of.
-        state: where elements are.
-        facet: on which facet each point lies, user's numbers, shape (k,).
-        points: [m], shape (k, 3).
+        lattice: lattice of the state.
+        state: state with the pose of the elements.
+        facet: facet of each point, user's numbers, shape (k,).
+        points: places in the reference [m], shape (k, 3).
 
     Returns:
-        Where they are on element i, and the way from there to where they are on element j [m], shape (k, 3) each.
+        Places on element i, and vectors from there to the places on element j [m], shape (k, 3) each.
     """
     i, j = lattice.pairs[facet].T
     q, P = state.orientation, state.plastic_deformation
     stretch = np.ones(len(lattice.pairs))
-    strain = state.stress_free_strain
+    strain = state.rest_strain
     if strain.size:
         stretch[state.layout.bond_order] += strain
     arm = points - lattice.centre[i]

@@ -1,4 +1,4 @@
-"""The pieces into which a specimen has broken."""
+"""Fragments: the pieces of a broken specimen."""
 
 from dataclasses import dataclass
 
@@ -15,16 +15,18 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class Fragments:
-    """Elements that unbroken bonds join, f pieces, the heaviest first; an element without bonds is a piece too.
+    """Pieces of elements joined by unbroken bonds, f of them, the heaviest first.
+
+    An element without bonds is a piece, too.
 
     Attributes:
         label: piece of each element, user's order, shape (n,).
-        size: elements of each piece, shape (f,).
-        mass: [kg], shape (f,).
+        size: number of elements of each piece, shape (f,).
+        mass: mass [kg], shape (f,).
         position: centre of mass [m], shape (f, 3).
-        velocity: of the centre of mass [m/s], shape (f, 3).
+        velocity: velocity of the centre of mass [m/s], shape (f, 3).
         spin: angular velocity of a rigid body with the angular momentum of the piece [rad/s], shape (f, 3); NaN in a
-            periodic cell, where a piece may go on in the next image.
+            periodic cell, where a piece may continue in the next image.
     """
 
     label: Ints
@@ -39,15 +41,16 @@ class Fragments:
 
 
 def fragments(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Fragments:
-    """The pieces of a state.
+    """Find the pieces of a state.
 
     Args:
-        lattice: what it is a state of.
-        state: of an explicit run, such as `run.state`.
-        integrity: bonds at or below it join nothing, in [0, 1): 0 for broken ones, more for those that soften too.
+        lattice: lattice of the state.
+        state: state of an explicit run, such as `run.state`.
+        integrity: largest integrity of the bonds that join nothing, in [0, 1): 0 for broken bonds only, more to
+            include bonds that soften.
 
     Raises:
-        InputError: a state of another lattice, or an integrity outside [0, 1).
+        InputError: The state belongs to another lattice, or the integrity is outside [0, 1).
     """
     instance("fragments", "lattice", lattice, Lattice, "the lattice of the model")
     instance("fragments", "state", state, State, "the state of a run, or model.state()")
@@ -81,5 +84,5 @@ def fragments(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Frag
 
 
 def _sums(label: Ints, values: Floats) -> Floats:
-    """Sums of the rows of each piece."""
+    """Return sums of the rows of each piece."""
     return np.column_stack([np.bincount(label, column) for column in values.T]).astype(float)

@@ -1,4 +1,4 @@
-"""Outlines of cracks in one state after another of the same body, for files that grow."""
+"""Outlines of cracks in successive states of the same body, for files that grow."""
 
 from dataclasses import dataclass
 
@@ -19,7 +19,7 @@ class CrackOutlines:
     Attributes:
         vertex: corners, half-way between both faces [m], (v, 3).
         start: corners of polygon q are start[q] … start[q + 1] - 1, (p + 1,).
-        fields: of the polygons: facet, integrity, area [m²], opening, sliding [m], (p,) each.
+        fields: fields of the polygons: facet, integrity, area [m²], opening, sliding [m], (p,) each.
     """
 
     vertex: Floats
@@ -28,10 +28,10 @@ class CrackOutlines:
 
 
 class GrowingCracks:
-    """Finds the outlines in a state; the cells are cut into polygons once.
+    """Finder of the outlines in a state; the cells are cut into polygons once.
 
     Args:
-        lattice: of the model.
+        lattice: lattice of the model.
     """
 
     def __init__(self, lattice: Lattice) -> None:
@@ -39,7 +39,7 @@ class GrowingCracks:
         self._solid: Polyhedra | None = None
 
     def __call__(self, state: State) -> CrackOutlines:
-        """The outlines of a state."""
+        """Return the outlines of a state."""
         whole = state.bond_integrity
         chosen = np.flatnonzero(whole < 1.0)
         if not len(chosen):

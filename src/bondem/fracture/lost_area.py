@@ -1,4 +1,4 @@
-"""Where the cracks of a body with aggregates run: through its matrix, along aggregates, or through them."""
+"""Cracked area of a body with aggregates: in its matrix, along aggregates, and through them."""
 
 import numpy as np
 
@@ -11,12 +11,12 @@ PARTS = "matrix", "interface", "aggregate"
 
 
 def lost_area(body: Lattice, state: State, aggregates: Aggregates) -> dict[str, float]:
-    """Area of facets that is lost to cracks, each times 1 - s, by `PARTS` [m²].
+    """Return the area of facets lost to cracks, each times 1 - s, by `PARTS` [m²].
 
     Args:
-        body: cut into cells.
-        state: of these cells.
-        aggregates: within the body.
+        body: body cut into cells.
+        state: state of these cells.
+        aggregates: aggregates in the body.
     """
     assert body.facets is not None
     inside = aggregates.mask(body)[body.pairs].sum(axis=1)

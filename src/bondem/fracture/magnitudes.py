@@ -1,4 +1,4 @@
-"""Magnitudes of emissions, and how many large ones there are for many small ones."""
+"""Magnitudes of emissions, and the ratio of large to small ones."""
 
 import math
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from bondem._checks import number
 from bondem._types import Floats
 from bondem.errors import InputError
 
-# Fewer tell nothing of a slope: its error is b / √n.
+# A slope of fewer is meaningless: its error is b / √n.
 _FEWEST = 10
 # Normal quantile of an interval of 95 %.
 _CONFIDENCE = 1.96
@@ -22,11 +22,11 @@ class BValue:
     """Slope of the distribution of magnitudes, log10 N(≥ M) = a - b M.
 
     Attributes:
-        b: maximum likelihood [-].
-        error: its standard error, ln(10) b² s / √n with s² = Σ (M - mean)² / (n - 1) [-].
-        interval: b ± 1.96 standard errors, which holds b with 95 % confidence [-].
-        completeness: magnitude M_c from which on emissions were counted.
-        count: how many there were, n.
+        b: maximum-likelihood estimate [-].
+        error: standard error of b, ln(10) b² s / √n with s² = Σ (M - mean)² / (n - 1) [-].
+        interval: 95 % confidence interval of b, b ± 1.96 standard errors [-].
+        completeness: magnitude M_c from which emissions were counted.
+        count: number n of these emissions.
     """
 
     b: float
@@ -37,7 +37,7 @@ class BValue:
 
 
 def magnitude_of(energy: Floats) -> Floats:
-    """2/3 log10(E / J) - 3.2; -inf where no energy is released."""
+    """Return 2/3 log10(E / J) - 3.2; -inf for zero energy."""
     with np.errstate(divide="ignore"):
         return 2.0 / 3.0 * np.log10(energy) - 3.2
 
@@ -66,15 +66,15 @@ def b_value_of(magnitude: Floats, completeness: float | None, width: float) -> B
 def _enough(count: int, which: str) -> None:
     if count < _FEWEST:
         raise InputError(
-            f"b_value: {count} emissions {which} are too few for a slope; it takes {_FEWEST}, better 100: use more"
+            f"b_value: {count} emissions {which} are too few for a slope, which needs {_FEWEST}, better 100; use more"
             " elements, or gather over less time= and distance="
         )
 
 
 def _fullest(magnitude: Floats, width: float) -> float:
-    """Middle of the bin that holds most; the lowest of those that hold as many."""
+    """Return the middle of the fullest bin; the lowest of equally full bins."""
     if float(np.ptp(magnitude)) / width > _BINS:
-        raise InputError(f"b_value: width = {width:g} makes too many bins; give one of about 0.1")
+        raise InputError(f"b_value: width = {width:g} gives too many bins; use a width of about 0.1")
     number_of = np.floor(magnitude / width).astype(np.int64)
     bins, many = np.unique(number_of, return_counts=True)
     return float((bins[int(many.argmax())] + 0.5) * width)

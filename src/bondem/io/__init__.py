@@ -1,1 +1,1 @@
-"""What is kept on disk: the run file (output and restart in one) and files for ParaView."""
+"""Files: the run file (output and restart in one), particles, and exchange with other programs."""

@@ -1,4 +1,4 @@
-"""Files that are either whole or not there."""
+"""Atomic writing: a file is either complete or absent."""
 
 import os
 import tempfile
@@ -11,9 +11,9 @@ from bondem.errors import InputError, RunFileError
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """A path beside `path` to write to; after the block it takes the place of `path`, in one move.
+    """Yield a temporary path beside `path`; at the end of the block it replaces `path` by one atomic move.
 
-    A kill at any moment leaves the old file, or none, never half of one.
+    A kill at any moment leaves the old file or none, never a partial one.
 
     Raises:
         RunFileError: the disk is full, or another failure to write.
@@ -33,20 +33,20 @@ def replacing(path: Path) -> Iterator[Path]:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text file aside and move it into place."""
+    """Write a text file to a temporary path and move it into place."""
     with replacing(path) as aside:
         aside.write_text(text, encoding="utf-8")
 
 
 def require_writable(path: Path, what: str) -> None:
-    """Make sure, before any work is done, that a file can be written at `path`, whose folder must exist.
+    """Check, before any work, that a file can be written at `path` in an existing folder.
 
     Args:
         path: the file.
-        what: what the message calls it.
+        what: name of the file in messages.
 
     Raises:
-        InputError: it cannot, and why.
+        InputError: the file cannot be written; the message states the reason.
     """
     if path.is_dir():
         raise InputError(f"{what} '{path}' is a folder; give the name of a file")
@@ -54,12 +54,12 @@ def require_writable(path: Path, what: str) -> None:
 
 
 def require_folder(path: Path, what: str) -> None:
-    """Make sure, before any work is done, that a folder is there and can be written to, or can be made.
+    """Check, before any work, that a folder exists and can be written to, or can be created.
 
-    Nothing is made yet, so that work that fails leaves nothing behind.
+    The folder is not created yet, so that failed work leaves nothing behind.
 
     Raises:
-        InputError: it cannot, and why.
+        InputError: the folder cannot be used; the message states the reason.
     """
     if path.exists() and not path.is_dir():
         raise InputError(f"{what} '{path}' is a file; give the name of a folder")

@@ -1,4 +1,5 @@
-"""Facets and cells of a body in an HDF5 file, to the bit, so that nothing hangs on cutting them again.
+"""Facets and cells of a body in an HDF5 file, stored to the bit, so that reading does not depend on the cutting of
+cells.
 
 `/facets` holds the arrays of `Facets`, `/cells` those of `Cells`, `/cells/free` those of `FreeFacets`, by name.
 """
@@ -14,7 +15,7 @@ from bondem.specimen.particles import Particles, freeze
 
 
 def write_bonds(file: h5py.File, lattice: Lattice) -> None:
-    """Pairs, and the facets and cells of a body."""
+    """Write the pairs, and the facets and cells of a body."""
     file["bonds/pairs"] = lattice.pairs
     if lattice.facets is None or lattice.cells is None:
         return
@@ -26,11 +27,11 @@ def write_bonds(file: h5py.File, lattice: Lattice) -> None:
 
 
 def read_bonds(file: h5py.File, particles: Particles) -> Lattice:
-    """The lattice that `write_bonds` wrote, of particles that are known.
+    """Read the lattice that `write_bonds` wrote, for given particles.
 
     Raises:
         KeyError: an array is missing.
-        ValueError: one has another length than its fellows.
+        ValueError: an array has the wrong length.
     """
     pairs = _array(file, "bonds/pairs")
     if "facets" not in file:

@@ -1,8 +1,8 @@
-"""Frozen dataclasses as JSON and back, by an explicit list of types.
+"""Frozen dataclasses as JSON and back, for an explicit list of types.
 
-`{"type": "Face", "name": "x_min", "depth": 0.02}` is what the object would have been made with; a type or a
-key that is not known raises, so that a file from a newer bondem is refused instead of half understood.
-Numbers keep every bit (JSON prints the shortest text that reads back the same).
+`{"type": "Face", "name": "x_min", "depth": 0.02}` holds the arguments of the object. An unknown type or key raises an
+error, so that files of a newer bondem are rejected instead of misread. Numbers keep every bit, as JSON prints the
+shortest text that reads back exactly.
 """
 
 from collections.abc import Mapping
@@ -49,7 +49,7 @@ _TYPES: dict[str, type] = {
 
 
 def encode(value: Any) -> Any:
-    """What JSON can hold for a value made of known dataclasses, mappings, sequences, text and numbers.
+    """Encode a value of known dataclasses, mappings, sequences, text and numbers for JSON.
 
     Raises:
         RunFileError: a type that is not in the list.
@@ -67,7 +67,7 @@ def encode(value: Any) -> Any:
             return {"type": "Mapping", "entries": [[encode(key), encode(item)] for key, item in value.items()]}
     name = type(value).__name__
     if _TYPES.get(name) is not type(value):
-        raise RunFileError(f"a {name} cannot be written to a run file; use bondem's own types")
+        raise RunFileError(f"an object of type {name} cannot be written to a run file; use types of bondem")
     return {"type": name} | {key: encode(item) for key, item in _arguments(value).items()}
 
 
@@ -85,11 +85,11 @@ def _arguments(value: Any) -> dict[str, Any]:
 
 
 def decode(data: Any) -> Any:
-    """The value `encode` was given; sequences come back as tuples.
+    """Decode a value of `encode`; sequences become tuples.
 
     Raises:
-        RunFileError: a type or key that this version does not know.
-        InputError: a value the type itself refuses.
+        RunFileError: a type or key unknown to this version.
+        InputError: a value that the type itself rejects.
     """
     match data:
         case list():
@@ -99,7 +99,7 @@ def decode(data: Any) -> Any:
         case {"type": name, **given}:
             return _rebuild(name, given)
         case dict():
-            raise RunFileError(f"{sorted(data)} names no type; the file was not written by bondem")
+            raise RunFileError(f"{sorted(data)} has no type; give a file that bondem wrote")
     return data
 
 
@@ -108,7 +108,8 @@ def _rebuild(name: str, given: dict[str, Any]) -> Any:
         raise RunFileError(f"unknown type '{name}'; read the file with the bondem version that wrote it")
     if name == StressCriterion.__name__:
         raise RunFileError(
-            f"the run breaks by a function of its own, {given.get('function')}, which no file holds; give it again:"
+            f"the criterion of the run uses the function {given.get('function')}, which a file cannot store; give"
+            " it again:"
             " failure=bd.StressCriterion(...) as it was"
         )
     try:

@@ -1,7 +1,7 @@
-"""Digests of arrays and texts, by which a file knows that it is damaged; and texts as files of ours hold them.
+"""Digests of arrays and texts, by which damaged files are detected, and texts in HDF5 files.
 
-Texts have a fixed length: those of any length are in a heap of HDF5 that has no checksum, and in which it may search
-for ever where that is damaged.
+Texts have a fixed length. HDF5 stores texts of variable length in a heap without a checksum, in which it may search
+endlessly if the heap is damaged.
 """
 
 import hashlib
@@ -13,7 +13,7 @@ import numpy as np
 
 
 def digest_of(items: Iterable[tuple[str, Any]]) -> str:
-    """Of names with what stands for them: arrays with their types and shapes, or texts; 64 hexadecimal digits."""
+    """Digest of named arrays, with their types and shapes, and texts; 64 hexadecimal digits."""
     found = hashlib.blake2b(digest_size=32)
     for name, value in items:
         if isinstance(value, str):
@@ -27,22 +27,22 @@ def digest_of(items: Iterable[tuple[str, Any]]) -> str:
 
 
 def agree(found: str, told: object) -> bool:
-    """Whether a digest is that which a file tells."""
+    """True if a digest equals the one stored in a file."""
     return hmac.compare_digest(found.encode(), text_of(told).encode(errors="replace"))
 
 
 def fixed(text: str) -> np.bytes_:
-    """A text as a file holds it."""
+    """Convert a text to the fixed-length type of a file."""
     return np.bytes_(text.encode())
 
 
 def text_of(value: object) -> str:
-    """A text of a file, also of one with texts of any length."""
+    """Read a text from a file, of fixed or variable length."""
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
 def arrays_of(group: Any, under: str = "") -> list[tuple[str, Any]]:
-    """All arrays and texts of an HDF5 group and the groups in it, by their paths, in their order."""
+    """Collect all arrays and texts of an HDF5 group and its subgroups, by path and in order."""
     items: list[tuple[str, Any]] = []
     for name in sorted(group):
         item, path = group[name], f"{under}/{name}"

@@ -1,4 +1,4 @@
-"""Elements, bonds and cells for other programs: LAMMPS, CSV, and the formats of meshio."""
+"""Export of elements, bonds and cells to other programs: LAMMPS, CSV, and the formats of meshio."""
 
 import csv
 from collections.abc import Callable, Mapping
@@ -13,6 +13,8 @@ from bondem._extras import needed
 from bondem._types import ArrayLike, Floats, Ints, Pairs, PerElement3
 from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
+from bondem.io.field_names import check_names
+from bondem.io.lammps import STRAINED
 from bondem.io.vtk_cells import Corners
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -32,25 +34,25 @@ def export(
     density: float | None = None,
     elements: Mapping[str, ArrayLike] | None = None,
 ) -> None:
-    """Write elements and bonds for another program, in the format the suffix stands for.
+    """Write elements and bonds for another program, in the format of the suffix.
 
-    `.csv` is a table with a header: x, y, z, radius (of cells: volume), and fields by column. `.data` and `.lmp` are
-    LAMMPS data files of atom_style bpm/sphere with bonds, which `bd.read_lattice` reads, too; `.dump` is a snapshot
-    of a LAMMPS dump, for OVITO. `.vtu`, `.vtk`, `.xdmf` and `.msh` (gmsh) go by meshio (`pip install
-    bondem[exchange]`): points and lines, of cells polyhedra (`.vtu`).
+    `.csv` is a table with a header: x, y, z, radius (for cells: volume), and one column per field component. `.data`
+    and `.lmp` are LAMMPS data files of atom_style bpm/sphere with bonds, which `bd.read_lattice` can read; `.dump` is
+    a snapshot in the LAMMPS dump format, for OVITO. `.vtu`, `.vtk`, `.xdmf` and `.msh` (gmsh) are written by meshio
+    (extra `exchange`) with points and lines, or polyhedra for cells (`.vtu`).
 
-    Units are SI throughout (LAMMPS: `units si`). For ParaView, and for what grows, see `bd.write_vtkhdf` and `out=`.
+    Units are SI throughout (LAMMPS: `units si`). For ParaView and time series, use `bd.write_vtkhdf` and `out=`.
 
     Args:
-        path: file to write; what is there is replaced when all is written.
+        path: file to write; an existing file is replaced once the new one is complete.
         lattice: elements and bonds, or cells.
-        state: where they are; adds displacement and velocity, and leaves out bonds that are broken.
-        density: of the elements [kg/m³]; LAMMPS data files need it.
-        elements: more fields by name, each (n,) or (n, k); CSV, dumps and meshio take them.
+        state: state of the elements; adds displacement and velocity, and omits broken bonds.
+        density: density of the elements [kg/m³], required for LAMMPS data files.
+        elements: further fields by name, each (n,) or (n, k), for CSV, dumps and meshio.
 
     Raises:
-        InputError: an unknown format, one that cannot hold these elements, a field of the wrong length, or a file
-            that cannot be written.
+        InputError: an unknown format, one that cannot represent these elements, a field of the wrong length or with a
+            name that is in use or that the format cannot represent, or a file that cannot be written.
         MissingDependencyError: meshio is not installed.
     """
     path = place("export: path", path)
@@ -58,11 +60,11 @@ def export(
     suffix = path.suffix.lower()
     writer = _WRITERS.get(suffix)
     if writer is None:
-        raise InputError(f"export: '{path}' has a suffix we do not write; give one of {_FORMATS}")
+        raise InputError(f"export: path = '{path}': unsupported suffix; give one of {_FORMATS}")
     if lattice.cells is not None and suffix not in (*_TABLE, *_DUMP, *_POLYHEDRA):
-        raise InputError(f"export: cells are no spheres, which '{suffix}' is for; give .csv, .dump or .vtu")
+        raise InputError(f"export: '{suffix}' files hold spheres, not cells; give .csv, .dump or .vtu")
     if suffix in _DATA and density is None:
-        raise InputError("export: LAMMPS data files have a density; give density= [kg/m³]")
+        raise InputError("export: LAMMPS data files need a density; give density= [kg/m³]")
     if density is not None:
         number("export", "density", density, unit="kg/m³", above=0.0, advice="a positive density")
     if state is not None:
@@ -73,14 +75,29 @@ def export(
                 " give the lattice of its model"
             )
     frame = _Frame.of(lattice, state, density, elements)
+    _check_names(frame, elements or {}, suffix)
     require_writable(path, "file")
     with replacing(path) as new:
         writer(new, frame, suffix)
 
 
+def _check_names(frame: "_Frame", given: Mapping[str, ArrayLike], suffix: str) -> None:
+    """Refuse fields whose columns would be taken for others."""
+    own = {"x", "y", "z", frame.size[0]}
+    if frame.state is not None:
+        own |= {"displacement", "velocity"}
+    if suffix in _DUMP:
+        own |= {"id", "type"} | ({"vx", "vy", "vz"} if frame.state is not None else set())
+    check_names("export", given, own=own, forbidden=" " if suffix in (*_DUMP, ".vtk") else "")
+    columns = [key for name in frame.fields for key in frame.columns_of(name)]
+    twice = next((key for key in columns if columns.count(key) > 1), None)
+    if twice is not None and suffix in (*_TABLE, *_DUMP):
+        raise InputError(f"export: two fields make a column '{twice}'; give one another name")
+
+
 @dataclass(frozen=True, eq=False)
 class _Frame:
-    """What is written.
+    """Contents of an export.
 
     Attributes:
         lattice: elements and bonds.
@@ -117,31 +134,32 @@ class _Frame:
 
     @property
     def pairs(self) -> Pairs:
-        """Bonds that hold, (m, 2)."""
+        """Unbroken bonds, (m, 2)."""
         pairs = self.lattice.pairs
         return pairs if self.state is None else pairs[self.state.bond_integrity > 0.0]
 
     @property
     def size(self) -> tuple[str, Floats]:
-        """Radii [m], of cells volumes [m³]."""
+        """Radii of spheres [m], or volumes of cells [m³]."""
         cells = self.lattice.cells
         return ("radius", self.lattice.particles.radius) if cells is None else ("volume", cells.volume)
 
     @property
     def columns(self) -> dict[str, Floats]:
-        """Fields by column: components have numbers, vectors letters."""
-        found: dict[str, Floats] = {}
-        for name, values in self.fields.items():
-            if values.ndim == 1:
-                found[name] = values
-                continue
-            ends = "xyz" if values.shape[1] == 3 else range(values.shape[1])
-            found |= {f"{name}_{end}": values[:, k] for k, end in enumerate(ends)}
-        return found
+        """Field components by column name: components are numbered, vectors have letters."""
+        return {key: values for name in self.fields for key, values in self.columns_of(name).items()}
+
+    def columns_of(self, name: str) -> dict[str, Floats]:
+        """Columns of one field."""
+        values = self.fields[name]
+        if values.ndim == 1:
+            return {name: values}
+        ends = "xyz" if values.shape[1] == 3 else range(values.shape[1])
+        return {f"{name}_{end}": values[:, k] for k, end in enumerate(ends)}
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:
-        """Of the periodic cell, or of the elements with a margin of a hundredth [m]."""
+        """Bounds of the periodic cell, or of the elements with a margin of one hundredth [m]."""
         period = self.lattice.particles.period
         if period is not None:
             return np.zeros(3), np.asarray(period, dtype=float)
@@ -162,10 +180,11 @@ def _write_csv(path: Path, frame: _Frame, suffix: str) -> None:
 
 
 def _write_data(path: Path, frame: _Frame, suffix: str) -> None:
-    """Atoms of style bpm/sphere: id, molecule, type, diameter, density, x, y, z."""
+    """Write atoms of style bpm/sphere: id, molecule, type, diameter, density, x, y, z."""
     diameter, pairs = 2.0 * frame.lattice.particles.radius, frame.pairs
     with open(path, "w", encoding="utf-8") as file:
-        file.write("LAMMPS data file of bondem: units si, atom_style bpm/sphere\n\n")
+        strained = f", {STRAINED}" if frame.state is not None and np.any(frame.state.displacement) else ""
+        file.write(f"LAMMPS data file of bondem: units si, atom_style bpm/sphere{strained}\n\n")
         file.write(f"{len(diameter)} atoms\n{len(pairs)} bonds\n1 atom types\n1 bond types\n")
         # room for bonds: as many as the best bonded element has, and those that LAMMPS makes of both ends
         most = int(np.bincount(pairs.ravel(), minlength=1).max()) if len(pairs) else 0
@@ -189,8 +208,11 @@ def _write_dump(path: Path, frame: _Frame, suffix: str) -> None:
     edge = "ff ff ff" if frame.lattice.particles.period is None else "pp pp pp"
     name, size = frame.size
     velocity = {} if frame.state is None else dict(zip(("vx", "vy", "vz"), frame.state.velocity.T, strict=True))
-    others = {key: values for key, values in frame.columns.items() if not key.startswith("velocity_")}
-    columns = velocity | others
+    if frame.state is None:
+        columns = frame.columns
+    else:
+        others = (name for name in frame.fields if name != "velocity")
+        columns = velocity | {key: values for name in others for key, values in frame.columns_of(name).items()}
     with open(path, "w", encoding="utf-8") as file:
         file.write(f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n{len(size)}\nITEM: BOX BOUNDS {edge}\n")
         file.writelines(f"{float(low)!r} {float(high)!r}\n" for low, high in zip(*frame.bounds, strict=True))
@@ -206,7 +228,8 @@ def _write_rows(file: TextIO, columns: list[Floats]) -> None:
 def _write_mesh(path: Path, frame: _Frame, suffix: str) -> None:
     meshio = needed("meshio", "exchange")
     name, size = frame.size
-    fields = {name: size, **frame.fields}
+    turned = {} if frame.state is None else {"orientation": frame.state.orientation}
+    fields = {name: size, **turned, **frame.fields}
     if frame.lattice.cells is not None:
         points, blocks, order = _polyhedra(frame)
         data = {key: [values[chosen] for chosen in order] for key, values in fields.items()}
@@ -223,9 +246,11 @@ def _meshio_format(suffix: str) -> str:
 
 
 def _polyhedra(frame: _Frame) -> tuple[Floats, list[tuple[str, Any]], list[Ints]]:
-    """Points, and cells in blocks of equally many corners as meshio wants them, with the numbers of those in each."""
+    """Points, and cells in blocks of equal numbers of corners as meshio requires, with the cell numbers of each
+    block.
+    """
     corners = Corners(frame.lattice)
-    points = corners.place if frame.state is None else corners.place + frame.state.displacement[corners.cell]
+    points = corners.place if frame.state is None else corners.moved(frame.lattice, frame.state)
     faces: list[list[Ints]] = [[] for _ in frame.position]
     for polygon, cell in enumerate(corners.polygon_cell.tolist()):
         faces[cell].append(corners.number[corners.start[polygon] : corners.start[polygon + 1]])

@@ -1,4 +1,4 @@
-"""Folders of results, which one process at a time writes to."""
+"""Folders of results, each with a single writing process."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,14 +11,14 @@ from bondem.io.atomic import require_folder
 
 @contextmanager
 def only_writer(out: Path, what: str) -> Iterator[None]:
-    """Be the only process that writes to a folder, which is there or can be made.
+    """Lock a folder, existing or new, for writing by this process only.
 
     Args:
         out: the folder.
-        what: what messages call it.
+        what: name of the folder in messages.
 
     Raises:
-        InputError: it cannot be written, or another process writes to it.
+        InputError: the folder cannot be written, or another process writes to it.
     """
     require_folder(out, what)
     out = out.absolute()
@@ -26,5 +26,7 @@ def only_writer(out: Path, what: str) -> Iterator[None]:
     place = beside.parent if beside == out else beside
     with sole(place / f".{out.name}.lock") as mine:
         if not mine:
-            raise InputError(f"{what} '{out}' is being written by another process; give another one, or wait for it")
+            raise InputError(
+                f"{what} '{out}' is being written by another process; give another folder, or try again later"
+            )
         yield

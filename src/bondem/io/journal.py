@@ -1,12 +1,12 @@
-"""A file that is changed as a whole or not at all: between two commits nothing that was there is touched.
+"""Transactional file: a commit changes the file as a whole or not at all.
 
-What is written beyond the committed end goes straight to the file, as nothing refers to it yet. What is written
-over committed bytes is gathered in pages. A commit writes these pages to a journal beside the file, with a digest,
-and only then to the file itself; a process that is killed meanwhile leaves a journal that the next reader takes into
-account and the next writer carries out, or one that is not whole and counts for nothing.
+Data beyond the committed end are written directly to the file, as nothing refers to them yet. Changes of committed
+bytes are collected in pages. A commit writes these pages to a journal beside the file, with a digest, and then to the
+file itself. A process that is killed meanwhile leaves a journal. A complete one is used by the next reader and
+applied by the next writer; an incomplete one is ignored.
 
-h5py opens it as a file object. Nothing raises while HDF5 writes, which does not survive that: a full disk is found
-out at the commit, and the last commit stays as it was.
+h5py opens the object as a file. No error is raised while HDF5 writes, as HDF5 does not survive errors: a full disk is
+detected at the commit, and the last commit remains valid.
 """
 
 import hashlib
@@ -30,11 +30,11 @@ _LOST = OSError, ValueError
 
 
 class JournaledFile(io.RawIOBase):
-    """The file object.
+    """File object with commits.
 
     Args:
-        path: the file; it is made where there is none.
-        aside: where it lies until the first commit, which moves it to `path`; None for a file that is there.
+        path: the file; created if it does not exist.
+        aside: path of a new file until the first commit, which moves it to `path`; None for an existing file.
 
     Raises:
         RunFileError: another process writes this file, or it cannot be committed.
@@ -53,7 +53,7 @@ class JournaledFile(io.RawIOBase):
             raise failed(path, error) from error
         if not claim(self._file.fileno()):
             self._file.close()
-            raise RunFileError(f"'{path}' is being written by another process; give another file, or wait for it")
+            raise RunFileError(f"'{path}' is being written by another process; give another file, or try again later")
         if aside is None:
             recover(path, self._file)
         else:
@@ -80,7 +80,7 @@ class JournaledFile(io.RawIOBase):
         return self._at
 
     def readinto(self, buffer: Any) -> int:
-        """See `io.RawIOBase`: the file as it will be after the next commit."""
+        """Read as in `io.RawIOBase`, from the file as it will be after the next commit."""
         view = memoryview(buffer).cast("B")
         count = max(min(len(view), self._end - self._at), 0)
         with suppress(*_LOST):
@@ -98,7 +98,7 @@ class JournaledFile(io.RawIOBase):
         return count
 
     def write(self, data: Any) -> int:
-        """See `io.RawIOBase`; it never fails, `commit` does."""
+        """Write as in `io.RawIOBase`; errors are raised by `commit` only."""
         view = memoryview(data).cast("B")
         below = max(min(len(view), self._committed - self._at), 0)
         for number, first, last in _pages_of(self._at, below):
@@ -111,7 +111,7 @@ class JournaledFile(io.RawIOBase):
         return len(view)
 
     def truncate(self, size: int | None = None) -> int:
-        """See `io.RawIOBase`: committed bytes are cut off with the commit."""
+        """Truncate as in `io.RawIOBase`; committed bytes are removed with the next commit."""
         self._end = self._at if size is None else size
         if self._end > self._committed:
             try:
@@ -121,13 +121,13 @@ class JournaledFile(io.RawIOBase):
         return self._end
 
     def flush(self) -> None:
-        """Nothing: `commit` writes."""
+        """Do nothing; `commit` writes."""
 
     def commit(self) -> None:
-        """Let all that was written since the last commit count, or none of it.
+        """Make all changes since the last commit valid, or none of them.
 
         Raises:
-            RunFileError: the disk is full, or another failure to write; the last commit stands.
+            RunFileError: the disk is full, or another failure to write; the last commit remains valid.
         """
         try:
             if self._error is not None:
@@ -152,7 +152,7 @@ class JournaledFile(io.RawIOBase):
         self._pages, self._committed = {}, self._end
 
     def roll_back(self) -> None:
-        """Forget what was written since the last commit."""
+        """Discard all changes since the last commit."""
         self._pages, self._end = {}, self._committed
         with suppress(OSError):
             self._file.truncate(self._committed)
@@ -160,7 +160,7 @@ class JournaledFile(io.RawIOBase):
             journal_of(self._path).unlink(missing_ok=True)
 
     def close(self) -> None:
-        """Close without a commit; a file that never had one goes."""
+        """Close the file without a commit; a file that was never committed is removed."""
         if not self.closed and not self._file.closed:
             with suppress(OSError):
                 self._file.truncate(self._committed)
@@ -192,11 +192,11 @@ class JournaledFile(io.RawIOBase):
 
 
 class RecoveredFile(io.BytesIO):
-    """A file as its last commit has it, in memory, where a journal says that it is not so on the disk."""
+    """Last commit of a file in memory, for files whose commit is in the journal only."""
 
 
 def committed(path: Path) -> Path | RecoveredFile:
-    """What to read a file from: itself, or where a whole journal lies beside it what this makes of it."""
+    """Source of the committed contents of a file: the file itself, or the result of its complete journal."""
     found = _read_journal(journal_of(path))
     if found is None:
         return path
@@ -209,7 +209,7 @@ def committed(path: Path) -> Path | RecoveredFile:
 
 
 def recover(path: Path, file: Any) -> None:
-    """Carry out a journal that was left beside a file, or throw it away where it is not whole."""
+    """Apply the complete journal of a file, or remove an incomplete one."""
     journal = journal_of(path)
     found = _read_journal(journal)
     if found is not None:
@@ -219,19 +219,19 @@ def recover(path: Path, file: Any) -> None:
 
 
 def failed(path: Path, error: OSError) -> RunFileError:
-    """What to say of a file that could not be written."""
+    """Error for a file that could not be written."""
     return RunFileError(
         f"'{path}' could not be written ({error.strerror or error}); make room or choose another place"
     )
 
 
 def journal_of(path: Path) -> Path:
-    """Where the journal of a file lies."""
+    """Path of the journal of a file."""
     return path.with_name(f".{path.name}.journal")
 
 
 def _pages_of(at: int, count: int) -> Iterator[tuple[int, int, int]]:
-    """Number of each page that count bytes from `at` on touch, and which of them."""
+    """Number of each page touched by count bytes from `at` on, and the bytes in it."""
     for number in range(at // _PAGE, -(-(at + count) // _PAGE) if count else at // _PAGE):
         yield number, max(at, number * _PAGE), min(at + count, (number + 1) * _PAGE)
 
@@ -253,7 +253,7 @@ def _write_journal(journal: Path, length: int, pages: dict[int, bytearray]) -> N
 
 
 def _read_journal(journal: Path) -> tuple[int, list[tuple[int, bytes]]] | None:
-    """Length after the commit, and pages with where they begin; None where there is no whole journal."""
+    """Length after the commit, and pages with their offsets; None without a complete journal."""
     try:
         data = journal.read_bytes()
     except OSError:

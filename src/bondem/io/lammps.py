@@ -1,4 +1,4 @@
-"""Spheres and bonds from a LAMMPS data file (`read_data`, `write_data`)."""
+"""Import of spheres and bonds from a LAMMPS data file (`read_data`, `write_data`)."""
 
 import re
 from collections.abc import Iterable
@@ -8,26 +8,29 @@ import numpy as np
 
 from bondem._types import Pairs
 from bondem.errors import InputError
-from bondem.io.sphere_tables import RawSpheres, floats, numbered_lines
+from bondem.io.raw_spheres import LAMMPS_UNITS, RawSpheres, floats, numbered_lines
 
 # Column of the diameter and of x; behind z there may be three image flags.
 _STYLES = {"sphere": (2, 4), "bpm/sphere": (3, 5)}
 _SECTION = re.compile(r"[A-Z][A-Za-z]*( [A-Z][A-Za-z]*)*$")
+# What the first line, a comment, may say; write_data gives step and units.
+STRAINED = "of a strained state"
+_UNITS, _STEP = re.compile(r"\bunits(?: =)? (\w+)"), re.compile(r"\btimestep = (\d+)")
 _Lines = list[tuple[int, str]]
 
 
 def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
-    """Spheres, and bonds where there are any, in the order of their ids.
+    """Read spheres and, if present, bonds, in the order of their ids.
 
     Args:
-        path: a data file of atom_style sphere or bpm/sphere.
-        periodic: take the box for a periodic cell, moved to the origin. The file does not say: in LAMMPS the
-            command `boundary` does.
+        path: data file of atom_style sphere or bpm/sphere.
+        periodic: True to use the box as a periodic cell, moved to the origin. The file does not state this; in LAMMPS
+            the command `boundary` does.
 
     Raises:
-        InputError: another style, or a line that does not fit, naming file and line.
+        InputError: another atom style, or an invalid line; the message states file and line.
     """
-    head, sections = _sections(path)
+    title, head, sections = _sections(path)
     atoms = sections.get("Atoms")
     if atoms is None:
         raise InputError(f"'{path}' has no section Atoms; give a LAMMPS data file (write_data)")
@@ -51,16 +54,35 @@ def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
     if twice.size:
         raise InputError(f"'{path}' has two atoms of id {known[twice[0]]}; number them anew (reset_atoms id)")
     lower, period = _box(path, head) if periodic else (np.zeros(3), None)
-    pairs = _bonds(path, sections["Bonds"][2], known) if "Bonds" in sections else None
-    return RawSpheres(table[:, :3] - lower, 0.5 * table[:, 3], period, pairs)
+    pairs, strained = None, ""
+    if "Bonds" in sections:
+        pairs = _bonds(path, sections["Bonds"][2], known)
+        strained = _strained(path, title, sections["Velocities"][2] if "Velocities" in sections else ())
+    units = _UNITS.search(title)
+    unit = LAMMPS_UNITS.get(units[1]) if units else None
+    return RawSpheres(table[:, :3] - lower, 0.5 * table[:, 3], period, pairs, unit, strained)
 
 
-def _sections(path: Path) -> tuple[_Lines, dict[str, tuple[int, str, _Lines]]]:
-    """The header, and by name the line each section begins on, the comment behind its name, and its lines."""
+def _strained(path: Path, title: str, velocities: Iterable[tuple[int, str]]) -> str:
+    """Return the sign that bonds are not at rest, or an empty text: LAMMPS does not write their lengths at rest."""
+    if STRAINED in title:
+        return "bd.export wrote it of a state with displacements"
+    step = _STEP.search(title)
+    if step and int(step[1]) > 0:
+        return f"it is of timestep {int(step[1])}"
+    if any(any(floats(path, line, text.split()[1:])) for line, text in velocities):
+        return "its elements have velocities, which are not read"
+    return ""
+
+
+def _sections(path: Path) -> tuple[str, _Lines, dict[str, tuple[int, str, _Lines]]]:
+    """First line and header of the file, and by section its line number, its comment and its lines."""
+    title = ""
     head: _Lines = []
     sections: dict[str, tuple[int, str, _Lines]] = {}
     current = head
     for line, text in numbered_lines(path):
+        title = text if line == 1 else title
         plain, _, comment = text.partition("#")
         plain = plain.strip()
         if line > 1 and _SECTION.match(plain):
@@ -68,7 +90,7 @@ def _sections(path: Path) -> tuple[_Lines, dict[str, tuple[int, str, _Lines]]]:
             sections[plain] = (line, comment.strip(), current)
         elif plain and line > 1:
             current.append((line, plain))
-    return head, sections
+    return title, head, sections
 
 
 def _style(path: Path, place: int, hint: str, lines: _Lines) -> tuple[int, int]:
@@ -81,7 +103,7 @@ def _style(path: Path, place: int, hint: str, lines: _Lines) -> tuple[int, int]:
             if count in (columns[1] + 3, columns[1] + 6):
                 return columns
     raise InputError(
-        f"'{path}', line {place}: atom style '{hint or 'unknown'}' has no diameters we know the place of; write the"
+        f"'{path}', line {place}: atom style '{hint or 'unknown'}' has no known column of diameters; write the"
         " file with atom_style sphere or bpm/sphere ('Atoms # sphere')"
     )
 

@@ -1,4 +1,4 @@
-"""What states of older run files mean today."""
+"""Conversion of states of older run files."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ _TODAY = 8
 
 
 def brought_up(model: Model, state: State, schema: int) -> None:
-    """Change a state that was read from a run file of an older schema into one of today, in place."""
+    """Convert a state of an older schema to the current one, in place."""
     if schema >= _TODAY:
         return
     judge_anew(model, state)
@@ -22,7 +22,7 @@ def brought_up(model: Model, state: State, schema: int) -> None:
 
 
 def judge_anew(model: Model, state: State) -> None:
-    """Give cracks the strength of their facets, where they had the traction at which they began; wake all at rest."""
+    """Set the strength of softening facets that stored the traction at initiation, and reactivate resting ones."""
     if model.softening is None:
         return
     rows = state.cracks

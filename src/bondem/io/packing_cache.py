@@ -1,8 +1,8 @@
-"""Packings kept on disk, so that the same request is not packed twice.
+"""Cache of packings on disk: identical requests reuse a stored packing.
 
-They lie in the folder `packings` of bondem's cache: `$BONDEM_CACHE_DIR/bondem`, or `$XDG_CACHE_HOME/bondem`, or
-`~/.cache/bondem`, each in a file named after its request. The folder may be deleted at any time, and
-`BONDEM_PACKING_CACHE=off` in the environment does without: whatever is packed is then packed anew.
+The files are in the folder `packings` of bondem's cache: `$BONDEM_CACHE_DIR/bondem`, or `$XDG_CACHE_HOME/bondem`, or
+`~/.cache/bondem`. Each file is named after its request. The folder may be deleted at any time.
+`BONDEM_PACKING_CACHE=off` in the environment disables the cache, so that every packing is computed.
 """
 
 import hashlib
@@ -35,38 +35,37 @@ _WORTH_KEEPING = 1000
 
 
 def wanted(count: int) -> bool:
-    """Whether a packing of so many spheres is to be looked for and kept, as the environment has it."""
+    """True if a packing of this number of spheres is to be cached, according to the environment."""
     return count >= _WORTH_KEEPING and os.environ.get("BONDEM_PACKING_CACHE", "on").lower() != "off"
 
 
 def key(request: Mapping[str, Any]) -> str:
-    """Name of a request for a packing: a hash of all that decides its bits.
+    """Key of a request for a packing: a hash of all inputs that determine its bits.
 
     Args:
-        request: the arguments by name, all of them, defaults written out: what JSON can hold, arrays, and
-            bondem's own shapes, size laws and targets. A surface counts by its mesh.
+        request: all arguments by name, with defaults: JSON values, arrays, and shapes, size laws and targets of
+            bondem. A surface is represented by its mesh.
 
     Returns:
-        40 hexadecimal digits, the same in any order of the arguments; other ones for another version of bondem,
-        of NumPy, SciPy or Numba, or after any edit of a source that packs.
+        40 hexadecimal digits, independent of the order of the arguments. They differ for another version of bondem,
+        NumPy, SciPy or Numba, or after any change of the source code of packing.
 
     Raises:
-        RunFileError: an argument that cannot be written down, such as a shape of the user's own, whose code
-            may change from day to day.
+        RunFileError: an argument that cannot be serialised, such as a user-defined shape, whose code may change.
     """
     text = json.dumps(written(request), sort_keys=True)
     return hashlib.sha256(f"{_program()}\n{text}".encode()).hexdigest()[:40]
 
 
 def written(value: Any, *, packages: tuple[str, ...] = ("bondem",)) -> Any:
-    """What decides the bits of a value, as JSON can hold it.
+    """Serialise the inputs that determine the bits of a value, for JSON.
 
     Args:
         value: plain values, arrays, sequences and mappings of them, and dataclasses.
-        packages: whose dataclasses may be in it.
+        packages: packages whose dataclasses are allowed.
 
     Raises:
-        RunFileError: something else, such as a shape of the user's own, whose code may change from day to day.
+        RunFileError: another type, such as a user-defined shape, whose code may change.
     """
     match value:
         case None | bool() | int() | float() | str():
@@ -81,7 +80,7 @@ def written(value: Any, *, packages: tuple[str, ...] = ("bondem",)) -> Any:
             return {str(name): written(item, packages=packages) for name, item in value.items()}
     kind = type(value)
     if not (is_dataclass(kind) and kind.__module__.partition(".")[0] in packages):
-        raise RunFileError(f"what is made with a {kind.__name__} cannot be kept; use bondem's own types")
+        raise RunFileError(f"a request with an object of type {kind.__name__} cannot be stored; use types of bondem")
     return {"type": f"{kind.__module__}.{kind.__qualname__}"} | {
         item.name: written(getattr(value, item.name), packages=packages) for item in fields(value)
     }
@@ -101,14 +100,14 @@ def _program() -> str:
 
 
 class PackingCache:
-    """A folder of packings by key.
+    """Folder of packings by key.
 
-    Whatever goes wrong with it (no room, a damaged file, no right to write) costs time and nothing else: it is
-    as if the packing had not been kept.
+    Failures of the cache (a full disk, a damaged file, missing permission) cost time only: the packing is computed as
+    if it had not been stored.
 
     Args:
-        folder: where; the default is told above.
-        most_bytes: what the files may take together [bytes]; those not used for longest go first.
+        folder: the folder; None for the default of this module.
+        most_bytes: largest total size of the files [bytes]; the least recently used files are removed first.
     """
 
     def __init__(self, folder: str | Path | None = None, *, most_bytes: int = _MOST_BYTES) -> None:
@@ -116,7 +115,7 @@ class PackingCache:
         self._most = most_bytes
 
     def get(self, name: str) -> Particles | None:
-        """The packing kept under a key, or None."""
+        """Packing stored under a key, or None."""
         path = self._path(name)
         # Damage shows in more ways than a list could hold, and none of them may stop a packing.
         with suppress(Exception):
@@ -126,7 +125,7 @@ class PackingCache:
         return None
 
     def put(self, name: str, particles: Particles, *, provenance: Mapping[str, Any] | None = None) -> None:
-        """Keep a packing under a key; what was there is replaced, in one move."""
+        """Store a packing under a key, replacing an existing one by one atomic move."""
         path = self._path(name)
         # Processes and threads that pack the same at once must not write to one file.
         aside = path.with_name(f"{path.stem}.{os.getpid()}-{threading.get_ident()}.new")
@@ -140,11 +139,11 @@ class PackingCache:
                 aside.unlink(missing_ok=True)
 
     def remembered(self, request: Mapping[str, Any], make: Callable[[], Particles]) -> Particles:
-        """The packing of a request: the one kept, or else made now and kept where that can be.
+        """Packing of a request: the stored one, or a new one, which is stored if possible.
 
         Args:
-            request: as for `key`; its `shape` is that of the particles.
-            make: packs it.
+            request: request as for `key`; its `shape` is that of the particles.
+            make: function that computes the packing.
         """
         try:
             name, provenance = key(request), written(request)

@@ -1,11 +1,11 @@
-"""Particles, and a lattice where there are bonds, in one HDF5 file with where they come from.
+"""Particles, or a lattice with bonds, in one HDF5 file with their provenance.
 
     /                attributes format, schema, bondem_version, digest; texts shape and provenance (JSON)
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one
     /bonds           pairs (m, 2), where a lattice was saved
     /facets, /cells  of a body of cells, see `bondem.io.bodies`
 
-Arrays are kept to the bit, and a file of which one has changed is refused.
+Arrays are stored to the bit, and a file with a changed array is rejected.
 """
 
 import io
@@ -41,14 +41,14 @@ def save_particles(
     """Write particles, or a lattice, to an HDF5 file.
 
     Args:
-        path: the file, by custom ending in .h5; one that is there is replaced, in one move.
-        particles: the elements; a Lattice brings its bonds along.
-        provenance: how they came about, say method, seed and target, by names: what JSON can hold, and bondem's
-            own dataclasses. The version of bondem is added.
+        path: the file, usually with the suffix .h5; an existing file is replaced by one atomic move.
+        particles: the elements; a Lattice includes its bonds.
+        provenance: origin of the particles, such as method, seed and target, by name: JSON values and dataclasses of
+            bondem. The version of bondem is added.
 
     Raises:
         InputError: the file cannot be written.
-        RunFileError: the shape or the provenance holds something that a file cannot.
+        RunFileError: the shape or the provenance contains an object that cannot be stored.
     """
     path = place("save_particles: path", path)
     given = instance("save_particles", "particles", particles, (Particles, Lattice), "bd.Particles or a lattice")
@@ -79,7 +79,7 @@ def save_particles(
 
 
 def load_particles(path: str | Path) -> Particles:
-    """The particles that `save_particles` wrote, to the bit, with their shape.
+    """Read the particles of `save_particles` to the bit, with their shape.
 
     Raises:
         InputError: no such file, not a particle file, damaged, or of a newer bondem.
@@ -88,24 +88,24 @@ def load_particles(path: str | Path) -> Particles:
 
 
 def load_bonded(path: str | Path) -> tuple[Particles, np.ndarray | None]:
-    """Particles and the pairs (m, 2) of their bonds, None where none were saved."""
+    """Read particles and the pairs (m, 2) of their bonds; None for a file without bonds."""
     particles, lattice, _ = _read(Path(path))
     return particles, None if lattice is None else lattice.pairs
 
 
 def load_lattice(path: str | Path) -> Lattice | None:
-    """The lattice that was saved, a body with its facets and cells; None where no bonds were."""
+    """Read the stored lattice, a body with its facets and cells; None for a file without bonds."""
     return _read(Path(path))[1]
 
 
 def read_provenance(path: str | Path) -> dict[str, Any]:
-    """How the particles of a file came about: what `save_particles` was told, and `bondem_version`."""
+    """Read the provenance of the particles of a file: the argument of `save_particles`, and `bondem_version`."""
     return _read(place("read_provenance: path", path))[2]
 
 
 def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
     if not os.path.isfile(path):
-        raise InputError(f"there is no particle file '{path}'; check the path")
+        raise InputError(f"path = '{path}': there is no particle file; check the path")
     try:
         file = h5py.File(path, "r")
     except OSError:
@@ -116,7 +116,7 @@ def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
             raise InputError(f"'{path}' is not a particle file of bondem; give a file of bd.save_particles")
         version, schema = text_of(head.get("bondem_version", "")), head.get("schema")
         if schema is None or not version:
-            raise InputError(f"'{path}' is damaged: it does not say which bondem wrote it; make it again")
+            raise InputError(f"'{path}' is damaged: its version of bondem is missing; write it again")
         if schema > SCHEMA:
             raise InputError(
                 f"'{path}' was written by bondem {version}, which is newer than this {__version__}; update bondem to"
@@ -124,7 +124,7 @@ def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
             )
         try:
             if schema >= _DIGESTED and not agree(digest_of(arrays_of(file)), head["digest"]):
-                raise ValueError("its digest is another one")
+                raise ValueError("its digest does not match")
             period = _array(file, "elements/period") if "elements/period" in file else None
             shape = decode(json.loads(_array(file, "shape").item()))
             if not isinstance(shape, Shape | None):
@@ -136,7 +136,7 @@ def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
             lattice = read_bonds(file, particles) if "bonds/pairs" in file else None
             told = json.loads(_array(file, "provenance").item())
         except Exception as error:  # damage shows in more ways than a list could hold
-            raise InputError(f"'{path}' is damaged ({error}); make it again") from error
+            raise InputError(f"'{path}' is damaged ({error}); write it again") from error
     return particles, lattice, {"bondem_version": version} | {key: decode(value) for key, value in told.items()}
 
 

@@ -1,4 +1,4 @@
-"""What is in a run file, told without reading all of it."""
+"""Summary of a run file, without reading all of it."""
 
 import json
 import os
@@ -19,24 +19,24 @@ from bondem.solve.history import History
 
 @dataclass(frozen=True)
 class RunContents:
-    """What is in a run file.
+    """Summary of a run file.
 
     Attributes:
-        path: of the file.
-        size: of the file [bytes].
-        elements, bonds: how many there are; facets of a body are bonds.
-        cells: whether the elements are cells.
-        step, steps: of the last checkpoint, and of the whole run.
-        time, duration: of the last checkpoint and of the whole run [s].
+        path: path of the file.
+        size: size of the file [bytes].
+        elements, bonds: numbers of elements and of bonds; facets of a body count as bonds.
+        cells: True if the elements are cells.
+        step, steps: number of steps at the last checkpoint, and of the whole run.
+        time, duration: time at the last checkpoint and at the end of the run [s].
         dt: time step [s].
-        seconds: wall time that the run has taken until then [s].
-        records: of the history.
-        snapshots: for ParaView.
-        broken: bonds that have broken.
-        imbalance: largest miss of the energy ledger over its largest entry [-]; None without records.
-        written: whether a process is writing the file now.
-        provenance: versions, machine and start.
-        schema: of the file.
+        seconds: wall time of the run until the last checkpoint [s].
+        records: number of records of the history.
+        snapshots: number of snapshots for ParaView.
+        broken: number of broken bonds.
+        imbalance: largest error of the energy balance over its largest term [-]; None without records.
+        written: True if a process is writing the file.
+        provenance: versions, machine and start time.
+        schema: schema number of the file.
     """
 
     path: str
@@ -60,33 +60,33 @@ class RunContents:
 
     @property
     def rate(self) -> float | None:
-        """Steps a second of wall time; None where nothing is known of it."""
+        """Steps per second of wall time; None if unknown."""
         return self.step / self.seconds if self.seconds > 0.0 and self.step else None
 
     @property
     def left(self) -> float | None:
-        """Wall time that is left at that rate [s]; None where nothing is known of it."""
+        """Remaining wall time at the current rate [s]; None if unknown."""
         return None if self.rate is None else (self.steps - self.step) / self.rate
 
     def as_json(self) -> str:
-        """All of it as JSON text."""
+        """Summary as JSON text."""
         return json.dumps(asdict(self) | {"rate": self.rate, "left": self.left}, indent=2)
 
 
 def read_contents(path: str | Path) -> RunContents:
-    """What is in a run file, also while it is written.
+    """Read the summary of a run file, also while it is written.
 
-    Where a process was killed while it carried out a commit, that is done first, so that VTK can read the file again.
+    If a process was killed during a commit, the commit is completed first, so that VTK can read the file.
 
     Args:
-        path: of the file.
+        path: path of the file.
 
     Raises:
         RunFileError: no such file, not a run file, or damaged.
     """
     path = place("read_contents: path", path)
     if not path.is_file():
-        raise RunFileError(f"there is no run file '{path}'; check the path")
+        raise RunFileError(f"path = '{path}': there is no run file; check the path")
     written = _written(path)
     if not written and journal_of(path).exists():
         with suppress(RunFileError):  # where nobody may write, the journal is read beside the file

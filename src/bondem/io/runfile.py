@@ -8,9 +8,9 @@
     /history         records (s, 14 + 3 g); attribute gauges
     /VTKHDF          snapshots for ParaView, where there are any, see `bondem.io.snapshots`
 
-What is derived (order, stiffnesses) is not kept but made again, by the same code. The file grows by commits of
-`bondem.io.journal`, so that a kill at any moment leaves the checkpoint and the snapshots before. Whatever a run goes
-on from is under a digest: a file of which a bit has changed is refused.
+Derived data (order, stiffnesses) are not stored but computed again by the same code. The file grows by commits of
+`bondem.io.journal`, so that a kill at any moment leaves the previous checkpoint and snapshots. All data for a restart
+are under a digest: a file with a changed bit is rejected.
 """
 
 import json
@@ -64,15 +64,15 @@ _CHUNK = 1 << 20
 
 @dataclass(frozen=True, eq=False)
 class Checkpoint:
-    """All that is needed to go on.
+    """Data of a run for a restart.
 
     Attributes:
-        model: what is run.
-        plan: how.
-        state: where it stands.
-        history: the records so far.
-        seconds: of wall time that it has taken [s].
-        schema: of the file it comes from.
+        model: model of the run.
+        plan: options of the run.
+        state: state at the checkpoint.
+        history: records so far.
+        seconds: wall time so far [s].
+        schema: schema number of the file.
     """
 
     model: Model
@@ -84,18 +84,18 @@ class Checkpoint:
 
 
 class RunFile:
-    """Keeps checkpoints and snapshots of a run in a file (a `Sink`).
+    """Writer of checkpoints and snapshots of a run (a `Sink`).
 
     Args:
-        path: the file; one that is there is replaced at the first checkpoint.
-        model: what is run.
-        plan: how, with its time step resolved, so that going on does not depend on finding it again.
-        cracks: finds outlines of cracks for snapshots; none are shown without.
-        goes_on: the checkpoint in the file at `path` that the run goes on from, if it does.
+        path: the file; an existing file is replaced at the first checkpoint.
+        model: model of the run.
+        plan: options of the run with the resolved time step, so that a restart does not compute it again.
+        cracks: function of crack outlines for snapshots; None for snapshots without cracks.
+        goes_on: checkpoint in the file at `path` from which the run is resumed, or None.
 
     Raises:
         InputError: the file cannot be written.
-        RunFileError: the model holds something that a run file cannot, or another process writes the file.
+        RunFileError: the model contains an object that cannot be stored, or another process writes the file.
     """
 
     def __init__(
@@ -151,7 +151,7 @@ class RunFile:
         self.close()
 
     def close(self) -> None:
-        """Let go of the file; what was not committed is forgotten."""
+        """Release the file; uncommitted data are discarded."""
         if self._file is not None:
             self._raw.roll_back()
             self._file.close()
@@ -161,10 +161,10 @@ class RunFile:
             self._replaced.close()
 
     def checkpoint(self, state: State, history: History) -> None:
-        """Write all that is needed to go on from here.
+        """Write all data for a restart from this state.
 
         Raises:
-            RunFileError: the disk is full, or another failure to write; what was there stays as it was.
+            RunFileError: the disk is full, or another failure to write; the previous checkpoint remains valid.
         """
         file = self._begun_file()
         kept = file.require_group("state")
@@ -178,7 +178,7 @@ class RunFile:
         self._commit()
 
     def snapshot(self, state: State) -> None:
-        """Add what ParaView shows of a state."""
+        """Append a state for ParaView."""
         file = self._begun_file()
         if self._snapshots is None:
             self._snapshots = Snapshots.begin(file, self._model, self._cracks)
@@ -218,7 +218,7 @@ class RunFile:
 
 
 def _put(group: Any, name: str, values: np.ndarray) -> None:
-    """Write an array over the one that is there, which grows or shrinks with it."""
+    """Write an array over an existing one, which is resized to it."""
     data = group.get(name)
     if data is None or data.shape[1:] != values.shape[1:] or data.maxshape[:1] != (None,):
         if data is not None:
@@ -253,8 +253,9 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
     """Read a run file.
 
     Args:
-        path: of the file.
-        failure: the criterion of the run, where that is a `bd.StressCriterion`: no file holds its function.
+        path: path of the file.
+        failure: criterion of the run if it is a `bd.StressCriterion`, whose function cannot be stored; otherwise
+            None.
 
     Raises:
         RunFileError: no such file, not a run file, damaged, of a newer bondem, or of another criterion.
@@ -263,7 +264,7 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
         instance("read_run", "failure", failure, Criterion, "the criterion of the run, or None")
     path = place("path", path)
     if not path.is_file():
-        raise RunFileError(f"there is no run file '{path}'; check the path")
+        raise RunFileError(f"path = '{path}': there is no run file; check the path")
     with reading(path) as file:
         head = head_of(file, path)
         if head["schema"] > SCHEMA:
@@ -273,11 +274,11 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
             )
         if head["schema"] < _OLDEST:
             raise RunFileError(
-                f"'{path}' was written by an older bondem, before there were contacts; start the run again"
+                f"'{path}' was written by an older bondem without contacts; start the run again"
             )
         try:
             if head["schema"] >= _DIGESTED and not agree(_digest_of_rest(file), head["digest"]):
-                raise ValueError("its digest is another one")
+                raise ValueError("its digest does not match")
             return _checkpoint(file, int(head["schema"]), failure)
         except RunFileError:
             raise
@@ -287,24 +288,24 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
 
 @contextmanager
 def reading(path: Path) -> Iterator[h5py.File]:
-    """A run file as its last commit has it, also while it is written or after a kill.
+    """Open the last commit of a run file, also while it is written or after a kill.
 
     Raises:
-        RunFileError: no HDF5 file.
+        RunFileError: the file is not HDF5.
     """
     try:
         file = h5py.File(committed(path), "r")
     except Exception:  # of a damaged file HDF5 may say anything
-        raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote") from None
+        raise RunFileError(f"'{path}' is not a run file of bondem; give a file of a run") from None
     with file:
         yield file
 
 
 def head_of(file: h5py.File, path: Path) -> dict[str, Any]:
-    """What stands at the head of a run file.
+    """Read the header of a run file.
 
     Raises:
-        RunFileError: another file, or a damaged one.
+        RunFileError: another kind of file, or a damaged one.
     """
     try:
         head = dict(_attributes(file))
@@ -314,7 +315,7 @@ def head_of(file: h5py.File, path: Path) -> dict[str, Any]:
     except Exception as error:  # damage shows in more ways than a list could hold
         raise RunFileError(f"'{path}' is damaged ({_line(error)}); start the run again") from error
     if not known:
-        raise RunFileError(f"'{path}' is not a run file of bondem; give the file a run wrote")
+        raise RunFileError(f"'{path}' is not a run file of bondem; give a file of a run")
     return head
 
 
@@ -339,7 +340,9 @@ def _json(file: h5py.File, name: str) -> Any:
 def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Checkpoint:
     text = _json(file, "model")
     if failure is not None and encode(failure) != text.pop("failure", None):
-        raise RunFileError("failure= is not the criterion of the run; give that, with its parameters, or None")
+        raise RunFileError(
+            "failure= is not the criterion of the run; give the criterion with its parameters, or None"
+        )
     made_of = {key: decode(value) for key, value in text.items()}
     period = _array(file, "elements/period") if "elements/period" in file else None
     particles = filled(
@@ -375,7 +378,7 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
         records = np.insert(records, PLASTIC, 0.0, axis=1)
     history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
     if schema >= _DIGESTED and not agree(_digest_of_state(state, history, schema), kept["digest"]):
-        raise ValueError("the digest of its state is another one")
+        raise ValueError("the digest of its state does not match")
     brought_up(model, state, schema)
     return Checkpoint(
         model, decode(_json(file, "plan")), state, history, float(kept.get("seconds", 0.0)), schema

@@ -1,13 +1,14 @@
-"""Snapshots of a run in its file, as ParaView shows them: elements, bonds or cells, and cracks, in time.
+"""Snapshots of a run in its file for ParaView: elements, bonds or cells, and cracks, over time.
 
     /VTKHDF/elements   points that move: radius, displacement, velocity, angular_velocity, orientation (w, x, y, z);
                        under the cell law and the non-local law the stress (xx, yy, zz, xy, yz, xz)
     /VTKHDF/bonds      lines between elements: length, integrity, normal_force (tension positive), shear_force,
                        bending_moment (of the end that has more of it), twisting_moment
-    /VTKHDF/cells      of a body instead of bonds: polyhedra where they were at rest (warp by displacement)
+    /VTKHDF/cells      of a body instead of bonds: polyhedra where they are, which have turned with their elements
     /VTKHDF/cracks     polygons of facets and beams that have lost integrity: integrity, opening, sliding, facet
+    /VTKHDF/walls      polygons of the walls of the model: wall, its number
 
-SI units in single precision; a state to go on from is kept elsewhere, to the bit.
+Snapshots are in SI units and single precision; states for a restart are stored elsewhere, to the bit.
 """
 
 from collections.abc import Callable, Mapping
@@ -22,6 +23,7 @@ from bondem.io.vtk_cells import Corners
 from bondem.io.vtkhdf_series import Piece, begin_collection, static_lines, static_polyhedra
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.model.wall_outlines import WallOutlines, wall_outlines
 from bondem.observe.bond_forces import bond_forces
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import mean_stress
@@ -31,7 +33,7 @@ _OF_TENSOR, _OF_ROW = ((0, 1, 2, 0, 1, 0), (0, 1, 2, 1, 2, 2)), (0, 1, 2, 3, 5, 
 
 
 class Outlined(Protocol):
-    """Outlines of cracks: corners (v, 3), where each polygon begins in them (p + 1,), and fields of the polygons."""
+    """Outlines of cracks: corners (v, 3), offsets of the polygons (p + 1,), and fields of the polygons."""
 
     @property
     def vertex(self) -> Floats: ...
@@ -45,23 +47,27 @@ class Outlined(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Snapshots:
-    """The group of snapshots of a file.
+    """Group of the snapshots in a file.
 
     Attributes:
-        pieces: by name.
-        cracks: finds the outlines of cracks in a state, None where nothing breaks.
-        drawn: bonds that are shown, by number: those that do not cross the border of a periodic cell.
+        pieces: pieces by name.
+        cracks: function of the crack outlines of a state; None for a model without failure.
+        drawn: numbers of the shown bonds, which do not cross the border of a periodic cell.
+        corners: corners of the cells, if they move in the file; else None.
+        walls: walls of the model, if the file has them; else None.
     """
 
     pieces: Mapping[str, Piece]
     cracks: Callable[[State], Outlined] | None
     drawn: np.ndarray
+    corners: Corners | None = None
+    walls: WallOutlines | None = None
 
     @classmethod
     def begin(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
-        """Write what does not change."""
+        """Create the group and write the constant data."""
         root = begin_collection(file)
-        lattice, n, drawn = model.lattice, len(model.lattice.particles), _drawn(model)
+        lattice, n, drawn, corners = model.lattice, len(model.lattice.particles), _drawn(model), None
         pieces = {"elements": Piece.begin(root, "elements", "PolyData")}
         vertices = {"NumberOfPoints": np.array([n])} | static_lines(np.arange(n)[:, None])
         pieces["elements"].set_static(vertices | {"PointData/radius": _single(lattice.particles.radius)})
@@ -72,21 +78,30 @@ class Snapshots:
         else:
             pieces["cells"] = Piece.begin(root, "cells", "UnstructuredGrid")
             c = Corners(lattice)
-            static = static_polyhedra(_single(c.place), c.cell, c.number, c.start, c.polygon_cell, n)
+            static = static_polyhedra(c.cell, c.number, c.start, c.polygon_cell, n)
             pieces["cells"].set_static(static | {"CellData/volume": _single(lattice.cells.volume)})
+            corners = c
         if cracks is not None:
             pieces["cracks"] = Piece.begin(root, "cracks", "PolyData")
-        return cls(pieces, cracks, drawn)
+        if model.walls:
+            pieces["walls"] = Piece.begin(root, "walls", "PolyData")
+        return cls(pieces, cracks, drawn, corners, _walls(model) if model.walls else None)
 
     @classmethod
     def of(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
-        """Those of a file that has them."""
+        """Open the snapshots stored in a run file."""
         root: Any = file["VTKHDF"]
         pieces = {name: Piece(root[name]) for name in root if name != "Assembly"}
-        return cls(pieces, cracks if "cracks" in pieces else None, _drawn(model))
+        # cells of older files stand where they were at rest, and go on doing so
+        solid = pieces.get("cells")
+        moves = solid is not None and (not solid.has_points or solid.has("orientation"))
+        return cls(
+            pieces, cracks if "cracks" in pieces else None, _drawn(model), Corners(model.lattice) if moves else None,
+            _walls(model) if "walls" in pieces else None,
+        )  # fmt: skip
 
     def take(self, model: Model, state: State) -> None:
-        """Add one, unless there is one of this time already."""
+        """Append a snapshot, unless one of this time exists."""
         times = self.pieces["elements"].times
         if len(times) and times[-1] >= state.time:
             return
@@ -107,18 +122,32 @@ class Snapshots:
                 state.time, points=place, point_data={}, cell_data={"length": None} | fields
             )
         if "cells" in self.pieces:
-            del own["orientation"], own["angular_velocity"]
-            self.pieces["cells"].add_step(state.time, points=None, point_data={}, cell_data={"volume": None} | own)
+            points = None
+            if self.corners is None:
+                del own["orientation"], own["angular_velocity"]
+            else:
+                points = self.corners.moved(model.lattice, state)
+            self.pieces["cells"].add_step(state.time, points=points, point_data={}, cell_data={"volume": None} | own)
         if self.cracks is not None:
             found = self.cracks(state)
             self.pieces["cracks"].add_step(
                 state.time, points=found.vertex, point_data={}, cell_data=found.fields, polygons=found.start
             )
+        if self.walls is not None:
+            self.pieces["walls"].add_step(
+                state.time, points=self.walls.moved(state.wall_displacement, state.wall_growth), point_data={},
+                cell_data={"wall": self.walls.wall}, polygons=self.walls.start,
+            )  # fmt: skip
 
     def cut(self, time: float) -> None:
-        """Forget those after a time [s]."""
+        """Remove the snapshots after a time [s]."""
         for piece in self.pieces.values():
             piece.cut(int((piece.times <= time).sum()))
+
+
+def _walls(model: Model) -> WallOutlines:
+    position, radius = model.lattice.particles.position, model.lattice.particles.radius[:, None]
+    return wall_outlines(model.walls, (position - radius).min(axis=0), (position + radius).max(axis=0))
 
 
 def _single(values: Any) -> Any:

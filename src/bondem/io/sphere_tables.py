@@ -1,196 +1,168 @@
-"""Spheres from tables of text: CSV, and what Yade writes."""
+"""Import of spheres from text tables: CSV and files of Yade."""
 
-import math
+import csv
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import numpy as np
 
-from bondem._checks import shown
-from bondem._types import Floats, Pairs, PerElement, PerElement3
+from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.io.raw_spheres import RawSpheres, floats, numbered_lines
+from bondem.io.table_header import Chosen, Column, choose, is_header
 
-_WANTED = ("x", "y", "z", "r")
-# Names others give these columns, in small letters and without units in brackets; d is halved.
-_ALIASES = {
-    "x": ("x", "pos_x", "position_x", "x_center", "centre_x", "center_x", "points:0", "coordinates:0"),
-    "y": ("y", "pos_y", "position_y", "y_center", "centre_y", "center_y", "points:1", "coordinates:1"),
-    "z": ("z", "pos_z", "position_z", "z_center", "centre_z", "center_z", "points:2", "coordinates:2"),
-    "r": ("r", "rad", "radius", "radii"),
-    "d": ("d", "diameter"),
-}
-_SEPARATOR = re.compile(r"[,;\t]")
+_DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?")
+# Between columns separated by blanks; a unit in brackets belongs to the name before it.
+_BLANKS = re.compile(r"\s+(?![\[(])")
 
 
-@dataclass(frozen=True, eq=False)
-class RawSpheres:
-    """What a file says, in its own unit of length.
+def read_csv(
+    path: Path, columns: Sequence[str | int] | None = None, *, diameters: bool = False, unit_given: bool = False
+) -> RawSpheres:
+    """Read spheres from columns separated by comma, semicolon, tab or blanks; `#` starts a comment.
 
-    Attributes:
-        position: centres, shape (n, 3).
-        radius: radii, shape (n,).
-        period: edge lengths of its periodic cell, or None.
-        pairs: elements i, j of its bonds, shape (m, 2), or None where the format has none.
-    """
-
-    position: PerElement3
-    radius: PerElement
-    period: Floats | None = None
-    pairs: Pairs | None = None
-
-
-def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
-    """The lines of a text file that are not empty, stripped, with their numbers from 1."""
-    try:
-        with open(path, encoding="utf-8-sig") as file:
-            for number, line in enumerate(file, start=1):
-                if stripped := line.strip():
-                    yield number, stripped
-    except UnicodeDecodeError:
-        raise InputError(f"'{path}' is not a text file; give spheres in a format its suffix stands for") from None
-
-
-def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
-    """Words of a line as finite numbers.
-
-    Raises:
-        InputError: one is not, naming file and line.
-    """
-    found = []
-    for word in words:
-        try:
-            found.append(float(word))
-        except ValueError:
-            raise InputError(f"'{path}', line {line}: '{word}' is not a number; correct or remove the line") from None
-        if not math.isfinite(found[-1]):
-            raise InputError(f"'{path}', line {line}: {word} is not finite; correct or remove the line")
-    return found
-
-
-def read_csv(path: Path, columns: Sequence[str | int] | None = None) -> RawSpheres:
-    """Spheres from columns separated by comma, semicolon, tab or blanks; `#` starts a comment.
+    Decimals may have commas where these do not separate columns. The header may be a comment.
 
     Args:
         path: the file.
-        columns: which columns hold x, y, z and radius, by name in the header or by number from 0. Default: what
-            the header calls so (x, y, z and r, radius, d or diameter, case and units in brackets ignored), or the
-            first four where there is no header.
+        columns: columns of x, y, z and radius, by name in the header or by number from 0. None selects the columns of
+            the header with these names (x, y, z and r, radius, d or diameter in any case, with units such as "x [mm]"
+            or "x_mm"); a file without a header has these four only.
+        diameters: True if the last column contains diameters; a header may state it too.
+        unit_given: True if the caller knows the unit of length.
 
     Raises:
-        InputError: a column missing or a value that is not a number, naming file and line.
+        InputError: a missing column, more columns than are known, or a value that is not a number; the message states
+            file and line.
     """
-    lines = ((number, text) for number, text in numbered_lines(path) if not text.startswith("#"))
-    first = next(lines, None)
-    if first is None:
-        raise InputError(f"'{path}' holds no spheres; give one line x, y, z, radius for each")
-    number, text = first
-    words = _words(text)
-    header = None if _all_numbers(words) else [_plain(word) for word in words]
-    chosen, halve = _columns(path, number, header, columns)
-    rows = [] if header is not None else [_row(path, number, words, chosen)]
-    rows.extend(_row(path, number, _words(text), chosen) for number, text in lines)
-    return _spheres(path, rows, halve)
+    comment: tuple[int, str] | None = None
+    lines = numbered_lines(path)
+    for number, text in lines:
+        if not text.startswith("#"):
+            break
+        comment = number, text.lstrip("# ")
+    else:
+        raise InputError(f"'{path}' has no spheres; give one line x, y, z, radius for each")
+    separator = _separator(text)
+    words = _words(text, separator)
+    header, place = None, number
+    rows: list[tuple[int, list[str]]] = []
+    if all(_is_number(word) for word in words):
+        rows.append((number, words))
+        if comment is not None:
+            place, text = comment
+            named = [Column.of(word) for word in _words(text, _separator(text))]
+            header = named if is_header(named) and len(named) == len(words) else None
+    else:
+        header = [Column.of(word) for word in words]
+    rows.extend((number, _words(text, separator)) for number, text in lines if not text.startswith("#"))
+    chosen = choose(path, place, header, columns, unit_given=unit_given)
+    most = len(header) if header is not None else 4 if columns is None else None
+    spheres = _spheres(path, [_row(path, k, row, chosen, most) for k, row in rows], chosen, diameters)
+    marks = {mark for _, row in rows for k in chosen.columns for mark in ".," if mark in row[k]}
+    if len(marks) > 1:
+        raise InputError(f"'{path}' has numbers with commas and with points; write all decimals with a point")
+    return spheres
 
 
-def read_yade(path: Path) -> RawSpheres:
-    """Spheres from Yade: `export.text`, `export.textExt` (x y z r first) or `SpherePack.save`, periodic or not.
+def read_yade(path: Path, *, diameters: bool = False) -> RawSpheres:
+    """Read spheres of Yade: `export.text`, `export.textExt` (x y z r first) or `SpherePack.save`, periodic or not.
 
     Raises:
-        InputError: a line that is not x y z r, naming file and line.
+        InputError: a line that is not x y z r; the message states file and line.
     """
-    rows, period = [], None
+    rows, period, said = [], None, False
+    chosen = Chosen((0, 1, 2, 3))
     for number, text in numbered_lines(path):
         words = text.split()
         if words[0] == "##PERIODIC::":
-            period = np.array(_row(path, number, words[1:], range(3)))
-        elif words[0] == "#format" and not "_".join(words[1:]).startswith("x_y_z_r"):
-            raise InputError(f"'{path}', line {number}: the format does not begin with x_y_z_r; export it so")
+            period = np.array(_row(path, number, words[1:], Chosen((0, 1, 2))))
+        elif words[0] == "#format":
+            said = True
+            if not "_".join(words[1:]).startswith("x_y_z_r"):
+                raise InputError(
+                    f"'{path}', line {number}: the format does not begin with x_y_z_r; export it with this format"
+                )
         elif not text.startswith("#"):
-            rows.append(_row(path, number, words, range(4)))
-    return _spheres(path, rows, False, period)
+            if not said and len(words) > 4 and not re.fullmatch(r"-?\d+", words[4]):
+                raise InputError(
+                    f"'{path}', line {number}: {len(words)} columns without a line #format, and the fifth,"
+                    f" {words[4]}, is no number of a clump; write x y z r only, or give .csv with a header"
+                )
+            rows.append(_row(path, number, words, chosen))
+    return _spheres(path, rows, chosen, diameters, period)
 
 
-def _words(text: str) -> list[str]:
+def _separator(text: str) -> str | None:
+    """What separates the columns of a line; None is blanks."""
     plain = text.split("#")[0].strip()
-    # Blanks separate only where nothing else does: names in a header may hold them.
-    words = _SEPARATOR.split(plain) if _SEPARATOR.search(plain) else plain.split()
+    for mark in (";", "\t"):
+        if mark in plain:
+            return mark
+    words = plain.split()
+    if len(words) >= 4 and all(_DECIMAL_COMMA.fullmatch(word) for word in words if "," in word):
+        return None
+    return "," if "," in plain else None
+
+
+def _words(text: str, separator: str | None) -> list[str]:
+    plain = text.split("#")[0].strip()
+    words = _BLANKS.split(plain) if separator is None else next(csv.reader([plain], delimiter=separator))
+    while words and not words[-1].strip():  # a separator at the end of the line
+        words.pop()
     return [word.strip().strip("\"'") for word in words]
 
 
-def _plain(word: str) -> str:
-    return re.sub(r"[\[(].*", "", word).strip().lower()
+def _with_point(word: str) -> str:
+    return word.replace(",", ".") if _DECIMAL_COMMA.fullmatch(word) else word
 
 
-def _all_numbers(words: Sequence[str]) -> bool:
+def _is_number(word: str) -> bool:
     try:
-        for word in words:
-            float(word)
+        float(_with_point(word))
     except ValueError:
         return False
     return True
 
 
-def _columns(
-    path: Path, line: int, header: list[str] | None, columns: Sequence[str | int] | None
-) -> tuple[list[int], bool]:
-    """Numbers of the columns x, y, z and r, and whether the last holds a diameter."""
-    if columns is not None:
-        if len(columns) != 4:
-            raise InputError(f"columns = {columns!r}; name four, those of x, y, z and radius")
-        return [_column(path, line, header, one) for one in columns], False
-    if header is None:
-        return [0, 1, 2, 3], False
-    found: dict[str, int] = {}
-    for name, aliases in _ALIASES.items():
-        place = [k for k, word in enumerate(header) if word in aliases]
-        if place:
-            found[name] = place[0]
-    if "r" not in found and "d" in found:
-        return [*_xyz(path, line, header, found), found["d"]], True
-    return [*_xyz(path, line, header, found), _named(path, line, header, found, "r")], False
+def _row(
+    path: Path, line: int, words: Sequence[str], chosen: Chosen, most: int | None = None
+) -> list[float]:
+    """Return the selected numbers of a line; the last is a size.
 
+    Args:
+        path: the file, for messages.
+        line: its number.
+        words: those of the line.
+        chosen: columns to take.
+        most: columns of a line at most, or None.
 
-def _xyz(path: Path, line: int, header: list[str], found: dict[str, int]) -> list[int]:
-    return [_named(path, line, header, found, name) for name in _WANTED[:3]]
-
-
-def _named(path: Path, line: int, header: list[str], found: dict[str, int], name: str) -> int:
-    if name not in found:
+    Raises:
+        InputError: too few or too many columns, or one that is no number.
+    """
+    if len(words) <= max(chosen.columns):
         raise InputError(
-            f"'{path}', line {line}: no column '{name}' among {', '.join(header)}; rename one, or pass columns="
-            " with those of x, y, z and radius"
+            f"'{path}', line {line}: {len(words)} columns where at least {max(chosen.columns) + 1} are needed;"
+            " complete the line, or give columns= with those of x, y, z and radius"
         )
-    return found[name]
-
-
-def _column(path: Path, line: int, header: list[str] | None, one: str | int) -> int:
-    if isinstance(one, bool) or not isinstance(one, int | str) or (isinstance(one, int) and one < 0):
-        raise InputError(f"columns: {shown(one)} is no column; give names in the header or numbers from 0")
-    if isinstance(one, int):
-        return one
-    if header is None:
-        raise InputError(f"'{path}' has no header; give columns= as numbers from 0")
-    if _plain(one) not in header:
-        raise InputError(f"'{path}', line {line}: no column '{one}' among {', '.join(header)}; correct columns=")
-    return header.index(_plain(one))
-
-
-def _row(path: Path, line: int, words: Sequence[str], chosen: Sequence[int]) -> list[float]:
-    if len(words) <= max(chosen):
+    if most is not None and len(words) > most:
         raise InputError(
-            f"'{path}', line {line}: {len(words)} columns where at least {max(chosen) + 1} are needed; complete the"
-            " line, or pass columns= with those of x, y, z and radius"
+            f"'{path}', line {line}: {len(words)} columns where {most} are known; name all of them in a header, give"
+            " columns= with the numbers of x, y, z and radius, and write decimals with a point"
         )
-    row = floats(path, line, [words[k] for k in chosen])
+    row = floats(path, line, [_with_point(words[k]) for k in chosen.columns])
     if row[-1] <= 0.0:
-        raise InputError(f"'{path}', line {line}: {row[-1]:g} is no size; give a positive one or remove the line")
+        raise InputError(f"'{path}', line {line}: {row[-1]:g} is not a size; give a positive size or remove the line")
     return row
 
 
-def _spheres(path: Path, rows: list[list[float]], halve: bool, period: Floats | None = None) -> RawSpheres:
-    if not rows:
-        raise InputError(f"'{path}' holds no spheres; give one line x, y, z, radius for each")
-    table = np.array(rows)
-    return RawSpheres(table[:, :3], table[:, 3] * (0.5 if halve else 1.0), period)
+def _spheres(
+    path: Path, rows: Iterable[list[float]], chosen: Chosen, diameters: bool, period: Floats | None = None
+) -> RawSpheres:
+    table = np.array(list(rows))
+    if not table.size:
+        raise InputError(f"'{path}' has no spheres; give one line x, y, z, radius for each")
+    table = table * chosen.factor
+    half = 0.5 if chosen.halve or diameters else 1.0
+    return RawSpheres(table[:, :3], table[:, 3] * half, period, unit=chosen.unit)

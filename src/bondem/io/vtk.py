@@ -1,4 +1,4 @@
-"""Lattices for ParaView, as VTKHDF: elements are points and bonds lines, or cells are polyhedra."""
+"""Lattices for ParaView as VTKHDF: elements as points with bonds as lines, or cells as polyhedra."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,6 +10,7 @@ from bondem._checks import array, instance, place
 from bondem._types import ArrayLike
 from bondem.errors import InputError
 from bondem.io.atomic import replacing, require_writable
+from bondem.io.field_names import check_names
 from bondem.io.vtk_cells import fields_of_cells, write_cells
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -25,20 +26,21 @@ def write_vtkhdf(
 ) -> None:
     """Write a lattice as VTKHDF PolyData, which ParaView 5.11 and later opens (glyph by `radius`).
 
-    A body of cells is written as polyhedra (ParaView 6.0 and later), with `elements` as fields of the cells; of a
-    state under `CellBond` there are also the mean stress of each cell, its dilatation and λ θ.
+    A body of cells is written as polyhedra (ParaView 6.0 and later), with `elements` as fields of the cells. For a
+    state under `CellBond`, the file also has the mean stress of each cell, its dilatation and λ θ.
 
-    Bonds that cross the border of a periodic cell are left out: as lines they would cross the whole cell.
+    Bonds that cross the border of a periodic cell are omitted, as their lines would cross the whole cell.
 
     Args:
-        path: file to write, by custom ending in .vtkhdf.
+        path: file to write, usually with the suffix .vtkhdf.
         lattice: elements and bonds.
-        state: where they are; adds displacement, velocity, angular velocity and integrity.
-        elements: more fields by name, each (n,) or (n, k).
-        bonds: more fields by name, each (m,) or (m, k).
+        state: state of the elements; adds displacement, orientation as a quaternion (w, x, y, z), velocity, angular
+            velocity and integrity. Cells move and turn with it.
+        elements: further fields by name, each (n,) or (n, k).
+        bonds: further fields of the bonds by name, each (m,) or (m, k).
 
     Raises:
-        InputError: the file cannot be written, or a field has the wrong length.
+        InputError: the file cannot be written, or a field has the wrong length or a name that is taken.
     """
     path = place("write_vtkhdf: path", path)
     instance("write_vtkhdf", "lattice", lattice, Lattice, "a lattice")
@@ -54,9 +56,11 @@ def write_vtkhdf(
     if lattice.cells is not None:
         if bonds:
             raise InputError("write_vtkhdf: a body is written as cells, without lines for bonds=; leave it out")
-        given = fields_of_cells(lattice, state) | dict(elements or {})
+        own = fields_of_cells(lattice, state)
+        check_names("write_vtkhdf", elements or {}, own=own, forbidden="/")
+        given = own | dict(elements or {})
         checked = {name: _checked(name, field, len(lattice.particles)) for name, field in given.items()}
-        write_cells(path, lattice, None if state is None else state.displacement, checked)
+        write_cells(path, lattice, state, checked)
         return
     particles, pairs = lattice.particles, lattice.pairs
     points = particles.position if state is None else particles.position + state.displacement
@@ -65,10 +69,13 @@ def write_vtkhdf(
     if state is not None:
         of_elements |= {
             "displacement": state.displacement,
+            "orientation": state.orientation,
             "velocity": state.velocity,
             "angular_velocity": state.angular_velocity,
         }
         of_bonds["integrity"] = state.bond_integrity
+    for added, own in ((elements, of_elements), (bonds, of_bonds)):
+        check_names("write_vtkhdf", added or {}, own=own, forbidden="/")
     plain = particles.position[pairs[:, 1]] - particles.position[pairs[:, 0]]
     drawn = np.abs(plain - lattice.branch).max(axis=1) < 1e-6 * particles.mean_radius
     require_writable(path, "VTK file")

@@ -1,4 +1,4 @@
-"""Bodies of cells for ParaView, as VTKHDF: an unstructured grid of polyhedra."""
+"""Bodies of cells for ParaView as VTKHDF: an unstructured grid of polyhedra."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -6,12 +6,13 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from bondem._types import ArrayLike, Floats, Ints, PerElement3
+from bondem._types import ArrayLike, Floats, Ints
 from bondem.io.atomic import replacing, require_writable
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import dilatation, mean_stress
+from bondem.observe.turned_vectors import turned_vectors
 from bondem.specimen.cells.polyhedra import polyhedra
 from bondem.specimen.lattice import Lattice
 
@@ -23,13 +24,14 @@ _SAME = 1e-7
 
 
 def fields_of_cells(body: Lattice, state: State | None) -> dict[str, ArrayLike]:
-    """What every file of cells has; of a state, how they move and what they bear."""
+    """Fields of the cells in every file, with motion and stress for a given state."""
     assert body.cells is not None
     fields: dict[str, ArrayLike] = {"volume": body.cells.volume, "free_area": body.cells.free_area}
     if state is None:
         return fields
     fields |= {
-        "displacement": state.displacement, "velocity": state.velocity, "angular_velocity": state.angular_velocity,
+        "displacement": state.displacement, "orientation": state.orientation, "velocity": state.velocity,
+        "angular_velocity": state.angular_velocity,
     }  # fmt: skip
     model = state.model
     if isinstance(model, Model) and model.cells is not None:
@@ -41,17 +43,17 @@ def fields_of_cells(body: Lattice, state: State | None) -> dict[str, ArrayLike]:
     return fields
 
 
-def write_cells(path: Path, body: Lattice, moved: PerElement3 | None, fields: Mapping[str, np.ndarray]) -> None:
-    """Write cells as polyhedra, whose corners go with them.
+def write_cells(path: Path, body: Lattice, state: State | None, fields: Mapping[str, np.ndarray]) -> None:
+    """Write cells as polyhedra, which move and turn with the state.
 
     Args:
         path: VTKHDF file.
-        body: the cells.
-        moved: displacements of the cells [m], (n, 3); None at rest.
-        fields: of the cells, by name, (n,) or (n, k).
+        body: lattice of cells.
+        state: state of the cells; None for cells at rest.
+        fields: fields of the cells by name, (n,) or (n, k).
     """
     corners = Corners(body)
-    point = corners.place if moved is None else corners.place + moved[corners.cell]
+    point = corners.place if state is None else corners.moved(body, state)
     n = len(body.particles)
     count, faces = np.bincount(corners.cell, minlength=n), np.bincount(corners.polygon_cell, minlength=n)
     require_writable(path, "VTK file")
@@ -76,14 +78,14 @@ def write_cells(path: Path, body: Lattice, moved: PerElement3 | None, fields: Ma
 
 
 class Corners:
-    """Corners of cells, each once a cell, sorted by cell.
+    """Corners of cells, unique within each cell, sorted by cell.
 
     Attributes:
-        place: [m], (c, 3).
-        cell: whose each is, (c,).
-        number: of the corners of all polygons, one after another.
-        start: where each polygon begins in `number`, (p + 1,).
-        polygon_cell: whose each polygon is, (p,).
+        place: positions of the corners [m], (c, 3).
+        cell: cell of each corner, (c,).
+        number: corner numbers of all polygons in sequence.
+        start: offset of each polygon in `number`, (p + 1,).
+        polygon_cell: cell of each polygon, (p,).
     """
 
     def __init__(self, body: Lattice) -> None:
@@ -97,3 +99,9 @@ class Corners:
         self.number: Ints = number.ravel()
         self.cell: Ints = owner[first]
         self.place: Floats = found.vertex[first]
+
+    def moved(self, body: Lattice, state: State) -> Floats:
+        """Corners of cells that have moved and turned [m], (c, 3)."""
+        centre = body.centre[self.cell]
+        turned = turned_vectors(state.orientation[self.cell], self.place - centre)
+        return centre + state.displacement[self.cell] + turned

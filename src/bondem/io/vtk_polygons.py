@@ -1,4 +1,4 @@
-"""Polygons for ParaView, as VTKHDF PolyData."""
+"""Polygons for ParaView as VTKHDF PolyData."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,13 +11,13 @@ from bondem.io.atomic import replacing, require_writable
 
 
 def write_polygons(path: Path, vertex: Floats, start: Ints, fields: Mapping[str, np.ndarray]) -> None:
-    """Write polygons that share no corners.
+    """Write polygons without common corners.
 
     Args:
         path: file to write.
-        vertex: corners, polygon by polygon [m], (v, 3).
-        start: corners of polygon q are start[q] … start[q + 1] - 1, (p + 1,).
-        fields: of the polygons, by name, (p,) or (p, k).
+        vertex: corners of all polygons in sequence [m], (v, 3).
+        start: offsets of the polygons, (p + 1,); corners of polygon q are start[q] … start[q + 1] - 1.
+        fields: fields of the polygons by name, (p,) or (p, k).
     """
     require_writable(path, "VTK file")
     with replacing(path) as aside, h5py.File(aside, "w") as file:

@@ -1,7 +1,7 @@
-"""VTKHDF that grows: pieces of a body, each with values at many times, in one group that ParaView opens.
+"""Growing VTKHDF files: pieces of a body with values at many times, in one group that ParaView opens.
 
-The group is a PartitionedDataSetCollection (VTKHDF 2.5) whose pieces all have the same steps. Of each array the steps
-say from which row on theirs begin, so that what does not change is written once: all steps begin at the same row.
+The group is a PartitionedDataSetCollection (VTKHDF 2.5) whose pieces all have equal steps. Each step stores the
+offset of its rows in every array. Constant data are therefore written once: all steps have the same offset.
 """
 
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ _CHUNK = 1 << 13
 
 
 def begin_collection(file: h5py.File) -> h5py.Group:
-    """The group of all pieces, without any."""
+    """Create the group of all pieces, still empty."""
     root = file.create_group("VTKHDF", track_order=True)
     root.attrs["Version"] = _VERSION
     _set_type(root, b"PartitionedDataSetCollection")
@@ -33,10 +33,10 @@ def _set_type(group: h5py.Group, name: bytes) -> None:
 
 
 class Piece:
-    """One piece: points with vertices, lines or polygons, or cells as polyhedra.
+    """Piece of a body: points with vertices, lines or polygons, or cells as polyhedra.
 
     Args:
-        group: of the piece; `lines`, `vertices`, `polygons` and `polyhedra` make one.
+        group: HDF5 group of the piece; `lines`, `vertices`, `polygons` and `polyhedra` create one.
     """
 
     def __init__(self, group: h5py.Group) -> None:
@@ -45,7 +45,7 @@ class Piece:
 
     @classmethod
     def begin(cls, root: h5py.Group, name: str, kind: str) -> "Piece":
-        """A new piece: "PolyData" or "UnstructuredGrid"."""
+        """Create a piece of type "PolyData" or "UnstructuredGrid"."""
         group = root.create_group(name, track_order=True)
         group.attrs["Version"], group.attrs["Index"] = _VERSION, len(root) - 2  # there is the assembly, too
         _set_type(group, kind.encode())
@@ -58,17 +58,26 @@ class Piece:
 
     @property
     def steps(self) -> int:
-        """How many there are."""
+        """Number of steps."""
         return int(_group(self.group, "Steps").attrs["NSteps"])
 
     @property
     def times(self) -> Floats:
-        """Of the steps [s], (s,)."""
+        """Times of the steps [s], (s,)."""
         steps = _group(self.group, "Steps")
         return np.asarray(steps["Values"][: self.steps]) if self.steps else np.zeros(0)
 
+    @property
+    def has_points(self) -> bool:
+        """Return True if the points have been written, of all steps or of the first one."""
+        return "Points" in self.group
+
+    def has(self, field: str) -> bool:
+        """Return True if the cells have a field."""
+        return f"CellData/{field}" in self.group
+
     def set_static(self, arrays: Mapping[str, Any]) -> None:
-        """Write arrays that no step changes, by their path in the piece."""
+        """Write arrays that are constant over all steps, by their path in the piece."""
         for name, values in arrays.items():
             append(self.group, name, np.asarray(values))
 
@@ -76,13 +85,14 @@ class Piece:
         self, time: float, *, points: Floats | None, point_data: Mapping[str, Any], cell_data: Mapping[str, Any],
         polygons: Ints | None = None,
     ) -> None:  # fmt: skip
-        """Add a step.
+        """Append a step.
 
         Args:
-            time: [s].
-            points: where the points are now (p, 3), None where they do not move.
-            point_data, cell_data: by name, one row a point or cell; a name that is None has its one static row.
-            polygons: where the corners of each polygon begin, (c + 1,): of a piece with other polygons each time.
+            time: time of the step [s].
+            points: positions of the points [m], (p, 3); None for constant positions.
+            point_data, cell_data: arrays by name, one row per point or cell; None for the single static row of a
+                name.
+            polygons: offsets of the corners of each polygon, (c + 1,), for a piece whose polygons change.
         """
         group, steps = self.group, _group(self.group, "Steps")
         part = cell = corner = place = 0
@@ -114,7 +124,7 @@ class Piece:
         steps.attrs["NSteps"] = self.steps + 1
 
     def cut(self, count: int) -> None:
-        """Forget all steps but the first so many; their rows are written over by the next ones."""
+        """Remove all steps after a number of first ones; the next steps overwrite their rows."""
         group, steps = self.group, _group(self.group, "Steps")
         if count >= self.steps:
             return
@@ -139,7 +149,7 @@ class Piece:
 
 
 def append(group: h5py.Group, name: str, rows: Any) -> int:
-    """Add rows to an array, which is made with the first ones; where they begin."""
+    """Append rows to an array, which is created with the first rows, and return their offset."""
     if name not in group:
         tail = rows.shape[1:]
         size = max(rows.nbytes // max(len(rows), 1), 1)
@@ -155,25 +165,24 @@ def append(group: h5py.Group, name: str, rows: Any) -> int:
     return begin
 
 
-def static_polyhedra(point: Floats, cell: Ints, number: Ints, start: Ints, owner: Ints, count: int) -> dict[str, Any]:
-    """Static arrays of `count` polyhedra, each with points of its own.
+def static_polyhedra(cell: Ints, number: Ints, start: Ints, owner: Ints, count: int) -> dict[str, Any]:
+    """Static arrays of `count` polyhedra, each with its own points, sorted by cell.
 
     Args:
-        point: corners sorted by cell [m], (c, 3).
-        cell: whose each is, (c,).
-        number: of the corners of all polygons, one after another.
-        start: where each polygon begins in `number`, (p + 1,).
-        owner: whose each polygon is, (p,).
-        count: of cells.
+        cell: cell of each point, (c,).
+        number: corner numbers of all polygons in sequence.
+        start: offset of each polygon in `number`, (p + 1,).
+        owner: cell of each polygon, (p,).
+        count: number of cells.
     """
     corners, faces = np.bincount(cell, minlength=count), np.bincount(owner, minlength=count)
     arrays = {
-        "Points": point, "Types": np.full(count, _POLYHEDRON, dtype=np.uint8),
-        "Connectivity": np.arange(len(point)), "Offsets": np.append(0, np.cumsum(corners)),
+        "Types": np.full(count, _POLYHEDRON, dtype=np.uint8),
+        "Connectivity": np.arange(len(cell)), "Offsets": np.append(0, np.cumsum(corners)),
         "FaceConnectivity": number, "FaceOffsets": start, "PolyhedronToFaces": np.arange(len(owner)),
         "PolyhedronOffsets": np.append(0, np.cumsum(faces)),
     }  # fmt: skip
-    sizes = {"Points": len(point), "Cells": count, "ConnectivityIds": len(point), "Faces": len(owner),
+    sizes = {"Points": len(cell), "Cells": count, "ConnectivityIds": len(cell), "Faces": len(owner),
              "FaceConnectivityIds": len(number), "PolyhedronToFaceIds": len(owner)}  # fmt: skip
     return arrays | {"NumberOf" + name: np.array([size]) for name, size in sizes.items()}
 

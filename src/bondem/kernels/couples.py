@@ -83,15 +83,15 @@ def _turn(couples, pose, first, last, centre, m):
     p = xx * xy + xy * yy + xz * yz
     q = xx * xz + xy * yz + xz * zz
     r = xy * xz + yy * yz + yz * zz
-    # cofactors
-    A, B, C = d * f - r * r, q * r - p * f, p * r - q * d
-    D, E, F = a * f - q * q, p * q - a * r, a * d - p * p
-    scale = 1.0 / (size * (a * A + p * B + q * C))
-    return (
-        scale * (A * b[0] + B * b[1] + C * b[2]),
-        scale * (B * b[0] + D * b[1] + E * b[2]),
-        scale * (C * b[0] + E * b[1] + F * b[2]),
-    )
+    # L D Lᵀ, whose errors turn the points about the line they lie on alone; those of cofactors change all of ω
+    u, v = p / a, q / a
+    e, w = d - u * p, r - u * q
+    t = w / e
+    g = f - v * q - t * w
+    y = b[1] - u * b[0]
+    z = (b[2] - v * b[0] - t * y) / g
+    y = y / e - t * z
+    return (b[0] / a - u * y - v * z) / size, y / size, z / size
 
 
 @device

@@ -1,5 +1,9 @@
-"""Standard tests of a specimen, one to a file: each measures one number and puts theory beside it."""
+"""Standard laboratory tests of a specimen, each with its measured value and the theoretical value."""
 
+from typing import TYPE_CHECKING
+
+from bondem._describe import describe
+from bondem._names import no_attribute, suggesting
 from bondem.labtests.any_shape import UniformStress, uniform_stress
 from bondem.labtests.ball import BrokenBall, FragmentSizes
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
@@ -60,3 +64,18 @@ __all__ = [
     "uniaxial_compression",
     "uniform_stress",
 ]
+
+for _name in __all__:
+    _home = globals()[_name].__module__
+    globals()[_name] = suggesting(_home, _name)
+    describe({_home: tuple(__all__)})
+
+
+if not TYPE_CHECKING:  # checkers of types are to find wrong names themselves
+
+    def __getattr__(name: str) -> None:
+        raise AttributeError(no_attribute("bd.labtests", name, __all__), name=name)
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,4 +1,4 @@
-"""A body of any shape under uniform stress: E and ν where a tension test makes no sense, such as of a bracket."""
+"""Uniform stress on a body of any shape: E and ν of bodies, such as brackets, that have no tension test."""
 
 from dataclasses import dataclass
 
@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._checks import choice
+from bondem._progress import staged
 from bondem._types import Floats, PerElement6
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
@@ -27,13 +28,13 @@ _PATCH = 0.5
 
 @dataclass(frozen=True, eq=False)
 class UniformStress:
-    """Moduli of a body of any shape.
+    """Elastic moduli of a body of any shape.
 
     Attributes:
-        compliance: mean strains (rows, engineering shear) under unit stresses xx, yy, zz, yz, xz, xy [1/Pa], (6, 6);
-            its symmetric part.
-        asymmetry: largest difference of compliance and its transpose, over the largest entry [-]: how far the body
-            is from one of a uniform material.
+        compliance: symmetric part of the matrix of mean strains (rows, engineering shear) under unit stresses xx, yy,
+            zz, yz, xz, xy [1/Pa], (6, 6).
+        asymmetry: largest difference of compliance and its transpose, over the largest entry [-]. It is 0 for a
+            uniform material.
     """
 
     compliance: Floats
@@ -41,12 +42,12 @@ class UniformStress:
 
     @property
     def stiffness(self) -> Floats:
-        """Inverse of the compliance [Pa], (6, 6)."""
+        """Stiffness matrix, inverse of the compliance [Pa], (6, 6)."""
         return np.asarray(np.linalg.inv(self.compliance), dtype=float)
 
     @property
     def isotropic(self) -> Isotropic:
-        """The isotropic (Voigt) average."""
+        """Isotropic (Voigt) average of the stiffness."""
         return Isotropic.average(self.stiffness)
 
     @property
@@ -70,36 +71,38 @@ class UniformStress:
         return self.isotropic.nu
 
     def along(self, axis: str) -> tuple[float, float]:
-        """E [Pa] and ν [-] of tension along "x", "y" or "z"."""
+        """Young's modulus [Pa] and Poisson's ratio [-] in uniaxial tension along "x", "y" or "z"."""
         k = "xyz".index(choice("along", "axis", axis, ("x", "y", "z")))
         S = self.compliance
         return 1.0 / S[k, k], -0.5 * (S[:3, k].sum() - S[k, k]) / S[k, k]
 
 
+@staged("uniform stress")
 def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> UniformStress:
-    """Six unit stress states σ, each by tractions σ·n on the whole surface, and the mean strain of the body.
+    """Apply six unit stress states to the whole surface and measure the mean strain of the body.
 
-    The faces are cut into patches of half a mean radius, or into the facets of cells. Each hands its force to the
-    nearest element of its face, with the moment about the element's centre; what rounding and curved patches leave
-    unbalanced is taken out by the smallest forces. The mean strain is that of the affine field closest to the
-    displacements of all connected elements: no gauge, no ends.
+    Each unit stress σ acts as the traction σ·n on all faces. The faces are divided into patches of half a mean
+    radius, or into the facets of cells. The force of a patch acts on the nearest element of its face, with the moment
+    about the element's centre. Residual forces from rounding and curved patches are balanced by the smallest
+    additional forces. The mean strain is that of the affine field closest to the displacements of all connected
+    elements, so that neither gauges nor ends enter.
 
-    Equal tractions everywhere load the skin of a packing, which is softer than its inside, as much as the inside: the
-    moduli are a lower bound (Huet, J. Mech. Phys. Solids 38, 1990) that the bulk's are reached from below as the
-    elements become small; docs/studies.md has numbers.
+    Uniform tractions load the skin of a packing, which is softer than its interior, as much as the interior. The
+    moduli are therefore a lower bound of the bulk moduli and approach them from below as elements become smaller
+    (Huet, J. Mech. Phys. Solids 38, 1990); docs/studies.md has numbers.
 
     Args:
         lattice: the specimen, of any shape with walls.
-        law: its bonds.
-        depth: of the loaded faces, in mean radii [-].
+        law: bond law, cell law or non-local law of the specimen.
+        depth: depth of the loaded face regions, in mean radii [-].
 
     Raises:
-        InputError: a periodic cell, or a shape whose faces cannot be cut into patches.
-        EmptyRegionError: no connected element at a face.
+        InputError: a periodic cell, or a shape whose faces cannot be divided into patches.
+        EmptyRegionError: a face has no connected element.
     """
     check("uniform_stress", lattice, depth=depth)
     if not lattice.particles.envelope.faces:
-        raise InputError("uniform_stress loads the surface, and a periodic cell has none; use bd.bulk_moduli")
+        raise InputError("uniform_stress: a periodic cell has no surface to load; use bd.bulk_moduli")
     statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
     owner, centre, area = _surface(lattice, depth)
     moving = np.flatnonzero(lattice.connected)
@@ -118,7 +121,7 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
 
 
 def _surface(lattice: Lattice, depth: float) -> tuple[np.ndarray, Floats, Floats]:
-    """The surface in patches: which element has each, centres [m] and areas times outward normals [m²]."""
+    """Patches of the surface: the element of each, centres [m] and areas times outward normals [m²]."""
     if lattice.cells is not None:
         free = lattice.cells.free
         return free.cell, free.centroid, free.area[:, None] * free.normal
@@ -134,7 +137,7 @@ def _surface(lattice: Lattice, depth: float) -> tuple[np.ndarray, Floats, Floats
 
 
 def _nodal(lattice: Lattice, owner: np.ndarray, centre: Floats, force: Floats) -> PerElement6:
-    """Forces and moments of the elements under forces at patches [N, N·m], in balance, (n, 6)."""
+    """Balanced forces and moments on the elements from the forces on patches [N, N·m], (n, 6)."""
     position = lattice.centre
     values = np.hstack([force, np.cross(centre - position[owner], force)])
     load = np.zeros((len(position), 6))

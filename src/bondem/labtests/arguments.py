@@ -1,4 +1,4 @@
-"""What all tests of a specimen ask of their arguments."""
+"""Checks of the arguments that all tests of a specimen share."""
 
 from typing import Any
 
@@ -11,12 +11,12 @@ from bondem.model.assignment import BondAssignment
 from bondem.model.cell_constants import CellAssignment
 from bondem.specimen.lattice import Lattice
 
-#: What a test takes: a bond law or laws by region, a law of cells, or the non-local law.
+#: Laws of a specimen: a bond law or laws by region, a cell law, or the non-local law.
 AnyLaw = BondAssignment | CellAssignment | NonLocal
 
 _RULES: dict[str, dict[str, Any]] = {
-    "E": {"above": 0.0, "unit": "Pa", "advice": "the specimen's own Young's modulus in Pa"},
-    "nu": {"above": -1.0, "below": 0.5, "advice": "the specimen's own Poisson's ratio, in (-1, 0.5)"},
+    "E": {"above": 0.0, "unit": "Pa", "advice": "the Young's modulus of the specimen in Pa"},
+    "nu": {"above": -1.0, "below": 0.5, "advice": "the Poisson's ratio of the specimen, in (-1, 0.5)"},
     "rho": {"above": 0.0, "unit": "kg/m³", "advice": "a positive density in kg/m³"},
     "density": {"above": 0.0, "unit": "kg/m³", "advice": "a positive density of the elements in kg/m³"},
     "stress": {"unit": "Pa", "advice": "a stress in Pa other than zero"},
@@ -27,19 +27,19 @@ _RULES: dict[str, dict[str, Any]] = {
 
 
 def check(test: str, lattice: object, **given: object) -> None:
-    """Make sure of a lattice with bonds and of numbers in their range.
+    """Check that a lattice has bonds and that numbers are in range.
 
     Args:
-        test: the function that was called.
-        lattice: its specimen.
-        **given: its other arguments, by the names all tests give them.
+        test: name of the calling function.
+        lattice: the specimen.
+        **given: further arguments, under the names common to all tests.
 
     Raises:
-        InputError: one of them is something else.
+        InputError: an argument is of the wrong type or out of range.
     """
     specimen = instance(f"labtests.{test}", "lattice", lattice, Lattice, "a lattice, from bd.connect")
     if not len(specimen.pairs):
-        raise InputError(f"labtests.{test}: the lattice has no bonds; bond it with bd.connect")
+        raise InputError(f"labtests.{test}: the lattice has no bonds; connect it with bd.connect")
     for name, value in given.items():
         if name == "density" and isinstance(value, np.ndarray) and value.ndim:
             _each(test, value, len(specimen.particles))
@@ -50,10 +50,10 @@ def check(test: str, lattice: object, **given: object) -> None:
 
 
 def _each(test: str, density: np.ndarray, count: int) -> None:
-    """Densities one by one, such as `balanced_density` gives."""
+    """Check densities of single elements, such as those of `balanced_density`."""
     numbers = density.dtype.kind in "fiu" and density.shape == (count,)
     if not (numbers and possible(density) and (density > 0.0).all()):
         raise InputError(
-            f"labtests.{test}: density holds {density.dtype} of shape {density.shape}; give a positive density"
+            f"labtests.{test}: density has type {density.dtype} and shape {density.shape}; give a positive density"
             f" [kg/m³], or one for each of the {count} elements"
         )

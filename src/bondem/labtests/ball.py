@@ -1,4 +1,4 @@
-"""A ball as a specimen: what crushing and impact have in common, before the run and after it."""
+"""Ball specimens: common parts of the crushing and impact tests."""
 
 import math
 from dataclasses import dataclass
@@ -21,14 +21,14 @@ _FRICTION = 0.4
 
 @dataclass(frozen=True, eq=False)
 class FragmentSizes:
-    """How the mass of a broken ball is distributed over the sizes of its pieces.
+    """Size distribution of the fragments of a broken ball, by mass.
 
-    The diameter of a piece is that of the sphere of its mass, as a share of the ball's: D (m / M)^(1/3). Elements
-    that were loose from the start (rattlers) do not count.
+    The diameter of a fragment is D (m / M)^(1/3), with D and M of the ball and m of the fragment. Rattlers, which
+    were loose from the start, are left out.
 
     Attributes:
-        diameter: of the pieces, ascending [m], shape (f,).
-        passing: share of the mass in pieces of at most this diameter [-], shape (f,).
+        diameter: diameters of the fragments, ascending [m], shape (f,).
+        passing: mass share of fragments of at most this diameter [-], shape (f,).
     """
 
     diameter: Floats
@@ -36,26 +36,26 @@ class FragmentSizes:
 
     @classmethod
     def of(cls, pieces: Fragments, lattice: Lattice, diameter: float) -> "FragmentSizes":
-        """Sizes of the pieces of a ball of a diameter [m]."""
+        """Compute the sizes of the fragments of a ball of a given diameter [m]."""
         whole = np.bincount(pieces.label[lattice.connected], minlength=len(pieces)) > 0
         mass = pieces.mass[whole][::-1]
         return cls(diameter * np.cbrt(mass / mass.sum()), np.cumsum(mass) / mass.sum())
 
     def below(self, diameter: float) -> float:
-        """Share of the mass in pieces smaller than a diameter [m]."""
+        """Mass share of the fragments smaller than a diameter [m]."""
         found = int(np.searchsorted(self.diameter, diameter))
         return float(self.passing[found - 1]) if found else 0.0
 
 
 @dataclass(frozen=True, eq=False)
 class BrokenBall:
-    """What is left of a ball.
+    """Fragments of a broken ball.
 
     Attributes:
-        pieces: the heaviest first.
-        sizes: of the pieces.
-        damage: broken bonds or facets over all [-].
-        fines: share of the mass in pieces smaller than the size that was asked for [-].
+        pieces: fragments, the heaviest first.
+        sizes: size distribution of the fragments.
+        damage: share of broken bonds or facets [-].
+        fines: mass share of the fragments below the size limit of fines [-].
     """
 
     pieces: Fragments
@@ -65,21 +65,21 @@ class BrokenBall:
 
     @property
     def largest(self) -> float:
-        """Share of the mass in the heaviest piece [-]."""
+        """Mass share of the heaviest fragment [-]."""
         return float(self.pieces.mass[0] / self.pieces.mass.sum())
 
 
 @dataclass(frozen=True, eq=False)
 class BallSpecimen:
-    """A ball of cells or bonded spheres, and the places where its elements touch walls.
+    """Ball of cells or bonded spheres, with the geometry of its contacts at walls.
 
     Attributes:
         lattice: the elements.
-        middle: of the ball [m], (3,).
-        diameter: [m].
-        radius: of the elements in contact [m], (n,).
+        middle: centre of the ball [m], (3,).
+        diameter: diameter of the ball [m].
+        radius: contact radii of the elements [m], (n,).
         stiffness: k_n of the median bond or facet [N/m].
-        mass: [kg].
+        mass: mass of the ball [kg].
     """
 
     lattice: Lattice
@@ -91,10 +91,10 @@ class BallSpecimen:
 
     @classmethod
     def of(cls, test: str, model: Model) -> "BallSpecimen":
-        """The ball of a model.
+        """Create the ball specimen of a model.
 
         Raises:
-            InputError: another shape.
+            InputError: the shape is not a ball.
         """
         shape = model.lattice.particles.envelope
         lower, upper = shape.bounds
@@ -102,24 +102,24 @@ class BallSpecimen:
         diameter = float(extent.mean())
         full = 6.0 * shape.volume / (math.pi * diameter**3)
         if float(np.ptp(extent)) > _ROUND * diameter or abs(full - 1.0) > _FULL:
-            raise InputError(f"labtests.{test}: a {type(shape).__name__} is no ball; pack bd.Ball(radius)")
+            raise InputError(f"labtests.{test}: a {type(shape).__name__} is not a ball; pack bd.Ball(radius)")
         return cls(
             model.lattice, 0.5 * (lower + upper), diameter, model.contact_radius,
             float(np.median(model.stiffness.kn)), float(model.mass.sum()),
         )  # fmt: skip
 
     def reach(self, direction: Floats) -> float:
-        """How far elements reach along a direction, from the origin [m]."""
+        """Largest extent of the elements along a direction, from the origin [m]."""
         return float((self.lattice.centre @ direction + self.radius).max())
 
     def contact(self, given: ContactLaw | None) -> ContactLaw:
-        """The law that was given, or one by which a wall is as stiff as the median bond, with friction of 0.4."""
+        """Given contact law, or one whose wall contacts are as stiff as the median bond, with a friction of 0.4."""
         if given is not None:
             return given
         return LinearContact(E=self.stiffness / (math.pi * float(np.median(self.radius))), friction=_FRICTION)
 
     def broken(self, state: State, fine: float) -> BrokenBall:
-        """What is left of it in a state; `fine` is a share of the diameter."""
+        """Fragments of the ball in a state; `fine` is the size limit of fines as a share of the diameter [-]."""
         pieces = fragments(self.lattice, state)
         sizes = FragmentSizes.of(pieces, self.lattice, self.diameter)
         damage = float(np.mean(state.bond_integrity <= 0.0))

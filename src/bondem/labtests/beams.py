@@ -1,4 +1,4 @@
-"""Strength of materials: what a straight bar does that is clamped at x = 0 and free at x = length."""
+"""Beam theory of a straight bar, clamped at x = 0 and free at x = length."""
 
 import math
 from dataclasses import dataclass, replace
@@ -17,15 +17,15 @@ _BETA_1 = 1.8751040687119611
 
 @dataclass(frozen=True)
 class CrossSection:
-    """A cross-section normal to x.
+    """Cross-section normal to x.
 
     Attributes:
-        area: S [m²].
-        second_moment: I for stiffness in bending along y, ∫ y² dS [m⁴].
-        torsion_constant: J of Saint-Venant for stiffness in torsion [m⁴]; the polar moment for a circle.
-        rotary_moment: I for inertia in bending [m⁴].
-        polar_moment: ∫ (y² + z²) dS for inertia in torsion [m⁴].
-        circular: whether it is a circle; the shear coefficient depends on it.
+        area: area S [m²].
+        second_moment: second moment I for bending along y, ∫ y² dS [m⁴].
+        torsion_constant: Saint-Venant's J for torsion [m⁴]; the polar moment for a circle.
+        rotary_moment: I for the rotary inertia in bending [m⁴].
+        polar_moment: ∫ (y² + z²) dS for the inertia in torsion [m⁴].
+        circular: True for a circle, which has its own shear coefficient.
     """
 
     area: float
@@ -37,10 +37,10 @@ class CrossSection:
 
     @classmethod
     def of(cls, shape: Shape) -> "CrossSection":
-        """The section of a shape, from its walls.
+        """Cross-section of a shape, from its walls.
 
         Raises:
-            InputError: the shape is no bar along x.
+            InputError: the shape is not a bar along x.
         """
         match shape:
             case Cylinder():
@@ -55,15 +55,15 @@ class CrossSection:
                 return cls(area, I, _torsion_of_rectangle(b, c), I, polar, False)
             case _:
                 raise InputError(
-                    f"a {type(shape).__name__} is no bar along x; test a Cylinder or a Box"
+                    f"a {type(shape).__name__} is not a bar along x; test a Cylinder or a Box"
                 )
 
     def filled(self, stiffness: Floats, mass: Floats) -> "CrossSection":
-        """The same area, filled unevenly.
+        """Cross-section of the same area with an uneven distribution of stiffness and mass.
 
         Args:
-            stiffness: ⟨y²⟩ and ⟨z²⟩ of the axial force in tension [m²], (2,); shear is taken to fill the
-                section likewise.
+            stiffness: ⟨y²⟩ and ⟨z²⟩ of the axial force in tension [m²], (2,); the shear stiffness is assumed to have
+                the same distribution.
             mass: ⟨y²⟩ and ⟨z²⟩ of the mass [m²], (2,).
         """
         return replace(
@@ -91,11 +91,11 @@ def _torsion_of_rectangle(b: float, c: float) -> float:
 
 @dataclass(frozen=True)
 class Bar:
-    """A prismatic elastic bar, clamped at x = 0.
+    """Prismatic elastic bar, clamped at x = 0.
 
     Attributes:
-        length: [m].
-        section: its cross-section.
+        length: length L [m].
+        section: cross-section.
         E: Young's modulus [Pa].
         nu: Poisson's ratio [-].
         rho: density [kg/m³].
@@ -127,12 +127,12 @@ class Bar:
         return force * self.length / (self.E * self.section.area)
 
     def deflection(self, force: float, *, overhang: float = 0.0, shear: bool = False) -> float:
-        """Displacement of the end under a transverse force [m]: F L³ / (3 E I), and F L / (k G S) with shear.
+        """Displacement of the end under a transverse force [m]: F L³ / (3 E I), plus F L / (k G S) with shear.
 
         Args:
-            force: F [N].
+            force: transverse force F [N].
             overhang: distance beyond the end at which the force acts [m]; it adds the moment F · overhang.
-            shear: Timoshenko instead of Euler–Bernoulli.
+            shear: True for Timoshenko's beam, False for Euler–Bernoulli's.
         """
         bent = force * self.length**2 * (2.0 * self.length + 3.0 * overhang) / (6.0 * self.EI)
         return bent + (force * self.length / self.kGS if shear else 0.0)
@@ -143,7 +143,7 @@ class Bar:
 
     @property
     def wave_speed(self) -> float:
-        """√(E/ρ) of a thin rod [m/s]."""
+        """Wave speed √(E/ρ) of a thin rod [m/s]."""
         return math.sqrt(self.E / self.rho)
 
     @property
@@ -169,8 +169,9 @@ class Bar:
         """First bending frequency with shear and rotary inertia [Hz].
 
         The state (v, θ, M, Q) obeys y' = A y along the bar with
-            v' = θ + Q/(kGS)   θ' = M/(EI)   M' = -Q - ρ I ω² θ   Q' = -ρ S ω² v,
-        so exp(A L) carries it from the clamped end (v = θ = 0) to the free one (M = Q = 0).
+            v' = θ + Q/(kGS)   θ' = M/(EI)   M' = -Q - ρ I ω² θ   Q' = -ρ S ω² v.
+
+        The matrix exp(A L) maps the state at the clamped end (v = θ = 0) to the state at the free end (M = Q = 0).
         """
         section, L = self.section, self.length
         # lengths in L and forces in EI/L² keep the numbers near one

@@ -1,10 +1,11 @@
-"""Elastic moduli of a periodic cell: no wall, no end, no gauge."""
+"""Elastic moduli of a periodic cell, free of effects of walls, ends and gauges."""
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from bondem._checks import instance
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw
@@ -25,13 +26,14 @@ _RTOL = 1e-8
 
 @dataclass(frozen=True, eq=False)
 class BulkModuli:
-    """Moduli of a periodic cell.
+    """Elastic moduli of a periodic cell.
 
     Attributes:
-        stiffness: C, σ = C ε in the order xx, yy, zz, yz, xz, xy with engineering shear strains [Pa], (6, 6).
-        strains: deformation of the bonds under each of the six unit strains; none of cells and of the non-local law.
-        motions: of the elements beside that strain (u, θ) [m, rad], six of (n, 6).
-        volume: of the cell [m³].
+        stiffness: C of σ = C ε, in the order xx, yy, zz, yz, xz, xy with engineering shear strains [Pa], (6, 6).
+        strains: deformation of the bonds under each of the six unit strains; empty for cells and the non-local law.
+        motions: displacements and rotations of the elements in addition to the uniform strain [m, rad], six of (n,
+            6).
+        volume: volume of the cell [m³].
     """
 
     stiffness: Floats
@@ -40,9 +42,9 @@ class BulkModuli:
     volume: float
 
     def stiffness_of(self, k: Floats) -> Floats:
-        """C [Pa], (6, 6), if kn, ks, kb, kt of the bonds, (4, m), did the work of these deformations.
+        """Stiffness C [Pa], (6, 6), for bonds with given kn, ks, kb and kt, (4, m), at these deformations.
 
-        With their derivatives to a parameter it is the derivative of C.
+        With the derivatives of the bond stiffnesses with respect to a parameter, the result is the derivative of C.
         """
         C = np.zeros((6, 6))
         for s, one in enumerate(self.strains):
@@ -52,7 +54,7 @@ class BulkModuli:
 
     @property
     def isotropic(self) -> Isotropic:
-        """The isotropic (Voigt) average."""
+        """Isotropic (Voigt) average of the stiffness."""
         return Isotropic.average(self.stiffness)
 
     @property
@@ -76,32 +78,33 @@ class BulkModuli:
         return self.isotropic.nu
 
 
+@staged("bulk moduli")
 def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = None) -> BulkModuli:
-    """Stiffness tensor of a periodic lattice.
+    """Compute the stiffness tensor of a periodic lattice.
 
-    Six macroscopic strains ε are imposed. Every bond is stretched by ε times its branch vector, taken over
-    the nearest image, and the elements then move and turn, the same in every image of the cell, until they
-    rest: u = ε x + v. C is the energy of the bonds in that motion, V C_st = Σ kn δn_s δn_t + ks δs_s·δs_t + …
-    As v makes it stationary, its derivative to any parameter of the bonds is that sum with the derivatives of
-    the stiffnesses: no other solution is needed.
+    Six macroscopic strains ε are imposed. Each bond is stretched by ε times its branch vector over the nearest image.
+    The elements then move and rotate to equilibrium, equally in all images of the cell: u = ε x + v. C is the energy
+    of the bonds in that motion, V C_st = Σ kn δn_s δn_t + ks δs_s·δs_t + …. The energy is stationary in v: its
+    derivative with respect to a bond parameter is this sum with the stiffnesses replaced by their derivatives. No
+    further solution is needed.
 
     Args:
         lattice: bonded elements of a `Cell`, or of particles with a `period`.
-        law: a bond law, or laws by region, or a law of cells or `NonLocal`.
-        guess: moduli of the same lattice with similar bonds, to start from.
+        law: bond law or laws by region, cell law, or `NonLocal`.
+        guess: moduli of the same lattice with similar bonds, as an initial guess.
 
     Raises:
         InputError: the lattice is not periodic.
     """
     instance("bulk_moduli", "lattice", lattice, Lattice, "a periodic lattice, from bd.connect")
     if not len(lattice.pairs):
-        raise InputError("bulk_moduli: the lattice has no bonds; bond it with bd.connect")
+        raise InputError("bulk_moduli: the lattice has no bonds; connect it with bd.connect")
     if guess is not None:
         instance("bulk_moduli", "guess", guess, BulkModuli, "the moduli of the same lattice with similar bonds")
     period = lattice.particles.period
     if period is None:
         raise InputError(
-            "bulk_moduli needs a periodic cell: pack a bd.Cell, or give Particles their period= [m]"
+            "bulk_moduli: the lattice is not periodic; pack a bd.Cell, or give Particles their period= [m]"
         )
     model = Model(lattice, law, 1.0)  # statics do not depend on the density
     if model.non_local is not None:
@@ -129,7 +132,7 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
 
 
 def _of_cells(statics: Statics) -> BulkModuli:
-    """The same of a body of cells."""
+    """Stiffness tensor of a periodic body of cells."""
     model = statics.model
     body, constants = model.lattice, model.cell_constants
     still = np.zeros((len(body.particles), 3))
@@ -147,7 +150,7 @@ def _of_cells(statics: Statics) -> BulkModuli:
 
 
 def _of_non_local(model: Model) -> BulkModuli:
-    """The same of the non-local law, whose C is the mean stress: Σ branch ⊗ F / V."""
+    """Stiffness tensor under the non-local law, from the mean stress Σ branch ⊗ F / V."""
     lattice = model.lattice
     assert lattice.particles.period is not None
     volume = float(lattice.particles.period.prod())
@@ -172,9 +175,9 @@ def _slips(branch: Floats) -> Floats:
 
 
 def _nodal(model: Model, force: Floats) -> Floats:
-    """What bonds with these forces on their far ends [N], (m, 3), do to the elements [N, N·m], (n, 6).
+    """Forces and moments on the elements [N, N·m], (n, 6), from the bond forces on their far ends [N], (m, 3).
 
-    The bond pulls i by +F and j by -F, and turns both the same way, by the levers of its contact point.
+    A bond pulls i by +F and j by -F. Both elements get moments of equal sign, with the levers of the contact point.
     """
     lattice = model.lattice
     i, j = lattice.pairs.T

@@ -1,8 +1,8 @@
-"""Static tension, bending and torsion of a clamped specimen against strength of materials.
+"""Static tension, bending and torsion of a clamped specimen, compared with beam theory.
 
-As in André et al. (2012): the elements at x_min are held, those at x_max loaded, and the mean motion of the
-loaded elements is compared with theory. A body of cells is held and loaded at its walls, whose motion is compared:
-its length is the shape's.
+As in André et al. (2012), the elements at x_min are clamped and those at x_max are loaded. The mean motion of the
+loaded elements is compared with theory. A body of cells is clamped and loaded at its walls, and the motion of its
+walls is compared; its length is that of the shape.
 """
 
 from dataclasses import dataclass
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import array, shown
+from bondem._progress import staged
 from bondem._types import Floats, Ints, PerElement
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
@@ -28,17 +29,17 @@ from bondem.specimen.regions import Face
 
 @dataclass(frozen=True, eq=False)
 class Cantilever:
-    """A specimen as a bar: its face sets, and the two lengths one may give it.
+    """Specimen as a cantilever, with its face regions and its effective lengths.
 
     Attributes:
         lattice: the specimen.
         held: elements at x_min, (k,).
         loaded: elements at x_max, (k,).
-        paper: the bar with L_M of eq (12), from wall to wall.
-        refined: the bar between the mean centres of the two sets, for statics; between the walls of a body of cells.
-        moving: the bar from the mean centre of the held set to the face x_max, for dynamics: the elements at
-            x_max move with all their mass.
-        overhang: distance of the face x_max, through whose centre loads act, beyond the loaded centres [m].
+        paper: bar of length L_M of eq (12), from wall to wall.
+        refined: bar between the mean centres of both sets, for statics; between the walls of a body of cells.
+        moving: bar from the mean centre of the clamped set to the face x_max, for dynamics: the elements at x_max
+            move with all their mass.
+        overhang: distance of the face x_max, on whose centre loads act, beyond the loaded centres [m].
     """
 
     lattice: Lattice
@@ -61,14 +62,14 @@ class Cantilever:
         density: float | PerElement = 1.0,
         depth: float = 0.02,
     ) -> "Cantilever":
-        """The bar of a specimen whose macroscopic moduli are E [Pa] and ν.
+        """Create the cantilever of a specimen with macroscopic moduli E [Pa] and ν [-].
 
-        With `gyration`, that of its `Tension`, the refined bars have the section the axial force fills, and the mass
-        is where elements of this `density` [kg/m³], a number or (n,), have it.
+        With `gyration` of its `Tension`, the refined bars have the section that carries the axial force. Their mass
+        has the distribution of elements of this `density` [kg/m³], a number or (n,).
 
         Raises:
-            EmptyRegionError: no connected element at a face.
-            InputError: the specimen is no Cylinder or Box.
+            EmptyRegionError: a face has no connected element.
+            InputError: the specimen is neither a Cylinder nor a Box.
         """
         envelope = lattice.particles.envelope
         section = CrossSection.of(envelope)
@@ -92,7 +93,7 @@ class Cantilever:
         )
 
     def model_under(self, law: AnyLaw, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
-        """The specimen clamped at x_min, under a force on x_max and a moment about x."""
+        """Model of the specimen clamped at x_min, under a force and a moment about x on x_max."""
         held = Fix(Face("x_min", depth))
         load = Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0))
         return Model(self.lattice, law, density=1.0, boundary=[held, load])  # statics do not depend on the density
@@ -100,7 +101,7 @@ class Cantilever:
     def stressed(
         self, law: AnyLaw, depth: float, solution: StaticResult, *, force: tuple[float, ...]
     ) -> dict[str, Floats]:
-        """Axial stress [Pa], (n,), and motion [m, rad], (n, 3) each, of cells at rest; nothing of spheres."""
+        """Axial stress [Pa], (n,), displacement [m] and rotation [rad], (n, 3), of cells; empty for spheres."""
         if self.lattice.cells is None:
             return {}
         stress = cell_stress(self.model_under(law, depth, force), solution)
@@ -109,26 +110,27 @@ class Cantilever:
     def respond(
         self, law: AnyLaw, depth: float, *, force: tuple[float, ...] = (0, 0, 0), moment: float = 0.0
     ) -> tuple[StaticResult, Floats]:
-        """The equilibrium under a force on x_max and a moment about x, and the motion of x_max [m, rad], (6,)."""
+        """Equilibrium under a force and a moment about x on x_max, and the motion of x_max [m, rad], (6,)."""
         model = self.model_under(law, depth, force, moment)
         solution = solve_static(model)
         return solution, face_motion(model, solution, "x_max", depth)
 
     def profile(self, displacement: Floats, component: int) -> dict[str, Floats]:
-        """One component of the rigid motion of the cross-sections along x, for figures."""
+        """Component of the rigid motion of the cross-sections along x, for figures."""
         chosen = self.lattice.connected
         x, motion = profile(self.lattice.centre[chosen], displacement[chosen])
         return {"x": x, "profile": motion[:, component]}
 
 
 def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats:
-    """Where in the section the mass is: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,), elements as solid balls or cells.
+    """Squared radii of gyration of the mass in the section, ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
 
-    With one density this is less than the shape has; with `balanced_density` it is exactly the shape's.
+    Elements are solid balls or cells. With uniform density the result is less than that of the shape; with
+    `balanced_density` it is exactly that of the shape.
 
     Args:
         lattice: the specimen.
-        density: of the elements [kg/m³], a number or (n,); how large it is cancels.
+        density: density of the elements [kg/m³], a number or (n,); a common factor cancels.
     """
     moving = lattice.connected
     particles = lattice.particles
@@ -140,6 +142,7 @@ def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats
     return weight @ place**2 - (weight @ place) ** 2 + own
 
 
+@staged("clamped tension")
 def clamped_tension(
     lattice: Lattice,
     law: AnyLaw,
@@ -150,16 +153,16 @@ def clamped_tension(
     stress: float = 1e6,
     depth: float = 0.02,
 ) -> Outcome:
-    """Mean displacement along x of the face x_max under an axial force, against F L / (E S).
+    """Compare the mean axial displacement of the face x_max under an axial force with F L / (E S).
 
     Args:
         lattice: the specimen.
-        law: its bonds.
-        E: its own Young's modulus, as `static_tension` measures it [Pa].
-        nu: its own Poisson's ratio, likewise [-].
-        gyration: `Tension.gyration`, for `theory_refined`, a consistency check.
-        stress: F / S [Pa].
-        depth: of the two faces, in mean radii [-].
+        law: bond law, cell law or non-local law of the specimen.
+        E: Young's modulus of the specimen, as `static_tension` measures it [Pa].
+        nu: Poisson's ratio of the specimen [-].
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        stress: axial stress F / S [Pa].
+        depth: depth of the two face regions, in mean radii [-].
     """
     check("clamped_tension", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
@@ -177,6 +180,7 @@ def clamped_tension(
     )
 
 
+@staged("static bending")
 def static_bending(
     lattice: Lattice,
     law: AnyLaw,
@@ -187,19 +191,19 @@ def static_bending(
     stress: float = 1e6,
     depth: float = 0.02,
 ) -> Outcome:
-    """Mean deflection along y of the face x_max under a transverse force.
+    """Compare the mean deflection along y of the face x_max under a transverse force with beam theory.
 
-    Theory is F L³ / (3 E I), and with shear F L / (k G S) more. `theory_refined` is Timoshenko's, with the
-    force at the face x_max, where it acts, and the deflection where it is measured.
+    Theory is F L³ / (3 E I), plus F L / (k G S) with shear. `theory_refined` is Timoshenko's beam, with the force at
+    the face x_max and the deflection at the measured elements.
 
     Args:
         lattice: the specimen.
-        law: its bonds.
-        E: its own Young's modulus [Pa].
-        nu: its own Poisson's ratio [-].
-        gyration: `Tension.gyration`, for `theory_refined`, a consistency check.
+        law: bond law, cell law or non-local law of the specimen.
+        E: Young's modulus of the specimen [Pa].
+        nu: Poisson's ratio of the specimen [-].
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
         stress: mean shear stress F / S [Pa].
-        depth: of the two faces, in mean radii [-].
+        depth: depth of the two face regions, in mean radii [-].
     """
     check("static_bending", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
@@ -222,6 +226,7 @@ def static_bending(
     )
 
 
+@staged("static torsion")
 def static_torsion(
     lattice: Lattice,
     law: AnyLaw,
@@ -232,18 +237,18 @@ def static_torsion(
     stress: float = 1e6,
     depth: float = 0.02,
 ) -> Outcome:
-    """Rotation about x of the face x_max under a moment about x, against T L / (G J).
+    """Compare the rotation of the face x_max under a moment about x with T L / (G J).
 
     The rotation of the face is the rigid rotation closest to the displacements of its elements.
 
     Args:
         lattice: the specimen.
-        law: its bonds.
-        E: its own Young's modulus [Pa].
-        nu: its own Poisson's ratio [-].
-        gyration: `Tension.gyration`, for `theory_refined`, a consistency check.
-        stress: T √S / J [Pa], about the largest shear stress.
-        depth: of the two faces, in mean radii [-].
+        law: bond law, cell law or non-local law of the specimen.
+        E: Young's modulus of the specimen [Pa].
+        nu: Poisson's ratio of the specimen [-].
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        stress: T √S / J [Pa], approximately the largest shear stress.
+        depth: depth of the two face regions, in mean radii [-].
     """
     check("static_torsion", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)

@@ -1,7 +1,8 @@
-"""Celerity of a longitudinal wave along a specimen."""
+"""Speed of a longitudinal wave along a specimen."""
 
 import numpy as np
 
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.cantilever import Cantilever
@@ -11,6 +12,7 @@ from bondem.labtests.wave import first_passage, strike
 from bondem.specimen.lattice import Lattice
 
 
+@staged("impact")
 def impact(
     lattice: Lattice,
     law: AnyLaw,
@@ -22,27 +24,27 @@ def impact(
     velocity: float = 0.1,
     depth: float = 0.02,
 ) -> Outcome:
-    """Push the face x_max at a held velocity and time the arrival at x_min; celerity against √(E/ρ).
+    """Measure the speed of a longitudinal wave and compare it with √(E/ρ).
 
-    The free face x_min doubles the velocity of the wave, to a plateau of 2 v that lasts until the wave is
-    back from x_max at three times the arrival. The wave has arrived when the mean velocity of the elements at
-    x_min first passes half the plateau, the mean over the middle of that time. Celerity is L_M of eq (12)
-    over the arrival time; refined, the path runs from the mean centre of the driven elements to the face
-    x_min. A body of cells is driven at its wall. Its far cells feel the front and its reflection at equal times
-    before and after it reaches the wall, so that their path is the whole length, too.
+    The face x_max moves at a prescribed velocity v. The free face x_min then moves at a plateau velocity of 2 v,
+    until the wave returns from x_max at three times the arrival time. The arrival is the time at which the mean
+    velocity at x_min first exceeds half the plateau, averaged over the middle of its duration. The speed is L_M of eq
+    (12) over the arrival time. The refined path runs from the mean centre of the driven elements to the face x_min. A
+    body of cells is driven at its wall. Its far cells record the front and its reflection at equal times before and
+    after the wall. The path is therefore the whole length.
 
     Args:
         lattice: the specimen.
-        law: its bonds.
-        density: of the elements, ρ_μ [kg/m³].
-        E: its own Young's modulus [Pa].
-        nu: its own Poisson's ratio [-].
-        rho: its own density, mass over volume of the shape [kg/m³].
-        velocity: v of the face [m/s], towards x_min.
-        depth: of the two faces, in mean radii [-].
+        law: bond law, cell law or non-local law of the specimen.
+        density: density of the elements, ρ_μ [kg/m³].
+        E: Young's modulus of the specimen [Pa].
+        nu: Poisson's ratio of the specimen [-].
+        rho: density of the specimen, mass over volume of the shape [kg/m³].
+        velocity: velocity v of the face towards x_min [m/s].
+        depth: depth of the two face regions, in mean radii [-].
 
     Raises:
-        InputError: no plateau: the specimen is too coarse or the wrong E and rho were given.
+        InputError: the velocity has no plateau, as for specimens that are too coarse or wrong E and rho.
     """
     check("impact", lattice, density=density, E=E, nu=nu, rho=rho, velocity=velocity, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, depth=depth)
@@ -51,7 +53,7 @@ def impact(
     plateau = wave.far[wave.time >= 1.4 * expected].mean()
     if not plateau > velocity:
         raise InputError(
-            f"no wave arrived: the far face moves at {plateau:.3g} m/s, not near {2.0 * velocity:g};"
+            f"labtests.impact: the far face moves at {plateau:.3g} m/s instead of {2.0 * velocity:g} m/s;"
             " check E=, rho= and density=, or use a finer specimen"
         )
     arrival = first_passage(wave.time, wave.far, 0.5 * plateau)

@@ -1,8 +1,9 @@
-"""Compression between smooth platens, with a pressure on the sides or without: UCS and triaxial strength."""
+"""Compression between smooth platens, with or without confining pressure: UCS and triaxial strength."""
 
 from collections.abc import Callable
 
 from bondem._checks import number
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.labtests.loading import Loading, load_to_failure
 from bondem.labtests.rig import Moduli, StrengthTest, softenings_of
@@ -11,6 +12,7 @@ from bondem.model.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
 
 
+@staged("uniaxial compression")
 def uniaxial_compression(
     body: Lattice,
     law: CellAssignment,
@@ -22,23 +24,25 @@ def uniaxial_compression(
     reach: float = 2.0,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:
-    """Compress a body of cells along x between smooth platens, until its stress has fallen to half of the peak.
+    """Compress a body of cells along x between smooth platens, until the stress has dropped to half of the peak.
 
     Args:
-        body: cut into cells.
-        law: its material, or laws by region; their moduli and the weakest criterion set the speed of the test.
-        failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy; or by region.
-        pressure: on the sides, a membrane that turns with the cells [Pa]; 0 is uniaxial compression.
-        density: of the material [kg/m³]; no result depends on it.
-        traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
-        reach: strain at which it ends at the latest, over that of the expected peak [-].
-        progress: called now and then with the share done, 0 … 1.
+        body: specimen of cells.
+        law: cell law, or cell laws by region; their moduli and the weakest criterion set the loading rate.
+        failure: `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy, or criteria by region.
+        pressure: confining pressure on the sides, of a membrane that rotates with the cells [Pa]; 0 for uniaxial
+            compression.
+        density: density of the material [kg/m³]; results do not depend on it.
+        traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
+        reach: limit of the strain, over the strain at the expected peak [-].
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Returns:
-        The test; `.peak` is positive. With a pressure stress and peak are those of the platens, σ1 of soil mechanics.
+        Result with a positive `.peak`. Under pressure, stress and peak are those of the platens, σ1 of soil
+        mechanics.
 
     Raises:
-        InputError: a lattice without cells, or a criterion by which cells do not yield.
+        InputError: a lattice without cells, or a criterion without yielding of cells.
         UnstableRunError: the run became unstable.
     """
     number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
@@ -48,7 +52,7 @@ def uniaxial_compression(
     found = [one.slip for one in softenings_of("uniaxial_compression", body, failure, wanted)]
     strengths = [slip.compressive(pressure) for slip in found if slip is not None]
     if not strengths:
-        raise InputError(f"labtests.uniaxial_compression needs the shear strength of a material; give {wanted}")
+        raise InputError(f"labtests.uniaxial_compression: the criterion has no shear strength; give {wanted}")
     loading = Loading(
         sign=-1.0, expected=min(strengths), reach=reach * strengths[0] / moduli.soft, opening=0.0, ending=0.5,
         pressure=pressure, traverses=traverses,

@@ -1,9 +1,11 @@
-"""Triaxial compression: the strength of a specimen under a pressure on its sides."""
+"""Triaxial compression: strength of a specimen under a confining pressure."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from bondem._checks import number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.rig import StrengthTest
@@ -14,12 +16,12 @@ from bondem.specimen.lattice import Lattice
 
 
 @dataclass(frozen=True, eq=False)
-class TriaxialTest:
+class TriaxialTest(Plotted):
     """Result of a triaxial test.
 
     Attributes:
-        test: of compression under the pressure.
-        pressure: on the sides, σ3 of rock mechanics, positive [Pa].
+        test: result of the compression under the confining pressure.
+        pressure: confining pressure on the sides, σ3 of rock mechanics, positive [Pa].
     """
 
     test: StrengthTest
@@ -32,12 +34,12 @@ class TriaxialTest:
 
     @property
     def deviator(self) -> float:
-        """Largest difference of the axial stress and the pressure, σ1 - σ3 [Pa]."""
+        """Largest deviator stress σ1 - σ3, axial stress less pressure [Pa]."""
         return self.test.peak - self.pressure
 
     @property
     def E(self) -> float:
-        """Slope of the curve between a tenth and half of the peak [Pa]."""
+        """Young's modulus from the slope of the curve between a tenth and half of the peak [Pa]."""
         return self.test.E
 
     @property
@@ -47,15 +49,16 @@ class TriaxialTest:
 
     @property
     def work(self) -> float:
-        """Of platens and pressure until the end over the section [J/m²]."""
+        """Work of platens and pressure until the end, per area of the section [J/m²]."""
         return self.test.work
 
     @property
     def state(self) -> State:
-        """The broken specimen."""
+        """State of the broken specimen."""
         return self.test.state
 
 
+@staged("triaxial")
 def triaxial(
     body: Lattice,
     law: CellAssignment,
@@ -67,25 +70,24 @@ def triaxial(
     reach: float = 2.0,
     progress: Callable[[float], None] | None = None,
 ) -> TriaxialTest:
-    """Compress a body of cells along x between smooth platens, its sides under a pressure held by a membrane.
+    """Compress a body of cells along x between smooth platens, under the confining pressure of a membrane.
 
-    `uniaxial_compression` under that pressure, which grows while the platens get up to speed, in the first fifth of
-    the time to the expected peak, and is constant from then on. Where several confinements are wanted, call it for
-    each.
+    The pressure rises while the platens accelerate, in the first fifth of the time to the expected peak, and is
+    constant afterwards. Call the function once for each confining pressure.
 
     Args:
-        body: cut into cells.
-        law: its material, or laws by region; their moduli and the weakest criterion set the speed of the test.
-        failure: `bd.MohrCoulomb` or `bd.DruckerPrager`, with a fracture energy; or by region.
-        pressure: on the sides, positive [Pa]; the membrane turns with the cells.
-        density: of the material [kg/m³]; no result depends on it.
-        traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
-        reach: strain at which it ends at the latest, over that of the expected peak [-].
-        progress: called now and then with the share done, 0 … 1.
+        body: specimen of cells.
+        law: cell law, or cell laws by region; their moduli and the weakest criterion set the loading rate.
+        failure: `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy, or criteria by region.
+        pressure: confining pressure on the sides, positive [Pa]; the membrane rotates with the cells.
+        density: density of the material [kg/m³]; results do not depend on it.
+        traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
+        reach: limit of the strain, over the strain at the expected peak [-].
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a pressure that is not positive, a lattice without cells, or a criterion by which cells do not
-            yield.
+        InputError: a pressure that is not positive, a lattice without cells, or a criterion without yielding of
+            cells.
         UnstableRunError: the run became unstable.
     """
     advice = "a positive pressure; without one it is labtests.uniaxial_compression"

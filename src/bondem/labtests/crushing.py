@@ -1,4 +1,4 @@
-"""Crushing of a ball between two plates: single-particle strength, pieces and fines."""
+"""Crushing of a ball between two plates: single-particle strength, fragments and fines."""
 
 import math
 from collections.abc import Callable
@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
@@ -41,19 +43,19 @@ _SURE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class SphereCrushing:
+class SphereCrushing(Plotted):
     """Result of a crushing test.
 
     Attributes:
         force: largest force between the plates, F [N].
-        diameter: of the ball, D [m].
-        curve: closing of the plates over D [-] and 2.8 F / (π D²) [Pa] of each record, shape (k, 2).
-        work: of the plates until the end [J].
-        broken: what is left: `.pieces`, `.sizes`, `.damage`, `.fines`, `.largest`.
+        diameter: diameter of the ball, D [m].
+        curve: approach of the plates over D [-] and 2.8 F / (π D²) [Pa] of each record, shape (k, 2).
+        work: work of the plates until the end [J].
+        broken: broken ball with `.pieces`, `.sizes`, `.damage`, `.fines` and `.largest`.
         asymmetry: largest difference of the forces on both plates up to the peak, over the peak [-].
         kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
-        residual: of the energy ledger, over its largest entry [-].
-        run: the explicit run.
+        residual: error of the energy balance over its largest term [-].
+        run: result of the explicit run.
     """
 
     force: float
@@ -73,15 +75,16 @@ class SphereCrushing:
 
     @property
     def jaeger(self) -> float:
-        """F / D² of Jaeger (1967) [Pa]."""
+        """Strength measure F / D² of Jaeger (1967) [Pa]."""
         return self.force / self.diameter**2
 
     @property
     def state(self) -> State:
-        """The broken ball."""
+        """State of the broken ball."""
         return self.run.state
 
 
+@staged("sphere crushing")
 def sphere_crushing(
     ball: Lattice,
     law: AnyLaw,
@@ -95,30 +98,33 @@ def sphere_crushing(
     fine: float = 0.2,
     progress: Callable[[float], None] | None = None,
 ) -> SphereCrushing:
-    """Crush a ball along x between two rigid plates that move towards each other, until the load has dropped.
+    """Crush a ball along x between two rigid plates that approach each other, until the load has dropped.
 
-    Plates begin at the outermost elements, which touch them as spheres (cells as spheres of their volume), and each
-    moves half of the closing. The nominal tensile strength, 2.8 F / (π D²), is a measure by which laboratories
-    compare balls and lumps: cells under the plates may crush before the ball splits, so that it is no closed form of
-    f_t. The force before that rises in steps as elements come to bear, so that it follows Hertz roughly only.
-    Balls of brittle beams (`bd.PeripheralStress` without a fracture energy) lose element after element at the plates;
-    their largest force is that of grinding, within a closing of a twentieth of the diameter.
+    The plates start at the outermost elements and move at equal speeds. Elements touch them as spheres, cells as
+    spheres of equal volume.
+
+    The nominal tensile strength 2.8 F / (π D²) is a measure by which laboratories compare balls and lumps. It is not
+    a closed form of f_t, as cells under the plates may crush before the ball splits. Before the peak the force rises
+    in steps as further elements come into contact, so that it follows Hertz only approximately. Balls of brittle
+    beams (`bd.PeripheralStress` without a fracture energy) lose one element after another at the plates. Their
+    largest force is that of grinding, within an approach of a twentieth of the diameter.
 
     Args:
         ball: cells or bonded spheres of a `bd.Ball`.
-        law: a bond law, a law of cells, or the non-local law.
-        failure: any criterion, or criteria by region.
-        friction: of the plates [-]; 0 is smooth.
-        contact: law of contacts of the pieces and at the plates; None for one as stiff as the median bond, friction
-            0.4 between pieces.
-        density: of the elements, or of the material of cells [kg/m³]; no result depends on it until pieces fly.
-        traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
-        ending: share of the peak to which the load has to drop [-].
-        fine: pieces smaller than this share of the diameter are fines [-].
-        progress: called now and then with the share done, 0 … 1.
+        law: bond law, cell law or non-local law.
+        failure: failure criterion, or criteria by region.
+        friction: friction coefficient of the plates [-]; 0 is smooth.
+        contact: contact law of fragments and plates; None for the stiffness of the median bond and a friction of 0.4
+            between fragments.
+        density: density of the elements, or of the material of cells [kg/m³]; results do not depend on it until
+            fragments fly off.
+        traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
+        ending: share of the peak load at which the test ends [-].
+        fine: upper size limit of fines, as a share of the ball's diameter [-].
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: no ball, no criterion, or a value out of range.
+        InputError: a shape other than a ball, no criterion, or a value out of range.
         UnstableRunError: the run became unstable.
 
     Reference: Hiramatsu and Oka, Int. J. Rock Mech. Min. Sci. 3 (1966) 89-99; Jaeger, Can. Geotech. J. 4 (1967).
@@ -160,7 +166,7 @@ def sphere_crushing(
 
 
 def _force(history: History) -> Floats:
-    """Mean of both plates, positive as the ball is pressed [N]."""
+    """Mean force of both plates, positive in compression [N]."""
     return 0.5 * (history["far"][:, 0] - history["near"][:, 0])
 
 
@@ -176,8 +182,8 @@ def _plates(ball: BallSpecimen, speed: float, begin: float, friction: float) -> 
 
 
 def _expected(model: Model, ball: BallSpecimen) -> tuple[float, float, float]:
-    """Roughly the force at the peak [N], the closing by then [m], by Hertz and through the outermost elements, and
-    the speed of sound [m/s]; they choose the speed of the plates, and no result is made from them.
+    """Rough estimates of the peak force [N], the approach of the plates at the peak [m] and the speed of sound [m/s].
+    They set the speed of the plates only.
     """
     found = model.implied_fracture
     assert found is not None

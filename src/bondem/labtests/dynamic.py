@@ -1,7 +1,8 @@
-"""First natural frequencies of a clamped specimen against the vibrations of bars."""
+"""First natural frequencies of a clamped specimen, compared with the vibrations of bars."""
 
 import numpy as np
 
+from bondem._progress import staged
 from bondem._types import Floats, PerElement
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.cantilever import Cantilever
@@ -12,6 +13,7 @@ from bondem.labtests.vibration import FreeVibration
 from bondem.specimen.lattice import Lattice
 
 
+@staged("dynamic tension")
 def dynamic_tension(
     lattice: Lattice,
     law: AnyLaw,
@@ -25,22 +27,23 @@ def dynamic_tension(
     vibration: FreeVibration | None = None,
     depth: float = 0.02,
 ) -> Outcome:
-    """First axial frequency against √(E/ρ) / (4 L).
+    """Compare the first axial frequency of a clamped specimen with √(E/ρ) / (4 L).
 
-    The measured value is that of the modes, which needs no signal processing. With a free vibration at hand,
-    `curves` holds its signal, spectrum and frequency ("free_vibration") too.
+    The measured value is the natural frequency of the modes, which needs no signal processing. Given a free
+    vibration, `curves` also has its signal, spectrum and frequency ("free_vibration").
 
     Args:
         lattice: the specimen.
-        law: its bonds.
-        density: of the elements, ρ_μ [kg/m³], a number or (n,); `theory_refined` has their mass where it is.
-        E: its own Young's modulus [Pa].
-        nu: its own Poisson's ratio [-].
-        rho: its own density, mass over volume of the shape [kg/m³].
-        gyration: `Tension.gyration`, for `theory_refined`, a consistency check.
-        modes: its natural frequencies, where they are known already.
-        vibration: its free vibration, likewise.
-        depth: of the two faces, in mean radii [-].
+        law: bond law, cell law or non-local law of the specimen.
+        density: density of the elements, ρ_μ [kg/m³], a number or (n,); `theory_refined` uses the distribution of
+            their mass.
+        E: Young's modulus of the specimen [Pa].
+        nu: Poisson's ratio of the specimen [-].
+        rho: density of the specimen, mass over volume of the shape [kg/m³].
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        modes: natural frequencies of the specimen, if known; None to compute them.
+        vibration: free vibration of the specimen, or None.
+        depth: depth of the two face regions, in mean radii [-].
     """
     check("dynamic_tension", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
@@ -55,6 +58,7 @@ def dynamic_tension(
     )
 
 
+@staged("dynamic bending")
 def dynamic_bending(
     lattice: Lattice,
     law: AnyLaw,
@@ -68,9 +72,9 @@ def dynamic_bending(
     vibration: FreeVibration | None = None,
     depth: float = 0.02,
 ) -> Outcome:
-    """First bending frequency against the cantilevers of Euler–Bernoulli and of Timoshenko.
+    """Compare the first bending frequency of a clamped specimen with Euler–Bernoulli's and Timoshenko's cantilevers.
 
-    Arguments as for `dynamic_tension`.
+    The arguments are those of `dynamic_tension`.
     """
     check("dynamic_bending", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
@@ -86,6 +90,7 @@ def dynamic_bending(
     )
 
 
+@staged("dynamic torsion")
 def dynamic_torsion(
     lattice: Lattice,
     law: AnyLaw,
@@ -99,9 +104,9 @@ def dynamic_torsion(
     vibration: FreeVibration | None = None,
     depth: float = 0.02,
 ) -> Outcome:
-    """First torsional frequency against √(G J / (ρ I_p)) / (4 L).
+    """Compare the first torsional frequency of a clamped specimen with √(G J / (ρ I_p)) / (4 L).
 
-    Arguments as for `dynamic_tension`.
+    The arguments are those of `dynamic_tension`.
     """
     check("dynamic_torsion", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)

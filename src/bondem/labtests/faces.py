@@ -1,4 +1,4 @@
-"""How the end faces of a specimen move, and where they are: elements of spheres, facets of a body of cells."""
+"""Positions and motions of the end faces of a specimen, from elements of spheres or facets of cells."""
 
 import numpy as np
 
@@ -13,10 +13,10 @@ from bondem.specimen.regions import Face
 
 
 def face_motion(model: Model, solution: StaticResult, name: str, depth: float) -> Floats:
-    """Rigid motion of a face [m, rad], (6,): the one closest to its elements or, of a body of cells, to its facets.
+    """Rigid motion of a face closest to its elements or, for cells, to its facets [m, rad], (6,).
 
-    Spheres are loaded and held at their centres. A body is at its walls, so that its surface is what moves: see
-    `bondem.observe.surface`.
+    Spheres are loaded and held at their centres, cells at the walls of the body. The motion of a body of cells is
+    therefore that of its surface; see `bondem.observe.surface`.
     """
     lattice = model.lattice
     if lattice.cells is None:
@@ -34,7 +34,7 @@ def surface(model: Model, solution: StaticResult) -> Floats:
 
 
 def ends(lattice: Lattice, depth: float) -> tuple[float, float]:
-    """Where the faces across x are held and loaded [m]: mean centres of their elements, or the walls of a body."""
+    """Positions x of the held and the loaded face [m]: mean centres of elements, or walls of a body of cells."""
     if lattice.cells is not None:
         lower, upper = (float(lattice.particles.envelope.face_centre(name)[0]) for name in ("x_min", "x_max"))
         return lower, upper

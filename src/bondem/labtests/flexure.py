@@ -1,11 +1,13 @@
-"""Three-point bending: the flexural strength of a beam, plain or notched, and the work it takes to break it."""
+"""Three-point bending: flexural strength and work of fracture of a plain or notched beam."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._checks import number
+from bondem._checks import instance, number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.probing import walls_along
@@ -21,26 +23,34 @@ from bondem.quasistatic.solve import QuasistaticResult, solve_quasistatic
 from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region, Within
+from bondem.specimen.walled import BOX_FACES
 
 # Load at a factor of 1 [N]: nothing depends on it.
 _LOAD = 1e3
 # Width of the strips that bear, over the depth of the beam, and at least so many mean edges of cells.
 _STRIP, _CELLS = 0.1, 1.5
+# Gauge of the opening of a notch, and how much of the normal of its sides is along x, at least.
+_MOUTH, _STEEP = "cmod", 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class BendingTest:
-    """Result of a bending test, as a path of events without inertia.
+class BendingTest(Plotted):
+    """Result of a bending test, as a quasi-static path of failure events.
 
     Attributes:
-        peak: flexural strength 3 P L / (2 b h²) [Pa], h the ligament above the notch, or the whole depth.
-        E: Young's modulus from the deflection of a plain beam, with shear [Pa]; of a notched one the apparent,
-            smaller one.
-        curve: deflection over the span [-] and 3 P L / (2 b h²) of each event [Pa], from (0, 0) on, shape (k, 2).
-        work: of the rollers over the ligament b h [J/m²]: what was dissipated, and what is stored in the end.
-        span: L, between the supports [m].
-        ligament: h [m].
-        path: of all events, with loads [N] and the displacement between the rollers as gauges "left" and "right" [m].
+        peak: flexural strength 3 P L / (2 b h²) [Pa], with h the ligament above the notch or the whole depth.
+        E: Young's modulus from the deflection of a plain beam, with shear [Pa]. For a notched beam it is a smaller,
+            apparent modulus.
+        curve: deflection over the span [-] and 3 P L / (2 b h²) [Pa] at each event, starting at (0, 0), shape (k, 2).
+        work: work of the rollers per area b h of the ligament [J/m²]: dissipated energy and final elastic energy.
+        span: distance L of the supports [m].
+        ligament: height h of the ligament [m].
+        path: quasi-static path, with loads [N] and the displacement between the rollers as gauges "left" and "right"
+            [m]; `path.gauge` contains the requested gauges too.
+        load: load P at each row of the curve [N], shape (k,).
+        deflection: deflection at each row of the curve [m], shape (k,).
+        cmod: opening of the notch mouth along x at each row of the curve [m], shape (k,), between the cells on both
+            of its sides at the bottom. None for a beam without a notch.
     """
 
     peak: float
@@ -50,13 +60,17 @@ class BendingTest:
     span: float
     ligament: float
     path: QuasistaticResult
+    load: Floats
+    deflection: Floats
+    cmod: Floats | None
 
     @property
     def state(self) -> State:
-        """The broken beam at its last equilibrium."""
+        """State of the broken beam at its last equilibrium."""
         return self.path.state
 
 
+@staged("three point bending")
 def three_point_bending(
     body: Lattice,
     law: CellAssignment,
@@ -68,56 +82,75 @@ def three_point_bending(
     together: float = 0.005,
     until: float = 0.05,
     most: int = 100_000,
+    gauges: Mapping[str, tuple[Region, Region]] | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> BendingTest:
-    """Bend a beam, axis x, depth y, width z, by a roller at mid-span from above and two below, until it has failed.
+    """Bend a beam in three-point bending until it has failed.
 
-    Rollers are forces, each a traction along y on a strip of the surface whose resultant passes through its line:
-    they neither hold the beam along x nor clamp it. It is followed by `bd.solve_quasistatic`, also where it snaps
-    back, so that there is neither density nor speed. Tension alone decides: of `bd.MohrCoulomb` its tensile strength
-    and fracture energy count, and cells do not yield. The deflection is that of the middle of the section (above a
-    notch, of the ligament) at mid-span against the middle of the depth over the supports, without the dents of the
-    rollers. E is from P / (E b) ((L/D)³/4 + (0.6 + 0.375 ν) L/D - 0.21) (Timoshenko and Goodier §40): the shear of
-    beam theory, less what the roller does near by, 4 % of the whole where L = 3 D.
+    The beam has the axis x, the depth along y and the width along z. The rollers are one above mid-span and two
+    supports below. Each roller is a traction along y on a strip of the surface, whose resultant passes through the
+    line of the roller. The rollers neither constrain the beam along x nor clamp it.
+
+    `bd.solve_quasistatic` follows the equilibrium path, also through snap-back, so that density and speed do not
+    enter. Tension alone decides: from `bd.MohrCoulomb` only the tensile strength and the fracture energy are used,
+    and cells do not yield.
+
+    The deflection is the displacement of the middle of the section at mid-span (above a notch, of the ligament)
+    relative to mid-depth over the supports. It excludes the indentation by the rollers. E follows from P / (E b)
+    ((L/D)³/4 + (0.6 + 0.375 ν) L/D - 0.21) (Timoshenko and Goodier §40). The last terms are the shear of beam theory
+    less the local effect of the roller, 4 % of the total at L = 3 D.
 
     Args:
         body: cells of a box along x, plain or with a notch from below at mid-span, `shape.cut(..., name="notch")`.
-        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
-        failure: `bd.Rankine`, or `bd.MohrCoulomb` with a fracture energy; or by region.
-        span: between the supports [m], about the middle; None for the length less the depth.
-        strip: width of the strips that bear [m]; None for a tenth of the depth, at least one and a half cells.
-        ripple, together, until, most: of `bd.solve_quasistatic`; `until` is the share of the peak at which it ends.
-        progress: called now and then with the share done, 0 … 1.
+        law: cell law, or cell laws by region; the first one is the matrix and sets the ν of E.
+        failure: `bd.Rankine`, or `bd.MohrCoulomb` with a fracture energy, or criteria by region.
+        span: distance of the supports, symmetric about the middle [m]; None for the length less the depth.
+        strip: width of the loaded strips [m]; None for a tenth of the depth, at least one and a half cells.
+        ripple, together, until, most: options of `bd.solve_quasistatic`; `until` is the share of the peak at the end
+            [-].
+        gauges: pairs of regions whose relative displacement is recorded in `path.gauge`, by name, such as
+            {"CTOD": (bd.Within(left), bd.Within(right))}; `cmod`, the opening of the notch mouth, needs none.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: no such beam, a span or strip that does not fit, or another criterion.
+        InputError: an unsuitable body, a span or strip that does not fit, an unsupported criterion, or the name of a
+            gauge used twice.
     """
     matrix = require_cells("three_point_bending", body, law, None)
     tensile = _tensile(failure)
     beam = _Beam.of(body, span, strip)
     top, loads = beam.rollers()
+    own = beam.gauges()
+    asked = {} if gauges is None else instance(
+        "labtests.three_point_bending", "gauges", gauges, Mapping, "a mapping of names to pairs of regions"
+    )  # fmt: skip
+    for name in asked:
+        if name in own:
+            raise InputError(f"labtests.three_point_bending: gauge '{name}' is one of its own; give another name")
     model = Model(body, law, DENSITY, failure=tensile, boundary=loads)
     path = solve_quasistatic(
-        model, top, ripple=ripple, together=together, until=until, most=most, gauges=beam.gauges(),
+        model, top, ripple=ripple, together=together, until=until, most=most, gauges={**own, **asked},
         progress=progress,
     )  # fmt: skip
     if not len(path.factor):
-        raise InputError("labtests.three_point_bending: nothing fails at any load; look at the criterion")
+        raise InputError("labtests.three_point_bending: no facet fails at any load; check the criterion")
     stress = 1.5 * path.load * beam.span / (beam.width * beam.ligament**2)
     deflection = -0.5 * (path.gauge["middle left"] + path.gauge["middle right"])[:, 1]
     stiffness = path.load[0] / deflection[0]
     rollers = -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
     work = path.energy.sum() + 0.5 * path.load[-1] * rollers[-1]
     curve = np.column_stack([deflection / beam.span, stress])
+    mouth = np.append(0.0, path.gauge[_MOUTH][:, 0]) if _MOUTH in own else None
     return BendingTest(
         peak=float(stress.max()), E=float(stiffness * beam.compliance(matrix.nu)),
         curve=np.vstack([np.zeros((1, 2)), curve]), work=float(work) / (beam.width * beam.ligament),
-        span=beam.span, ligament=beam.ligament, path=path,
+        span=beam.span, ligament=beam.ligament, path=path, load=np.append(0.0, path.load),
+        deflection=np.append(0.0, deflection), cmod=mouth,
     )  # fmt: skip
 
 
 def _tensile(failure: FailureAssignment) -> FailureAssignment:
-    """The part of a criterion that decides in bending, or of each by region.
+    """Tensile part of a criterion, or of each criterion by region.
 
     Raises:
         InputError: another criterion than those of the largest principal stress.
@@ -133,7 +166,10 @@ def _of_tension(failure: object) -> Rankine:
         return failure
     softening = softening_of("three_point_bending", failure, wanted)
     if softening.surface is not None or not isinstance(failure, Criterion):
-        raise InputError(f"labtests.three_point_bending cracks by the largest principal stress; give {wanted}")
+        raise InputError(
+            f"labtests.three_point_bending: failure = {type(failure).__name__}: not a criterion of the largest"
+            f" principal stress; give {wanted}"
+        )
     return Rankine(
         tension=softening.tension, fracture_energy=softening.fracture_energy or None, curve=softening.curve,
         scatter=failure.scatter,
@@ -142,7 +178,7 @@ def _of_tension(failure: object) -> Rankine:
 
 @dataclass(frozen=True, eq=False)
 class _Beam:
-    """Where a beam is borne and pressed."""
+    """Supports and load of a beam."""
 
     body: Lattice
     lower: Floats
@@ -153,14 +189,14 @@ class _Beam:
 
     @classmethod
     def of(cls, body: Lattice, span: float | None, strip: float | None) -> "_Beam":
-        """From the shape of the body.
+        """Supports and load of a body.
 
         Raises:
-            InputError: it is no beam, or what is given does not fit.
+            InputError: the body is not a beam, or span or strip do not fit.
         """
         owner, shape = "labtests.three_point_bending", body.particles.envelope
         if not {"x_min", "x_max", "y_min", "y_max"} <= set(shape.faces):
-            raise InputError(f"{owner}: {type(shape).__name__} is no beam; take a bd.Box along x, notched or not")
+            raise InputError(f"{owner}: {type(shape).__name__} is not a beam; use a bd.Box along x, plain or notched")
         lower, upper = shape.bounds
         length, depth, _ = (float(extent) for extent in upper - lower)
         assert body.cells is not None
@@ -170,8 +206,8 @@ class _Beam:
         between = length - depth if span is None else number(owner, "span", span, unit="m", above=0.0)
         if not (between >= depth and between + wide <= length):
             raise InputError(
-                f"{owner}: a span of {between:.4g} m with strips of {wide:.4g} m does not suit a beam {length:.4g} m"
-                f" long and {depth:.4g} m deep; give at least the depth, and leave half a strip over each end"
+                f"{owner}: span = {between:.4g} m with strips of {wide:.4g} m does not suit a beam {length:.4g} m"
+                f" long and {depth:.4g} m deep; give at least the depth, and leave half a strip beyond each support"
             )
         return cls(body, lower, upper, between, wide, _ligament(body, lower, upper))
 
@@ -184,12 +220,14 @@ class _Beam:
         return 0.5 * (self.lower + self.upper)
 
     def compliance(self, nu: float) -> float:
-        """E times the deflection of a plain beam over its load [1/m]: bending, shear, and about the roller."""
+        """Deflection of a plain beam times E over the load [1/m], with bending, shear and the local effect of the
+        roller.
+        """
         slender = self.span / float(self.upper[1] - self.lower[1])
         return (0.25 * slender**3 + (0.6 + 0.375 * nu) * slender - 0.21) / self.width
 
     def _region(self, face: str, at: float) -> Region:
-        """Cells with facets within half a strip of a line, on average."""
+        """Cells whose mean facet position is within half a strip of a line."""
         assert self.body.cells is not None
         free, on = self.body.cells.free, self.body.on_face(face)
         cell, area, count = free.cell[on], free.area[on], len(self.body.particles)
@@ -198,8 +236,8 @@ class _Beam:
         chosen = np.flatnonzero((total > 0.0) & (np.abs(away) <= 0.5 * self.strip * total))
         if not chosen.size:
             raise InputError(
-                f"labtests.three_point_bending: no cell lies within a strip of {self.strip:.4g} m at x = {at:.4g} m;"
-                " give a wider strip, or finer cells"
+                f"labtests.three_point_bending: strip = {self.strip:.4g} m contains no cell at x = {at:.4g} m;"
+                " give a wider strip or finer cells"
             )
         return Face(face) & Index(chosen)
 
@@ -212,7 +250,7 @@ class _Beam:
         }  # fmt: skip
 
     def rollers(self) -> tuple[Region, list[Load]]:
-        """The strip above, and the loads of all three, each through its line."""
+        """Upper strip, and the loads of all three rollers, each through its line."""
         loads = [self._load(*place) for place in self._places().values()]
         return loads[0].region, loads
 
@@ -223,13 +261,26 @@ class _Beam:
         return Load(region, force=(0.0, force, 0.0), moment=moment)
 
     def gauges(self) -> Mapping[str, tuple[Region, Region]]:
-        """From each support to the roller above, and the same of the middle of the section."""
+        """Gauges from each support to the upper roller, and from each support to the middle of the section."""
         region = {name: self._region(face, at) for name, (face, at, _) in self._places().items()}
         x, y = float(self.middle[0]), float(self.middle[1])
         inside = self._about(x, float(self.upper[1]) - 0.5 * self.ligament)
         ends = {"left": self._about(x - 0.5 * self.span, y), "right": self._about(x + 0.5 * self.span, y)}
         found: dict[str, tuple[Region, Region]] = {name: (region[name], region["top"]) for name in ends}
-        return found | {f"middle {name}": (end, inside) for name, end in ends.items()}
+        return found | {f"middle {name}": (end, inside) for name, end in ends.items()} | self._mouth()
+
+    def _mouth(self) -> dict[str, tuple[Region, Region]]:
+        """Return the gauge between the cells left and right of the notch at its mouth; none for a plain beam."""
+        assert self.body.cells is not None
+        free, names = self.body.cells.free, self.body.particles.envelope.faces
+        walls = [k for k, name in enumerate(names) if name not in BOX_FACES]
+        high = float(self.lower[1]) + self.strip
+        at = np.isin(free.face, walls) & (free.centroid[:, 1] < high) & (np.abs(free.normal[:, 0]) > _STEEP)
+        left = at & (free.centroid[:, 0] < self.middle[0])
+        sides = [np.unique(free.cell[side]) for side in (left, at & ~left)]
+        if not all(side.size for side in sides):
+            return {}
+        return {_MOUTH: (Index(sides[0]), Index(sides[1]))}
 
     def _about(self, x: float, y: float) -> Region:
         """Cells about a line along z, as wide and deep as a strip."""
@@ -239,11 +290,13 @@ class _Beam:
 
 
 def _ligament(body: Lattice, lower: Floats, upper: Floats) -> float:
-    """Depth of the section at mid-span that is there, from above [m]: less a notch from below."""
+    """Height of the uncut section at mid-span, above a notch from below [m]."""
     start = 0.5 * (lower + upper)
     end, tiny = start.copy(), 1e-9 * float(upper[1] - lower[1])
     start[1], end[1] = upper[1] - tiny, lower[1] + tiny
     inside, walls = walls_along(body.particles.envelope, start, end)
     if not inside or len(walls) > 1:
-        raise InputError("labtests.three_point_bending: at mid-span there are holes; cut one notch, from below")
+        raise InputError(
+            "labtests.three_point_bending: the section at mid-span has holes; cut a single notch from below"
+        )
     return float(walls[0]) if len(walls) else float(upper[1] - lower[1])

@@ -1,4 +1,4 @@
-"""The frequency of a free vibration, from a record of a few periods."""
+"""Frequency of a free vibration from a record of a few periods."""
 
 import numpy as np
 from scipy.optimize import minimize_scalar
@@ -8,12 +8,12 @@ from bondem.errors import InputError
 
 
 def spectrum(time: Floats, signal: Floats, *, padding: int = 8) -> tuple[Floats, Floats]:
-    """Amplitude spectrum of a uniformly sampled signal under a Hann window.
+    """Compute the amplitude spectrum of a uniformly sampled signal under a Hann window.
 
     Args:
-        time: uniform [s], (s,).
-        signal: (s,).
-        padding: zeros appended, in lengths of the signal, for a smooth curve.
+        time: equidistant sample times [s], (s,).
+        signal: samples, (s,).
+        padding: number of appended zeros, in lengths of the signal [-], for a smooth curve.
 
     Returns:
         Frequencies [Hz] and amplitudes in the unit of the signal.
@@ -25,21 +25,23 @@ def spectrum(time: Floats, signal: Floats, *, padding: int = 8) -> tuple[Floats,
 
 
 def dominant_frequency(time: Floats, signal: Floats) -> float:
-    """Frequency of the strongest oscillation [Hz].
+    """Compute the frequency of the strongest oscillation of a signal [Hz].
 
-    The highest peak of the FFT under a Hann window tells where to look; there the frequency is the one whose
-    sinusoid and constant fit the signal best in the same window, which a pure tone meets exactly however few
-    periods there are.
+    The highest peak of the FFT under a Hann window is the initial guess. The frequency is then fitted: a sinusoid and
+    a constant are closest to the signal under the same window. The fit is exact for a pure tone, however few its
+    periods.
 
     Args:
-        time: uniform [s], (s,); at least 1.5 periods.
-        signal: (s,).
+        time: equidistant sample times over at least 1.5 periods [s], (s,).
+        signal: samples, (s,).
 
     Raises:
         InputError: fewer than 16 samples, or a constant signal.
     """
     if len(signal) < 16 or not np.ptp(signal) > 0.0:
-        raise InputError("a frequency takes 16 samples or more of a signal that moves; record longer")
+        raise InputError(
+            f"signal: {len(signal)} samples, constant or too few for a frequency; record at least 16 samples"
+        )
     frequency, amplitude = spectrum(time, signal)
     duration = float(time[-1] - time[0])
     # below one cycle a record the window cannot tell an oscillation from drift

@@ -1,7 +1,7 @@
-"""What a specimen does between its grips, read off the displacements by least squares.
+"""Deformation of the middle of a specimen, from displacements by least squares.
 
-The ends of a specimen, where it is held and loaded, deform in their own way. Its middle half does what
-strength of materials says, so that is where material numbers come from.
+The ends of a specimen, where it is held and loaded, deform unevenly. The middle half follows beam theory, so that
+material parameters are measured there.
 """
 
 from dataclasses import dataclass
@@ -15,12 +15,12 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class AffineField:
-    """The affine field closest to given displacements: u(x) = shift + gradient (x - centre).
+    """Affine field closest to given displacements: u(x) = shift + gradient (x - centre).
 
     Attributes:
         centre: centroid of the points [m], (3,).
         shift: mean displacement [m], (3,).
-        gradient: ∂u_i/∂x_j [-], (3, 3).
+        gradient: displacement gradient ∂u_i/∂x_j [-], (3, 3).
     """
 
     centre: Floats
@@ -29,24 +29,24 @@ class AffineField:
 
     @classmethod
     def fit(cls, position: PerElement3, displacement: PerElement3) -> "AffineField":
-        """Least squares over all points with equal weight; rigid motion ends up in shift and spin."""
+        """Fit the field to all points by least squares with equal weight; shift and spin contain the rigid motion."""
         centre, shift = position.mean(axis=0), displacement.mean(axis=0)
         gradient = np.linalg.lstsq(position - centre, displacement - shift, rcond=None)[0].T
         return cls(centre, shift, gradient)
 
     @staticmethod
     def weights(position: PerElement3) -> PerElement3:
-        """w of each point [1/m], (n, 3), with which the fitted ∂u_i/∂x_j is Σ w_j u_i over all points."""
+        """Weights w of the points [1/m], (n, 3), with the fitted ∂u_i/∂x_j = Σ w_j u_i over all points."""
         return np.linalg.pinv(position - position.mean(axis=0)).T
 
     @property
     def strain(self) -> Floats:
-        """Symmetric part of the gradient [-], (3, 3)."""
+        """Strain tensor, the symmetric part of the displacement gradient [-], (3, 3)."""
         return 0.5 * (self.gradient + self.gradient.T)
 
     @property
     def spin(self) -> Floats:
-        """Rotation vector of the antisymmetric part [rad], (3,)."""
+        """Rotation vector of the antisymmetric part of the displacement gradient [rad], (3,)."""
         W = 0.5 * (self.gradient - self.gradient.T)
         return np.array([W[2, 1], W[0, 2], W[1, 0]])
 
@@ -56,10 +56,10 @@ class AffineField:
 
 
 def middle_half(lattice: Lattice) -> Ints:
-    """Connected elements whose centres lie in the middle half of the length, in the user's order.
+    """Select the connected elements whose centres lie in the middle half of the length, in the user's order.
 
     Raises:
-        InputError: too few for a fit.
+        InputError: fewer than 12 elements, too few for a fit.
     """
     particles = lattice.particles
     lower, upper = particles.envelope.bounds
@@ -68,16 +68,17 @@ def middle_half(lattice: Lattice) -> Ints:
     chosen = np.flatnonzero(inside & lattice.connected)
     if len(chosen) < 12:
         raise InputError(
-            f"only {len(chosen)} connected elements lie in the middle half of the specimen;"
-            " measuring strain there takes at least 12: use a longer or finer specimen along x"
+            f"lattice: only {len(chosen)} connected elements lie in the middle half of the specimen, less than 12;"
+            " use a longer or finer specimen along x"
         )
     return chosen
 
 
 def curvature(position: PerElement3, displacement: PerElement3, at: float) -> float:
-    """Rate of turning about z along x at x = `at` [rad/m], from u_x alone.
+    """Curvature dθ_z/dx at x = `at` [rad/m], from u_x alone.
 
-    A section that turns by θ about z displaces by u_x = -y θ; θ is a parabola under a transverse force.
+    A section rotated by θ about z has the displacement u_x = -y θ. The fit takes θ as a parabola, as under a
+    transverse force.
     """
     x, y, z = position.T
     s = (x - at) / np.ptp(x)
@@ -87,7 +88,7 @@ def curvature(position: PerElement3, displacement: PerElement3, at: float) -> fl
 
 
 def twist_rate(position: PerElement3, displacement: PerElement3) -> float:
-    """Rate of turning about x along x [rad/m], from u_y and u_z."""
+    """Twist rate dθ_x/dx [rad/m], from u_y and u_z."""
     x, y, z = position.T
     s = (x - x.mean()) / np.ptp(x)
     one, none = np.ones_like(s), np.zeros_like(s)
@@ -100,11 +101,11 @@ def twist_rate(position: PerElement3, displacement: PerElement3) -> float:
 
 
 def profile(position: PerElement3, displacement: PerElement3, *, slices: int = 24) -> tuple[Floats, Floats]:
-    """Motion of the cross-sections along x.
+    """Compute the rigid motion of the cross-sections along x.
 
     Returns:
-        Mean x of each slice [m], (slices,), and its mean displacement and rotation about x, y and z as the
-        closest rigid motion [m, rad], (slices, 6).
+        Mean x of each slice [m], (slices,), and its mean displacement and rotation about x, y and z [m, rad],
+        (slices, 6).
     """
     x = position[:, 0]
     edges = np.linspace(x.min(), x.max(), slices + 1)
@@ -119,7 +120,7 @@ def profile(position: PerElement3, displacement: PerElement3, *, slices: int = 2
 
 
 def rigid_motion(position: Floats, displacement: Floats, weight: Floats | None = None) -> Floats:
-    """Mean displacement and least-squares rotation of a few points [m, rad], (6,); equal weights unless given."""
+    """Mean displacement and least-squares rotation of points [m, rad], (6,); equal weights by default."""
     share = np.full(len(position), 1.0 / len(position)) if weight is None else weight / weight.sum()
     shift = share @ displacement
     arm = position - share @ position

@@ -1,4 +1,4 @@
-"""The isotropic material nearest to a stiffness tensor (Voigt's average)."""
+"""Isotropic material nearest to a stiffness tensor (Voigt's average)."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from bondem._types import Floats
 
 @dataclass(frozen=True)
 class Isotropic:
-    """An isotropic elastic material.
+    """Isotropic elastic material.
 
     Attributes:
         K: bulk modulus [Pa].
@@ -21,7 +21,7 @@ class Isotropic:
 
     @classmethod
     def average(cls, stiffness: Floats) -> "Isotropic":
-        """Of a stiffness (6, 6) [Pa], order xx, yy, zz, yz, xz, xy; K and G are linear in it."""
+        """Average a stiffness matrix (6, 6) [Pa], in the order xx, yy, zz, yz, xz, xy; K and G are linear in it."""
         C = stiffness
         longitudinal, lateral = np.trace(C[:3, :3]), C[0, 1] + C[0, 2] + C[1, 2]
         shear = float(longitudinal - lateral + 3.0 * np.trace(C[3:, 3:])) / 15.0

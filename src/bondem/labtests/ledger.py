@@ -1,4 +1,4 @@
-"""Where the work of a test to failure has gone, as its curve goes."""
+"""Energy balance of a test to failure along its curve."""
 
 import numpy as np
 
@@ -9,16 +9,17 @@ from bondem.labtests.rig import StrengthTest
 from bondem.labtests.splitting import BrazilianTest
 
 AnyTest = StrengthTest | BrazilianTest | TriaxialTest | BendingTest
-#: What work turns into, in the order in which figures stack it.
+#: Parts of the energy balance, in the order of their areas in figures.
 PARTS = ("elastic", "kinetic", "fracture", "plastic", "friction", "damping")
 
 
 def energy_ledger(test: AnyTest) -> dict[str, Floats]:
-    """Energies at each point of the curve of a test [J], (k,) each: `PARTS`, "work" of the load, and "balance".
+    """Compute the energies at each point of the curve of a test [J], (k,) each.
 
-    balance = sum of the parts - work, which should vanish. A bending test has no speed: its "fracture" is what its
-    events dissipate, and "kinetic", "plastic", "friction" and "damping" are zero. Its "work" and "elastic" are of the
-    rollers as their cells move, whose middle is not quite the line of the load: 1.5 % of the work in 200 cells.
+    The keys are those of `PARTS`, "work" of the load and "balance", the sum of the parts less the work, which should
+    vanish. A bending test has no inertia: "fracture" is the dissipation of its events, and "kinetic", "plastic",
+    "friction" and "damping" are zero. Its "work" and "elastic" are computed with the motion of the loaded cells,
+    whose mean position is not quite the line of the load. The difference is 1.5 % of the work in 200 cells.
     """
     found = _of_path(test) if isinstance(test, BendingTest) else _of_run(test)
     balance = np.sum([found[name] for name in PARTS], axis=0) - found["work"]
@@ -37,7 +38,7 @@ def _of_run(test: StrengthTest | BrazilianTest | TriaxialTest) -> dict[str, Floa
 
 
 def _of_path(test: BendingTest) -> dict[str, Floats]:
-    """Of all three rollers: an event comes at constant loads, what lies between two events is proportional."""
+    """Energies of all three rollers; events occur at constant load, and paths between events are proportional."""
     path = test.path
     load, moved = path.load, -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
     compliance = moved / load

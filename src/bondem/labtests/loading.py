@@ -1,4 +1,4 @@
-"""Slow loading of a specimen of cells to failure along x, between smooth platens."""
+"""Slow loading of a specimen of cells along x to failure, between smooth platens."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -15,16 +15,16 @@ from bondem.specimen.regions import Face
 
 @dataclass(frozen=True, eq=False)
 class Loading:
-    """How a specimen is loaded along x: what its curve is expected to be, and when the test ends.
+    """Loading of a specimen along x: direction, expected curve and end of the test.
 
     Attributes:
         sign: 1 for tension, -1 for compression.
         expected: stress at the peak [Pa].
-        reach: strain at which the test ends at the latest [-], beside the opening of a crack:
-        opening: [m].
-        ending: share of the peak at which it ends, once it has fallen that far [-].
-        pressure: on the sides [Pa].
-        traverses: how often sound runs along the specimen until the expected peak.
+        reach: limit of the strain [-], in addition to `opening`.
+        opening: limit of the opening of a crack [m].
+        ending: share of the peak stress at which the test ends [-].
+        pressure: confining pressure on the sides [Pa].
+        traverses: number of passes of sound along the specimen before the expected peak [-].
     """
 
     sign: float
@@ -46,7 +46,7 @@ def load_to_failure(
     density: float | None,
     progress: Callable[[float], None] | None,
 ) -> StrengthTest:
-    """Load a specimen between smooth platens, slowly.
+    """Load a specimen slowly between smooth platens until it has failed.
 
     Raises:
         InputError: a lattice without cells, or a shape without faces x_min and x_max.
@@ -71,7 +71,7 @@ def load_to_failure(
 
 
 def _platens(body: Lattice, loading: Loading, speed: float, begin: float) -> list[BoundaryCondition]:
-    """Smooth platens, and the pressure on the sides."""
+    """Conditions of the smooth platens and of the pressure on the sides."""
     sides = [name for name in body.particles.envelope.faces if name not in ("x_min", "x_max")]
     found: list[BoundaryCondition] = [
         Fix(Face("x_min"), translation="x", rotation=""),

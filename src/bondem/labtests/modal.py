@@ -1,10 +1,11 @@
-"""Natural frequencies of a clamped specimen, from its modes."""
+"""Natural frequencies of a clamped specimen from its modes."""
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._progress import staged
 from bondem._types import Floats, PerElement
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
@@ -20,9 +21,9 @@ class NaturalFrequencies:
     """First natural frequencies of a specimen clamped at x_min.
 
     Attributes:
-        tension, bending, torsion: [Hz].
-        modes: the modes they were found among.
-        mass_share: effective mass of each mode along x, y, z and about x, as shares of the whole, (count, 4).
+        tension, bending, torsion: first axial, bending and torsional frequency [Hz].
+        modes: computed modes, among which the three were found.
+        mass_share: effective mass of each mode along x, y, z and about x, over the total mass [-], (count, 4).
     """
 
     tension: float
@@ -32,24 +33,25 @@ class NaturalFrequencies:
     mass_share: Floats
 
 
+@staged("natural frequencies")
 def natural_frequencies(
     lattice: Lattice, law: AnyLaw, *, density: float | PerElement, count: int = 8, depth: float = 0.02
 ) -> NaturalFrequencies:
-    """First axial, bending and torsional frequency by `solve_modes`.
+    """Compute the first axial, bending and torsional frequency by `solve_modes`.
 
-    Modes are told apart by effective mass: the first axial and torsional mode carry 81 %, the first pair of
-    bending modes 61 % of all mass. The bending frequency along y is the mean of the pair, weighted with the
+    The effective mass identifies the modes: the first axial and torsional modes have 81 % of the total mass, the
+    first pair of bending modes 61 %. The bending frequency along y is the mean of the pair, weighted with the
     effective mass along y.
 
     Args:
         lattice: the specimen.
-        law: its bonds.
-        density: of the elements, ρ_μ [kg/m³], a number or (n,).
-        count: how many modes to look through.
-        depth: of the held face, in mean radii [-].
+        law: bond law, cell law or non-local law of the specimen.
+        density: density of the elements, ρ_μ [kg/m³], a number or (n,).
+        count: number of modes to compute.
+        depth: depth of the clamped face region, in mean radii [-].
 
     Raises:
-        InputError: no mode of a kind among those computed.
+        InputError: a kind of mode is missing among the computed modes.
     """
     check("natural_frequencies", lattice, density=density, depth=depth)
     model = Model(lattice, law, density=density, boundary=[Fix(Face("x_min", depth))])
@@ -59,13 +61,13 @@ def natural_frequencies(
     def strongest(column: int, name: str) -> float:
         best = int(np.argmax(share[:, column]))
         if share[best, column] < 0.4:
-            raise InputError(f"no {name} mode is among the first {count}; pass a larger count=")
+            raise InputError(f"count = {count}: the first {count} modes contain no {name} mode; give a larger count=")
         return float(modes.frequency[best])
 
     lateral = share[:, 1] + share[:, 2]
     pair = np.flatnonzero(lateral >= 0.4)
     if not len(pair) or not share[pair, 1].sum() > 0.0:
-        raise InputError(f"no bending mode is among the first {count}; pass a larger count=")
+        raise InputError(f"count = {count}: the first {count} modes contain no bending mode; give a larger count=")
     bending = math.sqrt(np.average(modes.frequency[pair] ** 2, weights=share[pair, 1]))
     return NaturalFrequencies(strongest(0, "axial"), bending, strongest(3, "torsional"), modes, share)
 

@@ -1,4 +1,4 @@
-"""Where a straight line passes the walls of a shape: so are notches and borings found."""
+"""Intersections of a straight line with the walls of a shape, by which notches and borings are found."""
 
 import numpy as np
 
@@ -10,14 +10,14 @@ _POINTS, _HALVINGS = 2000, 40
 
 
 def walls_along(shape: Shape, start: Floats, end: Floats) -> tuple[bool, Floats]:
-    """Whether a line begins inside of a shape, and where it passes walls from there on.
+    """Find the intersections of a line with the walls of a shape.
 
     Args:
-        shape: with walls.
-        start, end: of the line [m], (3,).
+        shape: shape with walls.
+        start, end: end points of the line [m], (3,).
 
     Returns:
-        Whether the start is inside, and distances from it [m], ascending, (k,).
+        True if the start is inside the shape, and the distances of the walls from it [m], ascending, (k,).
     """
 
     def inside(share: Floats) -> np.ndarray:

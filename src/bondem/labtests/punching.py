@@ -1,4 +1,4 @@
-"""The shear test of Celigueta et al. (2020): the core of a cylinder, between two ring borings, is pushed out."""
+"""Punch-shear test of Celigueta et al. (2020): the core of a cylinder between two ring borings is pushed out."""
 
 import math
 from collections.abc import Callable
@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import number
+from bondem._progress import staged
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.labtests.probing import walls_along
@@ -45,17 +46,17 @@ def punch_specimen(
     width: float = _WIDTH,
     depth: float = _DEPTH,
 ) -> Shape:
-    """A cylinder, axis x, with a ring boring from each end: the face "boring".
+    """Create a cylinder along x with a ring boring in each end; the borings are the face "boring".
 
     Args:
-        diameter: of the cylinder [m].
-        height: of the cylinder [m].
+        diameter: diameter of the cylinder [m].
+        height: height of the cylinder [m].
         ring: mean diameter of the borings [m].
-        width: of the borings [m].
-        depth: of the borings [m].
+        width: width of the borings [m].
+        depth: depth of the borings [m].
 
     Raises:
-        InputError: borings that do not fit.
+        InputError: the borings do not fit into the cylinder.
 
     Reference: Celigueta, Latorre, Arrufat and Oñate (2020), §4.3.
     """
@@ -65,8 +66,8 @@ def punch_specimen(
     )
     if not (wide < mean and mean + wide < size and 2.0 * deep < length):
         raise InputError(
-            f"labtests.punch_specimen: borings of mean diameter {mean:.4g} m, {wide:.4g} m wide, {deep:.4g} m deep"
-            f" do not fit into a cylinder of {size:.4g} × {length:.4g} m; take smaller ones"
+            f"labtests.punch_specimen: borings of mean diameter {mean:.4g} m, {wide:.4g} m wide and {deep:.4g} m deep"
+            f" do not fit into a cylinder of {size:.4g} × {length:.4g} m; give smaller borings"
         )
     shape: Shape = Cylinder(radius=0.5 * size, length=length)
     rod = Cylinder(radius=0.5 * (mean + wide), length=2.0 * deep)
@@ -76,6 +77,7 @@ def punch_specimen(
     return shape
 
 
+@staged("shear")
 def shear(
     body: Lattice,
     law: CellAssignment,
@@ -86,25 +88,26 @@ def shear(
     ending: float = 0.5,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:
-    """Push the core of a `punch_specimen` along x out of the ring around it, until the load has dropped.
+    """Push the core of a `punch_specimen` along x out of its ring, until the load has dropped.
 
-    A smooth piston presses on x_max inside of its boring, a smooth holed plate bears x_min outside of its boring. The
-    stress is the mean shear stress P / (π D h) on the cylinder of height h between the middles D of both borings, and
-    the strain the motion of the piston over h. Cracks run where stresses drive them: the peak is a limit load of the
-    specimen and no strength of the material, and has no closed form. E is that of an elastic body of the same cells
-    as stiff as the slope of the curve.
+    A smooth piston presses on x_max inside its boring, and a smooth plate with a hole supports x_min outside its
+    boring. The stress is the mean shear stress P / (π D h) on the cylinder of height h and mean diameter D between
+    both borings. The strain is the motion of the piston over h. Cracks follow the stresses, so that the peak is a
+    limit load of the specimen without a closed form, and not a strength of the material. E is the Young's modulus
+    with which an elastic model of these cells has the slope of the curve.
 
     Args:
         body: cells of a `punch_specimen`.
-        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
-        failure: `bd.MohrCoulomb` with a fracture energy, or another criterion with a tensile strength; or by region.
-        density: of the material [kg/m³]; no result depends on it.
-        traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
-        ending: share of the peak to which the load has to drop [-].
-        progress: called now and then with the share done, 0 … 1.
+        law: cell law, or cell laws by region; the first one is the matrix and sets the loading rate.
+        failure: `bd.MohrCoulomb` with a fracture energy, another criterion with a tensile strength, or criteria by
+            region.
+        density: density of the material [kg/m³]; results do not depend on it.
+        traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
+        ending: share of the peak load at which the test ends [-].
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a body without such borings, a lattice without cells, or a criterion that knows no strength.
+        InputError: a body without such borings, a lattice without cells, or a criterion without strength.
         UnstableRunError: the run became unstable.
     """
     owner = "labtests.shear"
@@ -135,7 +138,7 @@ def shear(
 
 @dataclass(frozen=True, eq=False)
 class _Core:
-    """What is pushed out: under the piston, beside the holed plate; and the surface between both borings."""
+    """Loaded parts: the cells under the piston and on the plate, and the surface between both borings."""
 
     piston: Region
     plate: Region
@@ -144,10 +147,10 @@ class _Core:
 
     @classmethod
     def of(cls, body: Lattice) -> "_Core":
-        """From the shape of the body.
+        """Loaded parts of a body.
 
         Raises:
-            InputError: it has no ring boring in each end.
+            InputError: an end has no ring boring.
         """
         shape = body.particles.envelope
         lower, upper = shape.bounds
@@ -185,13 +188,13 @@ def _boring(shape: Shape, lower: Floats, upper: Floats, end: float) -> tuple[flo
 
 def _no_borings() -> InputError:
     return InputError(
-        "labtests.shear: the body has no ring boring about the axis x in each end; make it from"
+        "labtests.shear: the body has no ring boring about the axis x in each end; create it from"
         " bd.labtests.punch_specimen"
     )
 
 
 def _on_face(body: Lattice, name: str) -> tuple[Ints, Floats]:
-    """Cells of an end, and how far from the axis each is there [m]."""
+    """Cells of an end and their distances from the axis [m]."""
     assert body.cells is not None
     lower, upper = body.particles.envelope.bounds
     free, on = body.cells.free, body.on_face(name)
@@ -204,14 +207,14 @@ def _on_face(body: Lattice, name: str) -> tuple[Ints, Floats]:
 
 
 def _expected(softening: Softening) -> float:
-    """Roughly the shear stress at the peak [Pa], for the speed: the cohesion, or the tensile strength."""
+    """Rough shear stress at the peak [Pa], from the cohesion or the tensile strength; it sets the loading rate."""
     if softening.slip is None:
         return softening.tension
     return 0.5 * math.sqrt(softening.tension * softening.slip.compressive())
 
 
 def _compliance(body: Lattice, law: CellAssignment, plate: Region, piston: Region) -> float:
-    """Motion of the piston over its force, as long as all is elastic [m/N]."""
+    """Elastic motion of the piston over its force [m/N]."""
     lower, upper = body.particles.envelope.bounds
     distance = np.linalg.norm(body.particles.position - 0.5 * (lower + upper), axis=1)
     motion = 1e-6 * float(upper[0] - lower[0])

@@ -1,4 +1,4 @@
-"""Slow loading of a body of cells between two sides, to failure: what all tests to failure have in common."""
+"""Slow loading of a body of cells between two sides to failure: common parts of all tests to failure."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number
+from bondem._drawing import Plotted
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import check
@@ -28,7 +29,7 @@ from bondem.solve.timestep import choose_step
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region
 
-# Share of the critical damping of the first axial vibration, by which what breaks comes to rest.
+# Share of critical damping of the first axial vibration; brings broken parts to rest.
 _DAMPING = 0.05
 # Records of a test, of which the slope of its curve and its peak are read.
 _RECORDS = 400
@@ -41,18 +42,18 @@ _BEGIN = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class StrengthTest:
+class StrengthTest(Plotted):
     """Result of a test to failure.
 
     Attributes:
-        peak: largest stress [Pa], positive in tension and in compression; the test says over which section.
-        E: slope of the curve between a tenth and half of the peak [Pa], or what the test makes of it.
+        peak: largest stress [Pa], positive in tension and in compression; the test defines its section.
+        E: slope of the curve between a tenth and half of the peak [Pa], or the modulus that the test derives from it.
         curve: strain [-] and stress [Pa] of each record, positive along the load, shape (k, 2).
-        work: of the platens over the section that breaks, until the end [J/m²].
-        asymmetry: largest difference of the forces on both platens over the peak [-]: how far from statics it was.
+        work: work of the platens until the end, per area of the broken section [J/m²].
+        asymmetry: largest difference of the forces on both platens over the peak [-], 0 for quasi-static loading.
         kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
-        residual: of the energy ledger, over its largest entry [-].
-        run: the explicit run.
+        residual: error of the energy balance over its largest term [-].
+        run: result of the explicit run.
     """
 
     peak: float
@@ -66,29 +67,30 @@ class StrengthTest:
 
     @property
     def state(self) -> State:
-        """The broken specimen."""
+        """State of the broken specimen."""
         return self.run.state
 
 
 @dataclass(frozen=True, eq=False)
 class Rig:
-    """How a specimen is loaded between two sides, how forces and motions are read, and when the test ends.
+    """Loading of a specimen between two sides, with the evaluation of forces and motions and the end of the test.
 
     Attributes:
-        axis: of the load, 0, 1 or 2.
-        sign: 1 where the sides part, -1 where they close up.
-        near, far: both sides; the far one moves along the axis from the near one.
-        section: over which the force is a stress [m²].
-        torn: that breaks, of the work [m²].
-        length: over which the motion is a strain [m].
-        size: that sound runs along in a traverse [m].
-        expected: stress at the peak [Pa].
-        way: motion at the expected peak, as far as it is elastic [m].
-        reach: motion at which the test ends at the latest [m].
-        ending: share of the peak at which it ends, once it has fallen that far [-].
-        traverses: how often sound runs along the size until the expected peak.
-        boundary: the conditions, made from the signed speed of the far side [m/s] and the time in which it grows [s].
-        gauge: strain of which E is the slope of the stress, read off each record; None for the motion over `length`.
+        axis: axis of the load, 0, 1 or 2.
+        sign: 1 if the sides move apart, -1 if they approach.
+        near, far: both sides; the far one moves along the axis relative to the near one.
+        section: area over which the force is a stress [m²].
+        torn: area of the broken section, for the work [m²].
+        length: length over which the motion is a strain [m].
+        size: length of one pass of sound [m].
+        expected: expected stress at the peak [Pa].
+        way: elastic motion at the expected peak [m].
+        reach: limit of the motion [m].
+        ending: share of the peak at which the test ends [-].
+        traverses: number of passes of sound before the expected peak [-].
+        boundary: function of the signed speed of the far side [m/s] and its rise time [s] that returns the
+            conditions.
+        gauge: function of the state that returns the strain for the slope E [-]; None for the motion over `length`.
     """
 
     axis: int
@@ -108,27 +110,29 @@ class Rig:
     gauge: Callable[[State], float] | None = None
 
     def stress(self, history: History) -> Floats:
-        """Mean of both sides, tension positive [Pa]."""
+        """Mean stress of both sides, positive in tension [Pa]."""
         return 0.5 * (history["far"][:, self.axis] - history["near"][:, self.axis]) / self.section
 
 
 def softening_of(test: str, failure: object, wanted: str) -> Softening:
-    """How a material softens; of criteria by region that of the first, which is of the matrix (`softenings_of`: all).
+    """Softening of a material; for criteria by region that of the first one, the matrix.
 
     Raises:
-        InputError: no criterion, or one without a fracture energy where one is needed.
+        InputError: no criterion, or one without a required fracture energy.
     """
     found = instance(f"labtests.{test}", "failure", _first(failure), Criterion, wanted).softening
     if found is None:
-        raise InputError(f"labtests.{test} needs the strength of a material; give {wanted}")
+        raise InputError(
+            f"labtests.{test}: failure has no softening law, so that strengths are unknown; give {wanted}"
+        )
     return found
 
 
 def softenings_of(test: str, body: Lattice, failure: FailureAssignment, wanted: str) -> tuple[Softening, ...]:
-    """How the materials of a body soften: the weakest sets the rate of a test, the first, the matrix, its length.
+    """Softening of all materials of a body, the matrix first.
 
     Raises:
-        InputError: no criterion, or one without a fracture energy where one is needed.
+        InputError: no criterion, or one without a required fracture energy.
     """
     softening_of(test, failure, wanted)
     there = [part.criterion for part in failure_parts(body, failure) if len(part.bonds) or len(part.elements)]
@@ -137,12 +141,13 @@ def softenings_of(test: str, body: Lattice, failure: FailureAssignment, wanted: 
 
 @dataclass(frozen=True)
 class Moduli:
-    """Young's moduli of the cells of a body, by volume.
+    """Averages of Young's modulus over the cells of a body, weighted by volume.
 
     Attributes:
-        stiff: their mean [Pa], above that of the specimen: a stress is reached after this way or later.
-        soft: the inverse of the mean of their inverses [Pa], below that of the specimen.
-        sound: 1 / mean of 1 / √E, squared [Pa]: √(sound / ρ) is the speed of sound through all of them.
+        stiff: arithmetic mean [Pa], an upper bound of the modulus of the specimen and thus a lower bound of its
+            strain.
+        soft: harmonic mean [Pa], a lower bound of the modulus of the specimen.
+        sound: (mean of E^-1/2)^-2 [Pa]; √(sound / ρ) is the speed of sound through all cells in series.
     """
 
     stiff: float
@@ -151,7 +156,7 @@ class Moduli:
 
     @classmethod
     def of(cls, test: str, body: Lattice, law: CellAssignment, density: float | None) -> "Moduli":
-        """Those of a body; see `require_cells`."""
+        """Compute the averages of a body; `require_cells` lists the errors."""
         matrix = require_cells(test, body, law, density)
         if not isinstance(law, Mapping):
             return cls(matrix.E, matrix.E, matrix.E)
@@ -164,10 +169,10 @@ class Moduli:
 
 
 def require_cells(test: str, body: Lattice, law: object, density: float | None) -> CellBond:
-    """Make sure of a body of cells, its law and a density.
+    """Check a body of cells, its law and a density.
 
     Returns:
-        The law; of laws by region the first, which is of the matrix.
+        The cell law; for laws by region the first one, of the matrix.
 
     Raises:
         InputError: a lattice without cells, another law, or a density that is not positive.
@@ -176,18 +181,19 @@ def require_cells(test: str, body: Lattice, law: object, density: float | None) 
     matrix = _first(law)
     if not isinstance(matrix, CellBond) or body.cells is None:
         raise InputError(
-            f"labtests.{test} loads bodies of cells: connect with method='laguerre' and give bd.CellBond"
+            f"labtests.{test}: the lattice or its law is not of cells; connect with method='laguerre' and give"
+            " bd.CellBond"
         )
     return matrix
 
 
 def _first(given: object) -> object:
-    """The first of a mapping by region; what is given, where it is no mapping."""
+    """First value of a mapping by region, or the argument itself if it is not a mapping."""
     return next(iter(given.values()), None) if isinstance(given, Mapping) else given
 
 
 def check_traverses(test: str, traverses: float) -> None:
-    """Refuse a test of less than one traverse of sound."""
+    """Raise InputError for less than one pass of sound."""
     number(f"labtests.{test}", "traverses", traverses, least=1.0, advice="a number of at least 1")
 
 

@@ -1,4 +1,4 @@
-"""Spalling: a pulse of pressure runs along a bar, comes back from its free end as tension, and parts it there."""
+"""Spall test: a pressure pulse is reflected as tension at the free end of a bar and breaks the bar there."""
 
 import math
 from collections.abc import Callable
@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import count, number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.fracture.fragments import Fragments, fragments
@@ -23,9 +25,9 @@ from bondem.solve.plan import ExplicitResult
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
-# Pieces of less of the mass are crumbs; facets with less integrity are broken [-].
+# Largest mass share of crumbs; largest integrity of broken facets [-].
 _CRUMB, _BROKEN = 0.01, 0.1
-# The pull-back ends where the velocity has come up by so much of 2 p / ρ c again.
+# Rise of the velocity that ends the pull-back, over 2 p / ρ c.
 _REBOUND = 0.04
 # Bins of a profile at most.
 _MOST_BINS = 1_000_000
@@ -36,13 +38,13 @@ _EVERY = 2
 
 @dataclass(frozen=True)
 class ThinBar:
-    """What a thin elastic bar does under a triangular pulse.
+    """Response of a thin elastic bar to a triangular pressure pulse.
 
     Attributes:
         E: Young's modulus [Pa].
         rho: density [kg/m³].
-        pressure: of the crest [Pa].
-        rise, fall: how long the pulse grows and falls [s].
+        pressure: peak pressure p of the pulse [Pa].
+        rise, fall: rise time and fall time of the pulse [s].
     """
 
     E: float
@@ -53,46 +55,46 @@ class ThinBar:
 
     @property
     def celerity(self) -> float:
-        """c = √(E/ρ) [m/s]."""
+        """Wave speed c = √(E/ρ) [m/s]."""
         return math.sqrt(self.E / self.rho)
 
     @property
     def velocity(self) -> float:
-        """Largest of the free end, 2 p / ρ c [m/s]."""
+        """Largest velocity of the free end, 2 p / ρ c [m/s]."""
         return 2.0 * self.pressure / (self.rho * self.celerity)
 
     def pull_back(self, tension: float) -> float:
-        """Fall of that velocity that goes with a strength [Pa], 2 f_t / ρ c [m/s]."""
+        """Pull-back velocity of the free end for a tensile strength f_t [Pa], 2 f_t / ρ c [m/s]."""
         return 2.0 * tension / (self.rho * self.celerity)
 
     def strength(self, pull_back: float) -> float:
-        """Strength of a pull-back [m/s], ½ ρ c Δu [Pa] (Novozhilov's acoustic estimate)."""
+        """Tensile strength for a pull-back velocity Δu [m/s], ½ ρ c Δu [Pa] (Novozhilov's acoustic estimate)."""
         return 0.5 * self.rho * self.celerity * pull_back
 
     def place(self, tension: float) -> float:
         """Distance from the free end at which tension first reaches a strength, ½ c t_fall f_t / p [m].
 
-        The crest has come back when the fall of the pulse, of the length 2 d / c, has f_t less; infinite where the
-        strength is above the pressure.
+        At the distance d the reflected peak meets the incident pulse after 2 d / c, when its pressure has dropped by
+        f_t. The result is infinite for a strength above the peak pressure.
         """
         return 0.5 * self.celerity * tension / self.pressure * self.fall if tension <= self.pressure else math.inf
 
 
 @dataclass(frozen=True, eq=False)
-class SpallTest:
-    """Result of a spalling test.
+class SpallTest(Plotted):
+    """Result of a spall test.
 
     Attributes:
-        bar: the thin elastic bar of the same E, ρ and pulse.
-        time, velocity: of the free end along the bar, of each record [s, m/s], (k,).
-        highest: velocity of the free end [m/s].
-        pull_back: how far it falls until it comes up again, Δu [m/s]; None where it does not.
-        first: when the first facet broke [s]; None where none did.
-        lengths: of the pieces by their mass, from the free end on, no crumbs [m], (f,).
-        edges, profile: edges of bins from the free end on [m], (b + 1,), and the broken area in each over the
-            section [-], (b,).
-        residual: of the energy ledger, over its largest entry [-].
-        run: the explicit run.
+        bar: thin elastic bar of equal E, ρ and pulse.
+        time, velocity: time [s] and velocity of the free end along the bar [m/s] of each record, (k,).
+        highest: largest velocity of the free end [m/s].
+        pull_back: drop of the velocity from its maximum until it rises again, Δu [m/s]; None if it does not rise.
+        first: time of the first failure of a facet [s]; None without failure.
+        lengths: lengths of the fragments by their mass, from the free end, without crumbs [m], (f,).
+        edges, profile: edges of bins from the free end [m], (b + 1,), and the broken area per bin over the section
+            [-], (b,).
+        residual: error of the energy balance over its largest term [-].
+        run: result of the explicit run.
     """
 
     bar: ThinBar
@@ -109,20 +111,21 @@ class SpallTest:
 
     @property
     def peak(self) -> float:
-        """Spall strength ½ ρ c Δu of the pull-back [Pa]; NaN where the velocity does not come up again."""
+        """Spall strength ½ ρ c Δu from the pull-back [Pa]; NaN if the velocity does not rise again."""
         return math.nan if self.pull_back is None else self.bar.strength(self.pull_back)
 
     @property
     def place(self) -> float | None:
-        """Length of the piece at the free end [m]; None of a bar in one piece."""
+        """Length of the fragment at the free end [m]; None for an unbroken bar."""
         return float(self.lengths[0]) if len(self.lengths) > 1 else None
 
     @property
     def state(self) -> State:
-        """The bar in the end."""
+        """Final state of the bar."""
         return self.run.state
 
 
+@staged("spall")
 def spall(
     bar: Lattice,
     law: CellBond,
@@ -137,27 +140,27 @@ def spall(
     bins: int | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> SpallTest:
-    """Press on x_min of a bar of cells with a triangular pulse, and watch its free end x_max; nothing is damped.
+    """Apply a triangular pressure pulse to x_min of a bar of cells and record its free end x_max, without damping.
 
-    Stresses are those of a thin bar where the pulse is long beside the diameter. The strength is Novozhilov's
-    acoustic estimate, ½ ρ c Δu with Δu the pull-back of the free end and c = √(E/ρ).
+    For pulses much longer than the diameter, stresses are those of a thin bar. The strength is Novozhilov's acoustic
+    estimate, ½ ρ c Δu with Δu the pull-back of the free end and c = √(E/ρ).
 
     Args:
         bar: cells of a bar along x.
-        law: its material.
-        failure: a criterion; None for an elastic bar.
-        density: of the material [kg/m³].
-        pressure: of the crest [Pa].
-        rise, fall: how long the pulse grows, and falls to nothing [s].
-        duration: of the run [s]; None for three times the way along the bar, when the pulse would be back at x_max.
-        rebound: by how much the velocity has to come up again for a pull-back to have ended [m/s]; None for 4 % of
-            2 p / ρ c.
-        bins: of the profile; None for one a mean edge of the cells.
-        progress: called now and then with the share done, 0 … 1.
+        law: cell law of the bar.
+        failure: failure criterion; None for an elastic bar.
+        density: density of the material [kg/m³].
+        pressure: peak pressure p of the pulse [Pa].
+        rise, fall: rise time of the pulse, and its fall time to zero [s].
+        duration: duration of the run [s]; None for three passes along the bar, after which the pulse is at x_max
+            again.
+        rebound: rise of the velocity that ends a pull-back [m/s]; None for 4 % of 2 p / ρ c.
+        bins: number of bins of the profile; None for bins as long as the mean edge of cells.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a lattice without cells, no faces x_min and x_max, a pulse that is still on when its beginning has
-            come back to x_min, or a value out of range.
+        InputError: a lattice without cells, no faces x_min and x_max, a pulse longer than two passes along the bar,
+            or a value out of range.
         UnstableRunError: the run became unstable.
 
     Reference: Novozhilov's formula as in Schuler, Mayrhofer and Thoma, Int. J. Impact Eng. 32 (2006) 1635-1650.
@@ -171,14 +174,14 @@ def spall(
         number(owner, name, value, above=0.0, unit=unit)
     parts = None if bins is None else count(owner, "bins", bins, least=1)
     if parts is not None and parts > _MOST_BINS:
-        raise InputError(f"{owner}: bins = {parts}; give {_MOST_BINS} at most")
+        raise InputError(f"{owner}: bins = {parts}: too many; give at most {_MOST_BINS}")
     thin = ThinBar(law.E, density, pressure, rise, fall)
     length, section = _measures(bar)
     way = length / thin.celerity
     if rise + fall > 2.0 * way:
         raise InputError(
-            f"{owner}: the pulse lasts {rise + fall:.3g} s, and its beginning is back at x_min after"
-            f" {2.0 * way:.3g} s; take a shorter pulse, or a longer bar"
+            f"{owner}: the pulse of {rise + fall:.3g} s is not over when its front returns to x_min after"
+            f" {2.0 * way:.3g} s; give a shorter pulse or a longer bar"
         )
     load = Pressure(Face("x_min"), pressure, schedule=Table((0.0, rise, rise + fall), (0.0, 1.0, 0.0)))
     model = Model(bar, law, density, failure=failure, boundary=[load])
@@ -200,11 +203,11 @@ def spall(
 
 
 def pulled_back(velocity: Floats, rebound: float) -> tuple[float, float | None]:
-    """Highest velocity of a free end, and how far it falls until it comes up again [m/s]; None if it does not.
+    """Compute the largest velocity of a free end and its pull-back [m/s]; the pull-back is None if it does not end.
 
     Args:
-        velocity: over time, (k,).
-        rebound: by how much it has to come up [m/s].
+        velocity: velocity of the free end over time [m/s], (k,).
+        rebound: rise of the velocity that ends a pull-back [m/s].
     """
     top = int(np.argmax(velocity))
     least = np.minimum.accumulate(velocity[top:])
@@ -213,21 +216,21 @@ def pulled_back(velocity: Floats, rebound: float) -> tuple[float, float | None]:
 
 
 def lengths(pieces: Fragments, mass: float) -> Floats:
-    """Lengths of pieces of a bar along x with a mass a length [kg/m], from x_max on; no crumbs."""
+    """Lengths of the fragments of a bar along x of given mass per length [kg/m], from x_max, without crumbs [m]."""
     whole = pieces.mass > _CRUMB * pieces.mass.sum()
     order = np.argsort(-pieces.position[whole, 0])
     return pieces.mass[whole][order] / mass
 
 
 def _measures(bar: Lattice) -> tuple[float, float]:
-    """Length [m] and section [m²].
+    """Length [m] and section [m²] of a bar.
 
     Raises:
-        InputError: no bar along x.
+        InputError: the shape is not a bar along x.
     """
     shape = bar.particles.envelope
     if not {"x_min", "x_max"} <= set(shape.faces):
-        raise InputError(f"labtests.spall: a {type(shape).__name__} has no ends x_min and x_max; take a bar along x")
+        raise InputError(f"labtests.spall: a {type(shape).__name__} has no ends x_min and x_max; use a bar along x")
     return shape.extent, shape.section()
 
 

@@ -1,4 +1,4 @@
-"""The Brazilian test: the tensile strength of a cylinder or disc that is split by pressing it across a diameter."""
+"""Brazilian test: tensile strength of a cylinder or disc that is compressed across a diameter."""
 
 import math
 from collections.abc import Callable
@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.gauge_length import AffineField
@@ -41,16 +43,16 @@ _REACH = 4.0
 
 
 @dataclass(frozen=True, eq=False)
-class BrazilianTest:
+class BrazilianTest(Plotted):
     """Result of a Brazilian test.
 
     Attributes:
-        test: as of all tests to failure: the curve is 2 P / (π D t) over the closing of the platens over D, the work
-            is that of the platens over the section D t.
-        centre: elastic stress across the loaded diameter at the centre over 2 P / (π D t) [-]: what `factor` should
-            be.
-        factor: the same in theory, where the platens press on flats or strips [-].
-        half_angle: of the flats or strips, half of what is seen from the axis [rad].
+        test: result of the test to failure. Its curve is 2 P / (π D t) over the approach of the platens over D, and
+            its work is that of the platens per area D t.
+        centre: elastic stress across the loaded diameter at the centre over 2 P / (π D t) [-], to compare with
+            `factor`.
+        factor: theoretical value of `centre`, for platens that press on flats or strips [-].
+        half_angle: half the angle of the flats or strips seen from the axis [rad].
     """
 
     test: StrengthTest
@@ -60,7 +62,7 @@ class BrazilianTest:
 
     @property
     def peak(self) -> float:
-        """Brazilian strength 2 P / (π D t) [Pa], as of a line load."""
+        """Brazilian strength 2 P / (π D t) [Pa], which assumes a line load."""
         return self.test.peak
 
     @property
@@ -75,20 +77,21 @@ class BrazilianTest:
 
     @property
     def curve(self) -> Floats:
-        """Closing of the platens over the diameter [-] and 2 P / (π D t) [Pa], (k, 2)."""
+        """Approach of the platens over the diameter [-] and 2 P / (π D t) [Pa], (k, 2)."""
         return self.test.curve
 
     @property
     def work(self) -> float:
-        """Of the platens until the end over the section D t [J/m²]."""
+        """Work of the platens until the end, per area D t of the section [J/m²]."""
         return self.test.work
 
     @property
     def state(self) -> State:
-        """The broken specimen."""
+        """State of the broken specimen."""
         return self.test.state
 
 
+@staged("brazilian")
 def brazilian(
     body: Lattice,
     law: CellAssignment,
@@ -97,29 +100,31 @@ def brazilian(
     half_angle: float | None = None,
     density: float | None = None,
     traverses: float = 100.0,
-    ending: float = 0.7,
+    ending: float = 0.9,
     progress: Callable[[float], None] | None = None,
 ) -> BrazilianTest:
-    """Press a cylinder, axis x, across a diameter along y between smooth rigid platens until the load has dropped.
+    """Compress a cylinder along x across a diameter along y between smooth rigid platens, until the load has dropped.
 
-    The platens of a plain `bd.Cylinder` hold the free facets in two strips of its side, along y only. The stress
-    across the diameter at the centre is then below that of a line load by the mean of cos β (1 - 4 sin² β) over the
-    pressure under a smooth rigid stamp, ∝ 1 / √(sin² α - sin² β): 0.983 at α = 5°, 0.932 at 10° (chords after
-    Timoshenko and Goodier §41; an even pressure, Hondros 1959, would have 0.989 and 0.955). Of a disc whose shape has
-    flats "top" and "bottom" the platens hold these; the factor is that of Wang et al. (2004), 0.960 at 10°.
+    The platens of a plain `bd.Cylinder` constrain the free facets in two strips of its side along y only. The stress
+    across the diameter at the centre is then below that of a line load. The factor is the mean of cos β (1 - 4 sin²
+    β) over the pressure under a smooth rigid stamp, ∝ 1 / √(sin² α - sin² β): 0.983 at α = 5°, 0.932 at 10°. It
+    superposes chords after Timoshenko and Goodier §41; a uniform pressure (Hondros 1959) would give 0.989 and 0.955.
+    For a disc whose shape has flats "top" and "bottom", the platens constrain the flats, and the factor is that of
+    Wang et al. (2004), 0.960 at 10°.
 
-    `.peak` is 2 P / (π D t) without that factor, `.tension` with it. E comes from Hooke's law and the strains of the
-    inner half of the radius, where σ_yy + σ_zz is on average what it is at the centre, -4 P / (π D t).
+    `.peak` is 2 P / (π D t) without the factor, `.tension` includes it. E follows from Hooke's law and the strains
+    within half the radius, where the mean of σ_yy + σ_zz equals its value at the centre, -4 P / (π D t).
 
     Args:
-        body: cells of a cylinder with its axis along x, or of one with flats "top" and "bottom" across y.
-        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
-        failure: a criterion with a tensile strength; `bd.MohrCoulomb` with a fracture energy; or by region.
-        half_angle: α of the strips [rad]; None for 5°, or for as much as three quarters of a cell where that is more.
-        density: of the material [kg/m³]; no result depends on it.
-        traverses: how often sound runs along the diameter until the expected peak; the more, the slower.
-        ending: share of the peak to which the load has to drop [-]. Halves that are pressed on may bear more later.
-        progress: called now and then with the share done, 0 … 1.
+        body: cells of a cylinder along x, or of one with flats "top" and "bottom" across y.
+        law: cell law, or cell laws by region; the first one is the matrix and sets the loading rate.
+        failure: criterion with a tensile strength, `bd.MohrCoulomb` with a fracture energy, or criteria by region.
+        half_angle: half angle α of the strips [rad]; None for 5°, or for three quarters of a cell if larger.
+        density: density of the material [kg/m³]; results do not depend on it.
+        traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
+        ending: share of the peak load at which the test ends [-]: the disc has split. With a lower share, `peak` may
+            be that of the two halves, which can carry a higher load afterwards.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         InputError: another shape, a lattice without cells, or a criterion that this stress never reaches.
@@ -135,7 +140,9 @@ def brazilian(
     strengths = [strength for strength in map(splitting_strength, found) if math.isfinite(strength)]
     expected = min(strengths, default=math.inf)
     if not math.isfinite(expected):
-        raise InputError(f"{owner}: no load reaches {failure}; give a criterion with a tensile strength")
+        raise InputError(
+            f"{owner}: failure = {failure}: no load reaches it; give a criterion with a tensile strength"
+        )
     jaws = _Jaws.of(body, half_angle)
     way, centre = _elastic(body, law, jaws)
     reach = _REACH * way * strengths[0]
@@ -155,9 +162,9 @@ def brazilian(
 
 
 def splitting_strength(softening: Softening) -> float:
-    """Stress s at which (0, -3 s, s), as at the centre of a disc, reaches a criterion [Pa]; inf where it never does.
+    """Stress s at which the stress (0, -3 s, s) of the centre of a disc reaches a criterion [Pa]; inf if never.
 
-    The tensile strength, or less: by Mohr–Coulomb cells yield there at c cos φ / (2 - sin φ).
+    The result is the tensile strength or less: under Mohr–Coulomb cells yield there at c cos φ / (2 - sin φ).
     """
     found = softening.tension
     if softening.surface is not None:
@@ -172,21 +179,21 @@ def splitting_strength(softening: Softening) -> float:
 
 
 def stamped(half_angle: float) -> float:
-    """Stress at the centre over 2 P / (π D t) under smooth rigid stamps on strips of half an angle α [rad]."""
+    """Stress at the centre over 2 P / (π D t) [-] under smooth rigid stamps on strips of half angle α [rad]."""
     angle = math.pi * (np.arange(64) + 0.5) / 64
     sine = math.sin(half_angle) * np.cos(angle)
     return float((np.sqrt(1.0 - sine**2) * (1.0 - 4.0 * sine**2)).mean())
 
 
 def flattened(half_angle: float) -> float:
-    """The same of a disc with flats of half an angle α [rad], after Wang et al. (2004)."""
+    """Stress at the centre over 2 P / (π D t) [-] for flats of half angle α [rad], after Wang et al. (2004)."""
     c, s = math.cos(half_angle), math.sin(half_angle) / half_angle
     return (2.0 * c**3 + c + s) ** 2 / (8.0 * (c + s)) / s
 
 
 @dataclass(frozen=True, eq=False)
 class _Jaws:
-    """What the platens press on."""
+    """Areas on which the platens press."""
 
     top: Region
     bottom: Region
@@ -201,7 +208,7 @@ class _Jaws:
         """Flats of the shape, or strips of the side of a cylinder.
 
         Raises:
-            InputError: neither, or an angle out of range.
+            InputError: neither exists, or an angle is out of range.
         """
         shape = body.particles.envelope
         lower, upper = shape.bounds
@@ -210,14 +217,17 @@ class _Jaws:
         assert body.cells is not None
         if {"top", "bottom"} <= set(shape.faces):
             if half_angle is not None:
-                raise InputError("labtests.brazilian: half_angle is of plain cylinders; this one has flats")
+                raise InputError(
+                    "labtests.brazilian: half_angle is an option of plain cylinders; leave it out for a disc with"
+                    " flats"
+                )
             on = body.on_face("top")
             flat = float(np.average(body.cells.free.centroid[on, 1], weights=body.cells.free.area[on])) - middle[1]
             angle = math.acos(min(flat / radius, 1.0 - 1e-6))
             return cls(Face("top"), Face("bottom"), diameter, length, middle, angle, flattened(angle))
         if "side" not in shape.faces or abs(height - diameter) > 1e-6 * diameter:
             raise InputError(
-                f"labtests.brazilian: {type(shape).__name__} is no cylinder along x; take bd.Cylinder, or one whose"
+                f"labtests.brazilian: {type(shape).__name__} is not a cylinder along x; use bd.Cylinder, or one whose"
                 ' flats across y are the faces "top" and "bottom"'
             )
         edge = float(np.mean(body.cells.volume)) ** (1.0 / 3.0)
@@ -230,7 +240,7 @@ class _Jaws:
 
 
 def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Region:
-    """Part of the side: cells whose facets on it lie within an angle from ±y, on average."""
+    """Cells of the side whose mean facet position is within an angle from ±y."""
     assert body.cells is not None
     free, on = body.cells.free, body.on_face("side")
     cell, area, count = free.cell[on], free.area[on], len(body.particles)
@@ -241,14 +251,14 @@ def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Reg
     chosen = (total > 0.0) & (np.abs(np.arctan2(z, sign * y)) < half_angle)
     if not chosen.any():
         raise InputError(
-            f"labtests.brazilian: no cell lies within {half_angle:.3g} rad of the loaded diameter; give a larger"
-            " half_angle, or finer cells"
+            f"labtests.brazilian: half_angle = {half_angle:.3g} rad contains no cell; give a larger"
+            " half_angle or finer cells"
         )
     return Face("side") & Index(np.flatnonzero(chosen))
 
 
 def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, float]:
-    """Closing of the platens over 2 P / (π D t) [m/Pa], and the stress at the centre over the same [-]."""
+    """Approach of the platens over 2 P / (π D t) [m/Pa], and the stress at the centre over 2 P / (π D t) [-]."""
     closing = 1e-6 * jaws.diameter
     position = body.particles.position - jaws.middle
     # the platens leave motion along x and z and turning about y free, and nothing resists where that is held
@@ -272,7 +282,7 @@ def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, fl
 
 
 def _gauge(body: Lattice, nu: float, jaws: _Jaws) -> Callable[[State], float]:
-    """What the strains of the middle are, so that E times it is 2 P / (π D t)."""
+    """Strain measure of the middle; E times it is 2 P / (π D t)."""
     position = body.centre - jaws.middle
     near = np.flatnonzero(np.hypot(position[:, 1], position[:, 2]) < _GAUGE * 0.5 * jaws.diameter)
     weights = AffineField.weights(position[near])

@@ -1,4 +1,4 @@
-"""Tests to failure as rows of a report: the strength that was measured beside the one that was put in."""
+"""Tests to failure as rows of a report: the measured strength beside the strength of the material."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -29,18 +29,18 @@ from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
-#: Tests to failure, by the names of studies, and what can be asked of each (a unit; `needed` has no default).
+#: Tests to failure by their names in studies, with options and units; `NEEDED` lists options without a default.
 STRENGTH_TESTS: Mapping[str, Mapping[str, str]] = {
     "direct_tension": {}, "ucs": {}, "brazilian": {"half_angle": "rad"}, "triaxial": {"pressure": "Pa"},
     "three_point_bending": {"span": "m"}, "shear": {}, "sphere_crushing": {"friction": "-"},
     "sphere_impact": {"velocity": "m/s", "friction": "-"}, "spall": {"pressure": "Pa", "rise": "s", "fall": "s"},
 }  # fmt: skip
-#: What has no default.
+#: Options without a default.
 NEEDED = (
     ("triaxial", "pressure"), ("sphere_impact", "velocity"), ("spall", "pressure"), ("spall", "rise"),
     ("spall", "fall"),
 )  # fmt: skip
-#: Tests of a ball, of which E is not read and whose outcome is of its pieces.
+#: Tests of a ball; their outcome describes fragments and has no E.
 OF_BALLS = ("sphere_crushing", "sphere_impact")
 
 
@@ -54,28 +54,30 @@ def strength_outcome(
     options: Mapping[str, float] | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Outcome:
-    """Strength in a test of `STRENGTH_TESTS` [Pa], and what the strengths of the material imply.
+    """Run a test of `STRENGTH_TESTS` and compare its strength [Pa] with that implied by the material.
 
-    That is f_t in direct tension, the Brazilian test and spalling, and the line of the criterion in compression.
-    Bending, the shear test and crushing have no closed form: their theory is NaN. An impact has no strength but a
-    share of facets that break [-].
+    The implied strength is f_t in direct tension, the Brazilian test and the spall test. In compression it follows
+    from the criterion. Bending, the shear test and crushing have no closed form; their theory is NaN. An impact has
+    no strength; its measured value is the share of broken facets [-].
 
     Args:
-        name: of the test.
-        body: cut into cells.
-        law, failure: its material, or materials by region, the first of which is the matrix; theory is NaN then.
-        density: of the material [kg/m³].
-        options: of the test, as in `STRENGTH_TESTS`.
-        progress: called now and then with the share done, 0 … 1.
+        name: name of the test.
+        body: specimen of cells.
+        law, failure: cell law and criterion, or mappings by region whose first value is the matrix; theory is then
+            NaN.
+        density: density of the material [kg/m³].
+        options: options of the test, as in `STRENGTH_TESTS`.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: another test, or a criterion without the strength that it needs.
+        InputError: an unknown test, or a criterion without the required strength.
     """
     softening = softening_of(name, failure, "a criterion with its fracture_energy")
     asked = dict(options or {})
     if name not in STRENGTH_TESTS or (needs_slip(name) and softening.slip is None):
         raise InputError(
-            f"labtests: {name} is no test to failure of such a material; there are {', '.join(STRENGTH_TESTS)}"
+            f"labtests: test = {name}: not a test to failure of this material; give one of"
+            f" {', '.join(STRENGTH_TESTS)}"
         )
     given = {"density": density, "progress": progress}
     if name in (*OF_BALLS, "spall"):
@@ -105,30 +107,30 @@ def _dynamic(
     name: str, body: Lattice, law: CellAssignment, failure: FailureAssignment, asked: Mapping[str, float],
     **given: Any,
 ) -> Outcome:  # fmt: skip
-    """Outcome of a ball or of a bar that spalls: the curve, and numbers beside the main one as `told`."""
+    """Outcome of a ball or of a spall test: the curve, and further numbers as `told`."""
     if name == "spall":
         if not isinstance(law, CellBond) or not isinstance(failure, Criterion):
-            raise InputError("labtests.spall reads waves of one material; give one law and one criterion")
+            raise InputError("labtests.spall: law or failure is given by region; give one law and one criterion")
         bar = spall(body, law, failure, **asked, **given)
         told = {"pull-back [m/s]": bar.pull_back, "highest velocity [m/s]": bar.highest, "spall at [m]": bar.place,
-                "first break [s]": bar.first, "ledger [-]": bar.residual}  # fmt: skip
+                "first failure [s]": bar.first, "energy error [-]": bar.residual}  # fmt: skip
         assert failure.softening is not None
         curve = bar.time, bar.velocity
         return _outcome(name, body, bar.state, bar.peak, failure.softening.tension, "Pa", curve, told)
     if name == "sphere_crushing":
         crushed = sphere_crushing(body, law, failure, **asked, **given)
         told = {"F [N]": crushed.force, "F/D² [Pa]": crushed.jaeger} | _of_pieces(crushed.broken)
-        told |= {"plates differ by [-]": crushed.asymmetry, "ledger [-]": crushed.residual}
+        told |= {"difference of plate forces [-]": crushed.asymmetry, "energy error [-]": crushed.residual}
         return _outcome(name, body, crushed.state, crushed.peak, math.nan, "Pa", tuple(crushed.curve.T), told)
     thrown = sphere_impact(body, law, failure, **asked, **given)
     told = {"largest force [N]": thrown.peak, "restitution [-]": thrown.restitution} | _of_pieces(thrown.broken)
-    told |= {"momentum [-]": thrown.momentum, "ledger [-]": thrown.residual}
+    told |= {"momentum [-]": thrown.momentum, "energy error [-]": thrown.residual}
     return _outcome(name, body, thrown.state, thrown.damage, math.nan, "-", (thrown.time, thrown.force), told)
 
 
 def _of_pieces(broken: BrokenBall) -> dict[str, float | None]:
-    return {"damage [-]": broken.damage, "pieces [-]": float(len(broken.sizes.diameter)),
-            "heaviest piece [-]": broken.largest, "fines [-]": broken.fines}  # fmt: skip
+    return {"damage [-]": broken.damage, "fragments [-]": float(len(broken.sizes.diameter)),
+            "heaviest fragment [-]": broken.largest, "fines [-]": broken.fines}  # fmt: skip
 
 
 def _outcome(
@@ -144,12 +146,12 @@ def _outcome(
 
 
 def needs_slip(name: str) -> bool:
-    """Whether a test is of a material whose cells yield."""
+    """True for tests of a material whose cells yield."""
     return name in ("ucs", "triaxial")
 
 
 def _implied(name: str, softening: Softening, asked: Mapping[str, float]) -> float:
-    """What the strengths imply [Pa]."""
+    """Strength implied by the material [Pa]."""
     if name in ("direct_tension", "brazilian", "spall"):
         return softening.tension
     if needs_slip(name) and softening.slip is not None:
@@ -158,7 +160,7 @@ def _implied(name: str, softening: Softening, asked: Mapping[str, float]) -> flo
 
 
 def _curves(test: AnyTest, body: Lattice) -> dict[str, np.ndarray]:
-    """Curve, and what figures show of the broken specimen."""
+    """Curve of the test, and fields of the broken specimen for figures."""
     state = test.state
     bent = isinstance(test, BendingTest)
     whole = test.path.bond_integrity if isinstance(test, BendingTest) else state.bond_integrity
@@ -170,7 +172,7 @@ def _curves(test: AnyTest, body: Lattice) -> dict[str, np.ndarray]:
 
 
 def _damaged(body: Lattice, state: State, whole: np.ndarray, slip: np.ndarray) -> dict[str, np.ndarray]:
-    """Motion of the cells, what their facets have lost, and their slip."""
+    """Motion, damage and slip of the cells."""
     damage = np.zeros(len(body.particles))
     for end in body.pairs.T:
         np.maximum.at(damage, end, 1.0 - whole)

@@ -1,7 +1,8 @@
-"""Direct tension: the tensile strength of a specimen, and the work it takes to tear it apart."""
+"""Direct tension: tensile strength and work of fracture of a specimen."""
 
 from collections.abc import Callable
 
+from bondem._progress import staged
 from bondem.labtests.loading import Loading, load_to_failure
 from bondem.labtests.rig import Moduli, StrengthTest, softenings_of
 from bondem.model.cell_constants import CellAssignment
@@ -9,6 +10,7 @@ from bondem.model.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
 
 
+@staged("direct tension")
 def direct_tension(
     body: Lattice,
     law: CellAssignment,
@@ -18,21 +20,21 @@ def direct_tension(
     traverses: float = 60.0,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:
-    """Pull a body of cells apart along x, between platens that hold its ends along x only.
+    """Pull a body of cells apart along x, between platens that constrain its ends along x only.
 
-    The work over the section is the fracture energy of the specimen, where a single crack takes all of it.
+    The work per area of the section is the fracture energy of the specimen, if a single crack dissipates it.
 
     Args:
-        body: cut into cells.
-        law: its material, or laws by region, the first of which, of the matrix, sets the speed of the test.
-        failure: `bd.Rankine` or another criterion of the stress, or `bd.MohrCoulomb` with a fracture
-            energy; or by region.
-        density: of the material [kg/m³]; no result depends on it.
-        traverses: how often sound runs along the specimen until the expected peak; the more, the slower.
-        progress: called now and then with the share done, 0 … 1.
+        body: specimen of cells.
+        law: cell law, or cell laws by region; the first one is the matrix and sets the loading rate.
+        failure: `bd.Rankine` or another criterion of the stress, `bd.MohrCoulomb` with a fracture energy, or criteria
+            by region.
+        density: density of the material [kg/m³]; results do not depend on it.
+        traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a lattice without cells, or a criterion that knows no tensile strength.
+        InputError: a lattice without cells, or a criterion without a tensile strength.
         UnstableRunError: the run became unstable.
     """
     moduli = Moduli.of("direct_tension", body, law, density)

@@ -1,10 +1,11 @@
-"""Uniaxial tension of a free specimen: where E and ν of a specimen come from."""
+"""Uniaxial tension of a free specimen, which measures E and ν."""
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._progress import staged
 from bondem._types import Floats, Ints
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.faces import ends, surface
@@ -23,14 +24,14 @@ class Tension:
     """Result of a tension test along x.
 
     Attributes:
-        E: F / (S ε_xx), S the section of the shape and ε_xx of the affine fit [Pa].
-        nu: -(ε_yy + ε_zz) / (2 ε_xx) of the affine fit [-].
-        E_paper: eq (14) of André et al. (2012), with L_M of eq (12) and R_M of eq (13) [Pa].
-        nu_paper: eq (15), or None for a shape without a face "side".
-        stress: F / S [Pa].
-        strain: of the affine fit [-], (3, 3).
-        gyration: ⟨y²⟩ and ⟨z²⟩ of the section as the axial force fills it [m²], (2,); see `force_gyration`.
-        solution: the equilibrium it was read from.
+        E: Young's modulus F / (S ε_xx), with the section S of the shape and ε_xx of the affine fit [Pa].
+        nu: Poisson's ratio -(ε_yy + ε_zz) / (2 ε_xx) of the affine fit [-].
+        E_paper: Young's modulus of eq (14) of André et al. (2012), with L_M of eq (12) and R_M of eq (13) [Pa].
+        nu_paper: Poisson's ratio of eq (15) [-]; None for a shape without a face "side".
+        stress: axial stress F / S [Pa].
+        strain: strain tensor of the affine fit [-], (3, 3).
+        gyration: ⟨y²⟩ and ⟨z²⟩ of the axial force in the section [m²], (2,); see `force_gyration`.
+        solution: static equilibrium of the test.
     """
 
     E: float
@@ -43,6 +44,7 @@ class Tension:
     solution: StaticResult
 
 
+@staged("static tension")
 def static_tension(
     lattice: Lattice,
     law: AnyLaw,
@@ -50,27 +52,27 @@ def static_tension(
     stress: float = 1e6,
     depth: float = 0.02,
 ) -> Tension:
-    """Pull a free specimen along x by equal and opposite forces on its faces x_min and x_max.
+    """Measure E and ν of a free specimen under equal and opposite forces along x on its faces x_min and x_max.
 
-    Strain is the affine least-squares fit of the displacements of all connected elements in the middle half
-    of the length; rigid motion drops out of it.
+    The strain is that of the affine least-squares fit to the displacements of all connected elements in the middle
+    half of the length. It excludes the rigid motion.
 
     Args:
         lattice: the specimen.
-        law: its bonds.
-        stress: F / S [Pa]; the result does not depend on it, the solution is linear.
-        depth: of the loaded faces, in mean radii [-].
+        law: bond law, cell law or non-local law of the specimen.
+        stress: axial stress F / S [Pa]; moduli do not depend on it, as the solution is linear.
+        depth: depth of the loaded face regions, in mean radii [-].
 
     Raises:
-        EmptyRegionError: no connected element at a face.
-        InputError: too few elements in the middle half.
+        EmptyRegionError: a face has no connected element.
+        InputError: fewer than 12 elements in the middle half.
     """
     check("static_tension", lattice, stress=stress, depth=depth)
     return tension_of(Statics(tension_model(lattice, law, stress=stress, depth=depth)), stress=stress, depth=depth)
 
 
 def tension_model(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth: float = 0.02) -> Model:
-    """The free specimen under the two forces of a tension test; see `static_tension`."""
+    """Create the model of a tension test: a free specimen under two forces; see `static_tension`."""
     force = stress * lattice.particles.envelope.section()
     pull = [(Face("x_max", depth), force), (Face("x_min", depth), -force)]
     loads = [Load(face, force=(along, 0.0, 0.0)) for face, along in pull]
@@ -80,7 +82,7 @@ def tension_model(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth: 
 def tension_of(
     statics: Statics, *, stress: float = 1e6, depth: float = 0.02, guess: StaticResult | None = None
 ) -> Tension:
-    """The tension test of a `tension_model`, whose statics may serve for other loads, too."""
+    """Evaluate the tension test of a `tension_model`, whose statics may serve for further loads."""
     model = statics.model
     lattice = model.lattice
     solution = statics.equilibrium(guess=guess)
@@ -102,11 +104,11 @@ def tension_of(
 
 
 def force_gyration(model: Model, solution: StaticResult) -> Floats:
-    """Where in the section the axial force of a tension test runs: ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
+    """Squared radii of gyration of the axial force in the section, ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
 
-    The mean over the middle half of the length, each bond weighted with its axial force times its extent along
-    x. A homogeneous section gives I/S; one whose skin is soft gives less, and bends that much more easily. Of a body
-    the mean over its cells, each weighted with its mean axial stress times its volume.
+    The mean is over the bonds in the middle half of the length, weighted with axial force times extent along x. A
+    homogeneous section gives I/S. A section with a soft skin gives less, and is more flexible in bending by the
+    ratio. For cells the mean is over the cells, weighted with mean axial stress times volume.
     """
     lattice = model.lattice
     if model.cells is not None:
@@ -133,19 +135,25 @@ def _stress_gyration(model: Model, solution: StaticResult) -> Floats:
 
 
 def static_bond_forces(model: Model, solution: StaticResult) -> Floats:
-    """Force of each bond on its element i in a linear equilibrium, tension pointing to j [N], (m, 3)."""
+    """Forces of the bonds on their elements i in a linear equilibrium [N], (m, 3); in tension they point to j."""
     k = model.stiffness
     return BondStrain.of(model.lattice, k.lever, solution.displacement, solution.rotation).forces(k)
 
 
 def paper_length(lattice: Lattice, depth: float = 0.02) -> float:
-    """L_M of eq (12), its sign corrected: 2 R̄ + ⟨x⟩ of face x_max - ⟨x⟩ of face x_min; the length of a body [m]."""
+    """Length L_M of eq (12) with corrected sign [m], 2 R̄ + ⟨x⟩ of face x_max - ⟨x⟩ of face x_min.
+
+    For cells it is the length of the body.
+    """
     first, last = ends(lattice, depth)
     return last - first + (2.0 * lattice.particles.mean_radius if lattice.cells is None else 0.0)
 
 
 def paper_radius(lattice: Lattice, depth: float = 0.02) -> float:
-    """R_M of eq (13): R̄ + mean distance of the the elements at "side" from the axis [m]; the radius of a body."""
+    """Radius R_M of eq (13) [m], R̄ + mean distance of the elements at "side" from the axis.
+
+    For cells it is the radius of the body.
+    """
     if lattice.cells is not None:
         return math.sqrt(lattice.particles.envelope.section() / math.pi)
     side = Face("side", depth).select(lattice)
@@ -155,7 +163,7 @@ def paper_radius(lattice: Lattice, depth: float = 0.02) -> float:
 def _paper_moduli(
     model: Model, solution: StaticResult, field: AffineField, force: float, depth: float
 ) -> tuple[float, float | None]:
-    """E_M and ν_M of eqs (12)-(15), without rigid motion; of a body from the motion of its surface."""
+    """Moduli E_M and ν_M of eqs (12)-(15) without rigid motion; for cells from the motion of the surface."""
     lattice = model.lattice
     place, displacement, outside = _outside(model, solution, depth)
     moved = field.without_rigid_motion(place, displacement)
@@ -176,7 +184,7 @@ def _paper_moduli(
 def _outside(
     model: Model, solution: StaticResult, depth: float
 ) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
-    """Places and displacements of elements or facets; which are at each face, and their shares in its mean."""
+    """Positions and displacements of elements or facets, with the members of each face and their weights."""
     lattice = model.lattice
     names = [name for name in ("x_min", "x_max", "side") if name in lattice.particles.envelope.faces]
     if lattice.cells is None:

@@ -1,4 +1,4 @@
-"""Impact of a ball on a rigid plane: damage, pieces and rebound."""
+"""Impact of a ball on a rigid plane: damage, fragments and rebound."""
 
 import math
 from collections.abc import Callable
@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number, vector
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
@@ -24,26 +26,27 @@ from bondem.specimen.lattice import Lattice
 
 # Steps between records; the impulse is their sum.
 _EVERY = 2
-# A test ends when nothing has touched the plane for so many diameters over the speed of sound, or after so many times
-# that a ball takes to come back from a single element.
+# A test ends when the plane had no contact for so many diameters over the speed of sound, or after so many contact
+# times of a ball on a single element.
 _QUIET, _CONTACTS = 3.0, 8.0
 # How far elements may reach into a plane at first, over the diameter: rounding.
 _TOUCH = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class SphereImpact:
-    """Result of an impact.
+class SphereImpact(Plotted):
+    """Result of an impact of a ball on a plane.
 
     Attributes:
-        velocity: of the ball before [m/s], (3,).
-        normal: of the plane, towards the ball [-], (3,).
-        time, force: of each record [s] and on the plane, positive as it is pressed [N], (k,).
-        broken: what is left: `.pieces`, `.sizes`, `.damage` (broken over all), `.fines`, `.largest`.
-        restitution: speed away from the plane of the heaviest piece over that of the ball towards it [-].
-        momentum: |impulse of the plane - change of momentum| over the momentum of the ball [-], of the run.
-        residual: of the energy ledger, over its largest entry [-].
-        run: the explicit run.
+        velocity: initial velocity of the ball [m/s], (3,).
+        normal: normal of the plane, towards the ball [-], (3,).
+        time, force: time [s] and force on the plane, positive in compression [N], of each record, (k,).
+        broken: broken ball with `.pieces`, `.sizes`, `.damage`, `.fines` and `.largest`.
+        restitution: normal speed of the heaviest fragment after the impact over that of the ball before [-].
+        momentum: |impulse of the plane - change of momentum| over the initial momentum of the ball [-], an error
+            measure.
+        residual: error of the energy balance over its largest term [-].
+        run: result of the explicit run.
     """
 
     velocity: tuple[float, float, float]
@@ -58,7 +61,7 @@ class SphereImpact:
 
     @property
     def damage(self) -> float:
-        """Broken bonds or facets over all [-]."""
+        """Share of broken bonds or facets [-]."""
         return self.broken.damage
 
     @property
@@ -68,10 +71,11 @@ class SphereImpact:
 
     @property
     def state(self) -> State:
-        """What is left."""
+        """State of the ball after the impact."""
         return self.run.state
 
 
+@staged("sphere impact")
 def sphere_impact(
     ball: Lattice,
     law: AnyLaw,
@@ -86,26 +90,26 @@ def sphere_impact(
     fine: float = 0.2,
     progress: Callable[[float], None] | None = None,
 ) -> SphereImpact:
-    """Throw a ball against a rigid plane; nothing is damped.
+    """Simulate the impact of a ball on a rigid plane, without damping.
 
     Args:
         ball: cells or bonded spheres of a `bd.Ball`.
-        law: a bond law, a law of cells, or the non-local law.
-        failure: any criterion, or criteria by region; None for an elastic ball.
-        density: of the elements, or of the material of cells [kg/m³].
-        velocity: towards the plane [m/s], or three components, with which it comes nearer.
-        wall: a plane that stands still; None for one across x that the ball touches, on the side of x_min.
-        friction: of that plane [-], where no wall is given.
-        contact: law of contacts of the pieces and at the plane; None for one as stiff as the median bond, friction
-            0.4 between pieces.
-        duration: of the run [s]; None to end when nothing has touched the plane for three diameters over the speed
-            of sound, or after eight times the contact time of a ball that a single element bears.
-        fine: pieces smaller than this share of the diameter are fines [-].
-        progress: called now and then with the share done, 0 … 1.
+        law: bond law, cell law or non-local law.
+        failure: failure criterion, or criteria by region; None for an elastic ball.
+        density: density of the elements, or of the material of cells [kg/m³].
+        velocity: speed towards the plane, or velocity vector towards it [m/s].
+        wall: fixed plane; None for a plane across x that the ball touches on the side of x_min.
+        friction: friction coefficient of the default plane [-].
+        contact: contact law of fragments and plane; None for the stiffness of the median bond and a friction of 0.4
+            between fragments.
+        duration: duration of the run [s]; None to end once the plane has had no contact for three diameters over the
+            speed of sound. The longest run then is eight times the contact time of a ball on a single element.
+        fine: upper size limit of fines, as a share of the ball's diameter [-].
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: no ball, a plane that begins inside of it or more than a diameter away, a velocity that leads
-            away from the plane, or a value out of range.
+        InputError: a shape other than a ball, a plane inside the ball or more than a diameter away, a velocity away
+            from the plane, or a value out of range.
         UnstableRunError: the run became unstable.
     """
     owner = "labtests.sphere_impact"
@@ -142,17 +146,17 @@ def sphere_impact(
 
 
 def _plane(ball: BallSpecimen, wall: PlaneWall | None, friction: float) -> PlaneWall:
-    """The plane that was asked for, or one across x at the outermost element.
+    """Given plane, or a plane across x at the outermost element.
 
     Raises:
-        InputError: another wall, or one that moves.
+        InputError: another kind of wall, or a moving plane.
     """
     if wall is None:
         _, y, z = ball.middle.tolist()
         return PlaneWall((-ball.reach(np.array([-1.0, 0.0, 0.0])), y, z), (1.0, 0.0, 0.0), friction=friction)
     plane = instance("labtests.sphere_impact", "wall", wall, PlaneWall, "bd.PlaneWall(point, normal), or None")
     if plane.motion is not None:
-        raise InputError("labtests.sphere_impact: the plane moves; leave out motion= and give the ball the velocity")
+        raise InputError("labtests.sphere_impact: wall moves; leave out motion= and give the velocity to the ball")
     return plane
 
 
@@ -160,28 +164,28 @@ def _gap(ball: BallSpecimen, plane: PlaneWall) -> float:
     """Distance of the outermost element from the plane [m].
 
     Raises:
-        InputError: the plane is inside of the ball, or far from it.
+        InputError: the plane is inside the ball or far from it.
     """
     normal = np.array(plane.normal)
     gap = -ball.reach(-normal) - float(np.dot(plane.point, normal))
     if gap < -_TOUCH * ball.diameter:
         raise InputError(
-            f"labtests.sphere_impact: the plane begins {-gap:.3g} m inside of the ball; move it back, or leave out"
+            f"labtests.sphere_impact: wall is {-gap:.3g} m inside the ball; move it outwards, or leave out"
             " wall="
         )
     if gap > ball.diameter:
         raise InputError(
-            f"labtests.sphere_impact: the plane is {gap:.3g} m from the ball; bring it within a diameter,"
+            f"labtests.sphere_impact: wall is {gap:.3g} m from the ball; move it closer than a diameter,"
             f" {ball.diameter:.3g} m"
         )
     return max(gap, 0.0)
 
 
 def _velocity(velocity: object, normal: Floats) -> Floats:
-    """The velocity of the ball [m/s], (3,).
+    """Velocity of the ball [m/s], (3,).
 
     Raises:
-        InputError: none, or one that leads away from the plane.
+        InputError: no velocity, or one away from the plane.
     """
     owner = "labtests.sphere_impact"
     if not isinstance(velocity, list | tuple | np.ndarray) or np.ndim(np.array(velocity, dtype=object)) == 0:
@@ -189,12 +193,12 @@ def _velocity(velocity: object, normal: Floats) -> Floats:
     advice = "a speed towards the plane, or three components [m/s]"
     found = np.array(vector(owner, "velocity", velocity, advice=advice))
     if not float(found @ normal) < 0.0:
-        raise InputError(f"{owner}: velocity = {velocity} leads away from the plane; turn it around")
+        raise InputError(f"{owner}: velocity = {velocity}: points away from the plane; reverse its sign")
     return found
 
 
 def _modulus(ball: BallSpecimen) -> float:
-    """Roughly Young's modulus [Pa]: bonds of a cubic lattice, for durations only."""
+    """Rough Young's modulus [Pa], of bonds of a cubic lattice; for durations only."""
     return ball.stiffness / (2.0 * float(np.median(ball.radius)))
 
 

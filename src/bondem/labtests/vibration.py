@@ -1,10 +1,12 @@
-"""Free vibration of a clamped specimen after its loads are let go."""
+"""Free vibration of a clamped specimen after the release of its loads."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
@@ -29,18 +31,18 @@ _AT_ONCE = Constant(1.0)
 
 
 @dataclass(frozen=True, eq=False)
-class FreeVibration:
+class FreeVibration(Plotted):
     """Motion of the face x_max after release.
 
     Attributes:
-        time: [s], (s,).
-        signal: mean displacement along x ("tension") and y ("bending") [m] and mean rotation about x
-            ("torsion") [rad] of the elements at x_max, each (s,).
-        energy: ledger of the run, `History.energy` [J], each (s,).
-        energy_error: largest imbalance of the energy ledger over the energy at release [-].
+        time: time of each record [s], (s,).
+        signal: mean displacement along x ("tension") and y ("bending") [m] and mean rotation about x ("torsion")
+            [rad] of the elements at x_max, each (s,).
+        energy: terms of the energy balance, `History.energy` [J], each (s,).
+        energy_error: largest error of the energy balance over the energy at release [-].
         dt: time step [s].
-        steps: taken.
-        released: when the loads went [s]; before, where the run begins at rest, they grew.
+        steps: number of steps.
+        released: time of release [s]; in a run that starts at rest the loads increase until then.
     """
 
     time: Floats
@@ -53,14 +55,15 @@ class FreeVibration:
 
     @property
     def free(self) -> slice:
-        """The records after release."""
+        """Slice of the records after release."""
         return slice(int(np.argmax(self.time >= self.released * (1.0 - 1e-9))), len(self.time))
 
     def frequency(self, kind: str) -> float:
-        """Frequency of one signal [Hz], over as many of its own periods as were recorded after release."""
+        """Frequency of a signal [Hz], fitted over all records after release."""
         return dominant_frequency(self.time[self.free], self.signal[kind][self.free])
 
 
+@staged("free vibration")
 def free_vibration(
     lattice: Lattice,
     law: AnyLaw,
@@ -73,22 +76,22 @@ def free_vibration(
     stress: float = 1e5,
     depth: float = 0.02,
 ) -> FreeVibration:
-    """Load a clamped specimen, let go, and record how it swings.
+    """Load a clamped specimen, release it and record its vibration.
 
-    The run starts at rest from the static equilibrium under an axial force, a transverse force and a moment
-    about x at once, the limit of the paper's slow ramp, and the loads are gone at t = 0. Amplitudes are so
-    small that the three motions do not feel each other.
+    The run starts at rest from the static equilibrium under an axial force, a transverse force and a moment about x,
+    the limit of the paper's slow ramp. The loads are removed at t = 0. Amplitudes are so small that the three motions
+    do not interact.
 
     Args:
         lattice: the specimen.
-        law: its bonds.
-        density: of the elements, ρ_μ [kg/m³].
-        E: its own Young's modulus [Pa]; with nu and rho it sets the duration.
-        nu: its own Poisson's ratio [-].
-        rho: its own density [kg/m³].
-        periods: of the bending mode, the slowest [-].
-        stress: that each load causes, roughly [Pa].
-        depth: of the two faces, in mean radii [-].
+        law: bond law, cell law or non-local law of the specimen.
+        density: density of the elements, ρ_μ [kg/m³].
+        E: Young's modulus of the specimen [Pa]; with nu and rho it sets the duration.
+        nu: Poisson's ratio of the specimen [-].
+        rho: density of the specimen [kg/m³].
+        periods: number of periods of the bending mode, the slowest one [-].
+        stress: approximate stress from each load [Pa].
+        depth: depth of the two face regions, in mean radii [-].
     """
     check(
         "free_vibration", lattice, density=density, E=E, nu=nu, rho=rho, periods=periods, stress=stress, depth=depth
@@ -123,29 +126,29 @@ def ramped_vibration(
     safety: float = 0.9,
     progress: Callable[[float], None] | None = None,
 ) -> FreeVibration:
-    """Load a clamped specimen little by little, let go, and record all of it, as the paper does.
+    """Load a clamped specimen gradually, release it and record the whole motion, as in the paper.
 
-    The loads of `free_vibration` grow from nothing, and are gone from one step to the next.
+    The loads are those of `free_vibration`. They increase from zero and are removed within one step.
 
     Args:
         lattice: the specimen.
-        law: its bonds.
-        density: of the elements, ρ_μ [kg/m³].
-        steps: how many.
-        ramp: share of the steps in which the loads grow [-].
-        stress: that each load causes at its end, roughly [Pa].
-        depth: of the two faces, in mean radii [-].
-        safety: share of the critical time step to take [-].
-        progress: told the share of steps done, 0 … 1.
+        law: bond law, cell law or non-local law of the specimen.
+        density: density of the elements, ρ_μ [kg/m³].
+        steps: number of steps.
+        ramp: share of the steps in which the loads increase [-].
+        stress: approximate final stress from each load [Pa].
+        depth: depth of the two face regions, in mean radii [-].
+        safety: time step over the critical time step [-].
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: fewer than 1000 steps, or a ramp that leaves nothing to swing in.
+        InputError: fewer than 1000 steps, or a ramp that leaves no steps for the vibration.
     """
     if steps < 1000:
-        raise InputError(f"steps = {steps}; give at least 1000, for a few oscillations")
+        raise InputError(f"steps = {steps}: too few for a few oscillations; give at least 1000")
     growing = round(ramp * steps / _EVERY) * _EVERY
     if not 0 < growing < steps:
-        raise InputError(f"ramp = {ramp}; give the share of the steps in which the loads grow, in (0, 1)")
+        raise InputError(f"ramp = {ramp}: not in (0, 1); give the share of the steps in which the loads increase")
     held = Fix(Face("x_min", depth))
     model = Model(lattice, law, density=density, boundary=[held])
     dt = settled(model, Plan(duration=0.0, safety=safety)).dt
@@ -171,7 +174,9 @@ def ramped_vibration(
 def combined_load(
     section: CrossSection, *, stress: float, depth: float, schedule: Schedule = _AT_ONCE
 ) -> Load:
-    """An axial force, a transverse force and a moment about x on the face x_max, each causing about `stress` [Pa]."""
+    """Load of the face x_max: an axial force, a transverse force and a moment about x, each with a stress of about
+    `stress` [Pa].
+    """
     # a bar 8 radii long is some 30 times softer across than along, so the transverse force is taken smaller
     force = (stress * section.area, 0.05 * stress * section.area, 0.0)
     moment = (stress * section.torsion_constant / section.area**0.5, 0.0, 0.0)
@@ -202,7 +207,7 @@ def _recorded(run: ExplicitResult, released: float, energy: float) -> FreeVibrat
 
 
 def _joined(before: FreeVibration, after: FreeVibration) -> FreeVibration:
-    """Two runs as one: the first record of the second, which is the last of the first, is left out."""
+    """Join two runs, without the first record of the second, which equals the last record of the first."""
     carried = {name: before.energy[name][-1] for name in ("work", "loss", "friction", "balance")}
     energy = {
         name: np.concatenate([values, after.energy[name][1:] + carried.get(name, 0.0)])

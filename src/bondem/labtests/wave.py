@@ -1,4 +1,4 @@
-"""A longitudinal wave along a specimen, struck at x_max: what the faces and the sections do."""
+"""Longitudinal wave along a specimen after a strike at x_max: velocities of faces and sections."""
 
 from dataclasses import dataclass
 
@@ -19,15 +19,15 @@ from bondem.specimen.regions import Face
 
 @dataclass(frozen=True, eq=False)
 class Wave:
-    """Velocities after a strike. Those along x are towards the far face, x_min.
+    """Velocities after a strike; those along x are positive towards the far face, x_min.
 
     Attributes:
-        time: of every step [s], (s,).
-        near: mean velocity of the struck elements, at x_max [m/s], (s,).
-        far: the same of those at x_min, (s,).
+        time: time of each step [s], (s,).
+        near: mean velocity of the struck elements at x_max [m/s], (s,).
+        far: mean velocity of the elements at x_min [m/s], (s,).
         place: middle of each slice of the specimen along x [m], (b,).
-        sections: mean velocity of the connected elements of each slice [m/s], (s, b); NaN where there is none.
-        snapshots: time [s] and velocity of every element [m/s], (n, 3), along x, y and z.
+        sections: mean velocity of the connected elements of each slice [m/s], (s, b); NaN for empty slices.
+        snapshots: time [s] and velocity of every element along x, y and z [m/s], (n, 3).
     """
 
     time: Floats
@@ -50,18 +50,18 @@ def strike(
     moments: tuple[float, ...] = (),
     depth: float = 0.02,
 ) -> Wave:
-    """Give the elements at x_max a velocity towards x_min, and look on.
+    """Strike the elements at x_max with a velocity towards x_min and record the wave.
 
     Args:
-        lattice: the specimen, free but for what is struck.
-        law: its bonds.
-        density: of the elements, ρ_μ [kg/m³].
-        duration: [s].
-        velocity: of the struck elements [m/s].
-        held: whether they keep it; else it is only what they begin with.
-        slices: along x, for `Wave.sections`.
-        moments: of the snapshots, the step nearest each [s].
-        depth: of the two faces, in mean radii [-].
+        lattice: the specimen, free except for the struck elements.
+        law: bond law, cell law or non-local law of the specimen.
+        density: density of the elements, ρ_μ [kg/m³].
+        duration: duration of the run [s].
+        velocity: velocity of the struck elements [m/s].
+        held: True to prescribe the velocity during the run, False for an initial velocity.
+        slices: number of slices along x for `Wave.sections`.
+        moments: times of the snapshots [s]; each is taken at the nearest step.
+        depth: depth of the two face regions, in mean radii [-].
 
     Raises:
         UnstableRunError: the velocity is too high for the time step.
@@ -118,18 +118,20 @@ def strike(
 
 
 def first_passage(time: Floats, signal: Floats, level: float) -> float:
-    """When a signal first passes a level, between its samples [s].
+    """Time at which a signal first passes a level, interpolated between samples [s].
 
     Args:
-        time: [s], (s,).
-        signal: (s,).
-        level: above the signal at its start.
+        time: sample times [s], (s,).
+        signal: samples, (s,).
+        level: level above the first sample.
 
     Raises:
-        InputError: it never does.
+        InputError: the signal never reaches the level.
     """
     if not (signal >= level).any():
-        raise InputError(f"the signal stays below {level:.3g}, at most {signal.max():.3g}; record longer")
+        raise InputError(
+            f"signal: its largest value {signal.max():.3g} is below the level {level:.3g}; record longer"
+        )
     first = int(np.argmax(signal >= level))
     before = max(first - 1, 0)
     return float(np.interp(level, signal[[before, first]], time[[before, first]]))

@@ -1,17 +1,16 @@
-"""The one bond energy, its gradient and its parts.
+"""Bond energy common to all laws, its gradient and its parts.
 
-All bonds are made in one reference configuration, where every orientation is the identity. X0 is the
-reference direction i→j, X1 and X2 that direction turned with elements i and j, X the present direction and
-ℓ the present length; c1 = X·X1, c2 = X·X2, w = q_i·q_j, a the lever of the contact point from i, b = L - a,
-k' = kb - kt. Then
+All bonds are made in one reference configuration, where every orientation is the identity. X0 is the reference
+direction i→j, and X1 and X2 are X0 rotated with elements i and j. X is the present direction and ℓ the present
+length; c1 = X·X1, c2 = X·X2, w = q_i·q_j, a the lever of the contact point from i, b = L - a, k' = kb - kt. Then
 
     U = ½ kn (ℓ - L)² + ½ A (1 - c1²) + B (X1·X2 - c1 c2) + ½ C (1 - c2²) + 2 kt (1 - w²)
     A = ks a² + k'      B = ks a b - k'      C = ks b² + k'
 
-Its second derivative at rest is the 12×12 matrix of the bond law; it does not change under rigid motion;
-forces that are its exact gradient conserve momentum and angular momentum to rounding. It is periodic: the
-shear moment peaks at 45°, and X = -X0 is a false zero, so relative rotations must stay moderate (`c1`, `c2`
-above 0.7, w² above 0.75). Tension positive. The V-model of Kuzkin and Asonov (2012) is a relative.
+Its second derivative at rest is the 12×12 matrix of the bond law, and it is invariant under rigid motion. Forces that
+are its exact gradient conserve momentum and angular momentum to rounding. It is periodic: the shear moment peaks at
+45°, and X = -X0 is a false zero. Relative rotations must therefore stay moderate (`c1`, `c2` above 0.7, w² above
+0.75). Tension is positive. The V-model of Kuzkin and Asonov (2012) is a relative.
 """
 
 import math
@@ -22,7 +21,7 @@ from bondem.laws.rotations import rotate
 
 @device
 def bond_force(dx, dy, dz, wi, xi, yi, zi, wj, xj, yj, zj, X0, Y0, Z0, L, kn, A, B, C, kt):
-    """Force on j and torques on i and j [N, N·m] of one bond; the force on i is the opposite.
+    """Return force on j and torques on i and j [N, N·m] of one bond; the force on i is the opposite.
 
     Args:
         dx, dy, dz: centre j minus centre i [m].
@@ -61,9 +60,9 @@ def bond_force(dx, dy, dz, wi, xi, yi, zi, wj, xj, yj, zj, X0, Y0, Z0, L, kn, A,
 
 @device
 def bond_energy(dx, dy, dz, wi, xi, yi, zi, wj, xj, yj, zj, X0, Y0, Z0, L, kn, A, B, C, kt, ks, a):
-    """Normal, shear, bending and twisting energy of one bond [J]; their sum is U.
+    """Return normal, shear, bending and twisting energy of one bond [J]; their sum is U.
 
-    Sines are taken from cross products, so that small deformations keep their digits.
+    Sines are computed from cross products, so that small deformations keep their digits.
     """
     l = math.sqrt(dx * dx + dy * dy + dz * dz)
     ex, ey, ez = dx / l, dy / l, dz / l
@@ -90,7 +89,7 @@ def bond_energy(dx, dy, dz, wi, xi, yi, zi, wj, xj, yj, zj, X0, Y0, Z0, L, kn, A
 
 @device
 def bond_cosines(dx, dy, dz, wi, xi, yi, zi, wj, xj, yj, zj, X0, Y0, Z0):
-    """c1, c2 and w² of one bond: how far it is from its false zeros."""
+    """Return c1, c2 and w² of one bond, which measure its distance from the false zeros."""
     inverse = 1.0 / math.sqrt(dx * dx + dy * dy + dz * dz)
     px, py, pz = rotate(wi, xi, yi, zi, X0, Y0, Z0)
     qx, qy, qz = rotate(wj, xj, yj, zj, X0, Y0, Z0)

@@ -1,7 +1,7 @@
-"""What all linear bond laws share: a bond is a cylinder, and a law is four stiffnesses and a contact point.
+"""Common part of all linear bond laws: a bond is a cylinder, and a law is four stiffnesses and a contact point.
 
 Chen et al. (2022) show that the parallel-bond, Euler–Bernoulli and Timoshenko models differ only in the
-normal, shear, bending and twisting stiffness of the bond and in where along it the contact point lies.
+normal, shear, bending and twisting stiffness of the bond and in the place of the contact point along it.
 A law is therefore data, computed once per bond; `bondem.laws.beam_energy` is the physics of them all.
 """
 
@@ -23,7 +23,7 @@ FORMULATIONS = ("total", "incremental")
 
 @dataclass(frozen=True)
 class BondGeometry:
-    """What a law may know of each bond, in the reference configuration.
+    """Geometry of the bonds in the reference configuration, the input of a law.
 
     Attributes:
         length: distance of the centres [m], shape (m,).
@@ -37,7 +37,7 @@ class BondGeometry:
     mean_radius: float
 
     def take(self, chosen: np.ndarray) -> "BondGeometry":
-        """The same for a subset of the bonds."""
+        """Return the geometry of a subset of the bonds."""
         return BondGeometry(
             self.length[chosen], self.radius_i[chosen], self.radius_j[chosen], self.mean_radius
         )
@@ -45,7 +45,7 @@ class BondGeometry:
 
 @dataclass(frozen=True)
 class BondStiffness:
-    """A law evaluated on bonds: what the kernels need, each of shape (m,).
+    """Stiffnesses of bonds by a law, the input of the kernels, each of shape (m,).
 
     Attributes:
         kn: normal stiffness [N/m].
@@ -64,17 +64,17 @@ class BondStiffness:
     radius: PerBond
 
     def put(self, chosen: np.ndarray, other: "BondStiffness") -> None:
-        """Overwrite the chosen bonds with those of another law."""
+        """Overwrite the stiffnesses of the chosen bonds with those of another law."""
         for item in fields(self):
             getattr(self, item.name)[chosen] = getattr(other, item.name)
 
     def take(self, chosen: np.ndarray) -> "BondStiffness":
-        """The same for a subset of the bonds."""
+        """Return the stiffnesses of a subset of the bonds."""
         return BondStiffness(**{item.name: getattr(self, item.name)[chosen] for item in fields(self)})
 
     @classmethod
     def empty(cls, count: int) -> "BondStiffness":
-        """Room for `count` bonds, not yet set."""
+        """Return a table for `count` bonds, filled with NaN."""
         return cls(**{item.name: np.full(count, np.nan) for item in fields(cls)})
 
 
@@ -85,20 +85,20 @@ class BondLaw(ABC):
     Attributes:
         E: Young's modulus of the bond, E_μ [Pa].
         nu: Poisson's ratio of the bond, ν_μ [-].
-        radius_ratio: bond radius over a mean radius, r̃ [-]; which mean is the `radius_rule`.
+        radius_ratio: bond radius over a mean radius, r̃ [-]; `radius_rule` selects the mean.
         radius: bond radius [m], instead of `radius_ratio`.
         radius_rule: "mean" (R̄ of the lattice, André), "pair_min" (smaller of the two elements, PFC) or
             "pair_mean".
         formulation: "total" (exact gradient of one energy) or "incremental" (rates integrated step by step,
-            as the papers do).
-        title: what people call such bonds (of the class).
-        free: the parameter that calibration varies (of the class).
-        moments: whether bonds resist bending and twisting (of the class).
-        moments_at_contact: whether the moment that may break a bond is that at its contact point, and not the larger
-            one of its ends (of the class).
+            as in the papers).
+        title: common name of such bonds (class attribute).
+        free: parameter that calibration varies (class attribute).
+        moments: True if bonds resist bending and twisting (class attribute).
+        moments_at_contact: True if the moment that may break a bond is that at its contact point, False for the
+            larger one of its ends (class attribute).
 
     Raises:
-        InputError: a value outside its physical range, or both or neither of the two radii.
+        InputError: A value is outside its physical range, or both or neither of the two radii are given.
     """
 
     title: ClassVar[str]
@@ -132,18 +132,18 @@ class BondLaw(ABC):
 
     @classmethod
     def with_radius(cls, given: Mapping[str, Any]) -> dict[str, Any]:
-        """What is held fixed where ν is varied: r̃ = 1 beside what is given, unless r̃ varies or a radius is given."""
+        """Return the parameters fixed while ν varies: those given, and r̃ = 1 unless r̃ varies or a radius is given."""
         if cls.free.is_radius or {"radius_ratio", "radius"} & set(given):
             return dict(given)
         return {RADIUS_RATIO.name: 1.0} | dict(given)
 
     @classmethod
     def at(cls, value: float, *, E: float, nu: float, **fixed: Any) -> Self:
-        """The law at a value of its free parameter.
+        """Return the law at a value of its free parameter.
 
         Args:
-            value: of the free parameter [-].
-            E, nu: of the bonds [Pa], [-].
+            value: value of the free parameter [-].
+            E, nu: Young's modulus [Pa] and Poisson's ratio [-] of the bonds.
             **fixed: further parameters; see `with_radius`.
         """
         given = cls.with_radius(fixed)
@@ -151,7 +151,7 @@ class BondLaw(ABC):
         return cls(E=E, nu=nu, **given)
 
     def bond_radius(self, bonds: BondGeometry) -> PerBond:
-        """Radius of each bond [m], shape (m,)."""
+        """Return the radius of each bond [m], shape (m,)."""
         if self.radius is not None:
             return np.full_like(bonds.length, self.radius)
         assert self.radius_ratio is not None
@@ -165,7 +165,7 @@ class BondLaw(ABC):
 
     @abstractmethod
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
-        """The four stiffnesses and the contact point of each bond."""
+        """Return the four stiffnesses and the contact point of each bond."""
 
 
 @dataclass(frozen=True)
@@ -180,15 +180,15 @@ class Section:
 
     @property
     def area(self) -> PerBond:
-        """A [m²], shape (m,)."""
+        """Area A [m²], shape (m,)."""
         return np.pi * self.radius**2
 
     @property
     def second_moment(self) -> PerBond:
-        """I [m⁴], shape (m,)."""
+        """Second moment of area I [m⁴], shape (m,)."""
         return 0.25 * np.pi * self.radius**4
 
     @property
     def polar_moment(self) -> PerBond:
-        """J [m⁴], shape (m,)."""
+        """Polar moment J [m⁴], shape (m,)."""
         return 0.5 * np.pi * self.radius**4

@@ -1,4 +1,4 @@
-"""Every bond law of bondem, once. What a law is called and which parameter it varies, it says itself."""
+"""Catalogue of the bond laws of bondem. The class of a law states its title and the parameter it varies."""
 
 from bondem.laws.bond import BondLaw
 from bondem.laws.cell_bond import CellBond
@@ -32,6 +32,6 @@ PARAMETERS: dict[str, FreeParameter] = {one.name: one for one in (RADIUS_RATIO, 
 
 
 def named(law: str) -> str:
-    """A law as people call its bonds, by the name of its class: EulerBernoulli becomes Euler–Bernoulli."""
+    """Return the common name of a law, given the name of its class: EulerBernoulli becomes Euler–Bernoulli."""
     known = LAWS | CELL_LAWS
     return known[law].title if law in known else law

@@ -5,7 +5,7 @@ from typing import ClassVar
 
 from bondem._checks import choice, number
 
-#: What of the relative rotation of two cells strains the facet between them.
+#: Parts of the relative rotation of two cells that strain the facet between them.
 FACET_ROTATIONS = ("bending", "full", "none")
 
 
@@ -13,26 +13,27 @@ FACET_ROTATIONS = ("bending", "full", "none")
 class CellBond:
     """Cells of an elastic material, joined at their facets; needs a body from `bd.connect(..., method="laguerre")`.
 
-    A facet of area A between cells i and j, whose centres are L apart along its normal, opens by δ between its two
-    faces; a cell of volume V has the dilatation θ. With G = E / 2(1+ν) and λ = E ν / (1+ν)(1-2ν)
+    A facet of area A lies between cells i and j, whose centres are L apart along its normal. Its two faces open by δ.
+    A cell of volume V has the dilatation θ. With G = E / 2(1+ν) and λ = E ν / (1+ν)(1-2ν) the energy is
 
         U = Σ facets ½ (2 G A / L) |δ|² + Σ facets ½ ρ·H ρ + Σ cells ½ V λ θ²,   V_p θ_p = Σ A w_p m_p·δ
 
-    where ρ is the relative rotation, H the resistance of the facet to it, w_p the share of the opening on the side of
-    cell p and m_p its normal, corrected so that a uniform strain has its own dilatation in every cell. Facets on the
-    surface open until they bear no traction. Nothing is calibrated: E and ν are those of the material, for
-    -1 < ν < ½. Tension positive.
+    where ρ is the relative rotation and H the resistance of the facet to it. w_p is the share of the opening on the
+    side of cell p. m_p is its normal, corrected so that a uniform strain has its own dilatation in every cell. Facets
+    on the surface open until they carry no traction. The law needs no calibration: E and ν are those of the material,
+    for
+    -1 < ν < ½. Tension is positive.
 
     Attributes:
         E: Young's modulus of the material [Pa].
         nu: Poisson's ratio of the material [-].
-        facet_rotation: what of a relative rotation strains a facet: "bending" (its two axes in the plane), "full"
-            (also twist) or "none".
+        facet_rotation: part of a relative rotation that strains a facet: "bending" (about the two axes in its plane),
+            "full" (also twist) or "none".
 
     Reference: at ν = 0 each facet is that of the rigid-body-spring lattice of Bolander and Saito (1998).
 
     Raises:
-        InputError: a value outside its physical range.
+        InputError: A value is outside its physical range.
     """
 
     title: ClassVar[str] = "cell law"

@@ -24,19 +24,19 @@ _FREE = 1e-5
 
 @device
 def cross(a, b):
-    """Vector product of two triples."""
+    """Return the vector product of two triples."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 @device
 def scalar(a, b):
-    """Scalar product of two triples."""
+    """Return the scalar product of two triples."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @device
 def turned_by(q, a):
-    """Triple a turned by the unit quaternion q."""
+    """Return triple a rotated by the unit quaternion q."""
     x, y, z = q[1] + q[1], q[2] + q[2], q[3] + q[3]
     t = y * a[2] - z * a[1], z * a[0] - x * a[2], x * a[1] - y * a[0]
     # sums of products one after the other, each a fused multiply-add
@@ -49,20 +49,20 @@ def turned_by(q, a):
 
 @device
 def opened(d, a, b):
-    """The gap of a facet, with d from centre i to centre j and the turned levers a of i and b of j."""
+    """Return the gap of a facet, with d from centre i to centre j and the rotated levers a of i and b of j."""
     return d[0] + b[0] - a[0], d[1] + b[1] - a[1], d[2] + b[2] - a[2]
 
 
 @device
 def swellings(d, p, q, lever_i, lever_j, share_i, share_j):
-    """What a facet adds to V θ of cells i and j [m³], with p and q their orientations."""
+    """Return the contributions of a facet to V θ of cells i and j [m³], with p and q their orientations."""
     gap = opened(d, turned_by(p, lever_i), turned_by(q, lever_j))
     return scalar(turned_by(p, share_i), gap), scalar(turned_by(q, share_j), gap)
 
 
 @device
 def facet_pull(d, p, q, lever_i, lever_j, share_i, share_j, k, stress_i, stress_j):
-    """Force of a facet on its cell i [N]; arguments as of `facet_force`."""
+    """Return the force of a facet on its cell i [N]; arguments as for `facet_force`."""
     gap = opened(d, turned_by(p, lever_i), turned_by(q, lever_j))
     gi, gj = turned_by(p, share_i), turned_by(q, share_j)
     return (
@@ -73,7 +73,7 @@ def facet_pull(d, p, q, lever_i, lever_j, share_i, share_j, k, stress_i, stress_
 
 @device
 def relative(p, q):
-    """The rotation p* q: its scalar, its vector in the frame of the reference, and its vector in space."""
+    """Return the rotation p* q: its scalar, its vector in the frame of the reference, and its vector in space."""
     plain = (
         p[0] * q[1] - q[0] * p[1], p[0] * q[2] - q[0] * p[2], p[0] * q[3] - q[0] * p[3]
     )  # fmt: skip
@@ -87,7 +87,7 @@ def relative(p, q):
 
 @device
 def resisted_turn(H, v):
-    """H v of a symmetric H: xx, yy, zz, xy, xz, yz."""
+    """Return H v of a symmetric H: xx, yy, zz, xy, xz, yz."""
     return (
         H[0] * v[0] + H[3] * v[1] + H[4] * v[2],
         H[3] * v[0] + H[1] * v[1] + H[5] * v[2],
@@ -97,12 +97,12 @@ def resisted_turn(H, v):
 
 @device
 def swing_square(w2, v, normal, H):
-    """cos² of half the angle by which two cells are turned, but for a twist that their facet does not resist.
+    """Return cos² of half the relative angle of two cells, without a twist that their facet does not resist.
 
     Args:
-        w2: that of the whole angle.
-        v: vector of the rotation in the frame of the reference (`relative`); the normal is in the same.
-        H: [N·m].
+        w2: cos² of half the whole angle.
+        v: vector of the rotation in the frame of the reference (`relative`), the frame of the normal too.
+        H: resistance [N·m].
     """
     if scalar(normal, resisted_turn(H, normal)) > _FREE * (H[0] + H[1] + H[2]):
         return w2
@@ -111,9 +111,9 @@ def swing_square(w2, v, normal, H):
 
 @device
 def bending_square(p, q, factor, H):
-    """Mean square of the traction by which the points of a facet differ [Pa²]; `factor` is 4 k / A² [1/(N m³)].
+    """Return the mean square of the traction differences between points of a facet [Pa²].
 
-    2 k / A² times its energy of bending and twisting 2 v·H v.
+    It is 2 k / A² times the energy of bending and twisting 2 v·H v; `factor` is 4 k / A² [1/(N m³)].
     """
     _, v, _ = relative(p, q)
     return factor * scalar(v, resisted_turn(H, v))
@@ -121,14 +121,14 @@ def bending_square(p, q, factor, H):
 
 @device
 def facet_force(d, p, q, lever_i, lever_j, share_i, share_j, k, H, stress_i, stress_j):
-    """Force on j and torques on i and j [N, N·m] of one facet; the force on i is the opposite.
+    """Return force on j and torques on i and j [N, N·m] of one facet; the force on i is the opposite.
 
     Args:
-        d: from centre i to centre j [m].
+        d: vector from centre i to centre j [m].
         p, q: orientations of i and j, unit quaternions.
-        lever_i, lever_j: from the centres to the facet, in the reference [m].
+        lever_i, lever_j: levers from the centres to the facet, in the reference [m].
         share_i, share_j: A w M⁻¹n of both sides, in the reference [m²].
-        k: [N/m]; H: [N·m].
+        k: stiffness [N/m]; H: resistance [N·m].
         stress_i, stress_j: λ θ of the cells [Pa].
     """
     a, b = turned_by(p, lever_i), turned_by(q, lever_j)
@@ -152,9 +152,9 @@ def facet_force(d, p, q, lever_i, lever_j, share_i, share_j, k, H, stress_i, str
 
 @device
 def facet_energy(d, p, q, lever_i, lever_j, normal, k, H):
-    """Normal, shear, bending and twisting energy of a facet, without dilatation [J].
+    """Return normal, shear, bending and twisting energy of a facet, without dilatation [J].
 
-    The normal is that of the reference, from i to j, turned with both cells and averaged.
+    The normal is that of the reference, from i to j, rotated with both cells and averaged.
     """
     gap = opened(d, turned_by(p, lever_i), turned_by(q, lever_j))
     one, other = turned_by(p, normal), turned_by(q, normal)

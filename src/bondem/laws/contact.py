@@ -2,12 +2,12 @@
 
     F_n = max(kn u + cn u', 0)        |F_t| <= μ F_n,  F_t = ks ξ + cs ξ' while it sticks
 
-with u the overlap and ξ the stretch of the tangential spring, which turns with the pair and slides where
-Coulomb's limit holds it. Stiffness of the linear law follows from an effective modulus, kn = E A / L with
-A = π min(Ri, Rj)² and L = Ri + Rj (at a wall A = π R², L = R), as that of a bond does; that of `HertzMindlin` grows
-with the overlap. Repulsion only. A pair whose bond is broken bears compression as the bond did: from its rest length
-on, with its kn (docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack, Géotechnique 29
-(1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
+with u the overlap and ξ the stretch of the tangential spring, which turns with the pair and slides where Coulomb's
+limit holds it. Stiffness of the linear law follows from an effective modulus, kn = E A / L with A = π min(Ri, Rj)²
+and L = Ri + Rj (at a wall A = π R², L = R), as that of a bond does; that of `HertzMindlin` grows with the overlap.
+Repulsion only. A pair whose bond is broken carries compression as the bond did: from its rest length on, with its kn
+(docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack, Géotechnique 29 (1979) 47–65; Luding,
+Granular Matter 10 (2008) 235–246, for the turning of the spring.
 """
 
 import math
@@ -32,7 +32,7 @@ HERTZIAN_DASHPOT = math.sqrt(5.0 / 6.0)
 
 
 class ContactLaw(ABC):
-    """What elements do to each other, and walls to them, where they touch."""
+    """Forces between elements, and between elements and walls, where they touch."""
 
     friction: float
     stress_free: bool
@@ -41,19 +41,19 @@ class ContactLaw(ABC):
     @property
     @abstractmethod
     def parameters(self) -> Floats:
-        """Modulus [Pa], ks / kn, μ, β and 1 for a Hertzian law or 0, as the kernels take them, (5,)."""
+        """Modulus [Pa], ks / kn, μ, β, and 1 for a Hertzian law or 0, in the kernels' form, (5,)."""
 
     @abstractmethod
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
-        """Bounds of the fastest motions of spheres in contact, for the time step.
+        """Return bounds of the fastest motions of spheres in contact, for the time step.
 
         Args:
-            radius: of the spheres [m], (n,).
-            mass: of the spheres [kg], (n,).
+            radius: radii of the spheres [m], (n,).
+            mass: masses of the spheres [kg], (n,).
             platens: masses of the walls that a force moves [kg], (s,).
 
         Returns:
-            For motion along the normal, and for rolling where there is friction: the angular frequency [rad/s]
+            For motion along the normal, and for rolling if there is friction: the angular frequency [rad/s]
             and the ratio c / k of dashpot to spring [s].
         """
 
@@ -64,22 +64,22 @@ class ContactLaw(ABC):
 
     @abstractmethod
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Duration of the shortest elastic collision of two free spheres, or of one with a wall [s].
+        """Return the duration of the shortest elastic collision of two free spheres, or of one with a wall [s].
 
         Args:
-            radius: of the spheres [m], (n,).
-            mass: of the spheres [kg], (n,).
+            radius: radii of the spheres [m], (n,).
+            mass: masses of the spheres [kg], (n,).
             platens: masses of the walls that a force moves [kg], (s,).
-            walled: whether there are walls.
+            walled: True if there are walls.
         """
 
 
 def rebound(beta: float) -> float:
-    """Restitution e of a collision with the share β of the critical damping, which ends where its force vanishes [-].
+    """Return the restitution e of a collision with the share β of the critical damping [-].
 
-    Of a linear spring and dashpot; and of a Hertzian one, whose overlap to the power 5/4 swings as a linear one does
-    (Antypov and Elliott, EPL 94, 2011). The force vanishes before the overlap does (Schwager and Pöschel, Granular
-    Matter 9, 2007).
+    The collision ends where the force vanishes. The formula holds for a linear spring and dashpot. It also holds for
+    a Hertzian one, whose overlap to the power 5/4 oscillates as a linear one does (Antypov and Elliott, EPL 94,
+    2011). The force vanishes before the overlap does (Schwager and Pöschel, Granular Matter 9, 2007).
     """
     if beta < 1.0:
         omega = math.sqrt(1.0 - beta * beta)
@@ -94,19 +94,19 @@ def rebound(beta: float) -> float:
 def fastest(
     kn: Floats, kappa: float, delay: float, mass: Floats, platens: Floats, *, rough: bool
 ) -> tuple[tuple[float, float], ...]:
-    """What `ContactLaw.stiffest` returns of spheres whose contacts have the stiffness kn.
+    """Return the result of `ContactLaw.stiffest` for spheres whose contacts have the stiffness kn.
 
-    Every contact takes a twelfth of the masses it joins (at most twelve spheres of its size touch another): two
-    such masses against each other, ω² = 2 · 12 kn / m, or rolling on each other, ω² = 7 · 12 ks / m. A
-    platen may have all spheres to bear.
+    Every contact has a twelfth of the masses that it joins, because at most twelve spheres of equal size touch
+    another. Two such masses against each other have ω² = 2 · 12 kn / m, and rolling on each other ω² = 7 · 12 ks / m.
+    A platen may have to carry all spheres.
 
     Args:
-        kn: [N/m], (n,).
+        kn: normal stiffness [N/m], (n,).
         kappa: kn / ks [-].
         delay: largest c / kn [s].
-        mass: [kg], (n,).
+        mass: masses of the spheres [kg], (n,).
         platens: masses of the walls that a force moves [kg], (s,).
-        rough: whether there is friction.
+        rough: True if there is friction.
     """
     light = mass / (1.0 + len(mass) * mass / KISSING / platens.min()) if len(platens) else mass
     along = math.sqrt(float((2.0 * KISSING * kn / light).max())), delay
@@ -117,14 +117,14 @@ def fastest(
 
 
 def slowest_root(pair: Floats, wall: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-    """Least √(m̄ / k) of two equal spheres, and of a sphere at a wall [s].
+    """Return the least √(m̄ / k) of two equal spheres, and of a sphere at a wall [s].
 
     Args:
         pair: stiffness of two spheres of each size [N/m], (n,).
-        wall: that of a sphere of each size and a wall [N/m], (n,).
-        mass: [kg], (n,).
+        wall: stiffness of a sphere of each size and a wall [N/m], (n,).
+        mass: masses of the spheres [kg], (n,).
         platens: masses of the walls that a force moves [kg], (s,).
-        walled: whether there are walls.
+        walled: True if there are walls.
     """
     least = float((0.5 * mass / pair).min())
     if walled:
@@ -135,21 +135,22 @@ def slowest_root(pair: Floats, wall: Floats, mass: Floats, platens: Floats, *, w
 
 @dataclass(frozen=True)
 class LinearContact(ContactLaw):
-    """Linear contact with Coulomb friction between elements that no intact bond joins, and at walls.
+    """Linear contact with Coulomb friction between elements without an intact bond, and at walls.
 
-    With `parallel=True` bonded elements touch too, as any others: the unbonded component of PFC's linear parallel
-    bond model, which acts beside the bond from the start and goes on when that is broken (Potyondy and Cundall 2004).
+    With `parallel=True` bonded elements touch like any others. This is the unbonded component of PFC's linear
+    parallel bond model (Potyondy and Cundall 2004). It acts beside the bond from the start and continues when the
+    bond is broken.
 
     Attributes:
-        E: effective modulus [Pa] of kn = E A / L; a pair whose bond is broken has the kn of that bond.
-        friction: Coulomb's coefficient μ [-]; 0 has no tangential force at all.
+        E: effective modulus [Pa] in kn = E A / L; a pair whose bond is broken has the kn of that bond.
+        friction: Coulomb's coefficient μ [-]; 0 for no tangential force at all.
         kappa: kn / ks [-].
         damping: share β of the critical damping of a pair, in [0, 1) [-]: cn = 2 β √(kn m̄), cs = 2 β √(ks m̄).
-        stress_free: whether overlaps of the reference configuration bear no force, so that a packing is at rest;
-            the gap of a pair is then measured from min(0, reference gap), of a pair whose bond is broken from
-            the rest length of that bond. False measures all gaps from the spheres, with kn of this law.
-        parallel: whether it acts beside intact bonds too, with kn of this law before and after they break; gaps of
-            bonded pairs are then those of any pair. Beams only.
+        stress_free: True if overlaps of the reference configuration carry no force, so that a packing is at rest.
+            Gaps are then measured from min(0, reference gap). The gap of a pair whose bond is broken is measured from
+            the rest length of the bond. False to measure all gaps from the spheres, with kn of this law.
+        parallel: True if the contact also acts beside intact bonds, with kn of this law before and after they break;
+            gaps of bonded pairs are then those of any pair. For beams only.
     """
 
     E: float
@@ -175,31 +176,35 @@ class LinearContact(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """E [Pa], ks / kn, μ, β and 0, as the kernels take them, (5,)."""
+        """E [Pa], ks / kn, μ, β and 0, in the kernels' form, (5,)."""
         return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping, 0.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
-        """See `ContactLaw.stiffest`."""
+        """Return bounds of the fastest motions of spheres in contact; see `ContactLaw.stiffest`."""
         kn = 0.5 * math.pi * self.E * radius
         delay = 2.0 * self.damping * float(np.sqrt(0.5 * mass / kn).max())
         return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
 
     @property
     def deepest(self) -> float:
-        """See `ContactLaw.deepest`."""
+        """Overlap over the smaller radius up to which the law describes a contact [-]."""
         return _DEEPEST
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """See `ContactLaw.shortest`; π √(m / k) at every speed."""
+        """Return the duration of the shortest elastic collision [s]; see `ContactLaw.shortest`.
+
+        It is π √(m / k) at every speed.
+        """
         kn = 0.5 * math.pi * self.E * radius
         return math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)
 
 
 @device
 def pair_spring(law, own, ra, rb, overlap):
-    """Stiffness dF/du of two spheres along the normal [N/m], F over it and u [-], and the share of their dashpot.
+    """Return the normal stiffness dF/du of two spheres [N/m], F over it and u [-], and the share of their dashpot.
 
-    `own` is the stiffness of a pair that has one by itself, else 0. Of one pair or of many, like `contact_force`.
+    `own` is the stiffness of a pair that has its own, else 0. The function takes one pair or many, like
+    `contact_force`.
     """
     if law[HERTZIAN] == 0.0:
         small = picked(rb - ra, ra, rb)
@@ -212,7 +217,7 @@ def pair_spring(law, own, ra, rb, overlap):
 
 @device
 def wall_spring(law, r, overlap):
-    """The same of a sphere at a rigid wall."""
+    """Return the spring of a sphere at a rigid wall, in the form of `pair_spring`."""
     if law[HERTZIAN] == 0.0:
         return law[MODULUS] * math.pi * r, 1.0, law[DASHPOT]
     return 4.0 * law[MODULUS] * math.sqrt(r * overlap), 2.0 / 3.0, HERTZIAN_DASHPOT * law[DASHPOT]
@@ -220,7 +225,7 @@ def wall_spring(law, r, overlap):
 
 @device
 def spring_energy(kn, share, ks, overlap, slip):
-    """Elastic energy of a contact [J], of the square of its stretch [m²]."""
+    """Return the elastic energy of a contact [J], given the square of its stretch [m²]."""
     return 0.5 * (kn * overlap * overlap * share * (1.0 if share == 1.0 else 0.8) + ks * slip)
 
 
@@ -237,8 +242,9 @@ def _tangential(v, n):
 
 @device
 def _turned(s, n, angle):
-    """A tangential vector a step later, as it turns with the pair: about the normal, then into the new plane at its
-    old length.
+    """Return a tangential vector one step later, rotated with the pair.
+
+    It is rotated about the normal, and then into the new plane at its old length.
     """
     x = s[0] + angle * (n[1] * s[2] - n[2] * s[1])
     y = s[1] + angle * (n[2] * s[0] - n[0] * s[2])
@@ -251,24 +257,24 @@ def _turned(s, n, angle):
 
 @device
 def contact_force(spring, friction, overlap, now, last, twist, s, p, dt):
-    """Force on the second body of a contact, and how its memory goes on; of one contact, or of many in lanes.
+    """Return the force on the second body of a contact, and its memory; for one contact, or for many in lanes.
 
-    Where the tangential spring is stiffer than a step ago it keeps its force, where it is softer its stretch: what it
-    stores never grows by that (Thornton, Cummins and Cleary, Powder Technology 233, 2013). What it is given and does
-    not store counts as friction.
+    A tangential spring that is stiffer than a step ago keeps its force, and one that is softer keeps its stretch. Its
+    stored energy therefore never grows by the change (Thornton, Cummins and Cleary, Powder Technology 233, 2013).
+    Work on the spring that it does not store counts as friction.
 
     Args:
         spring: stiffness dF/du [N/m]; force over it and overlap [-]; ks, and ks a step ago [N/m]; dashpots cn, cs
             [N·s/m].
         friction: μ [-].
-        overlap: [m]; 0 where the bodies have just parted.
+        overlap: overlap [m]; 0 if the bodies have just separated.
         now: unit normal from the first body to the second (3), velocity of the second against the first at the
             contact over the step (3) [m/s].
-        last: the same of where the bodies were a step ago.
-        twist: rate at which the pair turns about the normal [rad/s].
+        last: these quantities one step earlier.
+        twist: rate at which the pair rotates about the normal [rad/s].
         s: stretch of the tangential spring [m] a step ago, (3).
         p: force of the dashpots [N] a step ago, (3).
-        dt: the step [s].
+        dt: time step [s].
 
     Returns:
         Force [N] (3), stretch (3), force of the dashpots (3), energy lost to dashpots and to friction over the step

@@ -11,9 +11,9 @@ from bondem.errors import InputError
 
 @dataclass(frozen=True)
 class LocalDamping:
-    """Each component of force and torque is reduced against the motion: F_i - γ |F_i| sign(v_i).
+    """Local damping: each component of force and torque is reduced against the motion, F_i - γ |F_i| sign(v_i).
 
-    It vanishes in equilibrium and where the net force does, and does not depend on the mass; it has no
+    It vanishes in equilibrium and where the net force vanishes, and does not depend on the mass; it has no
     counterpart in a real material. A free oscillation loses the factor √((1 - γ) / (1 + γ)) of its amplitude every
     half period. Reference: Chen et al. (2022) eqs (11), (12), whose printed F U/U is F.
 
@@ -29,10 +29,10 @@ class LocalDamping:
 
 @dataclass(frozen=True)
 class MassDamping:
-    """Every element is slowed in proportion to its motion: -α m v, -α I ω (Rayleigh's α).
+    """Mass damping: every element is slowed in proportion to its motion, -α m v, -α I ω (Rayleigh's α).
 
-    All modes decay as exp(-α t / 2), slow ones within fewer periods, and rigid motion decays as exp(-α t): momentum
-    is not conserved. It does not lower the time step.
+    All modes decay as exp(-α t / 2), slow modes within fewer periods. Rigid motion decays as exp(-α t): momentum is
+    not conserved. The damping does not lower the time step.
 
     Attributes:
         alpha: α [1/s].
@@ -46,13 +46,15 @@ class MassDamping:
 
 @dataclass(frozen=True)
 class BondDamping:
-    """A dashpot beside each spring of a bond, against the relative motion of its ends at the contact point.
+    """Bond damping: dashpots beside the springs of a bond, against the relative motion of its ends.
 
         c = 2 η √(k m̄) + β k for k = kn, ks,    c = 2 η √(k Ī) + β k for k = kb, kt
 
-    with m̄ = mi mj / (mi + mj), Ī likewise. It conserves momentum and angular momentum and leaves rigid motion alone.
-    η is the share of the critical damping of a pair; β damps a mode of frequency ω by the share β ω / 2 (Rayleigh's
-    β). Both lower the critical time step. Reference: Chen et al. (2022) eqs (9), (10), each component with its own k.
+    with m̄ = mi mj / (mi + mj), Ī likewise. The motion is that at the contact point. The damping conserves momentum
+    and angular momentum and does not affect rigid motion. η is the share of the critical damping of a pair; β damps a
+    mode of frequency ω by the share β ω / 2 (Rayleigh's β). Both lower the critical time step.
+
+    Reference: Chen et al. (2022) eqs (9), (10), each component with its own k.
 
     Attributes:
         eta: η [-].
@@ -75,9 +77,9 @@ class DampingTerms:
     """The coefficients of all damping of a run.
 
     Attributes:
-        gamma: of local damping [-].
-        alpha: of mass damping [1/s].
-        eta, beta: of bond damping [-, s].
+        gamma: coefficient of local damping [-].
+        alpha: coefficient of mass damping [1/s].
+        eta, beta: coefficients of bond damping [-, s].
     """
 
     gamma: float = 0.0
@@ -87,10 +89,10 @@ class DampingTerms:
 
     @classmethod
     def of(cls, damping: Any) -> "DampingTerms":
-        """The terms of one kind of damping, of several in a sequence, or of None.
+        """Return the terms of one kind of damping, of several in a sequence, or of None.
 
         Raises:
-            InputError: something else than damping, or one kind given twice.
+            InputError: A value is not damping, or one kind is given twice.
         """
         kinds = () if damping is None else damping if isinstance(damping, tuple | list) else (damping,)
         values: dict[str, float] = {}
@@ -109,27 +111,27 @@ class DampingTerms:
 
 @device
 def direction(velocity):
-    """-1, 0 or 1, as one component of velocity is below, at or above zero."""
+    """Return -1, 0 or 1, the sign of one component of velocity."""
     return 1.0 if velocity > 0.0 else (-1.0 if velocity < 0.0 else 0.0)
 
 
 @device
 def local_damping(force, direction, gamma):
-    """One component of force [N] or torque [N·m], damped against the `direction` of motion, -1, 0 or 1."""
+    """Return one component of force [N] or torque [N·m], damped against the `direction` of motion, -1, 0 or 1."""
     return force - gamma * direction * math.fabs(force)
 
 
 @device
 def dashpot_force(dx, dy, dz, vx, vy, vz, px, py, pz, qx, qy, qz, share, cn, cs, cb, ct):
-    """Force on j and torques on i and j [N, N·m] of the dashpots of one bond; the force on i is the opposite.
+    """Return force on j and torques on i and j [N, N·m] of the dashpots of one bond; the force on i is the opposite.
 
     Args:
         dx, dy, dz: centre j minus centre i [m].
         vx, vy, vz: velocity of j minus that of i [m/s].
         px, py, pz: angular velocity of i; qx … of j [rad/s].
-        share: where the contact point divides the distance, from i [-]: levers that add up to the present length, so
-            that there is no net moment, and none of it in rigid motion.
-        cn, cs, cb, ct: dashpots [N·s/m, N·m·s].
+        share: position of the contact point along the distance, from i [-]. Levers add up to the present length, so
+            that there is no net moment, and none in rigid motion.
+        cn, cs, cb, ct: dashpot coefficients [N·s/m, N·m·s].
     """
     l = math.sqrt(dx * dx + dy * dy + dz * dz)
     inverse = 1.0 / l

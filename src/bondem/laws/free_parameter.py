@@ -1,18 +1,18 @@
-"""The parameter of a bond law that sets Poisson's ratio: how it is written, and which values are looked at."""
+"""The parameter of a bond law that controls Poisson's ratio: its notation and its usual values."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, kw_only=True)
 class FreeParameter:
-    """The one dimensionless parameter of a law that calibration varies, because ν depends on it most.
+    """The dimensionless parameter of a law that calibration varies, because ν depends on it most.
 
     Attributes:
         name: keyword of the law.
-        meaning: in words.
-        symbol: plain text; what follows an underscore is a subscript.
-        tex: the same for figures.
-        search: between which values calibration looks for it [-].
+        meaning: meaning in words.
+        symbol: symbol as plain text; text after an underscore is a subscript.
+        tex: symbol for figures.
+        search: range in which calibration searches [-].
         curve: values of the calibration curve of the law, ascending [-]; empty for a law without one.
         fitted: values at which the surface correction is fitted to the law [-].
         held_out: values at which the correction is tested on the law, at r̃ = 0.7 [-].
@@ -29,17 +29,17 @@ class FreeParameter:
 
     @property
     def is_radius(self) -> bool:
-        """Whether it is the radius of the bonds that varies."""
+        """True if the free parameter is the radius of the bonds."""
         return self.name == RADIUS_RATIO.name
 
     @property
     def label(self) -> str:
-        """For the axis of a figure."""
+        """Label for the axis of a figure."""
         return f"{self.meaning} {self.tex} [-]"
 
     @property
     def scale(self) -> str:
-        """Of such an axis: "log" where the search spans more than a decade, else "linear"."""
+        """Scale of such an axis: "log" if the search spans more than a decade, else "linear"."""
         return "log" if self.search[1] > 10.0 * self.search[0] else "linear"
 
 

@@ -20,26 +20,27 @@ _DEEPEST = 0.1
 
 @dataclass(frozen=True)
 class HertzMindlin(ContactLaw):
-    """Elastic spheres of one material that touch at a point: elements that no intact bond joins, and walls.
+    """Point contact of elastic spheres of one material, for elements without an intact bond and for walls.
 
         F_n = 4/3 E* √R* u^(3/2) + cn u',    ks = 8 G* √(R* u)    (stick; |F_t| <= μ F_n)
 
-    with E* = E / 2(1 − ν²), G* = G / 2(2 − ν), R* = Ri Rj / (Ri + Rj); a wall is rigid: twice E* and G*, R* = R.
-    The dashpots are cn = 2 √(5/6) β √(m̄ kn), kn = 2 E* √(R* u), and so for ks: the restitution is what is asked for,
-    at all speeds, with contacts that push only. The tangential spring keeps its force while the overlap grows, and
-    its stretch while it shrinks.
+    with E* = E / 2(1 − ν²), G* = G / 2(2 − ν), R* = Ri Rj / (Ri + Rj). A wall is rigid: E* and G* are doubled, R* =
+    R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), kn = 2 E* √(R* u), and so for ks. They give the requested
+    restitution at all speeds, with contacts that only repel. The tangential spring keeps its force while the overlap
+    grows, and its stretch while it shrinks.
 
-    A pair whose bond is broken bears as a linear spring with the kn of that bond and the same ks / kn, as crack faces
-    meet all over (unless `stress_free` is False). References: Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953);
-    Tsuji, Tanaka and Ishida, Powder Technology 71 (1992) 239–250; Antypov and Elliott, EPL 94 (2011) 50004.
+    A pair whose bond is broken acts as a linear spring with the kn of that bond and the same ks / kn. The reason is
+    that crack faces meet over their whole area. With `stress_free=False` such a pair is like any other. References:
+    Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953); Tsuji, Tanaka and Ishida, Powder Technology 71 (1992) 239–250;
+    Antypov and Elliott, EPL 94 (2011) 50004.
 
     Attributes:
         E: Young's modulus of the spheres [Pa].
         nu: Poisson's ratio of the spheres [-].
-        friction: Coulomb's coefficient μ [-]; 0 has no tangential force at all.
+        friction: Coulomb's coefficient μ [-]; 0 for no tangential force at all.
         restitution: speed after over speed before a collision along the normal, in [0.01, 1] [-].
-        overlap: deepest overlap over the radius that the time step is made for [-]: stiffness grows as its root.
-        stress_free: as `LinearContact` has it.
+        overlap: deepest overlap over the radius for which the time step is computed [-]; stiffness grows as its root.
+        stress_free: see `LinearContact`.
     """
 
     E: float
@@ -61,12 +62,12 @@ class HertzMindlin(ContactLaw):
 
     @property
     def modulus(self) -> float:
-        """E* of two spheres [Pa]."""
+        """Effective modulus E* of two spheres [Pa]."""
         return self.E / (2.0 * (1.0 - self.nu**2))
 
     @property
     def kappa(self) -> float:
-        """kn / ks, of dF/du at any overlap: (2 − ν) / 2(1 − ν) [-]."""
+        """Ratio kn / ks of the stiffnesses dF/du at any overlap, (2 − ν) / 2(1 − ν) [-]."""
         return (2.0 - self.nu) / (2.0 * (1.0 - self.nu))
 
     @cached_property
@@ -83,21 +84,27 @@ class HertzMindlin(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """E* of two spheres [Pa], ks / kn, μ, β and 1, as the kernels take them, (5,)."""
+        """E* of two spheres [Pa], ks / kn, μ, β and 1, in the kernels' form, (5,)."""
         return np.array([self.modulus, 1.0 / self.kappa, self.friction, self.damping, 1.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
-        """See `ContactLaw.stiffest`; at the deepest overlap."""
+        """Return bounds of the fastest motions of spheres at the deepest overlap; see `ContactLaw.stiffest`."""
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         delay = 2.0 * HERTZIAN_DASHPOT * self.damping * float(np.sqrt(0.5 * mass / kn).max())
         return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
 
     @property
     def deepest(self) -> float:
-        """See `ContactLaw.deepest`: a tenth, or `overlap` where more is asked for."""
+        """Overlap over the smaller radius up to which the law describes a contact [-].
+
+        It is 0.1, or `overlap` if that is larger.
+        """
         return max(_DEEPEST, self.overlap)
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """See `ContactLaw.shortest`; at the deepest overlap."""
+        """Return the duration of the shortest elastic collision, at the deepest overlap [s].
+
+        See `ContactLaw.shortest`.
+        """
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         return _DURATION * slowest_root(kn, 2.0 * math.sqrt(2.0) * kn, mass, platens, walled=walled)

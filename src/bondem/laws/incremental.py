@@ -21,14 +21,14 @@ from bondem._compile import device
 
 @device
 def axis(dx, dy, dz):
-    """Unit vector and length [m] of a branch vector."""
+    """Return unit vector and length [m] of a branch vector."""
     l = math.sqrt(dx * dx + dy * dy + dz * dz)
     return dx / l, dy / l, dz / l, l
 
 
 @device
 def spin(nx, ny, nz, l, vx, vy, vz, sx, sy, sz):
-    """Angular velocity Ω of a bond [rad/s] from the velocity of j against i and the sum of both spins."""
+    """Return the angular velocity Ω of a bond [rad/s] from the velocity of j against i and the sum of both spins."""
     along = 0.5 * (sx * nx + sy * ny + sz * nz)
     return (
         (ny * vz - nz * vy) / l + along * nx,
@@ -39,14 +39,14 @@ def spin(nx, ny, nz, l, vx, vy, vz, sx, sy, sz):
 
 @device
 def levers(l, rest, lever):
-    """Distances of the contact point from both centres [m]: what a bond gains in length goes to both halves."""
+    """Return distances of the contact point from both centres [m]; both halves share a gain in length."""
     near = lever + 0.5 * (l - rest)
     return near, l - near
 
 
 @device
 def turned_and_loaded(x, y, z, ox, oy, oz, rx, ry, rz, nx, ny, nz, along, across, dt):
-    """A stored vector after a step: half of the rate r with its two stiffnesses, the turn by Ω dt, the other half."""
+    """Return a stored vector after a step: half of the rate r with its two stiffnesses, rotation, other half."""
     h = 0.5 * dt
     normal = (along - across) * (rx * nx + ry * ny + rz * nz)
     gx, gy, gz = h * (normal * nx + across * rx), h * (normal * ny + across * ry), h * (normal * nz + across * rz)

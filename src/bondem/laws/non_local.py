@@ -7,7 +7,7 @@ before. With kn = A E / L and kt = A G / L, tension positive,
     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻,      t = A (σ n - (n·σ n) n)
 
-where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t goes on by kt (δ_t - δ_t⁻) from A τ. What
+where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ. What
 kt δ_t lacks is the other half of the engineering shear strain. The stress of an element of volume V is the symmetric
 part of
 
@@ -24,11 +24,11 @@ from typing import ClassVar
 from bondem._checks import choice, instance, number
 from bondem._compile import device
 
-#: Where the force of a bond acts, and l in eq (1): the centroid of the facet, or the line of centres.
+#: Points of action of the force of a bond, and of l in eq (1): the centroid of the facet, or the line of centres.
 LEVERS = ("facet", "contact")
-#: What A is: of the facets of a body, or the authors' own weights on a lattice of spheres.
+#: Definitions of A: areas of the facets of a body, or the authors' own weights on a lattice of spheres.
 AREAS = ("facet", "weighted")
-#: What V is in eq (1): of the cell, or of the sphere, as printed.
+#: Definitions of V in eq (1): volume of the cell, or of the sphere, as printed.
 VOLUMES = ("cell", "sphere")
 # What keeps 0 / 0 away and changes no other number [N²].
 _NOTHING = 1e-200
@@ -40,24 +40,24 @@ class NonLocal:
 
         kn = E A / L    kt = G A / L    F = kn δ_n n + kt δ_t + e(σ, δ_t of the step before)
 
-    The law has no potential: what its extra force e does is an entry of its own in the energy ledger, and there is
-    no symmetric stiffness and no mode. Stress lags one step or one iteration behind. There are no moments but those
-    of forces. See the module for e, and for how stresses are found.
+    The law has no potential. The work of its extra force e is therefore a separate entry of the energy ledger, and
+    there is no symmetric stiffness and no mode. Stress lags one step or one iteration behind. The only moments are
+    those of forces. The module describes e and the computation of stresses.
 
     Attributes:
         E: Young's modulus of the material [Pa].
-        nu: Poisson's ratio of the material [-], from 0 on.
-        lever: "facet" (the centroid of the facet: a uniform strain has its exact stress in every cell) or "contact"
-            (the line of centres, as printed). A lattice of spheres has the line of centres alone.
+        nu: Poisson's ratio of the material [-], at least 0.
+        lever: point of action. "facet" is the centroid of the facet, where a uniform strain has its exact stress in
+            every cell. "contact" is the line of centres, as printed; a lattice of spheres has no other.
         areas: "facet" (needs a body from `bd.connect(..., method="laguerre")`) or "weighted" (a lattice of spheres,
             see `bondem.model.contact_areas`).
-        volume: V of eq (1): "cell", or "sphere" as printed, by which stresses are too large and feed on themselves.
-        limited: whether the extra shear force is limited.
+        volume: V of eq (1): "cell", or "sphere" as printed, which gives too large stresses that amplify themselves.
+        limited: True to limit the extra shear force.
 
     Reference: Celigueta, Latorre, Arrufat and Oñate, non-local bonded DEM with fracture (2020), eqs (1) to (6).
 
     Raises:
-        InputError: a value outside its range.
+        InputError: A value is outside its range.
     """
 
     title: ClassVar[str] = "non-local law"
@@ -86,7 +86,7 @@ class NonLocal:
 
 @device
 def extra_force(s, n, area, nu, slip, limited):
-    """The extra force e of a bond [N].
+    """Return the extra force e of a bond [N].
 
     Args:
         s: mean stress of its elements, xx, yy, zz, xy, xz, yz [Pa].
@@ -94,7 +94,7 @@ def extra_force(s, n, area, nu, slip, limited):
         area: A [m²].
         nu: ν [-].
         slip: kt δ_t of the step before [N].
-        limited: whether the shear part is limited.
+        limited: True if the shear part is limited.
     """
     tx = s[0] * n[0] + s[3] * n[1] + s[4] * n[2]
     ty = s[3] * n[0] + s[1] * n[1] + s[5] * n[2]

@@ -14,11 +14,11 @@ class Obermayr(BondLaw):
 
         kn = E A / L    ks = α_s G A / L    kb = E I / L    kt = G J / L    contact point at L/2
 
+    It is not nodally exact: the bending part of the shear flexibility is missing and reappears with refinement.
+    Tension is positive. Reference: Chen et al. (2022) §4.3.
+
     Attributes:
         alpha_s: shear correction factor α_s [-]; 9/10 is the stubby limit of Timoshenko.
-
-    Not nodally exact: the bending part of the shear flexibility is missing and returns with refinement.
-    Tension positive. Reference: Chen et al. (2022) §4.3.
     """
 
     title: ClassVar[str] = "Obermayr"

@@ -10,15 +10,15 @@ from bondem.laws.free_parameter import FreeParameter
 
 @dataclass(frozen=True, kw_only=True)
 class ParallelBond(BondLaw):
-    """Springs spread over a disc at the contact point between the two surfaces.
+    """Springs distributed over a disc at the contact point between the two surfaces.
 
         kn = E A / L    ks = kn / κ    kb = kn r² / 4    kt = ks r² / 2    contact point at (L + Ri - Rj) / 2
 
-    Attributes:
-        kappa: normal to shear stiffness ratio κ [-]; 2 (1 + ν) unless given.
-
-    Converges to a beam only as bonds become short against their radius. Tension positive. Reference:
+    The law converges to a beam only as bonds become short compared with their radius. Tension is positive. Reference:
     Chen et al. (2022) Tables 1 and 9, eqs (2) and (8).
+
+    Attributes:
+        kappa: normal to shear stiffness ratio κ [-]; 2 (1 + ν) by default.
     """
 
     title: ClassVar[str] = "parallel"

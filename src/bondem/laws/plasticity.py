@@ -1,19 +1,20 @@
-"""Cells that yield on their mean stress: cohesion that falls with slip, friction that stays.
+"""Cells that yield on their mean stress: cohesion that falls with slip, constant friction.
 
 Mohr–Coulomb:
 
     F = (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ - r c cos φ,     r = 1 - Σ Δγ V^(1/3) c / 2 G_II, at least 0
-    Δγ = F / 2 G, half of it a step,     Δε = ½ Δγ [(1 + sin ψ) e1⊗e1 - (1 - sin ψ) e3⊗e3]
+    Δγ = F / 2 G, half of it per step,     Δε = ½ Δγ [(1 + sin ψ) e1⊗e1 - (1 - sin ψ) e3⊗e3]
 
-Drucker–Prager, where the mean stress presses, and with k in place of c in r:
+Drucker–Prager, for compressive mean stress, and with k in place of c in r:
 
     F = √J2 + α I1 - r k,     Δε = Δγ [s / 2√J2 + β 1],     s the deviator
-    Δγ = F / (G + 9 K α β), half of it a step
+    Δγ = F / (G + 9 K α β), half of it per step
 
 so that in pure shear τ both dissipate τ Δγ.
 
-Stresses and strains: xx, yy, zz, xy, xz, yz; tension positive. The plastic strain is an eigenstrain of the cell: its
-levers are P b, P ← (1 + Δε) P, so that what it dissipates is V σ:Δε exactly, at large strain too.
+Stresses and strains have the components xx, yy, zz, xy, xz, yz; tension is positive. The plastic strain is an
+eigenstrain of the cell: its levers are P b, P ← (1 + Δε) P. The dissipation is therefore V σ:Δε exactly, also at
+large strain.
 """
 
 import math
@@ -28,7 +29,7 @@ _ROOT_THIRD = math.sqrt(_THIRD)
 
 @device
 def invariants(s):
-    """Mean stress, and the square root of the second invariant of the deviator."""
+    """Return the mean stress, and the square root of the second invariant of the deviator."""
     p = _THIRD * (s[0] + s[1] + s[2])
     a, b, c = s[0] - p, s[1] - p, s[2] - p
     return p, math.sqrt(0.5 * (a * a + b * b + c * c) + s[3] * s[3] + s[4] * s[4] + s[5] * s[5])
@@ -36,13 +37,13 @@ def invariants(s):
 
 @device
 def largest_at_most(p, q):
-    """Bound on the largest principal stress, from `invariants`: its value in uniaxial tension."""
+    """Return a bound on the largest principal stress, from `invariants`: its value in uniaxial tension."""
     return p + 2.0 * math.sqrt(_THIRD) * q
 
 
 @device
 def largest_pressure(s):
-    """-σ3 of a stress, at least 0."""
+    """Return -σ3 of a stress, at least 0."""
     p, q = invariants(s)
     cube = q * q * q
     if cube == 0.0:
@@ -55,7 +56,7 @@ def largest_pressure(s):
 
 @device
 def rotated(a, v, p, q):
-    """One Jacobi rotation of a symmetric matrix (6 entries by their place) and of its vectors, that clears (p, q)."""
+    """Apply one Jacobi rotation, which clears (p, q), to a symmetric matrix (6 entries by place) and its vectors."""
     apq = a[p, q]
     if apq == 0.0:
         return
@@ -77,7 +78,9 @@ def rotated(a, v, p, q):
 
 @device
 def principal(s, a, v):
-    """Principal stresses (σ1 ≥ σ2 ≥ σ3) of s, and in the columns of v where they point; a and v are (3, 3) to use.
+    """Compute principal stresses (σ1 ≥ σ2 ≥ σ3) of s, and their directions in the columns of v.
+
+    Both a and v are work arrays (3, 3).
 
     Returns:
         (σ1, σ3, column of e1, column of e3).
@@ -104,13 +107,13 @@ def principal(s, a, v):
 
 @device
 def yield_bound(p, q, sine, strength):
-    """Bound on F, from `invariants`; `strength` is r c cos φ."""
+    """Return a bound on F, from `invariants`; `strength` is r c cos φ."""
     return q + sine * (p + _ROOT_THIRD * q) - strength
 
 
 @device
 def flow(high, low, sine, strength, G):
-    """Δγ of a step, 0 where a cell does not yield."""
+    """Return Δγ of a step, 0 if the cell does not yield."""
     F = 0.5 * (high - low) + 0.5 * (high + low) * sine - strength
     # slip takes no more than the shear there is: cohesionless cells under tension do not flow
     return _SHARE * max(min(F, high - low), 0.0) / (2.0 * G)
@@ -118,10 +121,10 @@ def flow(high, low, sine, strength, G):
 
 @device
 def cone_flow(p, q, slope, strength, stiffness):
-    """Δγ of a step on Drucker–Prager's cone, from `invariants`; 0 where a cell does not yield.
+    """Return Δγ of a step on Drucker–Prager's cone, from `invariants`; 0 if the cell does not yield.
 
-    `stiffness` is G + 9 K α β: by how much F falls with Δγ in a cell that cannot give way. Under tension facets crack
-    on this surface, and cells do not flow.
+    `stiffness` is G + 9 K α β, the decrease of F per Δγ in a constrained cell. Under tension facets crack on this
+    surface, and cells do not flow.
     """
     if p > 0.0:
         return 0.0
@@ -131,7 +134,7 @@ def cone_flow(p, q, slope, strength, stiffness):
 
 @device
 def below(s, limit):
-    """Whether all principal stresses are below a limit: whether limit - s is positive definite."""
+    """Return True if all principal stresses are below a limit, that is, if limit - s is positive definite."""
     a, b, c = limit - s[0], limit - s[1], limit - s[2]
     if not (a > 0.0 and a * b - s[3] * s[3] > 0.0):
         return False

@@ -7,7 +7,7 @@ from bondem._compile import device
 
 @device
 def rotate(w, x, y, z, a, b, c):
-    """Vector (a, b, c) turned by the unit quaternion (w, x, y, z)."""
+    """Return the vector (a, b, c) rotated by the unit quaternion (w, x, y, z)."""
     # v + 2 u × (u × v + w v)
     tx = 2.0 * (y * c - z * b)
     ty = 2.0 * (z * a - x * c)
@@ -21,13 +21,13 @@ SMALL = 1e-5
 
 @device
 def short_series(h2):
-    """cos(h) and sin(h)/h of a half angle from its square, below SMALL."""
+    """Return cos(h) and sin(h)/h of a half angle from its square, below SMALL."""
     return 1.0 + h2 * (-1 / 2 + h2 * (1 / 24 - h2 / 720)), 1.0 + h2 * (-1 / 6 + h2 * (1 / 120 - h2 / 5040))
 
 
 @device
 def half_angle(h2):
-    """cos(h) and sin(h)/h of the half angle from its square; the series are exact to rounding below 0.2 rad."""
+    """Return cos(h) and sin(h)/h of the half angle from its square, by series exact to rounding below 0.2 rad."""
     if h2 < SMALL:
         return short_series(h2)
     if h2 < 0.04:
@@ -40,9 +40,9 @@ def half_angle(h2):
 
 @device
 def turned(w, x, y, z, a, b, c, cosine, sinc):
-    """The quaternion (w, x, y, z) turned further by the rotation vector (a, b, c) of a known half angle.
+    """Return the quaternion (w, x, y, z) rotated further by the rotation vector (a, b, c) of a known half angle.
 
-    One Newton step towards unit length is enough: the exponential map itself leaves it to rounding.
+    One Newton step towards unit length is sufficient, because the exponential map itself keeps it to rounding.
     """
     p, q, r = 0.5 * sinc * a, 0.5 * sinc * b, 0.5 * sinc * c
     nw = cosine * w - p * x - q * y - r * z
@@ -55,6 +55,6 @@ def turned(w, x, y, z, a, b, c, cosine, sinc):
 
 @device
 def turn(w, x, y, z, a, b, c):
-    """The quaternion (w, x, y, z) turned further by the rotation vector (a, b, c), and normalised."""
+    """Return the quaternion (w, x, y, z) rotated further by the rotation vector (a, b, c), and normalised."""
     cosine, sinc = half_angle(0.25 * (a * a + b * b + c * c))
     return turned(w, x, y, z, a, b, c, cosine, sinc)

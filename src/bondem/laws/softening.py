@@ -8,8 +8,8 @@ g_p = R_p (A w M⁻¹n)_p and F⁺ = F less its part along the normal n where th
     f = Σ_p w_p [s F_p + (1 - s) min(F_p·n, 0) n] + q
     -∂U/∂s = Σ_p w_p |F⁺_p|² / 2 k + bending - friction spring ≥ 0
 
-so that a closed crack bears pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction on
-what is broken, cut at μ times the pressure on it; an open crack forgets it (Alfano and Sacco 2006).
+so that a closed crack carries pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction
+on what is broken, cut at μ times the pressure on it; an open crack forgets it (Alfano and Sacco 2006).
 
 Bending opens one edge of a facet more than the other. T_b = √(2 k U_b) / A is the rms of the tractions by which its
 points differ, U_b the energy of bending of the whole facet, and what of it opens the facet is
@@ -17,9 +17,9 @@ points differ, U_b the energy of bending of the whole facet, and what of it open
     b = max(T_b - p, 0),     p = max(-σ3, 0) of the mean stress of both cells.
 
 A facet of the material is put on the list of cracks where its traction, with b along n added, reaches the criterion.
-From then on its integrity is a function of what it bears now, and nothing of the path is remembered but the least
-integrity so far. With t = F / A the traction that it would have if it were whole, and e_1, e_2, e_3 the present
-principal directions of the mean stress of its cells, the facet is judged along each of them:
+From then on its integrity is a function of its present loads. Of the path only the least integrity so far is stored.
+With t = F / A the traction that it would have if it were whole, and e_1, e_2, e_3 the present principal directions of
+the mean stress of its cells, the facet is judged along each of them:
 
     T_a² = p_a² + b_a²,     b_a = b |n·e_a| / max_d |n·e_d|
     strength r f_t c_a,     c_a = max(|n·e_a|, 0.2),     r = T_a / (p_a + b_a)
@@ -60,32 +60,32 @@ SNAP = 1.05
 
 @device
 def plus(a, s, b):
-    """a + s b."""
+    """Return a + s b."""
     return a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]
 
 
 @device
 def whole_force(k, part, gap, share, stress):
-    """F of a half as if it were whole [N]: k δ + σ g / w, with `part` w its part of the compliance."""
+    """Return F of a half as if it were whole [N]: k δ + σ g / w, with `part` w its part of the compliance."""
     return plus((k * gap[0], k * gap[1], k * gap[2]), stress / part, share)
 
 
 @device
 def opening_force(force, normal):
-    """F⁺: what of F opens or shears a crack; and how much of it presses on the crack, at most 0 [N]."""
+    """Return F⁺, the part of F that opens or shears a crack, and its compressive part on the crack, at most 0 [N]."""
     along = min(scalar(force, normal), 0.0)
     return plus(force, -along, normal), along
 
 
 @device
 def softened(s, traction, onset, last, kink, steep):
-    """Integrity of a facet under a traction T [Pa], at most s.
+    """Return the integrity of a facet under a traction T [Pa], at most s.
 
     Args:
         onset: t₀ [Pa].
-        last: k u / A at the opening where nothing is left [Pa]; above `onset`, or 0 where it breaks at once.
+        last: k u / A at the last opening [Pa]; above `onset`, or 0 for a brittle facet.
         kink: κ, 0 for a straight line.
-        steep: where the first line would reach nothing, over `last`; 1 for a straight line.
+        steep: T where the first line would reach zero, over `last`; 1 for a straight line.
     """
     if traction <= onset:
         return s
@@ -101,7 +101,7 @@ def softened(s, traction, onset, last, kink, steep):
 
 @device
 def softens_at(s, onset, last, kink, steep):
-    """Least traction T [Pa] at which the integrity of a facet falls below s, as of `softened`."""
+    """Return the least traction T [Pa] at which the integrity of a facet falls below s, as of `softened`."""
     if last == 0.0:
         return onset if s == 1.0 else 0.0
     first = onset / (steep * last)
@@ -114,7 +114,7 @@ def softens_at(s, onset, last, kink, steep):
 
 @device
 def pulled_along(t, e, slope, stress):
-    """p_a of a traction t [Pa] along e, where the principal stress is `stress` and n·e is `slope`."""
+    """Return p_a of a traction t [Pa] along e, where the principal stress is `stress` and n·e is `slope`."""
     pull = scalar(t, e)
     if stress > 0.0:
         return abs(pull)
@@ -123,7 +123,10 @@ def pulled_along(t, e, slope, stress):
 
 @device
 def left_along(s, t, e, n, bent, stress, strength, last, kink, steep):
-    """Integrity of a facet of traction t and normal n by what opens along e; `bent` is b over the largest |n·e_d|."""
+    """Return the integrity of a facet of traction t and normal n by its opening along e.
+
+    `bent` is b over the largest |n·e_d|.
+    """
     slope = scalar(n, e)
     pull = pulled_along(t, e, slope, stress)
     bent *= abs(slope)
@@ -137,16 +140,16 @@ def left_along(s, t, e, n, bent, stress, strength, last, kink, steep):
 
 @device
 def left_in_bulk(s, t, n, bent, a, v, strength, last, kink, steep):
-    """Integrity of a facet of the material, at most s.
+    """Return the integrity of a facet of the material, at most s.
 
     Args:
         t: traction that it would have if it were whole [Pa].
-        n: its normal.
+        n: normal of the facet.
         bent: b [Pa].
         a: mean stress of its cells in its principal directions, of which the diagonal is read [Pa], (3, 3).
         v: these directions, in columns, (3, 3).
         strength: f_t [Pa].
-        last, kink, steep: of `softened`.
+        last, kink, steep: parameters of `softened`.
     """
     most = 0.0
     for d in range(3):
@@ -164,16 +167,16 @@ def left_in_bulk(s, t, n, bent, a, v, strength, last, kink, steep):
 
 @device
 def left_on_plane(s, t, n, bent, strength, last, cohesion, last_slip, friction, kink, steep):
-    """Integrity of a facet of a material plane, at most s.
+    """Return the integrity of a facet of a material plane, at most s.
 
     Args:
         t: traction that it would have if it were whole [Pa].
-        n: its normal.
-        bent: T_b [Pa]; what of it pressure on the facet does not close opens it.
-        strength: in tension [Pa].
-        last, kink, steep: of `softened`, in tension.
-        cohesion: c [Pa], inf of a plane that does not slip.
-        last_slip: k u / A of the slip that leaves no cohesion [Pa], inf where it stays.
+        n: normal of the facet.
+        bent: T_b [Pa]; the part of it that pressure on the facet does not close opens the facet.
+        strength: strength in tension [Pa].
+        last, kink, steep: parameters of `softened`, in tension.
+        cohesion: c [Pa], inf for a plane that does not slip.
+        last_slip: k u / A of the slip that exhausts the cohesion [Pa], inf for a constant cohesion.
         friction: tan φ.
     """
     across = scalar(t, n)
@@ -193,10 +196,10 @@ def left_on_plane(s, t, n, bent, strength, last, cohesion, last_slip, friction, 
 
 @device
 def rubbed(k, s, gap, normal, slip, limit):
-    """Friction q on the broken part of a facet [N], and the slip that belongs to it [m].
+    """Return the friction q on the broken part of a facet [N], and the corresponding slip [m].
 
     Args:
-        slip: so far [m], in space.
+        slip: previous slip [m], in space.
         limit: μ times the pressure on that part [N].
     """
     across = plus(gap, -scalar(gap, normal), normal)
@@ -214,9 +217,9 @@ def rubbed(k, s, gap, normal, slip, limit):
 
 @device
 def crack_couple(gap, force, one, other):
-    """Torque of the turning normal on both cells together [N·m].
+    """Return the torque of the rotating normal on both cells together [N·m].
 
-    δ × f less the couples of both halves: what is left for angular momentum to be conserved.
+    It is δ × f less the couples of both halves, as the conservation of angular momentum requires.
     """
     c = cross(gap, force)
     return c[0] - one[0] - other[0], c[1] - one[1] - other[1], c[2] - one[2] - other[2]

@@ -14,7 +14,8 @@ class Timoshenko(BondLaw):
         kn = E A / L    ks = 12 E I / (L³ (1 + Φ))    kb = E I / L    kt = G J / L    contact point at L/2
         Φ = 12 E I f_s / (G A L²) = 20 r² (1 + ν) / (3 L²)
 
-    Nodally exact for loads at the elements. Tension positive. Reference: Chen et al. (2022) eqs (21), (22), (25).
+    It is nodally exact for loads at the elements. Tension is positive. Reference: Chen et al. (2022) eqs (21), (22),
+    (25).
     """
 
     title: ClassVar[str] = "Timoshenko"

@@ -1,1 +1,1 @@
-"""What is simulated: a lattice with bonds, masses and boundary conditions, and its state."""
+"""The model: a lattice with bonds, masses and boundary conditions, and its state."""

@@ -1,4 +1,4 @@
-"""Which law holds which bond: one for all, or laws by region."""
+"""Assignment of laws to bonds: one law for all, or laws by region."""
 
 from collections.abc import Mapping
 
@@ -14,31 +14,31 @@ BondAssignment = BondLaw | Mapping[Region | tuple[Region, Region], BondLaw]
 
 
 def bond_geometry(lattice: Lattice) -> BondGeometry:
-    """What laws may know of the bonds of a lattice, user's order."""
+    """Return the geometry of the bonds of a lattice that laws depend on, user's order."""
     i, j = lattice.pairs.T
     r = lattice.particles.radius
     return BondGeometry(lattice.length, r[i], r[j], lattice.particles.mean_radius)
 
 
 def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondStiffness, str]:
-    """Stiffnesses of all bonds in the user's order, and the formulation.
+    """Return the stiffnesses of all bonds in the user's order, and the formulation.
 
-    With a mapping, the bonds within a region follow its law and those between two regions that of the pair;
-    later entries overrule earlier ones.
+    With a mapping, the bonds within a region follow its law, and bonds between two regions follow the law of the
+    pair. Later entries override earlier ones.
 
     Raises:
-        InputError: a bond no entry covers, or laws of different formulations.
+        InputError: A bond is covered by no entry, or the laws have different formulations.
     """
     if bond is None:
         if len(lattice.pairs):
-            raise InputError("the lattice has bonds: give bond= a bond law, or a lattice without bonds")
+            raise InputError("bond = None: the lattice has bonds; give a bond law, or a lattice without bonds")
         return BondStiffness.empty(0), "total"
     i, j = lattice.pairs.T
     geometry = bond_geometry(lattice)
     if isinstance(bond, BondLaw):
         return bond.stiffness(geometry), bond.formulation
     if not isinstance(bond, Mapping) or not bond:
-        raise InputError("bond= takes a bond law, or a mapping {region: law, (region, region): law}")
+        raise InputError("bond= is not a bond law; give one, or a mapping {region: law, (region, region): law}")
     laws = [instance("Model", "bond", law, BondLaw, "a bond law") for law in bond.values()]
     entries = [(ends_of("bond=", where), law) for where, law in zip(bond, laws, strict=True)]
     formulations = {law.formulation for law in bond.values()}
@@ -62,12 +62,12 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
 
 
 def ends_of(argument: str, where: object) -> tuple[Region, Region]:
-    """The regions of both ends of bonds, of an entry of `argument`: a region, or a pair of regions.
+    """Return the regions of both ends of bonds, for a key of `argument`: a region or a pair of regions.
 
     Raises:
-        InputError: neither.
+        InputError: The key is neither.
     """
     pair = where if isinstance(where, tuple) else (where, where)
     if len(pair) != 2:
-        raise InputError(f"{argument} names {len(pair)} regions together; a bond has two: give (region, region): law")
+        raise InputError(f"{argument} names {len(pair)} regions for bonds of two ends; give (region, region): law")
     return as_region(argument, pair[0]), as_region(argument, pair[1])

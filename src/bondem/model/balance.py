@@ -8,9 +8,9 @@ from bondem._types import PerElement, PerElement3, Vector
 def balanced_forces(
     arms: PerElement3, force: Vector, moment: Vector, weight: PerElement | None = None
 ) -> PerElement3:
-    """The smallest forces (k, 3) at `arms` (k, 3) with a given resultant, and its moment where they can.
+    """Return the smallest forces (k, 3) at `arms` (k, 3) with a given resultant and, if possible, a given moment.
 
-    With `weight` (k,), such as areas, the smallest tractions: Σ F² / weight is least.
+    With `weight` (k,), such as areas, they are the smallest tractions: Σ F² / weight is least.
     """
     share = np.full(len(arms), 1.0 / len(arms)) if weight is None else weight / weight.sum()
     centre = share @ arms

@@ -1,4 +1,4 @@
-"""What kernels read of beams that soften, in their order."""
+"""Tables of softening beams for the kernels, in their order."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class BeamSoftening:
-    """Energies that beams take up as they soften; internal order.
+    """Energies that beams absorb as they soften; internal order.
 
     Attributes:
         tear: G_f A of opening [J], (m,).
@@ -34,17 +34,17 @@ class BeamSoftening:
         stiffness: BondStiffness,
         at_contact: bool,
     ) -> "BeamSoftening | None":
-        """The table of a lattice of beams; None where they break at once.
+        """Return the table of a lattice of beams, or None if they break at once.
 
         Args:
             lattice: bonds.
-            layout: their order in the kernels.
-            parts: when they begin, by criteria of one kind.
-            stiffness: of the bonds, user's order.
-            at_contact: whether moments count at the contact point.
+            layout: order of the bonds in the kernels.
+            parts: criteria of one kind with their bonds.
+            stiffness: stiffnesses of the bonds, user's order.
+            at_contact: True if moments count at the contact point.
 
         Raises:
-            InputError: bonds that are too long for the fracture energies.
+            InputError: Bonds are too long for the fracture energies.
         """
         area = np.pi * stiffness.radius**2
         tear, shear = np.zeros((2, len(area)))
@@ -62,9 +62,9 @@ class BeamSoftening:
 
 
 def _check_lengths(joint: Joint, criterion: BondCriterion, at_contact: bool) -> None:
-    """Refuse bonds that snap back: that hold more than their fracture energy at their strength.
+    """Reject bonds that snap back, because they store more than their fracture energy at their strength.
 
-    In tension these are longer than 2 E G_f / f_t². In shear Q² / 2 ks is held against G_II A.
+    In tension these are longer than 2 E G_f / f_t². In shear Q² / 2 ks is compared with G_II A.
     """
     assert criterion.energies is not None
     if not len(joint.length):
@@ -77,13 +77,13 @@ def _check_lengths(joint: Joint, criterion: BondCriterion, at_contact: bool) -> 
     if np.median(held) > 1.0:
         raise InputError(
             f"bonds {np.median(joint.length):.3g} m long release more energy than fracture_energy={opening:g} J/m²"
-            f" takes up: they snap back above 2 E G_f / f_t² = {np.median(joint.length / held):.3g} m; use smaller"
+            f" absorbs: they snap back above 2 E G_f / f_t² = {np.median(joint.length / held):.3g} m; use smaller"
             " elements, or fracture_energy=None for bonds that break at once"
         )
     stored = 0.5 * slip**2 / k.ks / joint.area
     if np.median(stored) > sliding:
         raise InputError(
-            f"bonds {np.median(joint.length):.3g} m long hold {np.median(stored):.3g} J/m² of their section where"
-            f" shear breaks them, more than fracture_energy_shear={sliding:g} J/m² takes up: they snap back; use"
+            f"bonds {np.median(joint.length):.3g} m long store {np.median(stored):.3g} J/m² of their section where"
+            f" shear breaks them, more than fracture_energy_shear={sliding:g} J/m² absorbs: they snap back; use"
             " smaller elements, or a larger fracture_energy_shear"
         )

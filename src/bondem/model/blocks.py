@@ -1,13 +1,13 @@
-"""A step in blocks that fit into the cache, and in domains that threads take in one go.
+"""Division of a step into blocks that fit into the cache, and into domains for threads.
 
 Bonds are sorted by their farther element j, so a contiguous range of elements owns a contiguous range of bonds: those
-with j in it. A block computes its bonds and adds their forces to the sums of both ends; an element moves, while it is
+with j in it. A block computes its bonds and adds their forces to the sums of both ends. An element moves, while it is
 still in the cache, with the block that holds the last of its bonds. Domains are ranges of blocks. A bond between
-domains belongs to that of j, and leaves what it adds to i in a row of its own: such elements i are shared, and move
+domains belongs to that of j, and its contribution to i has a row of its own: such elements i are shared, and move
 when all domains are done.
 
-Contributions to an element are added one by one in the order of its bonds, however elements are cut into blocks and
-domains: the cuts, and with them the number of threads, change no bit.
+Contributions to an element are added one by one in the order of its bonds, for any division into blocks and domains.
+The division, and with it the number of threads, therefore changes no bit.
 """
 
 from dataclasses import dataclass
@@ -23,21 +23,21 @@ from bondem.model.layout import Layout
 
 @dataclass(frozen=True, eq=False)
 class Blocks:
-    """How a step is cut.
+    """Division of a step.
 
-    The sum of an element has a row from the block that begins it to the one that moves the element; the next takes
-    it over, so that the rows of a domain stay in the cache.
+    The sum of an element has a row from the block that begins it to the block that moves the element. The row is then
+    reused, so that the rows of a domain stay in the cache.
 
     Attributes:
         domain: domain d has the blocks domain[d] … domain[d + 1], shape (domains + 1,).
         bond: block b has the bonds bond[b] … bond[b + 1], shape (blocks + 1,).
         move: block b moves the elements ready[move[b]] … ready[move[b + 1]], shape (blocks + 1,).
-        held: of those, from ready[held[b]] on they own rows of the boundary, shape (blocks,).
+        held: elements of block b from ready[held[b]] on own rows of the boundary, shape (blocks,).
         ready: all elements that are not shared, in the order in which they move, uint32.
         ready_row: rows of their sums, uint32.
         row_i, row_j: rows that each bond adds to, uint32, shape (m,).
-        shared: elements with bonds that another domain computes, those that own rows last, uint32, shape (s,).
-        shared_held: how many of them own none.
+        shared: elements with bonds computed by another domain, those that own rows last, uint32, shape (s,).
+        shared_held: number of shared elements that own no row.
         shared_row: rows of their sums, uint32, shape (s,).
         part: rows parts + part[e] … parts + part[e + 1] also belong to shared element e, shape (s + 1,).
         parts: first of the rows that bonds between domains add to.
@@ -59,13 +59,13 @@ class Blocks:
 
     @classmethod
     def of(cls, layout: Layout, size: int, domains: int, owns: Mask) -> "Blocks":
-        """Blocks of about `size` elements, in `domains` of about as many bonds each.
+        """Return blocks of about `size` elements, in `domains` of about as many bonds each.
 
         Args:
             layout: elements and bonds.
-            size: elements of a block.
-            domains: how many.
-            owns: whether each element owns a row of the boundary, internal order, shape (n,).
+            size: number of elements per block.
+            domains: number of domains.
+            owns: mask of the elements that own a row of the boundary, internal order, shape (n,).
         """
         n, m = len(layout.order), len(layout.i)
         i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
@@ -111,7 +111,7 @@ class Blocks:
         )
 
     def table(self, more: int = 0) -> StepCut:
-        """The cut as kernels take it, with sums at zero and `more` rows behind them."""
+        """Return the division in the kernels' form, with sums at zero and `more` rows behind them."""
         return StepCut(
             domain=self.domain, bond=self.bond, move=self.move, held=self.held, ready=self.ready,
             ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,
@@ -120,21 +120,21 @@ class Blocks:
         )  # fmt: skip
 
     def own_places(self, layout: Layout) -> np.ndarray:
-        """Where each bond adds to what its element i alone sums up, uint32, (m,): there, or behind all n elements.
+        """Return the row where each bond adds to the own sum of its element i, or one behind all n, uint32, (m,).
 
-        Behind them stands what bonds between domains add, part[e] … part[e + 1] of it for shared element e.
+        Behind them are the contributions of bonds between domains, part[e] … part[e + 1] for shared element e.
         """
         row = self.row_i[: len(layout.i)].astype(np.int64)
         return np.where(row < self.parts, layout.i, len(layout.order) + row - self.parts).astype(np.uint32)
 
     @property
     def rows(self) -> int:
-        """Rows of sums in all."""
+        """Total number of rows of sums."""
         return self.parts + int(self.part[-1])
 
 
 def _rows(edges: Ints, domain: Ints, ready: Ints, move: Ints) -> tuple[Ints, int]:
-    """Row of each element's sum, (n,), and how many there are: each domain has its own, taken over when free."""
+    """Return the row of each element's sum, (n,), and their number; each domain has its own, reused when free."""
     row = np.empty(edges[-1], dtype=np.int64)
     count = 0
     for d in range(len(domain) - 1):

@@ -14,7 +14,7 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class BondTable:
-    """What the bond pass reads, internal order.
+    """Constants read by the bond pass, internal order.
 
     Attributes:
         direction: X0, from i to j in the reference [-], shape (3, m).
@@ -65,7 +65,7 @@ class BondTable:
         )
 
     def stretched(self, strain: PerBond) -> "BondTable":
-        """The same bonds with rest lengths L (1 + ε*); the moments' constants stay as they are.
+        """Return the same bonds with rest lengths L (1 + ε*); the constants of moments are unchanged.
 
         Args:
             strain: ε* [-], shape (m,), or (0,) for none.
@@ -78,7 +78,7 @@ class BondTable:
         )
 
     def sheared(self, ks: PerBond) -> "BondTable":
-        """The same bonds with at least the shear stiffness ks [N/m], (m,)."""
+        """Return the same bonds with at least the shear stiffness ks [N/m], (m,)."""
         more, a = np.maximum(ks - self.ks, 0.0), self.lever
         b = self.length - a
         return replace(
@@ -86,14 +86,14 @@ class BondTable:
         )
 
     def separate(self) -> "BondTable":
-        """The same with copies of what a kernel changes where strains change in time."""
+        """Return the table with copies of the arrays that a kernel changes if strains change in time."""
         return replace(self, length=self.length.copy(), ks=self.ks.copy(), lever=self.lever.copy())
 
     @property
     def alike(self) -> Alike | None:
-        """kn L, A L = C L, B L and kt L where all bonds share them, else None.
+        """Return kn L, A L = C L, B L and kt L if all bonds share them, else None.
 
-        So it is for Euler–Bernoulli bonds of one material and radius: their stiffnesses go as 1 / L.
+        They do for Euler–Bernoulli bonds of one material and radius, whose stiffnesses are proportional to 1 / L.
         """
         if len(self.length) == 0:
             return None
@@ -113,16 +113,16 @@ class BondTable:
         *,
         alike: bool = False,
     ) -> Bonds:
-        """The bonds as kernels take them.
+        """Return the bonds in the kernels' form.
 
-        Fewer than WIDTH bonds are followed by twins of the first one that bear no force, so that a loop may read
+        Fewer than WIDTH bonds are followed by copies of the first one that carry no force, so that a loop may read
         WIDTH at once.
 
         Args:
             layout: ends of the bonds.
             period: edges of the periodic cell and their inverses, (6,).
-            integrity: of the bonds, (m,).
-            alike: whether the kernel will read the force over the length only.
+            integrity: integrity of the bonds, (m,).
+            alike: True if the kernel will read the force over the length only.
         """
         m = len(layout.i)
         X0, Y0, Z0 = self.direction
@@ -137,12 +137,12 @@ class BondTable:
 
 
 def with_twins(column: np.ndarray) -> np.ndarray:
-    """A column of bonds (m,), with the first one again and again where there are fewer than WIDTH."""
+    """Return a column of bonds (m,), padded with copies of the first one to WIDTH."""
     return _longer(column, column[:1])
 
 
 def with_zeros(columns: np.ndarray) -> np.ndarray:
-    """Columns of bonds (…, m), with zeros behind where there are fewer than WIDTH."""
+    """Return columns of bonds (…, m), padded with zeros to WIDTH."""
     return _longer(columns, np.zeros(1))
 
 

@@ -1,4 +1,4 @@
-"""Boundary conditions: which elements are held, driven or loaded."""
+"""Boundary conditions: elements that are fixed, driven or loaded."""
 
 from dataclasses import dataclass
 
@@ -28,16 +28,16 @@ _AXES = {"x": 0, "y": 1, "z": 2}
 def _components(owner: str, axes: str) -> tuple[int, ...]:
     instance(owner, "translation= or rotation", axes, str, "axes as text: a subset of 'xyz', or '' for none")
     if any(axis not in _AXES for axis in axes):
-        raise InputError(f"{owner}: '{axes}' names no axes; give a subset of 'xyz', or '' for none")
+        raise InputError(f"{owner}: '{axes}' has letters that are no axes; give a subset of 'xyz', or '' for none")
     return tuple(sorted({_AXES[axis] for axis in axes}))
 
 
 @dataclass(frozen=True)
 class Fix:
-    """Hold elements still.
+    """Hold elements in place.
 
     Attributes:
-        region: who.
+        region: elements to hold.
         translation: axes along which the centres are held.
         rotation: axes about which the orientations are held.
     """
@@ -49,27 +49,27 @@ class Fix:
     def __post_init__(self) -> None:
         as_region("Fix", self.region)
         if not self.components:
-            raise InputError("Fix holds nothing; name axes in translation= or rotation=")
+            raise InputError("Fix: no degree of freedom is held; name axes in translation= or rotation=")
 
     @property
     def components(self) -> tuple[int, ...]:
-        """Degrees of freedom held: 0, 1, 2 translations, 3, 4, 5 rotations."""
+        """Degrees of freedom that are held: 0, 1, 2 for translations and 3, 4, 5 for rotations."""
         turns = tuple(3 + axis for axis in _components("Fix", self.rotation))
         return _components("Fix", self.translation) + turns
 
 
 @dataclass(frozen=True, init=False)
 class Drive:
-    """Prescribe the motion of elements; what is not named stays free.
+    """Prescribe the motion of elements; components that are not named stay free.
 
     `Drive(Face("x_max"), x=Ramp(0, 1e-4, 1e-3))` moves the face along x. Numbers are constant schedules.
-    Displacements and rotations count from the reference configuration, in static and explicit solutions alike. A
-    static solution takes them at the end of their schedules. An explicit run cannot jump: its schedules must begin
-    where the elements are, at 0 from rest.
+    Displacements and rotations are measured from the reference configuration, in static and explicit solutions. A
+    static solution uses the final values of the schedules. An explicit run cannot jump: its schedules must begin at
+    the current displacement of the elements, which is 0 at rest.
 
     Attributes:
-        region: who.
-        motion: (degree of freedom, schedule, whether it is a velocity) triples.
+        region: elements to move.
+        motion: triples of degree of freedom, schedule, and True for a velocity.
 
     Args:
         x, y, z: displacements [m].
@@ -90,7 +90,7 @@ class Drive:
         if unknown:
             raise InputError(f"Drive: unknown component '{unknown[0]}'; choose from {', '.join(names)}")
         if not components:
-            raise InputError("Drive prescribes nothing; name a component, such as x= or vx=")
+            raise InputError("Drive: no component is prescribed; name one, such as x= or vx=")
         motion = tuple(
             (names[key][0], as_schedule("Drive", key, value), names[key][1]) for key, value in components.items()
         )
@@ -102,20 +102,22 @@ class Drive:
 
 @dataclass(frozen=True)
 class Load:
-    """A total force and moment on a region, spread over its elements without a net moment of its own.
+    """A total force and moment on a region, distributed over its elements.
 
-    The nodal forces are the smallest (in the sum of squares) whose resultant is `force` through the region's
-    anchor (the centre of a face, else the centroid) and whose moment about it is `moment`. Where the elements
-    cannot carry a moment by forces (one element, or a row), they get torques for the rest. On a face of a body of
-    cells they are the smallest tractions, on the facets of the face. Forces and moments keep their direction; where
-    the region turns, the forces that make up its moment turn with it, in explicit runs and at large rotations
-    (`solve_static(nonlinear=True)`, `solve_relaxed`).
+    Among all nodal forces with the given resultant and moment, those with the least sum of squares are applied. The
+    resultant is `force` through the anchor of the region, which is the centre of a face, else the centroid. The
+    moment about the anchor is `moment`. Where forces on the elements cannot produce the moment (one element, or a
+    row), torques supply the rest. On a face of a body of cells the load consists of the smallest tractions on the
+    facets of the face.
+
+    Forces and moments keep their direction. If the region rotates, the forces that make up its moment rotate with it,
+    in explicit runs and at large rotations (`solve_static(nonlinear=True)`, `solve_relaxed`).
 
     Attributes:
-        region: who.
+        region: elements to load.
         force: total force [N], (3,).
         moment: total moment [N·m], (3,).
-        schedule: factor over time [-]; constant from t = 0 unless given; a number is constant.
+        schedule: factor over time [-], or a number for a constant factor; 1 from t = 0 by default.
     """
 
     region: Region
@@ -130,7 +132,7 @@ class Load:
         object.__setattr__(self, "schedule", as_schedule("Load", "schedule", self.schedule))
 
     def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
-        """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
+        """Return elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
         if lattice.cells is not None and is_face(self.region):
             return self._tractions(lattice)
         chosen = self.region.select(lattice)
@@ -142,7 +144,11 @@ class Load:
         return chosen, values
 
     def points(self, lattice: Lattice) -> tuple[Ints, Floats, Floats]:
-        """Where it acts: the element of each point, the arm from its centre [m], (k, 3), and its share of 1, (k,)."""
+        """Return the points of application of the load.
+
+        Returns:
+            The element of each point (k,), the arm from its centre [m], (k, 3), and its share of the load [-], (k,).
+        """
         if lattice.cells is None or not is_face(self.region):
             chosen = self.region.select(lattice)
             return chosen, np.zeros((len(chosen), 3)), np.full(len(chosen), 1.0 / len(chosen))
@@ -151,7 +157,7 @@ class Load:
         return chosen[owner], centre - lattice.centre[chosen[owner]], size / size.sum()
 
     def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
-        """Facets of a face of a body, numbers in `cells.free`, and the force on each [N], (p, 3), at full load."""
+        """Return the loaded facets of a body (indices into `cells.free`) and the forces at full load [N], (p, 3)."""
         _, _, centre, area = facets_on(self.region, body)
         arms = centre - self.region.anchor(body)
         size = np.linalg.norm(area, axis=1)
@@ -160,7 +166,7 @@ class Load:
         )
 
     def _tractions(self, body: Lattice) -> tuple[Ints, Floats]:
-        """The same as `nodal` by tractions on the facets that cells have on a face."""
+        """Return the nodal forces of tractions on the facets that cells have on a face, in the form of `nodal`."""
         chosen, owner, centre, area = facets_on(self.region, body)
         size = np.linalg.norm(area, axis=1)
         arms = centre - self.region.anchor(body)

@@ -1,10 +1,11 @@
-"""What bodies of cells do less well than their users may expect, as far as a model shows it: warnings."""
+"""Warnings about bodies of cells that are less accurate than expected, as far as a model shows it."""
 
 import warnings
 from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from bondem._names import users_line
 from bondem._types import Floats, PerElement3
 from bondem.errors import IncompressibleWarning, RaggedInterfaceWarning, ThinBodyWarning
 from bondem.laws.cell_bond import CellBond
@@ -25,11 +26,11 @@ _CONTRAST, _ROUGH = 1.25, 0.15
 
 
 def question_cells(body: Lattice, bond: object) -> None:
-    """Warn of a body of cells that is one cell thick somewhere, nearly incompressible, or of ragged interfaces.
+    """Warn about a body of cells that is one cell thick somewhere, nearly incompressible, or has ragged interfaces.
 
     Args:
-        body: the lattice of a model.
-        bond: its laws; others than `CellBond` are of no account.
+        body: lattice of a model.
+        bond: laws of the body; only `CellBond` is considered.
     """
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
     if body.cells is None or body.facets is None or not all(isinstance(law, CellBond) for law in laws):
@@ -42,30 +43,31 @@ def question_cells(body: Lattice, bond: object) -> None:
 
 
 def _question_incompressible(nu: float) -> None:
-    """Warn of cells that hardly change their volume: cells yield a little to a uniform pressure, which is stiffer."""
+    """Warn about nearly incompressible cells, which are too compliant under uniform pressure."""
     if nu > _NEARLY:
         _warn(
             f"CellBond: nu = {nu:g} is nearly incompressible: confined on all sides, 300 cells have a bulk modulus"
             " 0.4, 1.9 and 15 % too small at 0.45, 0.49 and 0.499 (1500 cells: 0.3, 1.3, 11 %), and hoop stress at a"
-            " bore is 10 % too small with 4 cells across the wall and 4 % with 6; free bodies are right. Use"
+            " hole is 10 % too small with 4 cells across the wall and 4 % with 6; free bodies are right. Use"
             " nu = 0.45 if the body cannot bulge, or compare with another nu", IncompressibleWarning,
         )  # fmt: skip
 
 
 def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
-    """Warn of parts of a body that are one cell thick, and of those that are one cell wide as well."""
+    """Warn about parts of a body that are one cell thick, and about those that are one cell wide as well."""
     assert body.cells is not None
     thin = (free_shares(body) > _THIN).sum(axis=1)
     count = int((thin > 0).sum())
     if count < max(_FEW, _PART * len(thin)):
         return
     nu = max((law.nu for law in laws), key=abs)
-    twisted = int((thin > 1).sum()) >= max(_FEW, _PART * len(thin)) and laws[0].facet_rotation != "full"
-    if twisted:
+    rotation = laws[0].facet_rotation
+    if int((thin > 1).sum()) >= max(_FEW, _PART * len(thin)):
+        error = {"bending": "20 % too stiffly", "full": "2.4 times too stiffly"}.get(rotation, "without resistance")
         _warn(
             f"{count} of {len(thin)} cells have no neighbour on opposite sides, and the body is one cell thick both"
-            " ways there: it has no stiffness against twist; pack smaller cells, four across the thickness, or give"
-            ' CellBond(..., facet_rotation="full")', ThinBodyWarning,
+            f" ways there: it twists {error}, and bends with about E / (1 + ν); pack smaller cells, four across the"
+            " thickness", ThinBodyWarning,
         )  # fmt: skip
     elif abs(nu) >= _MATTERS:
         _warn(
@@ -76,7 +78,7 @@ def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
 
 
 def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
-    """Warn of an interface between two materials that cells cut through, where a surface says where it is."""
+    """Warn about an interface between two materials that cuts through cells, if a surface defines it."""
     assert body.cells is not None
     assert body.facets is not None
     surfaces = [one for where in bond for one in _surfaces(where)]
@@ -101,7 +103,7 @@ def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
 
 
 def _surfaces(where: object) -> list[Callable[[PerElement3], Floats]]:
-    """Distances from the surfaces that a region is made of; none of those that name elements."""
+    """Return distances from the surfaces that a region is made of, none for those that name elements."""
     match where:
         case Within():
             return [where.shape.depth]
@@ -114,7 +116,12 @@ def _surfaces(where: object) -> list[Callable[[PerElement3], Floats]]:
 
 
 def free_shares(body: Lattice) -> Floats:
-    """What free facets have of (1/V) Σ A d n⊗n of each cell, along three axes of its own [-], (n, 3)."""
+    """Return the part of free facets in (1/V) Σ A d n⊗n of each cell, along its three axes [-], (n, 3), ascending."""
+    return _free_axes(body)[0]
+
+
+def _free_axes(body: Lattice) -> tuple[Floats, Floats]:
+    """Return the shares of free facets, (n, 3), ascending, and their unit vectors, columns of (n, 3, 3)."""
     cells, facets = body.cells, body.facets
     assert cells is not None
     assert facets is not None
@@ -123,11 +130,22 @@ def free_shares(body: Lattice) -> Floats:
     whole = open_part + _sums(body.pairs[:, 0], facets.area * facets.depth_i, facets.normal, n)
     whole += _sums(body.pairs[:, 1], facets.area * facets.depth_j, facets.normal, n)
     root = np.linalg.inv(np.linalg.cholesky(whole))
-    return np.asarray(np.linalg.eigvalsh(root @ open_part @ np.swapaxes(root, 1, 2)), dtype=float)
+    share, turned = np.linalg.eigh(root @ open_part @ np.swapaxes(root, 1, 2))
+    axis = np.swapaxes(root, 1, 2) @ turned
+    return share, axis / np.linalg.norm(axis, axis=1, keepdims=True)
+
+
+def layer_axes(body: Lattice) -> Floats:
+    """Return the direction in which a body is one cell thick at each cell, (n, 3); zero where it is thicker."""
+    share, axis = _free_axes(body)
+    thin = share[:, 2] > _THIN
+    if thin.sum() < max(_FEW, _PART * len(thin)):
+        return np.zeros((len(thin), 3))
+    return np.where(thin[:, None], axis[:, :, 2], 0.0)
 
 
 def _sums(cell: np.ndarray, weight: Floats, normal: Floats, n: int) -> Floats:
-    """Σ weight n⊗n of each cell, (n, 3, 3)."""
+    """Return Σ weight n⊗n of each cell, (n, 3, 3)."""
     found = np.zeros((n, 3, 3))
     for a in range(3):
         for b in range(3):
@@ -136,5 +154,4 @@ def _sums(cell: np.ndarray, weight: Floats, normal: Floats, n: int) -> Floats:
 
 
 def _warn(text: str, category: type[Warning]) -> None:
-    # the caller of the frozen dataclass whose __post_init__ asks
-    warnings.warn(text, category, stacklevel=6)
+    warnings.warn(text, category, stacklevel=users_line())

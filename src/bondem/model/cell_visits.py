@@ -1,7 +1,7 @@
-"""Which facets cells visit, and in which order: WIDTH cells at a time, each its own facets one by one.
+"""Order in which cells visit their facets: WIDTH cells at a time, each its own facets one by one.
 
-Cells that follow one another in memory are sorted by their number of facets and taken in groups of WIDTH, so that
-hardly any waits for the others of its group: who has no facet left visits itself, with constants of zero.
+Cells that are consecutive in memory are sorted by their number of facets and visited in groups of WIDTH. Few visits
+of a group are then idle. A cell without remaining facets visits itself, with constants of zero.
 """
 
 from dataclasses import dataclass
@@ -21,14 +21,14 @@ class CellVisits:
     """Visits of cells to facets, v of them.
 
     Attributes:
-        element: cells of each group, uint32, shape (groups · WIDTH,); the last group is filled up with cell 0.
-        target: the same, but n where it is filled up, uint32.
+        element: cells of each group, uint32, shape (groups · WIDTH,); the last group is padded with cell 0.
+        target: cells of each group, n where padded, uint32.
         start: group g makes WIDTH visits start[g] … start[g + 1] times, shape (groups + 1,).
-        facet: which one is visited, kernels' order, shape (v,).
-        from_j: whether it is visited from its cell j, shape (v,).
-        idle: visits of cells that have no facet left, shape (v,).
-        other: the cell on the other side, uint32, shape (v,).
-        visit: the visits to each facet from i and from j, shape (2, m).
+        facet: visited facet, kernels' order, shape (v,).
+        from_j: mask of visits from cell j of the facet, shape (v,).
+        idle: mask of visits of cells without remaining facets, shape (v,).
+        other: cell on the other side, uint32, shape (v,).
+        visit: visits to each facet from i and from j, shape (2, m).
     """
 
     element: np.ndarray
@@ -42,7 +42,7 @@ class CellVisits:
 
     @classmethod
     def of(cls, layout: Layout) -> "CellVisits":
-        """The visits of a body."""
+        """Return the visits of a body."""
         n, m = len(layout.order), len(layout.i)
         inward = np.diff(layout.in_start)
         count = inward + np.diff(layout.out_start)

@@ -1,4 +1,4 @@
-"""Boundary conditions resolved to arrays in the kernels' order: elements that are held or loaded own a row."""
+"""Boundary conditions resolved to arrays in the kernels' order; elements that are held or loaded own a row."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -25,21 +25,21 @@ class Constraints:
     Attributes:
         element: internal element of each row, shape (r,).
         row_of: row of each element or -1, shape (n,).
-        fixed: degrees of freedom held or driven, uint8, shape (r, 6).
+        fixed: mask of degrees of freedom that are held or driven, uint8, shape (r, 6).
         start, times, values: schedule s is times[start[s] : start[s + 1]] and values likewise.
-        drive_row, drive_dof, drive_schedule, drive_rate: one entry a driven degree of freedom; `drive_rate`
-            tells velocities (1) from displacements (0).
-        load_row, load_schedule, load_value: one entry a loaded element; values [N, N·m] are (…, 6).
-        load_turns: element with which each load turns, or -1; (0,) where none does.
-        couples: moments of loads, whose forces turn with their regions.
+        drive_row, drive_dof, drive_schedule, drive_rate: one entry per driven degree of freedom; `drive_rate`
+            is 1 for velocities and 0 for displacements.
+        load_row, load_schedule, load_value: one entry per loaded element; values [N, N·m] are (…, 6).
+        load_turns: element with which each load rotates, or -1; (0,) if none does.
+        couples: moments of loads, whose forces rotate with their regions.
         absorbing: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], zero where motion is prescribed,
             shape (r, 6), or (0, 6) without any.
-        body_on: how much of each body force acts on each element [-], shape (b, n); body_value, body_schedule: its
+        body_on: factor of each body force for each element [-], shape (b, n); body_value, body_schedule: its
             acceleration [m/s²], (b, 3), and schedule, (b,).
         strain_part: stress-free strain of each bond, shape (g, m); strain_schedule: (g,).
-        weight: mass of each element that is connected, else 0 [kg], shape (n,).
-        press_value: what tractions on free facets add to V θ of each cell [m³], (l, n); press_schedule: (l,).
-        holding: whether walls hold facets of cells.
+        weight: mass of each connected element, else 0 [kg], shape (n,).
+        press_value: contribution of tractions on free facets to V θ of each cell [m³], (l, n); press_schedule: (l,).
+        holding: True if walls hold facets of cells.
     """
 
     element: np.ndarray
@@ -79,12 +79,12 @@ class Constraints:
     ) -> "Constraints":
         """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
 
-        Of a body of `cells`, conditions that hold a wall are left out: see `bondem.model.grips`. Cells that they hold
-        own rows all the same.
+        For a body of `cells`, conditions that hold a wall are left out: see `bondem.model.grips`. The cells that they
+        hold own rows nevertheless.
 
         Raises:
-            InputError: a degree of freedom held or driven twice by different conditions.
-            EmptyRegionError: a region that selects nothing.
+            InputError: Different conditions hold or drive the same degree of freedom.
+            EmptyRegionError: A region selects no element.
         """
         n, m = len(lattice.particles), len(lattice.pairs)
         fixed = np.zeros((n, 6), dtype=np.uint8)
@@ -109,7 +109,7 @@ class Constraints:
                     for dof, schedule, rate in condition.motion:
                         if driven[chosen, dof].any():
                             where = shown(condition.region)
-                            raise InputError(f"{where} is driven twice in one component; take one Drive out")
+                            raise InputError(f"{where} is driven twice in one component; remove one Drive")
                         driven[chosen, dof] = True
                         drives.append((chosen, dof, len(schedules), rate))
                         schedules.append(schedule)
@@ -183,7 +183,7 @@ class Constraints:
 
     @property
     def schedules(self) -> Schedules:
-        """What kernels take of the schedules."""
+        """Return the schedules in the kernels' form."""
         return Schedules(
             times=self.times, values=self.values, start=self.start, drive_row=self.drive_row,
             drive_dof=self.drive_dof, drive_schedule=self.drive_schedule, drive_rate=self.drive_rate,
@@ -192,7 +192,7 @@ class Constraints:
         )  # fmt: skip
 
     def rows(self, reaction: Floats, work: Floats) -> Rows:
-        """What kernels take of the rows, with the reactions (r, 6) and works of a state."""
+        """Return the rows in the kernels' form, with the reactions (r, 6) and works of a state."""
         still = np.zeros((3, len(self.element), 6))
         return Rows(
             of=self.row_of, fixed=self.fixed, force=still[0], half=still[1], full=still[2], reaction=reaction,
@@ -200,9 +200,9 @@ class Constraints:
         )  # fmt: skip
 
     def final_load(self, n: int, pose: Floats | None = None) -> Floats:
-        """Forces and torques at the end of all schedules [N, N·m], internal order, shape (n, 6).
+        """Return forces and torques at the end of all schedules [N, N·m], internal order, shape (n, 6).
 
-        Those of moments are the ones in a pose, (n, 8): in the reference when None.
+        Forces of moments are those in a pose, (n, 8), or in the reference if it is None.
         """
         load = np.zeros((n, 6))
         last = self._final(self.load_schedule)
@@ -214,15 +214,15 @@ class Constraints:
         return load
 
     def final_couples(self) -> list[tuple[Couple, float]]:
-        """Moments of loads, and their factors at the end of all schedules."""
+        """Return moments of loads, and their factors at the end of all schedules."""
         return [(couple, float(self.values[self.start[couple.schedule + 1] - 1])) for couple in self.couples]
 
     def final_strain(self) -> PerBond:
-        """Stress-free strain of each bond at the end of all schedules [-], internal order, shape (m,)."""
+        """Return the stress-free strain of each bond at the end of all schedules [-], internal order, shape (m,)."""
         return self._final(self.strain_schedule) @ self.strain_part
 
     def final_press(self) -> PerElement:
-        """What tractions add to V θ of each cell at the end of all schedules [m³], internal order, shape (n,)."""
+        """Return the contribution of tractions to V θ at the end of all schedules [m³], internal order, (n,)."""
         return self._final(self.press_schedule) @ self.press_value
 
     def _final(self, schedules: np.ndarray) -> Floats:
@@ -230,33 +230,33 @@ class Constraints:
 
     @property
     def works(self) -> tuple[int, int, int, int]:
-        """Where the works of body forces, one an element, strains and walls begin in the list of works; its end."""
+        """Starts of the works of body forces (one per element), strains and walls in the list, and its end."""
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
         walls = strain + (1 if len(self.strain_part) else 0)
         return body, strain, walls, walls + (1 if self.holding or len(self.press_schedule) else 0)
 
     def final_motion(self, n: int) -> Floats:
-        """Prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).
+        """Return prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).
 
         Raises:
-            InputError: a velocity is prescribed, which has no static meaning.
+            InputError: A velocity is prescribed, which has no static meaning.
         """
         if self.drive_rate.any():
-            raise InputError("a static solution needs displacements: replace vx= … wz= of Drive by x= … rz=")
+            raise InputError("a static solution needs displacements; replace vx= … wz= of Drive by x= … rz=")
         motion = np.zeros((n, 6))
         motion[self.element[self.drive_row], self.drive_dof] = self._final(self.drive_schedule)
         return motion
 
     def held(self, n: int) -> np.ndarray:
-        """Whether each degree of freedom is held or driven, internal order, shape (n, 6)."""
+        """Return a mask of the degrees of freedom that are held or driven, internal order, shape (n, 6)."""
         held = np.zeros((n, 6), dtype=bool)
         held[self.element] = self.fixed.astype(bool)
         return held
 
 
 def _couple(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedule: int) -> Couple | None:
-    """The moment of a load that its forces bear, which turn; None where torques do."""
+    """Return the moment of a load that rotating forces carry; None if torques do."""
     if not isinstance(condition, Load) or not any(condition.moment):
         return None
     chosen, arm, share = condition.points(lattice)
@@ -271,14 +271,14 @@ def _follows(condition: Load | Pressure, body: Lattice) -> bool:
         return False
     if body.cells is None:
         raise InputError(
-            "Pressure(follows=True) turns with facets, and bonded spheres have none; connect them with"
-            " method='laguerre', or leave follows out"
+            "Pressure(follows=True) rotates with facets, which bonded spheres lack; connect them with"
+            " method='laguerre', or leave out follows="
         )
     return True
 
 
 def _pressed(condition: Load | Pressure, body: Lattice, cells: CellConstants) -> PerElement:
-    """What the tractions of a load on a face add to V θ of each cell [m³], user's order, (n,)."""
+    """Return the contribution of the tractions of a load on a face to V θ of each cell [m³], user's order, (n,)."""
     force = np.zeros((len(cells.softness), 3))
     numbers, values = condition.on_facets(body)
     force[numbers] = values

@@ -1,12 +1,12 @@
-"""Contact areas of spheres as the authors of the non-local law weight them.
+"""Contact areas of spheres as weighted by the authors of the non-local law.
 
-A bond between radii R1 and R2 begins with A0 = π ((R1 + R2)/2)². About each element they are scaled so that they add
-up to the surface of a polyhedron of as many faces about its sphere: the regular one for 4, 6, 8, 12 and 20 faces,
-between them on straight lines. A bond takes the mean of what its two elements make of it. An element at the skin has
-no closed polyhedron: its bonds take what the inner element says, and between two at the skin A0 is scaled as inner
-elements do on average.
+A bond between radii R1 and R2 begins with A0 = π ((R1 + R2)/2)². At each element these areas are scaled so that their
+sum is the surface of a polyhedron of as many faces about its sphere: the regular one for 4, 6, 8, 12 and 20 faces,
+and linear interpolation between these. A bond has the mean of the areas scaled at its two elements. An element at the
+surface has no closed polyhedron: its bonds have the area scaled at the inner element. Between two elements at the
+surface A0 is scaled by the average factor of inner elements.
 
-The paper of 2020 refers to an earlier one for areas; this is as the authors' published code has them.
+The paper of 2020 refers to an earlier one for areas; this follows the authors' published code.
 """
 
 import math
@@ -30,7 +30,7 @@ _OPEN = 0.25
 
 
 def weighted_areas(lattice: Lattice) -> PerBond:
-    """A of each bond [m²], user's order, shape (m,)."""
+    """Return A of each bond [m²], user's order, shape (m,)."""
     i, j = lattice.pairs.T
     radius = lattice.particles.radius
     plain = math.pi * (0.5 * (radius[i] + radius[j])) ** 2
@@ -47,7 +47,7 @@ def weighted_areas(lattice: Lattice) -> PerBond:
 
 
 def _open(lattice: Lattice, plain: PerBond, total: Floats) -> Mask:
-    """Which elements are at the skin, (n,)."""
+    """Return a mask of the elements at the surface, (n,)."""
     i, j = lattice.pairs.T
     normal = lattice.branch / lattice.length[:, None]
     left = np.zeros((len(total), 3))

@@ -1,4 +1,4 @@
-"""What a model knows of its contacts before anything moves: the law, the walls, and gaps that count as closed."""
+"""Contacts of a model in the reference configuration: the law, the walls, and gaps that count as closed."""
 
 from dataclasses import dataclass
 
@@ -18,12 +18,12 @@ from bondem.specimen.neighbours import neighbours
 
 @dataclass(frozen=True, eq=False)
 class RestGaps:
-    """Overlaps of the reference configuration, which bear no force; sorted by the later element, internal order.
+    """Overlaps of the reference configuration, which carry no force; sorted by the later element, internal order.
 
     Attributes:
-        start: where the entries of each element begin, (n + 1,).
+        start: start of the entries of each element, (n + 1,).
         partner: earlier element, or wall, uint32, (c,).
-        gap: at most 0 [m], (c,).
+        gap: gap, at most 0 [m], (c,).
     """
 
     start: Ints
@@ -32,7 +32,7 @@ class RestGaps:
 
     @classmethod
     def none(cls, n: int) -> "RestGaps":
-        """No overlaps."""
+        """Return no overlaps."""
         return cls(np.zeros(n + 1, dtype=np.int64), np.zeros(0, dtype=np.uint32), np.zeros(0))
 
 
@@ -41,13 +41,13 @@ class ContactModel:
     """Contacts of a model.
 
     Attributes:
-        law: their law.
-        radius: of the elements in contact [m], internal order, (n,).
-        walls: their walls.
-        pairs: overlaps of elements at first.
-        at_walls: overlaps with walls at first.
-        own: normal stiffness of the pairs of bonds that break [N/m], internal order, (m,): they touch where their
-            bond is as long as at rest. None where they are pairs as all others.
+        law: contact law.
+        radius: radii of the elements in contact [m], internal order, (n,).
+        walls: walls of the model.
+        pairs: initial overlaps of elements.
+        at_walls: initial overlaps with walls.
+        own: normal stiffness of the pairs of bonds that break [N/m], internal order, (m,); such pairs touch at the
+            rest length of the bond. None if they are treated like other pairs.
     """
 
     law: ContactLaw
@@ -62,15 +62,15 @@ class ContactModel:
         cls, lattice: Lattice, layout: Layout, law: ContactLaw, walls: WallTable, own: PerBond | None,
         radius: PerElement,
     ) -> "ContactModel":
-        """Find what overlaps at first.
+        """Find initial overlaps.
 
         Args:
             lattice: elements.
-            layout: their order in the kernels.
-            law: of their contacts.
-            walls: that they touch.
+            layout: order of the elements in the kernels.
+            law: law of their contacts.
+            walls: walls that they touch.
             own: see `own`.
-            radius: of the elements in contact, user's order, (n,).
+            radius: radii of the elements in contact, user's order, (n,).
         """
         n, radius = len(lattice.particles), np.ascontiguousarray(radius[layout.order])
         if not law.stress_free:
@@ -100,7 +100,7 @@ class ContactModel:
 
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:
-    """Neighbours with gaps up to `skin` [m], as `specimen.neighbours.neighbours` gives them."""
+    """Return neighbours with gaps up to `skin` [m], in the form of `specimen.neighbours.neighbours`."""
     sphere = np.column_stack([position, radius])
     if period is None:
         lower, upper = sphere[:, :3].min(axis=0), sphere[:, :3].max(axis=0)

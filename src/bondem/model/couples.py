@@ -1,4 +1,4 @@
-"""Moments of loads on regions, which their forces bear as the regions turn."""
+"""Moments of loads on regions, carried by forces that rotate with the regions."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,14 +13,14 @@ from bondem.model.grips import turned_rows
 
 @dataclass(frozen=True, eq=False)
 class Couple:
-    """A moment on points of elements, k of them; it keeps its direction, and its forces turn with the points.
+    """A moment on k points of elements; it keeps its direction, and its forces rotate with the points.
 
     Attributes:
         element: internal element of each point, shape (k,).
-        centre: of that, in the reference [m], shape (k, 3).
-        arm: from its centre to the point, in the reference [m], shape (k, 3).
-        share: of each point, which add up to 1, shape (k,).
-        moment: at full load [N·m], shape (3,).
+        centre: centre of that element, in the reference [m], shape (k, 3).
+        arm: arm from its centre to the point, in the reference [m], shape (k, 3).
+        share: share of each point, of sum 1, shape (k,).
+        moment: moment at full load [N·m], shape (3,).
         schedule: number of its schedule.
     """
 
@@ -32,7 +32,7 @@ class Couple:
     schedule: int
 
     def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
-        """Arms in a pose, or in the reference, and places of the points from their centroid [m], (k, 3) each."""
+        """Return arms in a pose, or in the reference, and the points relative to their centroid [m], (k, 3) each."""
         arm, centre = self.arm, self.centre
         if pose is not None:
             arm, centre = turned_rows(pose[self.element, 4:], self.arm), pose[self.element, :3]
@@ -40,22 +40,22 @@ class Couple:
         return arm, place - self.share @ place
 
     def forces(self, pose: Floats | None) -> tuple[Floats, Floats, Floats]:
-        """Force on each point [N], torque about it [N·m], and arms now [m], at full load, (k, 3) each."""
+        """Return force on each point [N], torque about it [N·m], and present arms [m], at full load, (k, 3) each."""
         arm, place = self.places(pose)
         force = balanced_forces(place, np.zeros(3), self.moment, self.share)
         rest = self.moment - np.cross(place, force).sum(axis=0)
         return force, self.share[:, None] * rest, arm
 
     def add_to(self, load: PerElement6, pose: Floats | None, amplitude: float) -> None:
-        """Add its forces and torques to those on all elements, internal order, (n, 6)."""
+        """Add forces and torques of the moment to those on all elements, internal order, (n, 6)."""
         force, torque, arm = self.forces(pose)
         np.add.at(load, self.element, amplitude * np.hstack([force, torque + np.cross(arm, force)]))
 
     def turning(self, pose: Floats) -> tuple[Floats, Floats]:
-        """How its forces follow its region, as if that were rigid, at full load.
+        """Return the change of the forces as they follow a region, considered rigid, at full load.
 
         Returns:
-            forces and torques on the elements by the rotation of the region, (k, 6, 3), and the rotation by their
+            Forces and torques on the elements by the rotation of the region, (k, 6, 3), and the rotation by their
             motion, (3, k, 6).
         """
         force, _, arm = self.forces(pose)
@@ -73,7 +73,7 @@ class Couple:
 
 
 def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
-    """Couples as kernels take them."""
+    """Return couples in the kernels' form."""
     element = np.concatenate([np.zeros(0, dtype=np.int64), *(one.element for one in couples)])
     return CoupleTable(
         start=np.cumsum([0, *(len(one.element) for one in couples)]).astype(np.int64),
@@ -86,7 +86,7 @@ def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
 
 
 def _cross(vectors: Floats) -> Floats:
-    """Matrices of v × …, (k, 3, 3)."""
+    """Return the matrices of v × …, (k, 3, 3)."""
     matrix = np.zeros((len(vectors), 3, 3))
     for row, column, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         matrix[:, row, column], matrix[:, column, row] = -vectors[:, axis], vectors[:, axis]

@@ -1,4 +1,4 @@
-"""Which criterion judges which bond and which cell: one for all, or criteria by region."""
+"""Assignment of failure criteria to bonds and cells: one for all, or criteria by region."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -20,13 +20,13 @@ _WANTED = "a criterion such as bd.PeripheralStress(...), or None"
 
 @dataclass(frozen=True, eq=False)
 class FailurePart:
-    """A criterion and what it judges.
+    """A criterion with its bonds and elements.
 
     Attributes:
-        criterion: of a kind with those of the other parts.
-        bonds: bonds or facets whose strength it is, user's order.
+        criterion: criterion of the same kind as those of the other parts.
+        bonds: bonds or facets that it applies to, user's order.
         elements: elements that yield by it, user's order.
-        plane: whether the facets are a material plane, judged by their own traction and not by the stress of cells.
+        plane: True if the facets form a material plane, evaluated by their own traction, not by the stress of cells.
     """
 
     criterion: Criterion
@@ -36,25 +36,25 @@ class FailurePart:
 
 
 def criteria_of(failure: object) -> tuple[Criterion, ...]:
-    """The criteria of an assignment, in its order.
+    """Return the criteria of an assignment, in its order.
 
     Raises:
-        InputError: no criterion, or criteria that cannot stand beside each other.
+        InputError: There is no criterion, or the criteria cannot be combined.
     """
     if not isinstance(failure, Mapping):
         return (instance("Model", "failure", failure, Criterion, f"{_WANTED}, or {{region: criterion}}"),)
     found = tuple(instance("Model", "failure", one, Criterion, _WANTED) for one in failure.values())
     if not found:
-        raise InputError("failure= names no region; give {region: criterion}, one criterion, or None")
+        raise InputError("failure = {} has no region; give {region: criterion}, one criterion, or None")
     _check_alike(found)
     return found
 
 
 def _check_alike(found: tuple[Criterion, ...]) -> None:
-    """Refuse criteria of different kinds: a run judges all of its bonds by one function.
+    """Reject criteria of different kinds, because a run evaluates all of its bonds by one function.
 
     Raises:
-        InputError: such criteria.
+        InputError: The criteria cannot be combined.
     """
     first, *others = found
     if not others:
@@ -66,9 +66,9 @@ def _check_alike(found: tuple[Criterion, ...]) -> None:
     soft = [one.softening for one in found if one.softening is not None]
     if not soft:
         if len({type(one) for one in found}) > 1:
-            raise InputError(f"failure= judges bonds by {names}; {advice}")
+            raise InputError(f"failure= combines {names}; {advice}")
         if len({one.energies is None for one in found if isinstance(one, BondCriterion)}) > 1:
-            raise InputError("failure= has bonds that soften beside brittle ones; give all of them a fracture_energy")
+            raise InputError("failure= combines bonds that soften with brittle ones; give all a fracture_energy")
         return
     if any(one.surface is not None for one in soft):
         if any(one != first for one in others):
@@ -77,20 +77,20 @@ def _check_alike(found: tuple[Criterion, ...]) -> None:
             )
         return
     if len({one.curve for one in soft}) > 1:
-        raise InputError("failure= has cracks that soften along different curves; give all regions the same curve=")
+        raise InputError("failure= combines cracks with different softening curves; give all regions the same curve=")
     if len({one.fracture_energy > 0.0 for one in soft}) > 1:
-        raise InputError("failure= has cracks that soften beside brittle ones; give all of them a fracture_energy")
+        raise InputError("failure= combines cracks that soften with brittle ones; give all of them a fracture_energy")
 
 
 def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[FailurePart, ...]:
-    """The parts of a lattice that have a criterion each.
+    """Return the parts of a lattice, with one criterion each.
 
-    With a mapping, the bonds within a region follow its criterion, those between two regions that of the pair, and
-    cells that of their region; later entries overrule earlier ones.
+    With a mapping, the bonds within a region follow its criterion, and bonds between two regions follow that of the
+    pair. Cells follow the criterion of their region. Later entries override earlier ones.
 
     Raises:
-        InputError: criteria that cannot stand beside each other, or bonds that none of them covers.
-        EmptyRegionError: a region without elements.
+        InputError: The criteria cannot be combined, or some bonds have none.
+        EmptyRegionError: A region has no elements.
     """
     found = criteria_of(failure)
     i, j = lattice.pairs.T
@@ -110,7 +110,7 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
     if bare.size:
         raise InputError(
             f"{bare.size} bonds have no strength, the first between elements {i[bare[0]]} and {j[bare[0]]}; add an"
-            " entry for bd.Everything() before the others, or (region, region): criterion for those between two"
+            " entry for bd.Everything() before the others, or (region, region): criterion for bonds between regions"
         )
     return tuple(
         FailurePart(
@@ -122,16 +122,16 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
 
 
 def _is_plane(criterion: Criterion, *, between: bool) -> bool:
-    """Whether facets of a criterion are judged by their own traction; `between` two regions they are unless told.
+    """Return True if facets of a criterion are evaluated by their own traction.
 
-    Functions of the stress have no traction to judge by.
+    By default this is so `between` two regions. Functions of the stress cannot be evaluated by a traction.
     """
     softening = criterion.softening
     if softening is None or softening.surface is not None:
         if criterion.on is not None:
             raise InputError(
-                f"{type(criterion).__name__}: on = {criterion.on!r} is of bd.Rankine and of bd.MohrCoulomb with a"
-                " fracture energy; leave on= out"
+                f"{type(criterion).__name__}: on = {criterion.on!r} applies to bd.Rankine and bd.MohrCoulomb with a"
+                " fracture energy; leave out on="
             )
         return False
     return between if criterion.on is None else criterion.on == "traction"

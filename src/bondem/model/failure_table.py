@@ -1,4 +1,4 @@
-"""What of a criterion of failure the kernels read: coefficients and bounds of each bond, in their order."""
+"""Tables of a failure criterion for the kernels: coefficients and bounds of each bond, in their order."""
 
 import math
 from collections.abc import Mapping
@@ -30,15 +30,15 @@ _MARGIN = 0.75
 
 @dataclass(frozen=True, eq=False)
 class FailureTable:
-    """When each bond breaks, internal order.
+    """Breakage criteria of the bonds, internal order.
 
     Attributes:
         kind: number of the criterion.
-        coefficient: what judges each bond, shape (m, 4).
-        station: where along a bond its moment counts, from i over its length; -1 for the larger of both ends, (m,).
-        limit: below which of_force |F|² + of_moment |M|² breaks nothing [-], shape (m,).
-        of_force: [1/N²].
-        of_moment: [1/(N·m)²].
+        coefficient: coefficients of the criterion for each bond, shape (m, 4).
+        station: place along a bond where its moment counts, from i over its length; -1 for the larger end, (m,).
+        limit: value of of_force |F|² + of_moment |M|² below which a bond cannot break [-], shape (m,).
+        of_force: factor of |F|² [1/N²].
+        of_moment: factor of |M|² [1/(N·m)²].
     """
 
     kind: int
@@ -57,14 +57,14 @@ class FailureTable:
         stiffness: BondStiffness | None,
         at_contact: bool,
     ) -> "FailureTable":
-        """The table of a lattice.
+        """Return the table of a lattice.
 
         Args:
             lattice: bonds or facets.
-            layout: their order in the kernels.
-            parts: when they break, by criteria of one kind.
-            stiffness: of the bonds, user's order; None for facets of cells.
-            at_contact: whether moments count at the contact point.
+            layout: order of the bonds in the kernels.
+            parts: criteria of one kind with their bonds.
+            stiffness: stiffnesses of the bonds, user's order; None for facets of cells.
+            at_contact: True if moments count at the contact point.
         """
         if stiffness is None:
             facets, _ = body_of(lattice)
@@ -99,13 +99,13 @@ class FailureTable:
     def of_principal(
         cls, lattice: Lattice, layout: Layout, parts: tuple[FailurePart, ...], constants: NonLocalConstants
     ) -> "FailureTable":
-        """The table of bonds of the non-local law: coefficients of `laws.failure.principal`.
+        """Return the table of bonds of the non-local law, with the coefficients of `laws.failure.principal`.
 
         Args:
             lattice: elements and bonds.
-            layout: their order in the kernels.
-            parts: when they break, by criteria on principal stresses.
-            constants: of the bonds, user's order.
+            layout: order of the bonds in the kernels.
+            parts: criteria on principal stresses with their bonds.
+            constants: constants of the bonds, user's order.
         """
         middle = lattice.centre[lattice.pairs[:, 0]] + constants.lever_i
         coefficient = np.zeros((len(middle), COEFFICIENTS))
@@ -123,7 +123,7 @@ class FailureTable:
 def _judged(
     joint: Joint, parts: tuple[FailurePart, ...], period: Floats | None
 ) -> tuple[Floats, PerBond, PerBond, int]:
-    """Coefficients and bounds of all bonds, and the kind of their criteria; a bond without one never breaks."""
+    """Return coefficients and bounds of all bonds, and the kind of criteria; a bond without one never breaks."""
     m, kind = len(joint.length), 0
     coefficient, a, b = np.zeros((m, COEFFICIENTS)), np.zeros(m), np.zeros(m)
     for part in parts:
@@ -137,10 +137,10 @@ def _judged(
 
 
 def check_failure(failure: object, bond: object, contact: ContactLaw | None, formulation: str) -> bool:
-    """Whether moments count at the contact point, of a criterion that this model can have.
+    """Check a criterion for a model; return True if moments count at the contact point.
 
     Raises:
-        InputError: no criterion, or one for other bonds, or beside what does not know breaking bonds yet.
+        InputError: There is no criterion, it applies to other bonds, or the model has features that exclude breakage.
     """
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
     if any(isinstance(law, NonLocal) for law in laws):
@@ -148,7 +148,7 @@ def check_failure(failure: object, bond: object, contact: ContactLaw | None, for
             _check_non_local(criterion)
         return False
     if formulation != "total":
-        raise InputError("failure= needs bonds of the total formulation: use formulation='total'")
+        raise InputError("failure= needs bonds of the total formulation; use formulation='total'")
     cells = any(isinstance(law, CellBond) for law in laws)
     for criterion in criteria_of(failure):
         _check_criterion(criterion, cells, contact)
@@ -156,58 +156,58 @@ def check_failure(failure: object, bond: object, contact: ContactLaw | None, for
         raise InputError("failure= of cells beside contact= needs stress_free=True, as cells touch where they parted")
     at_contact = {law.moments_at_contact for law in laws if isinstance(law, BondLaw)}
     if len(at_contact) > 1:
-        raise InputError("failure= counts moments at the ends or at contact points: give bonds of one kind")
+        raise InputError("failure= counts moments either at the ends or at contact points; give bonds of one kind")
     return True in at_contact
 
 
 def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaw | None) -> None:
-    """Refuse a criterion that is for other bonds."""
+    """Reject a criterion for other bonds."""
     name, soft = type(failure).__name__, isinstance(failure, BondCriterion) and failure.energies is not None
     if soft and not cells:
         _check_soft(failure, contact)
     if isinstance(failure, BondCriterion) and cells and type(failure).needs_beams:
-        raise InputError(f"{name} judges beams, and facets of cells are none; use bd.MohrCoulomb(...)")
+        raise InputError(f"{name} applies to beams, not to facets of cells; use bd.MohrCoulomb(...)")
     if failure.softening is not None and not cells and not soft:
-        raise InputError(f"{name} with softening or stresses of the material is for bodies of cells: use bd.CellBond")
+        raise InputError(f"{name} with softening or stresses of the material needs a body of cells; use bd.CellBond")
 
 
 def _check_non_local(failure: Criterion) -> None:
-    """Refuse what bonds of the non-local law cannot have."""
+    """Reject options unsupported by bonds of the non-local law."""
     name = type(failure).__name__
     if failure.principal is None:
         raise InputError(
-            f"{name} is no criterion on principal stresses, by which NonLocal bonds break: use bd.Rankine(tension=)"
+            f"{name} is not a criterion on principal stresses, as NonLocal needs; use bd.Rankine(tension=)"
             " or bd.MohrCoulomb(...)"
         )
     softening = failure.softening
     if softening is not None and softening.fracture_energy > 0.0:
-        raise InputError(f"{name}: NonLocal bonds break at once; leave fracture_energy= out, or use bd.CellBond")
+        raise InputError(f"{name}: NonLocal bonds break at once; leave out fracture_energy=, or use bd.CellBond")
     if softening is not None and softening.friction > 0.0:
         raise InputError(f"{name}: friction= of NonLocal bonds is that of contact=bd.LinearContact(..., friction=)")
 
 
 def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:
-    """Refuse what beams that soften cannot have."""
+    """Reject options unsupported by softening beams."""
     if isinstance(failure, MohrCoulomb):
         if failure.dilatancy != 0.0:
-            raise InputError("MohrCoulomb: dilatancy is of cells that yield; leave it out for beams that soften")
+            raise InputError("MohrCoulomb: dilatancy applies to cells that yield; leave it out for beams that soften")
         if failure.fracture_energy_shear == math.inf:
             raise InputError("MohrCoulomb: fracture_energy_shear = inf is for cells that yield; give beams a number")
         if failure.curve is not None:
-            raise InputError("MohrCoulomb: curve is of cracks between cells; beams soften along a straight line")
+            raise InputError("MohrCoulomb: curve applies to cracks between cells; leave it out for beams")
     if contact is not None and contact.parallel:
         raise InputError(
-            "contact= with parallel=True presses beside bonds, and beams that soften bear pressure themselves until"
+            "contact= with parallel=True acts beside bonds, and beams that soften carry pressure themselves until"
             " they have broken; leave out parallel=, or fracture_energy="
         )
     if contact is not None and not contact.stress_free:
         raise InputError(
-            "failure= of beams that soften beside contact= needs stress_free=True, as they bear pressure until they"
+            "failure= of beams that soften beside contact= needs stress_free=True, as they carry pressure until they"
             " touch"
         )
 
 
 def _scale(values: Floats) -> float:
-    """A number that differs from the values as little as any, 1 without values."""
+    """Return a number of the magnitude of the values, 1 without values."""
     there = values[values > 0.0]
     return float(np.exp(np.log(there).mean())) if len(there) else 1.0

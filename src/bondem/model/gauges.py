@@ -1,4 +1,4 @@
-"""Gauges: what is read off while a run goes on, as region × quantity × reduction."""
+"""Gauges: quantities recorded during a run, as region × quantity × reduction."""
 
 from dataclasses import dataclass
 
@@ -15,11 +15,11 @@ class Gauge:
     """Three components over time, sampled inside the compiled loop.
 
     Attributes:
-        region: who.
+        region: elements to sample.
         quantity: "displacement" [m], "velocity" [m/s], "rotation" [rad], "angular_velocity" [rad/s] or
-            "force" [N], that of loads and supports on the region.
-        reduction: "mean", "sum" or "max_abs" over the elements, component by component; unless given the sum of a
-            force and the mean of all else.
+            "force" [N], which is the force of loads and supports on the region.
+        reduction: "mean", "sum" or "max_abs" over the elements, component by component. The default is the sum for
+            forces and the mean for all other quantities.
     """
 
     region: Region
@@ -39,10 +39,10 @@ class WallGauge:
     """Three components of a wall over time, sampled inside the compiled loop.
 
     Attributes:
-        wall: its number among the walls of the model.
-        quantity: "displacement" [m]; "velocity" [m/s], of a driven wall that over the last step; "force" of the
-            elements on the wall [N]; or "growth": change of the radius [m], force on it that would change the
-            radius [N], sum of the normal forces [N].
+        wall: index of the wall among the walls of the model.
+        quantity: "displacement" [m], "velocity" [m/s] (of a driven wall: that of the last step), "force" of the
+            elements on the wall [N], or "growth". The components of "growth" are the change of the radius [m], the
+            force that would change it [N], and the sum of the normal forces [N].
     """
 
     wall: int

@@ -1,8 +1,8 @@
-"""Facets of cells that a wall holds: where a body of cells is clamped, driven or pressed between platens.
+"""Facets of cells that a wall holds, where a body of cells is clamped, driven or pressed between platens.
 
-A condition on a face holds the surface, not the centres of the cells behind it: half a cell lies between. The wall is
-joined to each of its facets by the half of a facet that belongs to the cell, in the directions that are prescribed;
-in the others the facet stays free.
+A condition on a face holds the surface, not the centres of the cells behind it, which are half a cell away. The wall
+is joined to each of its facets by the half facet of the cell, in the prescribed directions. In the other directions
+the facet stays free.
 """
 
 from collections.abc import Sequence
@@ -25,14 +25,14 @@ BASE = 7
 
 @dataclass(frozen=True, eq=False)
 class Holds:
-    """Which free facets of a body are held, along which axes, and how their walls move.
+    """Held free facets of a body, with the held axes and the motion of their walls.
 
     Attributes:
-        facet: numbers in `cells.free`, ascending, shape (g,).
-        axes: whether each is held along x, y, z, shape (g, 3).
+        facet: indices into `cells.free`, ascending, shape (g,).
+        axes: mask of held axes x, y, z of each facet, shape (g, 3).
         drives: schedules of walls that move.
-        drive: which of them each facet follows along x, y, z, or -1, shape (g, 3).
-        rate: whether each schedule is a velocity, by schedule.
+        drive: schedule that each facet follows along x, y, z, or -1, shape (g, 3).
+        rate: mask of the schedules that are velocities.
     """
 
     facet: Ints
@@ -43,7 +43,7 @@ class Holds:
 
     @classmethod
     def of(cls, body: Lattice, boundary: Sequence[BoundaryCondition]) -> "Holds":
-        """What the conditions on faces hold."""
+        """Return the facets held by the conditions on faces."""
         assert body.cells is not None
         count = len(body.cells.free.cell)
         axes, drive = np.zeros((count, 3), dtype=bool), np.full((count, 3), -1)
@@ -67,19 +67,19 @@ class Holds:
         return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate))
 
     def same(self, other: "Holds") -> bool:
-        """Whether these facets are held and moved in the same way."""
+        """Return True if the same facets are held and moved in the same way."""
         arrays = ((self.facet, other.facet), (self.axes, other.axes), (self.drive, other.drive))
         moved = self.drives == other.drives and self.rate == other.rate
         return moved and all(np.array_equal(*each) for each in arrays)
 
     def final_motion(self) -> Floats:
-        """Displacements of the walls at the end of all schedules [m], shape (g, 3)."""
+        """Return displacements of the walls at the end of all schedules [m], shape (g, 3)."""
         last = np.array([schedule.final for schedule in self.drives] + [0.0])
         return np.where(self.axes, last[self.drive], 0.0)
 
 
 def holds_wall(condition: Fix | Drive) -> bool:
-    """Whether a condition holds a wall: one on a face, that prescribes translations."""
+    """Return True if a condition holds a wall: one on a face that prescribes translations."""
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
     return is_face(condition.region) and min(first) < 3
 
@@ -89,19 +89,19 @@ class Grips:
     """The half facets between cells and the walls that hold them, g of them; elements in the user's order.
 
     Attributes:
-        cell: of each, shape (g,).
+        cell: cell of each, shape (g,).
         k: 2 G A / d [N/m], shape (g,).
-        lever: from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
-        arm: the same without stress: longer where cells have a stress-free strain [m], shape (g, 3).
+        lever: lever from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
+        arm: lever without stress, longer for cells with a stress-free strain [m], shape (g, 3).
         share: A M⁻¹n along the held axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
-        H: resistance to rotation, where the normal is held [N·m], shape (g, 3, 3).
-        axes: whether the facet is held along x, y, z, as 0 and 1, shape (g, 3).
+        H: resistance to rotation if the normal is held [N·m], shape (g, 3, 3).
+        axes: 1 for held and 0 for free axes x, y, z, shape (g, 3).
         motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
-        holds: how the walls move.
-        area: of the facets [m²], shape (g,).
-        normal: of the facets [-], shape (g, 3).
+        holds: motion of the walls.
+        area: areas of the facets [m²], shape (g,).
+        normal: normals of the facets [-], shape (g, 3).
         way: M⁻¹n [-], shape (g, 3).
-        bend: H where the whole normal is held [N·m], shape (g, 3, 3).
+        bend: H if the whole normal is held [N·m], shape (g, 3, 3).
     """
 
     cell: Ints
@@ -119,11 +119,11 @@ class Grips:
     bend: Floats
 
     def flatness(self, orientation: Floats) -> Floats:
-        """How much of the normal of each facet is held, 0 … 1, with cells of these quaternions (g, 4), shape (g,)."""
+        """Return the held share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""
         return ((self.axes * turned_rows(orientation, self.normal)) ** 2).sum(axis=1)
 
     def taken(self, base: Floats) -> "Grips":
-        """Return these grips with turned shares and H, for walls that took over cells at the poses `base`, (g, 7)."""
+        """Return these grips with rotated shares and H, for walls that took over cells at poses `base`, (g, 7)."""
         other = (base[:, 4:] != 0.0).any(axis=1)
         if not other.any():
             return self
@@ -135,24 +135,24 @@ class Grips:
         return replace(self, share=share, H=H)
 
     def grown(self, strain: PerElement) -> "Grips":
-        """The same of cells with a stress-free strain [-], user's order, (n,)."""
+        """Return the grips of cells with a stress-free strain [-], user's order, (n,)."""
         return replace(self, arm=self.lever * (1.0 + strain[self.cell, None]))
 
     def gap(self, displacement: PerElement3, rotation: PerElement3, wall: Floats | None = None) -> Floats:
-        """How far walls are from their facets along the held axes, for small motions [m], shape (g, 3).
+        """Return the gaps between walls and their facets along the held axes, for small motions [m], shape (g, 3).
 
         Args:
-            displacement, rotation: of the elements [m, rad], (n, 3).
-            wall: displacement of the walls [m], (g, 3); none when None.
+            displacement, rotation: motions of the elements [m, rad], (n, 3).
+            wall: displacement of the walls [m], (g, 3); None for none.
         """
         moved = displacement[self.cell] + np.cross(rotation[self.cell], self.lever)
         return self.axes * ((0.0 if wall is None else wall) - moved)
 
     def nodal(self, gap: Floats, turn: PerElement3, stress: Floats) -> PerElement6:
-        """Force and torque of the walls on their cells [N, N·m], shape (g, 6).
+        """Return force and torque of the walls on their cells [N, N·m], shape (g, 6).
 
         Args:
-            gap: [m], (g, 3).
+            gap: gaps [m], (g, 3).
             turn: rotations of the elements [rad], (n, 3).
             stress: λ θ of all cells [Pa], (n,).
         """
@@ -161,10 +161,10 @@ class Grips:
         return np.hstack([force, np.cross(self.lever, force) + moment])
 
     def constraint(self, motion: Floats) -> Floats:
-        """What the walls resist of motions (n, 6, k) of the elements [m], (6 g, k).
+        """Return the constrained motions for motions (n, 6, k) of the elements [m], (6 g, k).
 
-        The motion of the held points along the held axes, and √(H/k) θ: a wall that holds the normal of a facet
-        holds a plane, which resists a rotation also where no other facet is held.
+        These are the motion of the held points along the held axes, and √(H/k) θ: a wall that holds the normal of a
+        facet holds a plane, which resists a rotation even if no other facet is held.
         """
         own = motion[self.cell]
         moved = own[:, :3] + np.cross(own[:, 3:], self.lever[:, :, None], axis=1)
@@ -175,10 +175,10 @@ class Grips:
         return np.concatenate([held, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
-        """What the grips add to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of their cells, (g, 6).
+        """Return contributions of grips to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of cells, (g, 6).
 
         Args:
-            lever: as the cells have turned it [m], (g, 3); that of the reference when None.
+            lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.
         """
         b, P = self.lever if lever is None else lever, self.axes[:, :, None] * np.eye(3)
         cross = np.zeros((len(b), 3, 3))
@@ -190,13 +190,13 @@ class Grips:
         return own, -np.hstack([self.share, np.cross(b, self.share)])
 
     def table(self, layout: Layout, row_of: Ints, place: int, base: Floats | None = None) -> GripTable:
-        """The grips as kernels take them.
+        """Return the grips in the kernels' form.
 
         Args:
             layout: order of the elements.
             row_of: row of the boundary of each element, kernels' order.
-            place: of the walls in the list of works.
-            base: where the walls come from, (g, 7): the reference when None, or of another number of facets.
+            place: place of the walls in the list of works.
+            base: initial places of the walls, (g, 7); the reference if None, or of another number of facets.
         """
         if base is not None and len(base) == len(self.cell):
             return self.taken(base)._table(layout, row_of, place, base)
@@ -218,12 +218,12 @@ class Grips:
 
 
 def reference_base(count: int) -> Floats:
-    """Where walls come from that count from the reference, (g, 7)."""
+    """Return the initial places of walls that are measured from the reference, (g, 7)."""
     base = np.zeros((count, BASE))
     base[:, 3] = 1.0
     return base
 
 
 def turned_rows(quaternion: Floats, vectors: Floats) -> Floats:
-    """Vectors (k, 3), each turned by its unit quaternion, (k, 4)."""
+    """Return vectors (k, 3), each rotated by its unit quaternion, (k, 4)."""
     return turn_vectors(np.ascontiguousarray(quaternion), np.ascontiguousarray(vectors))

@@ -1,4 +1,4 @@
-"""What strengths, stiffnesses and the size of elements mean together: a fracture energy and a toughness."""
+"""Fracture energy and toughness implied by strengths, stiffnesses and the size of elements."""
 
 import math
 from dataclasses import dataclass
@@ -18,23 +18,25 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True)
 class ImpliedFracture:
-    """Fracture of a lattice, by medians of its bonds or facets.
+    """Fracture properties of a lattice, as medians over its bonds or facets.
 
-    With a fracture energy G_c of cells is what was given, and K_Ic = √(E G_c). Brittle facets of cells have
-    K_Ic = f_t √L (bars with a slit: 0.75 to 0.84 of it) and so G_c = K_Ic² / E = f_t² L / E, twice
-    the energy f_t² L / 2E that a facet frees for each area of its own: both grow with the size of the
-    elements; bonds of `NonLocal` are taken for such facets. Brittle beams have for each area of a
-    plane crack what the bonds through it hold in tension, (1/2V) Σ U L with U = N_t² / 2 k_n, and those that soften
-    what these take up, U = G_f A; E is the affine estimate, from above.
+    Cells with a fracture energy have the G_c that was given, and K_Ic = √(E G_c). Brittle facets of cells have
+    K_Ic = f_t √L (bars with a slit: 0.75 to 0.84 of it) and so G_c = K_Ic² / E = f_t² L / E. This is twice the
+    energy f_t² L / 2E that a facet releases per area of its own; both grow with the size of the elements. Bonds of
+    `NonLocal` are treated as such facets.
+
+    Brittle beams release, per area of a plane crack, the energy stored in tension by the bonds through it:
+    (1/2V) Σ U L with U = N_t² / 2 k_n. For beams that soften, U = G_f A is the energy that they absorb. E is then the
+    affine estimate, an upper bound.
 
     Attributes:
-        softens: whether a fracture energy was given.
-        strength: f_t, tensile, of a beam its largest axial force over its section [Pa].
-        weakest: the least of the medians of the parts that have a criterion each [Pa].
+        softens: True if a fracture energy was given.
+        strength: f_t, tensile strength; for a beam its largest axial force over its section [Pa].
+        weakest: smallest of the median strengths of the parts that have one criterion each [Pa].
         E: Young's modulus [Pa].
-        density: of the specimen, air included [kg/m³].
-        length: L, of bonds or between cells across their facet [m].
-        bond_energy: what one bond or facet holds in tension when it breaks, over its own area [J/m²].
+        density: density of the specimen, including voids [kg/m³].
+        length: L, length of bonds, or distance of cells across their facet [m].
+        bond_energy: energy stored in tension by one bond or facet when it breaks, over its own area [J/m²].
         fracture_energy: G_c [J/m²].
         extent: longest edge of the specimen [m].
     """
@@ -51,12 +53,12 @@ class ImpliedFracture:
 
     @property
     def toughness(self) -> float:
-        """K_Ic [Pa √m]."""
+        """Fracture toughness K_Ic [Pa √m]."""
         return math.sqrt(self.E * self.fracture_energy)
 
     @property
     def irwin(self) -> float:
-        """E G_c / f_t², Irwin's length [m]: about that of the process zone."""
+        """Irwin's length E G_c / f_t² [m], about the size of the process zone."""
         return self.E * self.fracture_energy / (self.strength * self.strength)
 
 
@@ -69,15 +71,15 @@ def implied_fracture(
     non_local: NonLocalConstants | None,
     mass: PerElement,
 ) -> ImpliedFracture | None:
-    """What criteria mean on a lattice; None without bonds.
+    """Return the fracture properties that criteria imply for a lattice, or None without bonds.
 
     Args:
         lattice: bonds or facets.
-        parts: when they break.
-        stiffness: of the bonds.
-        cells: constants of a body, user's order; None of others.
-        non_local: constants of the non-local law, user's order; None of others.
-        mass: of the elements [kg], shape (n,).
+        parts: criteria with their bonds.
+        stiffness: stiffnesses of the bonds.
+        cells: constants of a body, user's order; None for other lattices.
+        non_local: constants of the non-local law, user's order; None for other laws.
+        mass: masses of the elements [kg], shape (n,).
     """
     if not len(lattice.pairs):
         return None
@@ -120,7 +122,7 @@ def implied_fracture(
 
 
 def _given_energy(failure: Criterion, *, cells: bool) -> float:
-    """Fracture energy of tension that a criterion has [J/m²], 0 where bonds or facets break at once."""
+    """Return the fracture energy in tension of a criterion [J/m²], 0 for brittle bonds or facets."""
     if cells:
         return 0.0 if failure.softening is None else failure.softening.fracture_energy
     energies = failure.energies if isinstance(failure, BondCriterion) else None
@@ -128,7 +130,7 @@ def _given_energy(failure: Criterion, *, cells: bool) -> float:
 
 
 def _tensile_force(part: FailurePart, joint: Joint, period: Floats | None, *, non_local: bool) -> PerBond:
-    """Tension that breaks each bond of a part by itself [N], (c,)."""
+    """Return the tensile force that breaks each bond of a part in pure tension [N], (c,)."""
     failure = part.criterion
     factor = failure.factors(joint.volume, joint.place, period)[part.bonds]
     joint = joint.take(part.bonds)
@@ -147,7 +149,7 @@ def _tensile_force(part: FailurePart, joint: Joint, period: Floats | None, *, no
 
 
 def _affine_modulus(length: PerBond, stiffness: BondStiffness, volume: float) -> float:
-    """E of an isotropic lattice whose elements all move with a uniform strain [Pa]."""
+    """Return E of an isotropic lattice whose elements all move with a uniform strain [Pa]."""
     normal = float((length**2 * stiffness.kn).sum()) / volume
     across = float((length**2 * stiffness.ks).sum()) / volume
     bulk, shear = normal / 9.0, normal / 15.0 + across / 10.0

@@ -1,9 +1,9 @@
 """The order in which kernels see elements and bonds.
 
-Elements lie along a Morton curve, so that neighbours in space are neighbours in memory; bonds are sorted by
-their farther element j > i, then by i: a pass over the bonds then streams along the elements j and looks back
-at elements i it has just seen, instead of ahead at elements that are not in the cache yet, which costs twice
-the time at 100 000 elements. Everything public stays in the user's order.
+Elements lie along a Morton curve, so that neighbours in space are neighbours in memory. Bonds are sorted by their
+farther element j > i, then by i. A pass over the bonds then streams along the elements j and reads elements i that it
+has just seen. The opposite order would read elements that are not yet in the cache, which takes twice the time at
+100 000 elements. All public data stay in the user's order.
 """
 
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class Layout:
         order: user's number of internal element k, shape (n,).
         rank: internal number of user's element, shape (n,).
         bond_order: user's number of internal bond k, shape (m,).
-        flipped: whether internal bond k runs against the user's direction, shape (m,).
+        flipped: mask of internal bonds that run against the user's direction, shape (m,).
         i, j: internal elements of each bond, i < j, uint32, shape (m,).
         in_start: bonds in_start[p] … in_start[p+1] have j = p, shape (n + 1,).
         out_start, out_bond: out_bond[out_start[p] : out_start[p+1]] are the bonds with i = p, ascending.
@@ -42,7 +42,7 @@ class Layout:
 
     @classmethod
     def of(cls, lattice: Lattice) -> "Layout":
-        """The layout of a lattice."""
+        """Return the layout of a lattice."""
         n = len(lattice.particles)
         order = np.argsort(morton_code(lattice.particles.position), kind="stable")
         rank = np.empty(n, dtype=np.int64)
@@ -66,7 +66,7 @@ class Layout:
         )
 
     def of_elements(self, value: PerBond) -> PerElement:
-        """Mean over the bonds of each element, user's order, (n,), of what bonds have, (m,); 0 without bonds."""
+        """Return the mean over the bonds of each element of values (m,), user's order, (n,); 0 without bonds."""
         n = len(self.order)
         ends = np.concatenate([self.i, self.j]).astype(np.int64)
         count = np.maximum(np.bincount(ends, minlength=n), 1)
@@ -74,7 +74,7 @@ class Layout:
 
     @property
     def adjacency(self) -> Adjacency:
-        """Bonds of each element, as kernels take them."""
+        """Bonds of each element, in the kernels' form."""
         return Adjacency(self.in_start, self.out_start, self.out_bond)
 
 

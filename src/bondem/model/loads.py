@@ -1,4 +1,4 @@
-"""Loads that act on faces, volumes and bonds: body forces, pressure, absorbing boundaries, stress-free strain."""
+"""Loads on faces, volumes and bonds: body forces, pressure, absorbing boundaries and stress-free strain."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -25,18 +25,20 @@ _PATCH = 0.25
 class BodyForce:
     """A force on every element in proportion to its mass, such as weight.
 
-    In explicit runs it acts on loose elements of the region too; a static solution has none of these. One that varies
-    in space, such as that of a body that spins, keeps for each element the value that it has in the reference.
+    In explicit runs it also acts on loose elements of the region; a static solution has no loose elements. A force
+    that varies in space, such as that of a spinning body, keeps its value in the reference configuration for each
+    element.
 
     Attributes:
-        acceleration: force over mass [m/s²]: (3,), the same everywhere; or (n, 3), one row for each element in the
-            user's order, of which those outside of the region do not count; or a function of the reference centres
-            [m], (n, 3), that returns (n, 3). A run file cannot hold a function: give its values.
-        region: who.
+        acceleration: force over mass [m/s²]. Give (3,) for a uniform field, or (n, 3), one row per element in the
+            user's order, where rows outside the region have no effect. Or give a function of the reference centres
+            [m], (n, 3), that returns (n, 3). A run file cannot store a function; give its values instead.
+        region: elements to load.
         schedule: factor over time [-].
 
     Raises:
-        InputError: another shape, or values that are not finite; of a function, when a model is made.
+        InputError: An array has another shape or a value that is not finite. A function is checked when the model is
+            made.
     """
 
     acceleration: tuple[float, float, float] | Sequence[Sequence[float]] | Callable[[PerElement3], PerElement3]
@@ -50,10 +52,10 @@ class BodyForce:
         object.__setattr__(self, "schedule", as_schedule("BodyForce", "schedule", self.schedule))
 
     def parts(self, lattice: Lattice) -> list[tuple[PerElement, tuple[float, float, float]]]:
-        """Uniform accelerations at factor 1 [m/s²], and how much of each acts on each element, user's order, (n,).
+        """Return uniform accelerations at factor 1 [m/s²], and the factors of elements for each, user's order, (n,).
 
         Raises:
-            InputError: an acceleration of another number of elements, or a function that gives one.
+            InputError: The acceleration, or the value of the function, has another number of elements.
         """
         inside, n = self.region.mask(lattice).astype(float), len(lattice.particles)
         given = self.acceleration
@@ -70,7 +72,7 @@ class BodyForce:
 
 
 def _accelerations(given: object) -> tuple[float, float, float] | tuple[tuple[float, float, float], ...]:
-    """Three components, or one row an element."""
+    """Return three components, or one row per element."""
     values = array("BodyForce", "acceleration", given, wanted="(3,), or (n, 3) [m/s²], or a function of centres")
     if values.ndim < 2:
         return vector("BodyForce", "acceleration", given, unit="m/s²")
@@ -84,19 +86,19 @@ def _accelerations(given: object) -> tuple[float, float, float] | tuple[tuple[fl
 
 @dataclass(frozen=True)
 class Pressure:
-    """A pressure on a face, along its outward normal and inwards: the force is -∫ p n dA.
+    """A pressure on a face, against its outward normal: the force is -∫ p n dA.
 
-    The face is cut into patches of a quarter of the mean radius; each hands its force to the nearest element of the
-    face. Resultant and moment are those of the patches: what moving their forces to the centres of the elements adds
-    to the moment is taken out by the smallest forces. Cells take it on their own facets. The normals are those of the
-    reference, or turn with the cells: a membrane, also about what has come loose. Static solutions, being linear,
-    take those of the reference.
+    The face is cut into patches of a quarter of the mean radius. Each patch passes its force to the nearest element
+    of the face. The resultant and the moment are those of the patches: the smallest correcting forces remove the
+    moment that arises when the forces move to the centres of the elements. In a body of cells the pressure acts on
+    the facets. The normals are those of the reference, or rotate with the cells like those of a membrane, also around
+    detached pieces. Static solutions are linear and use the normals of the reference.
 
     Attributes:
         region: a face, or part of one: `Face("side") & Within(...)`, `Face("x_max") - Index(...)`.
-        pressure: [Pa]; tension is negative.
+        pressure: pressure [Pa]; negative for tension.
         schedule: factor over time [-].
-        follows: whether the normals turn with the cells; of bodies of cells only.
+        follows: True if the normals rotate with the cells; only for bodies of cells.
     """
 
     region: Region
@@ -111,12 +113,12 @@ class Pressure:
         instance("Pressure", "follows", self.follows, bool, "True or False")
 
     def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
-        """Facets of a body, numbers in `cells.free`, and the force on each [N], (p, 3), at full load."""
+        """Return the loaded facets of a body (indices into `cells.free`) and the forces at full load [N], (p, 3)."""
         _, _, _, area = facets_on(self.region, body)
         return facet_numbers(self.region, body), -self.pressure * area
 
     def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
-        """Elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
+        """Return elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
         chosen, owner, centre, area = _shared("Pressure", self.region, lattice)
         force = -self.pressure * area
         if lattice.cells is not None:
@@ -135,16 +137,16 @@ class Pressure:
 
 @dataclass(frozen=True)
 class Absorbing:
-    """A boundary that lets waves out: dashpots ρ cp A along the normal and ρ cs A across.
+    """A boundary that absorbs waves by dashpots, ρ cp A along the normal and ρ cs A across.
 
-    Waves that arrive at right angles leave entirely, slanting ones in part. Static solutions take no notice of it.
+    Waves at normal incidence are absorbed entirely, oblique waves in part. Static solutions ignore the boundary.
 
     Attributes:
-        region: a face, or part of one, as of `Pressure`; areas are shared out in the same way.
-        density: of the specimen, mass over volume [kg/m³]; not that of the elements.
+        region: a face, or part of one, as for `Pressure`; its area is divided in the same way.
+        density: density of the specimen, mass over volume [kg/m³]; not that of the elements.
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
-        c: celerity of the waves along the normal [m/s], such as √(E/ρ) in a thin bar; None for that of plane waves.
+        c: speed of the waves along the normal [m/s], such as √(E/ρ) in a thin bar; None for that of plane waves.
 
     Reference: Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859–877.
     """
@@ -166,13 +168,13 @@ class Absorbing:
 
     @property
     def celerities(self) -> tuple[float, float]:
-        """Of the waves it absorbs, along the normal and across [m/s]."""
+        """Speeds of the absorbed waves along the normal and across [m/s]."""
         E, nu = self.E, self.nu
         plane = math.sqrt(E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)) / self.density)
         return self.c if self.c is not None else plane, math.sqrt(0.5 * E / (1.0 + nu) / self.density)
 
     def dashpots(self, lattice: Lattice) -> tuple[Ints, Floats]:
-        """Elements (k,) and their dashpots xx, yy, zz, xy, xz, yz [N·s/m], (k, 6)."""
+        """Return elements (k,) and their dashpot coefficients xx, yy, zz, xy, xz, yz [N·s/m], (k, 6)."""
         chosen, owner, _, area = _shared("Absorbing", self.region, lattice)
         along, across = (self.density * c for c in self.celerities)
         size = np.linalg.norm(area, axis=1)
@@ -186,37 +188,69 @@ class Absorbing:
 
 @dataclass(frozen=True)
 class Eigenstrain:
-    """A stress-free strain of the bonds: heat, shrinkage, swelling, initial stress. Rest lengths are L (1 + ε*(t)).
+    """A stress-free strain of the bonds: heat, shrinkage, swelling or initial stress.
 
-    Bonds between an element of the region and another get half of it, as half of them lies inside. A free specimen
-    grows by ε* without stress; one held between two walls bears -E ε*. Several strains on a bond add up.
+    Rest lengths become L (1 + ε*(t)). Each bond gets the mean of the strains of its two elements, because half of its
+    length lies inside each; outside the region the strain is 0. A free specimen grows by a uniform ε* without stress;
+    a specimen held between two walls carries -E ε*. Strains on the same bond add up. A field that varies in time by
+    more than a factor is a sum of several strains.
 
     Attributes:
-        strain: ε* at factor 1 [-], such as α ΔT.
-        region: who.
+        strain: ε* at factor 1 [-], such as α ΔT: a number, the same everywhere; or (n,), one per element in the
+            user's order, where elements outside the region are ignored; or a function of the reference centres [m],
+            (n, 3), that returns (n,). A run file cannot store a function; give its values instead.
+        region: elements that are strained.
         schedule: factor over time [-].
+
+    Raises:
+        InputError: another shape, or values that are not finite or reach -1; of a function, when a model is made.
     """
 
-    strain: float
+    strain: float | Sequence[float] | Callable[[PerElement3], PerElement]
     region: Region = Everything()
     schedule: Schedule = Constant(1.0)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "strain", number("Eigenstrain", "strain", self.strain))
         as_region("Eigenstrain", self.region)
         object.__setattr__(self, "schedule", as_schedule("Eigenstrain", "schedule", self.schedule))
-        if not (1.0 + self.strain * self.schedule.table[1] > 0.0).all():
-            raise InputError(f"Eigenstrain: strain = {self.strain}; give a finite value that stays above -1")
+        if callable(self.strain):
+            return
+        values = array("Eigenstrain", "strain", self.strain, wanted="one strain, or (n,), or a function of centres")
+        if values.ndim > 1:
+            raise InputError(f"Eigenstrain: strain has shape {values.shape}; give a number, (n,), or a function")
+        self._check_size(values)
+        object.__setattr__(self, "strain", float(values) if values.ndim == 0 else tuple(values.tolist()))
+
+    def _check_size(self, values: Floats) -> None:
+        if not possible(values):
+            raise InputError("Eigenstrain: strain holds values that are not finite; give finite ones above -1")
+        ends = np.outer([values.min(initial=0.0), values.max(initial=0.0)], self.schedule.table[1])
+        if not (1.0 + ends > 0.0).all():
+            raise InputError(
+                f"Eigenstrain: strain = {shown(self.strain)} times its schedule reaches {ends.min():.4g}; give values"
+                " that stay above -1"
+            )
 
     def parts(self, lattice: Lattice) -> PerBond:
-        """Strain of each bond at factor 1 [-], user's order, (m,)."""
-        inside = np.zeros(len(lattice.particles))
+        """Return the strain of each bond at factor 1 [-], user's order, (m,).
+
+        Raises:
+            InputError: an array or a result of the function of another length, or values at or below -1.
+        """
+        inside, given = np.zeros(len(lattice.particles)), self.strain
         inside[self.region.select(lattice)] = 1.0
-        return self.strain * inside[lattice.pairs].mean(axis=1)
+        values = np.asarray(given(lattice.centre.copy()) if callable(given) else given, dtype=float)
+        if values.shape not in ((), inside.shape):
+            raise InputError(
+                f"Eigenstrain: strain = {shown(given)}: its values have shape {values.shape}; give a number,"
+                f" ({len(inside)},), one value per element, or a function of centres ({len(inside)}, 3) that does"
+            )
+        self._check_size(values)
+        return (values * inside)[lattice.pairs].mean(axis=1)
 
 
 def is_face(region: Region) -> bool:
-    """Whether a region is a face or part of one."""
+    """Return True if a region is a face or part of one."""
     match region:
         case Face():
             return True
@@ -229,10 +263,10 @@ def is_face(region: Region) -> bool:
 
 
 def face_of(owner: str, region: Region) -> Face:
-    """The face that a region is, or is part of.
+    """Return the face that a region is, or is part of.
 
     Raises:
-        InputError: there is none.
+        InputError: The region is not on a face.
     """
     match region:
         case Face():
@@ -244,12 +278,12 @@ def face_of(owner: str, region: Region) -> Face:
         case _:
             as_region(owner, region)
     raise InputError(
-        f'{owner}: {region} is no face; give bd.Face("x_min") or a part of one, and one {owner} for each face'
+        f'{owner}: {region} is not a face; give bd.Face("x_min") or a part of one, and one {owner} for each face'
     )
 
 
 def facet_numbers(region: Region, body: Lattice) -> Ints:
-    """Numbers in `cells.free` of the facets of a face, or of a part of one."""
+    """Return the facets of a face, or of a part of one, as indices into `cells.free`."""
     face = face_of("facet_numbers", region)
     chosen = np.zeros(len(body.particles), dtype=bool)
     chosen[region.select(body)] = True
@@ -259,7 +293,12 @@ def facet_numbers(region: Region, body: Lattice) -> Ints:
 
 
 def facets_on(region: Region, body: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
-    """Cells of a region and their facets on a face: which cell has each, its centroid, its area times normal."""
+    """Return the cells of a region and their facets on a face.
+
+    Returns:
+        The cells, and for each facet the position of its cell among them, its centroid [m], and its area times
+        normal [m²].
+    """
     chosen, found = region.select(body), facet_numbers(region, body)
     place = np.full(len(body.particles), -1)
     place[chosen] = np.arange(len(chosen))
@@ -269,7 +308,7 @@ def facets_on(region: Region, body: Lattice) -> tuple[Ints, Ints, Floats, Floats
 
 
 def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Floats) -> Floats:
-    """Force and torque on the chosen cells [N, N·m], (k, 6), of forces (p, 3) at points (p, 3) of those cells."""
+    """Return force and torque on chosen cells [N, N·m], (k, 6), of forces (p, 3) at points (p, 3) of those cells."""
     torque = np.cross(centre - body.centre[chosen][owner], force)
     columns = np.hstack([force, torque]).T
     parts = [np.bincount(owner, weights=column, minlength=len(chosen)) for column in columns]
@@ -277,7 +316,7 @@ def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Fl
 
 
 def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
-    """Elements of a face, and patches: which of the elements has each, its centre and its area times normal.
+    """Return the elements of a face and its patches, as `facets_on` does for facets.
 
     The patches of a body are its facets on the face.
     """
@@ -291,5 +330,5 @@ def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, F
     place[chosen] = np.arange(len(chosen))
     mine = place[nearest] >= 0
     if not mine.any():
-        raise InputError(f"{owner}: no part of {region} is nearest to its elements; take a larger part of the face")
+        raise InputError(f"{owner}: no patch is nearest to an element of {region}; select a larger part of the face")
     return chosen, place[nearest[mine]], centre[mine], area[mine]

@@ -1,4 +1,4 @@
-"""Where kernels count positions from: far from the origin of coordinates, such as in UTM, digits would be lost."""
+"""Origin of positions in the kernels, near the specimen, so that digits are kept far from the origin, as in UTM."""
 
 import numpy as np
 
@@ -10,10 +10,10 @@ _FAR = 100.0
 
 
 def local_origin(lattice: Lattice) -> Floats:
-    """The point that positions in a state count from [m], (3,): zero, or near a specimen that is far from there.
+    """Return the origin of positions in a state [m], (3,): zero, or near a specimen that is far from there.
 
-    Its coordinates are multiples of a power of two about as large as the specimen, so that what is left of positions
-    is exact.
+    Its coordinates are multiples of a power of two about as large as the specimen, so that differences of positions
+    are exact.
     """
     lower, upper = lattice.centre.min(axis=0), lattice.centre.max(axis=0)
     extent = float((upper - lower).max()) + lattice.particles.mean_radius
@@ -25,5 +25,5 @@ def local_origin(lattice: Lattice) -> Floats:
 
 
 def local_rest(lattice: Lattice) -> Floats:
-    """Centres in the reference from there [m], user's order, (n, 3)."""
+    """Return centres in the reference relative to the local origin [m], user's order, (n, 3)."""
     return lattice.centre - local_origin(lattice)

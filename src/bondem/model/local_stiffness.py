@@ -9,7 +9,7 @@ from bondem.model.non_local_constants import NonLocalConstants
 
 
 def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
-    """½ kn δ_n² + ½ kt |δ_t|² differentiated twice, 6×6 blocks of (u, θ), kernels' order, (6 n, 6 n)."""
+    """Return the second derivative of ½ kn δ_n² + ½ kt |δ_t|², 6×6 blocks of (u, θ), kernels' order, (6 n, 6 n)."""
     n, m = len(layout.order), len(layout.i)
     P = constants.normal[:, :, None] * constants.normal[:, None, :] * (constants.kn - constants.kt)[:, None, None]
     P += constants.kt[:, None, None] * np.eye(3)
@@ -36,7 +36,7 @@ def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
 
 
 def _crossing(lever: Floats) -> Floats:
-    """[b]× with [b]× v = b × v, (m, 3, 3)."""
+    """Return [b]× with [b]× v = b × v, (m, 3, 3)."""
     cross = np.zeros((len(lever), 3, 3))
     cross[:, 0, 1], cross[:, 0, 2], cross[:, 1, 2] = -lever[:, 2], lever[:, 1], -lever[:, 0]
     return cross - np.swapaxes(cross, 1, 2)

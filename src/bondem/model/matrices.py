@@ -71,10 +71,10 @@ _assemble_facets = Pass("assemble_facets", FacetRows, BlockRows, DilatationRows)
 
 
 def stiffness_matrix(model: Model) -> Stiffness:
-    """Stiffness K of the unconstrained lattice: 6×6 blocks, (u, θ) an element, internal order.
+    """Return the stiffness K of the unconstrained lattice: 6×6 blocks, (u, θ) per element, internal order.
 
-    It is the second derivative of the energy at rest; of bonds, the same for both formulations. Of the non-local law
-    it is that of its springs alone, without the stresses that lag behind.
+    It is the second derivative of the energy at rest; for bonds it is the same for both formulations. For the
+    non-local law it is that of its springs alone, without the lagged stresses.
     """
     layout = model.layout
     size = 6 * len(layout.order)
@@ -106,6 +106,6 @@ def stiffness_matrix(model: Model) -> Stiffness:
 
 
 def mass_diagonal(model: Model) -> Floats:
-    """Diagonal of the mass matrix: m, m, m, I, I, I an element [kg, kg·m²], internal order, shape (6 n,)."""
+    """Return the diagonal of the mass matrix: m, m, m, I, I, I per element [kg, kg·m²], internal order, (6 n,)."""
     order = model.layout.order
     return np.stack([model.mass[order]] * 3 + [model.inertia[order]] * 3, axis=1).ravel()

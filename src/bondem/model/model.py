@@ -1,13 +1,15 @@
-"""The model: everything that does not change while it is solved."""
+"""The model: all data that stay constant during a solution."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import cast, get_args
+from pathlib import Path
+from typing import Any, cast, get_args
 
 import numpy as np
 
 from bondem._checks import array, instance, possible, several, shown
+from bondem._drawing import draw
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.errors import InputError
 from bondem.laws.bond import BondLaw, BondStiffness
@@ -42,25 +44,26 @@ from bondem.specimen.plausibility import question_bond_radius, question_strength
 class Model:
     """A lattice with bonds, masses and boundary conditions.
 
-    What is not named in a model is not there: contacts and walls act in explicit runs only, and static solutions and
-    modes refuse a model that has them.
+    A model contains only what is named in it. Contacts and walls act in explicit runs only; static solutions and
+    modes reject a model that has them.
 
     Attributes:
         lattice: elements and bonds.
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
-            `CellBond`, or {region: CellBond}, for a body cut into cells. `NonLocal` is one law for all.
-        density: of the elements themselves, ρ_μ [kg/m³], or of the material in a body of cells; a number or shape
-            (n,). Only linear statics without body forces do not depend on it.
-        boundary: what is fixed, driven, loaded, absorbed or strained; one condition or several.
-        contact: law of the contacts between elements that no intact bond joins, and with walls; None for none.
-        walls: rigid planes and cylinders; they need a `contact` law.
-        failure: when bonds or facets break, such as `bd.PeripheralStress(...)`, or criteria of one kind by region:
-            {region: criterion, (region, region): criterion}; None for never. Bonds break in explicit runs only.
+            Use `CellBond`, or {region: CellBond}, for a body cut into cells. `NonLocal` is one law for all bonds.
+        density: density of the elements, ρ_μ [kg/m³], or of the material in a body of cells; a number or shape (n,).
+            Only linear statics without body forces is independent of it.
+        boundary: one boundary condition or several: supports, drives, loads, absorbing boundaries, strains.
+        contact: law of contacts with walls and between elements without an intact bond; None for no contacts.
+        walls: rigid planes, cylinders and spheres; they need a `contact` law.
+        failure: criterion by which bonds or facets break, such as `bd.PeripheralStress(...)`, or criteria of one kind
+            by region: {region: criterion, (region, region): criterion}. None for bonds that never break. Bonds break
+            in explicit runs only.
 
     Raises:
-        InputError: a density that is not positive, boundary conditions that contradict each other, or masses and
-            stiffnesses beyond what numbers hold.
-        EmptyRegionError: a region that selects no connected element.
+        InputError: A density is not positive, boundary conditions contradict each other, or masses and stiffnesses
+            exceed the range of numbers.
+        EmptyRegionError: A region selects no connected element.
     """
 
     lattice: Lattice
@@ -73,20 +76,20 @@ class Model:
 
     def __post_init__(self) -> None:
         instance("Model", "lattice", self.lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
-        density = array("Model", "density", self.density, wanted="a positive number [kg/m³], or one an element")
+        density = array("Model", "density", self.density, wanted="a positive number [kg/m³], or one per element")
         if density.shape not in ((), (len(self.lattice.particles),)):
-            raise InputError(f"density has shape {density.shape}; give a number or one value an element")
+            raise InputError(f"density has shape {density.shape}; give a number or one value per element")
         if not possible(density) or not (density > 0.0).all():
-            raise InputError("density must be positive and finite [kg/m³] for every element")
+            raise InputError("density has values that are not positive and finite; give positive values [kg/m³]")
         object.__setattr__(self, "boundary", _conditions(self.boundary))
         object.__setattr__(self, "walls", check_walls(self.walls))
         if self.contact is not None and not isinstance(self.contact, ContactLaw):
-            raise InputError(f"contact= takes a contact law such as bd.LinearContact, not {shown(self.contact)}")
+            raise InputError(f"contact = {shown(self.contact)}; give a contact law such as bd.LinearContact")
         beams = self._cells is None and self._non_local is None
         if self.contact is not None and self.contact.parallel and not beams:
-            raise InputError("contact= with parallel=True acts beside beams; leave parallel= out for cells, NonLocal")
+            raise InputError("contact= with parallel=True applies to beams; leave out parallel= for cells, NonLocal")
         if self.walls and self.contact is None:
-            raise InputError("walls need a law of contact: give contact=bd.LinearContact(E=...)")
+            raise InputError("walls= need a contact law; give contact=bd.LinearContact(E=...)")
         self._check_magnitudes()
         self.constraints  # noqa: B018  regions are checked when the model is made
         if isinstance(self.bond, BondLaw) and self.bond.radius is not None:
@@ -106,16 +109,16 @@ class Model:
         for name, values in (("masses", mass), ("moments of inertia", inertia), *held):
             if not np.isfinite(values).all() or (name.startswith("m") and not (values > 0.0).all()):
                 raise InputError(
-                    f"the {name} of this model are beyond what numbers hold; check the units of density, bonds, radii"
+                    f"the {name} of this model exceed the range of numbers; check the units of density, bonds, radii"
                 )
 
     def _check_strain(self) -> None:
         if len(self.constraints.strain_part) and self.formulation == "incremental":
-            raise InputError("Eigenstrain needs stored rest lengths: use formulation='total'")
+            raise InputError("Eigenstrain needs stored rest lengths; use formulation='total'")
         if len(self.constraints.strain_part) and self.failure is not None and self.contact is not None:
-            raise InputError("Eigenstrain moves where broken bonds touch; leave out contact= or failure= beside it")
+            raise InputError("Eigenstrain shifts where broken bonds touch; leave out contact= or failure= beside it")
         if len(self.constraints.strain_part) and self.beam_softening is not None:
-            raise InputError("Eigenstrain does not know beams that soften yet; leave out fracture_energy= beside it")
+            raise InputError("Eigenstrain does not apply to beams that soften; leave out fracture_energy= beside it")
 
     @cached_property
     def layout(self) -> Layout:
@@ -124,12 +127,12 @@ class Model:
 
     @cached_property
     def cells(self) -> CellConstants | None:
-        """Constants of the cell law, in the kernels' order; None of a lattice of beams."""
+        """Constants of the cell law, in the kernels' order; None for other laws."""
         return None if self._cells is None else self._cells.ordered(self.layout)
 
     @property
     def cell_constants(self) -> CellConstants:
-        """The same in the user's order, of a model that has them."""
+        """Constants of the cell law, in the user's order. Requires a `CellBond` model."""
         assert self._cells is not None
         return self._cells
 
@@ -143,12 +146,12 @@ class Model:
 
     @cached_property
     def non_local(self) -> NonLocalConstants | None:
-        """Constants of the non-local law, in the kernels' order; None of another law."""
+        """Constants of the non-local law, in the kernels' order; None for other laws."""
         return None if self._non_local is None else self._non_local.ordered(self.layout)
 
     @property
     def non_local_constants(self) -> NonLocalConstants:
-        """The same in the user's order, of a model that has them."""
+        """Constants of the non-local law, in the user's order. Requires a `NonLocal` model."""
         assert self._non_local is not None
         return self._non_local
 
@@ -158,7 +161,7 @@ class Model:
         if not any(isinstance(law, NonLocal) for law in laws):
             return None
         if not isinstance(self.bond, NonLocal):
-            raise InputError("NonLocal is one law for the whole model: give bond=bd.NonLocal(...), no mapping")
+            raise InputError("bond= maps a region to NonLocal, a law for the whole model; give bond=bd.NonLocal(...)")
         return NonLocalConstants.of(self.lattice, self.bond)
 
     @cached_property
@@ -176,7 +179,7 @@ class Model:
 
     @property
     def formulation(self) -> str:
-        """"total" or "incremental"."""
+        """Formulation of the bond law, "total" or "incremental"."""
         return self._assigned[1]
 
     @cached_property
@@ -186,7 +189,7 @@ class Model:
 
     @cached_property
     def contacts(self) -> ContactModel | None:
-        """Contacts before anything has moved, or None."""
+        """Contacts of the reference configuration, in the kernels' form; None without a contact law."""
         if self.contact is None:
             return None
         origin = local_origin(self.lattice)
@@ -198,24 +201,24 @@ class Model:
 
     @property
     def hands_over(self) -> bool:
-        """Whether contacts bear what presses on bonds that have broken."""
+        """True if contacts carry the compression of bonds that have broken."""
         return self.contacts is not None and self.contacts.own is not None
 
     @property
     def contact_radius(self) -> PerElement:
-        """Radius of elements in contact, of cells that of a sphere of their volume [m], user's order, shape (n,)."""
+        """Contact radii of the elements; for a cell, that of a sphere of its volume [m], user's order, shape (n,)."""
         if not self._as_cells:
             return self.lattice.particles.radius
         return np.cbrt(0.75 / np.pi * body_of(self.lattice)[1].volume)
 
     @cached_property
     def failure_parts(self) -> tuple[FailurePart, ...]:
-        """Which bonds and elements fail by which criterion, user's order."""
+        """Criteria with the bonds and elements that they apply to, user's order."""
         return () if self.failure is None else failure_parts(self.lattice, self.failure)
 
     @cached_property
     def breaking(self) -> FailureTable | None:
-        """When bonds break, in the kernels' order, or None."""
+        """Criteria by which single bonds break or begin to soften, in the kernels' order; None if there are none."""
         if self.failure is None:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
@@ -228,12 +231,12 @@ class Model:
 
     @property
     def _by_bond(self) -> bool:
-        """Whether criteria judge single bonds."""
+        """True if criteria evaluate single bonds."""
         return any(isinstance(one.criterion, BondCriterion) for one in self.failure_parts)
 
     @cached_property
     def beam_softening(self) -> BeamSoftening | None:
-        """What beams take up as they soften, in the kernels' order, or None."""
+        """Fracture energies of softening beams, in the kernels' order; None if no beam softens."""
         whole = self._cells is not None or self._non_local is not None
         if self.failure is None or whole or not self._by_bond:
             return None
@@ -242,14 +245,14 @@ class Model:
 
     @cached_property
     def softening(self) -> SofteningTable | None:
-        """How facets crack and cells yield, in the kernels' order, or None."""
+        """Parameters of cracking facets and yielding cells, in the kernels' order; None if there are none."""
         if self.failure is None or self.cells is None:
             return None
         return SofteningTable.of(self.lattice, self.layout, self.cells, self.failure_parts)
 
     @property
     def implied_fracture(self) -> ImpliedFracture | None:
-        """What the criterion means with these elements, or None."""
+        """Fracture properties implied by the criterion and these elements; None without a criterion or bonds."""
         if self.failure is None:
             return None
         return implied_fracture(
@@ -258,7 +261,7 @@ class Model:
 
     @property
     def pressed(self) -> PerElement:
-        """What tractions on the facets of a body add to V θ of each cell in the end [m³], user's order, (n,)."""
+        """Final contribution of tractions on the facets of a body to V θ of each cell [m³], user's order, (n,)."""
         return self.constraints.final_press()[self.layout.rank]
 
     @cached_property
@@ -271,18 +274,18 @@ class Model:
 
     @property
     def _as_cells(self) -> bool:
-        """Whether elements have the masses of their cells."""
+        """True if elements have the masses of their cells."""
         return self.lattice.cells is not None and not (self._cells is None and self._non_local is None)
 
     @cached_property
     def mass(self) -> PerElement:
-        """m = ρ_μ 4/3 π R³, or ρ V of a cell [kg], user's order, shape (n,)."""
+        """Masses of the elements, ρ_μ 4/3 π R³, or ρ V of a cell [kg], user's order, shape (n,)."""
         volume = body_of(self.lattice)[1].volume if self._as_cells else self.lattice.particles.volume
         return freeze(np.asarray(self.density, dtype=float) * volume)
 
     @cached_property
     def inertia(self) -> PerElement:
-        """I = 2/5 m R², or a third of the trace of a cell's tensor [kg·m²], user's order, shape (n,)."""
+        """Moments of inertia, 2/5 m R², or a third of the trace of a cell's tensor [kg·m²], user's order, (n,)."""
         if not self._as_cells:
             return freeze(0.4 * self.mass * self.lattice.particles.radius**2)
         _, cells = body_of(self.lattice)
@@ -290,12 +293,32 @@ class Model:
 
     @property
     def period(self) -> Floats:
-        """Edge lengths of the periodic cell and their inverses, zero where there is none, shape (6,)."""
+        """Edge lengths of the periodic cell and their inverses, zeros without a periodic cell, shape (6,)."""
         edges = self.lattice.particles.period
         return np.zeros(6) if edges is None else np.concatenate([edges, 1.0 / edges])
 
+    def plot(
+        self, path: str | Path | None = None, *, solution: Any = None, reach: float | None = None,
+        view: tuple[float, float] = (28.0, 24.0),
+    ) -> Any:  # fmt: skip
+        """Draw the specimen with its supports, loads and walls, or where a solution has moved it.
+
+        Args:
+            path: PNG, PDF or SVG to write; nothing is written when None.
+            solution: a state, run or equilibrium of this model, whose displacements colour the elements.
+            reach: factor on displacements [-]; chosen such that they are seen unless given.
+            view: azimuth and elevation of the camera [degree].
+
+        Returns:
+            A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
+
+        Raises:
+            InputError: a solution of another model, a file that cannot be written, or a view that is not two angles.
+        """
+        return draw("draw_model", self, path, solution=solution, reach=reach, view=view)
+
     def with_boundary(self, boundary: Sequence[BoundaryCondition]) -> "Model":
-        """The same bonds and masses under other boundary conditions (nothing is computed twice)."""
+        """Return a model with the same bonds and masses under other boundary conditions. Common data are shared."""
         other = Model.__new__(Model)
         for name in ("lattice", "bond", "density", "contact", "walls", "failure"):
             object.__setattr__(other, name, getattr(self, name))
@@ -309,7 +332,10 @@ class Model:
         return other
 
     def state(self) -> State:
-        """A new state: the reference configuration, at rest, at time 0; to be given velocities, poses or strains."""
+        """Return a new state: the reference configuration, at rest, at time 0.
+
+        Set velocities, poses or strains on it before a run.
+        """
         return State(self)
 
 

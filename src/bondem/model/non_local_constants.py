@@ -19,19 +19,19 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class NonLocalConstants:
-    """What the forces of `NonLocal` are made of.
+    """Constants of the forces of `NonLocal`.
 
-    Levers begin where elements are: at the centres of spheres, or at the centres of mass of cells.
+    Levers begin at the elements: at the centres of spheres, or at the centres of mass of cells.
 
     Attributes:
         area: A [m²], shape (m,).
         kn: A E / L [N/m], shape (m,).
         kt: A G / L [N/m], shape (m,).
-        normal: from i to j [-], shape (m, 3).
-        lever_i, lever_j: from the elements to the contact point [m], shape (m, 3).
+        normal: normals from i to j [-], shape (m, 3).
+        lever_i, lever_j: levers from the elements to the contact point [m], shape (m, 3).
         volume: V of eq (1) [m³], shape (n,).
         nu: ν [-].
-        limited: whether the extra shear force is limited.
+        limited: True if the extra shear force is limited.
     """
 
     area: PerBond
@@ -46,10 +46,10 @@ class NonLocalConstants:
 
     @classmethod
     def of(cls, lattice: Lattice, law: NonLocal) -> "NonLocalConstants":
-        """The constants of a body or lattice.
+        """Return the constants of a body or lattice.
 
         Raises:
-            InputError: areas of facets where there are none, or weighted ones of a body.
+            InputError: Areas of facets are requested without facets, or weighted areas for a body.
         """
         build = _of_body if law.areas == "facet" else _of_spheres
         area, span, normal, lever_i, lever_j, volume = build(lattice, law)
@@ -61,7 +61,7 @@ class NonLocalConstants:
         )  # fmt: skip
 
     def ordered(self, layout: Layout) -> "NonLocalConstants":
-        """The same in the kernels' order."""
+        """Return the constants in the kernels' order."""
         bond, back = layout.bond_order, layout.flipped[:, None]
         lever_i, lever_j = self.lever_i[bond], self.lever_j[bond]
         return NonLocalConstants(
@@ -72,12 +72,12 @@ class NonLocalConstants:
         )  # fmt: skip
 
     def rows(self, history: Floats, stress: Floats, to_i: np.ndarray) -> LaggedTable:
-        """The constants as kernels take them, in the kernels' order, with what the law remembers.
+        """Return the constants and the stored data of the law in the kernels' form and order.
 
         Args:
-            history: what bonds store, (7, m) or longer; see `bondem.kernels.non_local`.
-            stress: of the elements [Pa], (n, 6).
-            to_i: where each bond adds to its element i, uint32, (m,): element i, or a place behind all elements.
+            history: stored data of bonds, (7, m) or longer; see `bondem.kernels.non_local`.
+            stress: stress of the elements [Pa], (n, 6).
+            to_i: row where each bond adds to its element i, uint32, (m,): element i, or a row behind all elements.
         """
         n = max(len(self.volume), int(to_i.max(initial=0)) + 1)
 
@@ -93,7 +93,7 @@ class NonLocalConstants:
         )  # fmt: skip
 
     def as_bonds(self, lattice: Lattice) -> BondStiffness:
-        """Stiffnesses of bonds that are about as stiff, for what only needs a measure: dashpots, magnitudes."""
+        """Return stiffnesses of bonds that are about as stiff, for approximate uses: dashpots, magnitudes."""
         none = np.zeros_like(self.kn)
         return BondStiffness(
             kn=self.kn, ks=self.kt, kb=none, kt=none.copy(),
@@ -106,7 +106,7 @@ _Parts = tuple[PerBond, PerBond, PerBond3, PerBond3, PerBond3, PerElement]
 
 
 def _of_body(lattice: Lattice, law: NonLocal) -> _Parts:
-    """A, L, n, both levers and V of facets and cells."""
+    """Return A, L, n, both levers and V of facets and cells."""
     facets, cells = lattice.facets, lattice.cells
     if facets is None or cells is None:
         raise InputError(
@@ -122,9 +122,12 @@ def _of_body(lattice: Lattice, law: NonLocal) -> _Parts:
 
 
 def _of_spheres(lattice: Lattice, law: NonLocal) -> _Parts:
-    """The same of spheres, whose volume is Σ A l / 3 with l to the radical plane, and not below the sphere's."""
+    """Return A, L, n, both levers and V of spheres.
+
+    The volume is Σ A l / 3 with l to the radical plane, and at least that of the sphere.
+    """
     if lattice.cells is not None:
-        raise InputError("areas='weighted' is for lattices of spheres; a body of cells has areas of its own")
+        raise InputError("areas='weighted' applies to lattices of spheres; leave it out for a body of cells")
     if len(lattice.pairs) == 0:
         raise InputError("NonLocal: the lattice has no bonds; bond it with bd.connect")
     i, j = lattice.pairs.T

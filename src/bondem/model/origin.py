@@ -1,4 +1,4 @@
-"""What a state needs of the model it belongs to, and when it may become the state of another."""
+"""Interface of a state to its model, and the conditions under which a state may pass to another model."""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -22,7 +22,7 @@ from bondem.specimen.particles import Particles
 
 
 class Origin(Protocol):
-    """What a state must know of its model."""
+    """The properties of a model that a state needs."""
 
     @property
     def lattice(self) -> Lattice: ...
@@ -57,7 +57,7 @@ class Origin(Protocol):
 
 
 def difference(one: Origin, other: Origin) -> str:
-    """In what two models differ that a state depends on; empty where their states may be exchanged."""
+    """Describe the difference between two models that prevents the exchange of states; empty if there is none."""
     if one is other:
         return ""
     a, b = one.lattice.particles, other.lattice.particles

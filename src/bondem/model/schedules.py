@@ -1,4 +1,4 @@
-"""Schedules: how much over time. Every schedule is piecewise linear, so that kernels need only one."""
+"""Schedules: values over time. Every schedule is piecewise linear, so that kernels need only one kind."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from bondem.errors import InputError
 
 
 class Schedule(ABC):
-    """A quantity over time: that of the state, which goes on from run to run."""
+    """A quantity over time. The time is that of the state, which continues from run to run."""
 
     @property
     @abstractmethod
@@ -20,11 +20,11 @@ class Schedule(ABC):
 
     @property
     def final(self) -> float:
-        """The value it ends at; static solutions use it."""
+        """Final value, which static solutions use."""
         return float(self.table[1][-1])
 
     def at(self, time: float) -> float:
-        """The value at a time [s]."""
+        """Return the value at a time [s]."""
         times, values = self.table
         k = int(np.searchsorted(times, time, side="right"))
         if k in (0, len(times)):
@@ -35,10 +35,10 @@ class Schedule(ABC):
 
 @dataclass(frozen=True)
 class Constant(Schedule):
-    """The same value at all times.
+    """A value that is the same at all times.
 
     Attributes:
-        value: finite.
+        value: the value, finite.
     """
 
     value: float
@@ -53,12 +53,12 @@ class Constant(Schedule):
 
 @dataclass(frozen=True)
 class Ramp(Schedule):
-    """From `start` to `end`, linearly over `duration`, beginning at `begin`.
+    """A linear change from `start` to `end` over `duration`, beginning at `begin`.
 
     Attributes:
         start, end: values before and after.
-        duration: time it takes [s].
-        begin: when it starts [s].
+        duration: duration of the change [s].
+        begin: time at which it begins [s].
     """
 
     start: float
@@ -83,11 +83,11 @@ class Ramp(Schedule):
 
 @dataclass(frozen=True)
 class Table(Schedule):
-    """Given times and values; a time given twice is a jump.
+    """A piecewise linear function of time; two equal times define a jump.
 
     Attributes:
-        times: not decreasing [s], (k,).
-        values: (k,).
+        times: times in non-decreasing order [s], (k,).
+        values: values at these times, (k,).
     """
 
     times: tuple[float, ...]
@@ -97,7 +97,7 @@ class Table(Schedule):
         t = array("Table", "times", times, wanted="times [s], shape (k,)")
         v = array("Table", "values", values, wanted="values, shape (k,)")
         if t.shape != v.shape or t.ndim != 1 or len(t) == 0:
-            raise InputError("Table: give as many values as times, at least one")
+            raise InputError("Table: times and values differ in number or are empty; give as many values as times")
         if not (np.isfinite(t).all() and np.isfinite(v).all()) or (np.diff(t) < 0.0).any():
             raise InputError("Table: times must be finite and not decrease, values must be finite")
         for name, found in (("times", t), ("values", v)):
@@ -110,10 +110,10 @@ class Table(Schedule):
 
 
 def as_schedule(owner: str, name: str, value: "float | Schedule") -> Schedule:
-    """A number as a constant schedule; a schedule as it is.
+    """Return a schedule unchanged, or a number as a constant schedule.
 
     Raises:
-        InputError: something else, or a number that is not finite.
+        InputError: The value is neither a schedule nor a finite number.
     """
     if isinstance(value, Schedule):
         return value

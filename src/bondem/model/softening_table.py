@@ -1,4 +1,4 @@
-"""What kernels read of facets that soften and cells that yield, in their order."""
+"""Tables of softening facets and yielding cells for the kernels, in their order."""
 
 import math
 from dataclasses import dataclass
@@ -24,11 +24,11 @@ _WIDER, _NEARER = 0.5, 0.7
 
 @dataclass(frozen=True, eq=False)
 class SlipTable:
-    """How cells yield (`bondem.laws.failure.softening.Slip`), internal order; (n,) each.
+    """Yielding of cells (`bondem.laws.failure.softening.Slip`), internal order; (n,) each.
 
     Attributes:
-        cone: whether by Drucker–Prager, else by Mohr–Coulomb.
-        strength: c cos φ, or k of the cone [Pa]; inf of cells that do not yield.
+        cone: True for Drucker–Prager, False for Mohr–Coulomb.
+        strength: c cos φ, or k of the cone [Pa]; inf for cells that do not yield.
         slope: sin φ, or α [-].
         dilation: sin ψ, or β [-].
         fade: share of its cohesion that a cell loses by a slip of 1.
@@ -42,11 +42,11 @@ class SlipTable:
 
     @classmethod
     def of(cls, parts: tuple[FailurePart, ...], volume: PerElement, rank: Ints) -> "SlipTable | None":
-        """The table of a body; None where no cell yields.
+        """Return the table of a body, or None if no cell can yield.
 
         Args:
-            parts: which cells fail how.
-            volume: of the cells [m³], internal order, (n,).
+            parts: criteria with their cells.
+            volume: volumes of the cells [m³], internal order, (n,).
             rank: place of each cell in that order, (n,).
         """
         n, cone, yields = len(volume), False, False
@@ -68,21 +68,21 @@ class SofteningTable:
 
     Attributes:
         strength: f_t of each facet [Pa], (m,).
-        last: k u / A at the opening where nothing is left [Pa], 0 where facets break at once, (m,).
-        kink, steep: of the softening curve (`bondem.laws.softening.softened`) [-].
-        area: [m²], (m,).
+        last: k u / A at the last opening [Pa], 0 for brittle facets, (m,).
+        kink, steep: parameters of the softening curve (`bondem.laws.softening.softened`) [-].
+        area: areas [m²], (m,).
         part: part of cell i in the compliance of a facet [-], (m,).
-        hot: largest principal stress of a cell from which its facets are looked at [Pa]; of another criterion that
-            in uniaxial tension.
-        judge: the index of another criterion, or None for the largest principal stress.
-        given: its parameters.
+        hot: largest principal stress of a cell from which its facets are evaluated [Pa]; for another criterion its
+            value in uniaxial tension.
+        judge: index function of another criterion, or None for the largest principal stress.
+        given: parameters of the criterion.
         least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
         tension: f_t of another criterion without scatter [Pa].
         friction: μ of each facet [-], (m,).
-        plane: whether each facet is of a material plane, judged by its own traction, (m,).
-        cohesion: of such facets [Pa], inf of those that do not slip and of all others, (m,).
-        last_slip: k u / A of such facets at the slip that leaves no cohesion [Pa], (m,).
-        slip: how cells yield, or None.
+        plane: mask of facets of material planes, evaluated by their own traction, (m,).
+        cohesion: cohesion of such facets [Pa], inf for those that do not slip and for all others, (m,).
+        last_slip: k u / A of such facets at the slip that exhausts the cohesion [Pa], (m,).
+        slip: yielding of cells, or None.
     """
 
     strength: PerBond
@@ -106,16 +106,16 @@ class SofteningTable:
     def of(
         cls, body: Lattice, layout: Layout, cells: CellConstants, parts: tuple[FailurePart, ...]
     ) -> "SofteningTable | None":
-        """The table of a body; None where facets break one by one.
+        """Return the table of a body, or None if facets break one by one.
 
         Args:
             body: facets and cells.
-            layout: their order in the kernels.
+            layout: order of the bonds in the kernels.
             cells: constants of the law, in that order.
-            parts: which facets and cells fail how.
+            parts: criteria with their facets and cells.
 
         Raises:
-            InputError: elements that are too long for the fracture energy.
+            InputError: Elements are too long for the fracture energy.
         """
         materials = [one.criterion.softening for one in parts if one.criterion.softening is not None]
         if not materials:
@@ -160,24 +160,24 @@ class SofteningTable:
 
 
 def _last_slip(stiffness: PerBond, cohesion: PerBond, energy: float) -> PerBond:
-    """k u / A of facets at the slip that leaves no cohesion [Pa], (c,).
+    """Return k u / A of facets at the slip that exhausts the cohesion [Pa], (c,).
 
     Args:
         stiffness: k / A [Pa/m], (c,).
-        cohesion: [Pa], (c,).
-        energy: G_II [J/m²]; inf where the cohesion stays.
+        cohesion: cohesion [Pa], (c,).
+        energy: G_II [J/m²]; inf for a constant cohesion.
     """
     return np.maximum(stiffness * 2.0 * energy / cohesion, SNAP * cohesion)
 
 
 def _check_length(span: PerBond, cells: CellConstants, i: Ints, softening: Softening) -> None:
-    """Refuse elements that snap back: that stretch more at their strength than the first line opens.
+    """Reject elements that snap back, because they stretch more at their strength than the first line opens.
 
     Args:
-        span: of the facets of a material [m], (c,).
+        span: lengths across the facets of a material [m], (c,).
         cells: constants of the body.
-        i: their cells, (c,).
-        softening: of the material.
+        i: cells of the facets, (c,).
+        softening: softening of the material.
     """
     if not len(span):
         return
@@ -187,6 +187,6 @@ def _check_length(span: PerBond, cells: CellConstants, i: Ints, softening: Softe
     if np.median(span / longest) > 1.0:
         raise InputError(
             f"elements {np.median(span):.3g} m long release more energy than fracture_energy="
-            f"{softening.fracture_energy:g} J/m² takes up: they snap back above {steepest:.3g} E G_f / f_t² ="
+            f"{softening.fracture_energy:g} J/m² absorbs: they snap back above {steepest:.3g} E G_f / f_t² ="
             f" {np.median(longest):.3g} m; use smaller elements, or fracture_energy=None for brittle facets"
         )

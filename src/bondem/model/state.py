@@ -1,64 +1,73 @@
-"""The state: the only arrays that change."""
+"""The state: all arrays that change during a solution."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
-from bondem._checks import array, shown
-from bondem._types import Floats, Pairs, PerBond, PerElement, PerElement3
+from bondem._checks import array, instance, shown
+from bondem._names import meant
+from bondem._types import ArrayLike, Floats, Pairs, PerBond, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.crack_tables import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, PLASTIC_COLUMNS
 from bondem.kernels.non_local import STORED, TAKEN
 from bondem.kernels.soft_tables import SOFT_COLUMNS
 from bondem.kernels.tables import BROKEN_COLUMNS, lines
-from bondem.kernels.walls import COLUMNS, FORCE, RATE, WORK
+from bondem.kernels.walls import COLUMNS, FORCE, WORK
 from bondem.model.grips import reference_base
 from bondem.model.loads import Eigenstrain
 from bondem.model.local_origin import local_origin, local_rest
 from bondem.model.origin import Origin, difference
-from bondem.model.walls import Free, Servo, Wall
+from bondem.model.state_walls import known_walls, rows_of_walls, set_off
+from bondem.model.walls import Wall
+from bondem.specimen.particles import freeze
+
+_INTERNAL = "ARRAYS", "GROWING", "layout", "local_position", "origin", "rest", "rest_strain", "stale"
+_SETTABLE = "position", "displacement", "orientation", "velocity", "angular_velocity", "bond_eigenstrain"
 
 
 class State:
-    """Where everything is, and how it moves; see docs/decisions/0001-state.md.
+    """Positions, velocities and damage of all elements and bonds; see docs/decisions/0001-state.md.
 
-    `model.state()` makes one at rest; `set_motion`, `set_pose` and `set_eigenstrain` change it. Internal arrays are
-    in the kernels' order; the properties are in the user's.
+    `model.state()` makes a state at rest. Assignment changes it, and one value is given to all elements:
+    `state.velocity = (0, 0, -5.0)`. The properties `position`, `displacement`, `orientation`, `velocity`,
+    `angular_velocity` and `bond_eigenstrain` can be assigned. The arrays that properties return are read-only, in the
+    user's order of elements and bonds.
 
     Attributes:
-        model: the model that it is a state of; that of the last run.
-        origin: what x, y, z in `pose` count from [m], shape (3,): zero but of a specimen far from there.
+        model: model of the state, that of its last run.
+        step: number of steps done.
+        time: time [s].
+
+    Arrays of the solvers, in the order of the kernels; `dir` does not list them:
+        origin: origin of x, y, z in `pose` [m], shape (3,); zero unless the specimen lies far from the origin.
         pose: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
         motion: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
-        acceleration: translational and rotational at the present pose, shape (n, 6).
-        integrity: 1 intact … 0 broken, shape (m,).
-        history: force and moment of each bond, (6, m); only for the incremental formulation, else (6, 0). Of the
-            non-local law gap, extra force and its work (`bondem.kernels.non_local`), (7, m).
-        stress: of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa]; only for the non-local law, (n, 6),
+        acceleration: translational and rotational accelerations at the present pose, shape (n, 6).
+        integrity: integrity of each bond, 1 intact … 0 broken, shape (m,).
+        history: force and moment of each bond for the incremental formulation, (6, m), else (6, 0). For the non-local
+            law: gap, extra force and its work (`bondem.kernels.non_local`), (7, m).
+        stress: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
             else (0, 6).
         eigenstrain: stress-free strain ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,)
-            where none was set.
+            if none was set.
         reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
-        work: of loads and drives on each row since the start [J], shape (r,); then, where there are any, of body
-            forces on each element, and of strains.
-        loss: energy damping has taken from each element, its present power, and energy lost to friction
+        work: work of loads and drives on each row since the start [J], shape (r,). The works of body forces on each
+            element and of strains follow, if there are any.
+        loss: energy that damping has taken from each element, its present power, and energy lost to friction
             [J, W, J], shape (n, 3).
         touching: internal pairs i < j in contact, sorted by j, then i, shape (c, 2).
-        stretch: their tangential stretch [m] and force of the dashpots [N], shape (c, 6).
+        stretch: tangential stretch [m] and dashpot force [N] of these contacts, shape (c, 6).
         wall_touching: internal element and wall of each contact with a wall, shape (b, 2).
-        wall_stretch: the same of these, shape (b, 6).
-        walls: where the walls are, how they move, what presses on them (`bondem.kernels.walls`), shape (w, 14).
-        broken: what broke, in time: time [s], step, internal bond, mode, gap at breakage [m], energy released [J] and
-            where [m]; shape (e, 9).
+        wall_stretch: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
+        walls: positions, velocities and loads of the walls (`bondem.kernels.walls`), shape (w, 14).
+        broken: breakages in order of time: time [s], step, bond, mode, gap [m], energy [J], place [m]; (e, 9).
         released: energy that breaking bonds have released since the start [J], shape (1,).
-        cracks: facets that have begun to crack, in time (`bondem.kernels.crack_tables`), shape (c, 13).
-        plastic: plastic strain of cells and what goes with it (as above), (n, 17), or (0, 17) where none yield.
-        softened: beams that have begun to soften, in time (`bondem.kernels.soft_tables`), shape (c, 6).
-        grips: where the walls come from that hold facets of cells (`bondem.model.grips`), shape (g, 7).
-        facet_force: of each facet on its cell i [N], of a body whose facets may crack, shape (3, m), else (3, 0).
-        step: steps done.
-        time: [s].
-        stale: whether the acceleration must be found anew before the next step.
+        cracks: facets that have begun to crack, in order of time (`bondem.kernels.crack_tables`), shape (c, 13).
+        plastic: plastic strain of cells (`bondem.kernels.crack_tables`), (n, 17), or (0, 17) if none can yield.
+        softened: beams that have begun to soften, in order of time (`bondem.kernels.soft_tables`), shape (c, 6).
+        grips: initial places of the walls that hold facets of cells (`bondem.model.grips`), shape (g, 7).
+        facet_force: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
+        stale: True if the acceleration must be recomputed before the next step.
     """
 
     def __init__(self, model: Origin) -> None:
@@ -91,7 +100,7 @@ class State:
         self.wall_touching = np.zeros((0, 2), dtype=np.int64)
         self.wall_stretch = np.zeros((0, 6))
         self.walls = np.zeros((len(model.walls), COLUMNS))
-        self._set_off((), model.walls)
+        set_off(self.walls, (), model.walls)
         self.broken = np.zeros((0, BROKEN_COLUMNS))
         self.released = np.zeros(1)
         soft = model.softening
@@ -113,8 +122,29 @@ class State:
     # Those with as many rows as there are contacts, or broken bonds.
     GROWING = ("touching", "stretch", "wall_touching", "wall_stretch", "broken", "cracks", "softened")
 
+    _SCALARS = ("model", "layout", "rest", "origin", "step", "time", "stale")
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Set a quantity of the state.
+
+        Raises:
+            InputError: an unknown name, a quantity that cannot be set, or no array for an array.
+        """
+        known = getattr(type(self), name, None)
+        if isinstance(known, property):
+            if known.fset is None:
+                raise InputError(f"State: {name} cannot be set; it follows from {', '.join(_SETTABLE)}; set these")
+        elif name in self.ARRAYS:
+            instance("State", name, value, np.ndarray, "an array in the order of the kernels, or set a property")
+        elif name not in self._SCALARS:
+            raise InputError(f"State: there is no quantity '{name}' to set{meant(name, dir(self))}")
+        object.__setattr__(self, name, value)
+
+    def __dir__(self) -> list[str]:
+        return [name for name in object.__dir__(self) if name not in {*self.ARRAYS, *_INTERNAL}]
+
     def copy(self) -> "State":
-        """An independent copy."""
+        """Return an independent copy."""
         twin = State.__new__(State)
         twin.__dict__.update(self.__dict__)
         for name in self.ARRAYS:
@@ -122,20 +152,22 @@ class State:
         return twin
 
     def begin(self, model: Origin) -> None:
-        """Make this the start of a new run of `model`: the same elements and bonds, under these or other conditions.
+        """Make this the initial state of a new run of `model`.
 
-        Time, motion and bonds go on; steps, work and losses are counted from here. Boundary conditions, contacts and
-        walls may be others: a wall that was there stays where it has come to, a new one is where it is defined. So
-        may be the stiffness of bonds of the total formulation, as their forces follow from where elements are.
+        The model has the same elements and bonds, under these or other conditions.
+        Time, motion and bonds continue; steps, work and losses are counted from here. Boundary conditions, contacts
+        and walls may differ. A wall that existed before stays at its current place; a new wall is where it is
+        defined. The stiffness of bonds of the total formulation may differ too, because their forces follow from the
+        poses.
 
         Raises:
-            InputError: the state of a model with other elements, masses or bonds.
+            InputError: The state belongs to a model with other elements, masses or bonds.
         """
         other = difference(self.model, model)
         if other:
             raise InputError(
-                f"state belongs to another {other}; start from a state of this model, or give one that model.state()"
-                " makes positions and velocities by set_pose and set_motion"
+                f"state belongs to another {other}; start from a state of this model, or set positions and velocities"
+                " of model.state() by set_pose and set_motion"
             )
         rows = len(model.constraints.element)
         self.reaction = np.zeros((rows, 6))
@@ -146,7 +178,7 @@ class State:
         if model.contact is None:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
         before = self._take_walls(model.walls)
-        self._set_off(before, model.walls)
+        set_off(self.walls, before, model.walls)
         self.walls[:, WORK] = 0.0
         self.released = np.zeros(1)
         self.grips = reference_base(0 if model.cells is None else len(model.cells.grips.cell))
@@ -156,158 +188,190 @@ class State:
         self.stale = True
 
     def _take_damage(self, model: Origin) -> None:
-        """Go on with cracks and plastic strains, or begin to have them.
+        """Continue with the present cracks and plastic strains, or prepare arrays for them.
 
         Raises:
-            InputError: a model whose criterion does not know what there is.
+            InputError: The criterion of the model cannot describe the present damage.
         """
         soft, fresh = model.softening, State(model)
         if soft is None and (len(self.cracks) or self.plastic.any()):
-            raise InputError("the state has cracks or plastic strains: give the model a criterion that softens too")
+            raise InputError("the state has cracks or plastic strains; give the model a criterion that softens too")
         if model.beam_softening is None and len(self.softened):
-            raise InputError("the state has beams that soften: give the model a criterion with a fracture_energy too")
+            raise InputError("the state has beams that soften; give the model a criterion with a fracture_energy too")
         if self.facet_force.shape != fresh.facet_force.shape:
             self.facet_force = fresh.facet_force
         if self.plastic.shape != fresh.plastic.shape:
             if self.plastic.any():
-                raise InputError("the state has cells that yielded: give the model a criterion by which cells yield")
+                raise InputError("the state has cells that yielded; give the model a criterion by which cells yield")
             self.plastic = fresh.plastic
         self.plastic[:, HEAT] = 0.0
 
-    def _set_off(self, before: Sequence[Wall | None], walls: Sequence[Wall]) -> None:
-        """Velocities of walls that stand still now, or are free now and were not before."""
-        for k, wall in enumerate(walls):
-            was = before[k] if k < len(before) else None
-            goes_on = was is not None and type(wall.motion) is type(was.motion)
-            if isinstance(wall.motion, Free) and not goes_on:
-                self.walls[k, RATE : RATE + 4] = [*wall.motion.velocity, 0.0]
-            elif not (goes_on and isinstance(wall.motion, Free | Servo)):
-                self.walls[k, RATE : RATE + 4] = 0.0
-
     def _take_walls(self, walls: Sequence[Wall]) -> list[Wall | None]:
-        """Carry displacement and contacts of walls that go on, known by where they are defined; what each was."""
-        rows = [wall.row.tolist() for wall in self.model.walls]
-        came: list[int] = []
-        for wall in walls:
-            row = wall.row.tolist()
-            came.append(rows.index(row) if row in rows else -1)
-            if came[-1] >= 0:
-                rows[came[-1]] = []  # of two walls in one place each goes on by itself
-        were = [None if before < 0 else self.model.walls[before] for before in came]
-        if came == list(range(len(self.walls))):
-            return were
-        old, number = self.walls, np.full(len(self.walls), -1)
-        self.walls = np.zeros((len(came), COLUMNS))
-        for new, before in enumerate(came):
-            if before >= 0:
-                self.walls[new], number[before] = old[before], new
-        kept = number[self.wall_touching[:, 1]] >= 0
-        element, wall = self.wall_touching[kept, 0], number[self.wall_touching[kept, 1]]
-        order = np.lexsort((wall, element))
-        self.wall_touching = np.column_stack([element, wall])[order]
-        self.wall_stretch = self.wall_stretch[kept][order]
-        return were
+        """Carry over displacement and contacts of walls of the same definition; return the previous wall of each."""
+        came = known_walls(self.model.walls, walls)
+        if came != list(range(len(self.walls))):
+            found = rows_of_walls(came, self.walls, self.wall_touching, self.wall_stretch)
+            self.walls, self.wall_touching, self.wall_stretch = found
+        return [None if before < 0 else self.model.walls[before] for before in came]
 
     def _by_user(self, internal: np.ndarray) -> np.ndarray:
-        return internal[self.layout.rank]
+        return freeze(internal[self.layout.rank])
+
+    def _rows(self, name: str, given: ArrayLike, columns: int, *, broadcast: bool = True) -> Floats:
+        """Rows of all elements [kernels' order] from one row, or from one row per element in user's order.
+
+        Raises:
+            InputError: a wrong shape, or values that are not finite.
+        """
+        shape = len(self.pose), columns
+        one = f"({columns},) for all elements, or " if broadcast else ""
+        wanted = f"finite numbers of shape {one}{shape} in the user's order"
+        values = array("State", name, given, wanted=wanted)
+        alike = broadcast and (values.shape == (columns,) or (values.ndim == 0 and columns == 3))
+        if not (alike or values.shape == shape) or not np.isfinite(values).all():
+            raise InputError(f"State: {name} has shape {values.shape} or is not finite; give {wanted}")
+        return np.broadcast_to(values, shape)[self.layout.order]
 
     @property
     def position(self) -> PerElement3:
-        """Centres [m], shape (n, 3)."""
-        return self.local_position + self.origin
+        """Centres [m], shape (n, 3); settable."""
+        return freeze(self.local_position + self.origin)
+
+    @position.setter
+    def position(self, given: ArrayLike) -> None:
+        self.pose[:, :3] = self._rows("position", given, 3, broadcast=False) - self.origin
+        self.stale = True
 
     @property
     def local_position(self) -> PerElement3:
-        """The same from `origin` [m], for what needs their differences, shape (n, 3)."""
+        """Centres relative to `origin` [m], shape (n, 3), for accurate differences."""
         return self._by_user(self.pose[:, :3])
 
     @property
     def displacement(self) -> PerElement3:
-        """Centres minus their reference [m], shape (n, 3)."""
+        """Displacements from the reference configuration [m], shape (n, 3); settable, also one vector for all."""
         return self._by_user(self.pose[:, :3] - self.rest)
+
+    @displacement.setter
+    def displacement(self, given: ArrayLike) -> None:
+        self.pose[:, :3] = self.rest + self._rows("displacement", given, 3)
+        self.stale = True
 
     @property
     def orientation(self) -> np.ndarray:
-        """Unit quaternions (w, x, y, z), shape (n, 4)."""
+        """Orientations as unit quaternions (w, x, y, z), shape (n, 4); settable, also one for all."""
         return self._by_user(self.pose[:, 4:])
+
+    @orientation.setter
+    def orientation(self, given: ArrayLike) -> None:
+        rows = self._rows("orientation", given, 4)
+        if np.abs((rows**2).sum(axis=1) - 1.0).max() > 1e-6:
+            raise InputError("orientations are not unit quaternions (w, x, y, z); divide each by its length")
+        self.pose[:, 4:8] = rows
+        self.stale = True
 
     @property
     def velocity(self) -> PerElement3:
-        """[m/s], shape (n, 3)."""
+        """Velocities of the centres [m/s], shape (n, 3); settable, also one vector for all."""
         return self._by_user(self.motion[:, :3])
+
+    @velocity.setter
+    def velocity(self, given: ArrayLike) -> None:
+        self.motion[:, 0:3] = self._rows("velocity", given, 3)
+        self.stale = True
 
     @property
     def angular_velocity(self) -> PerElement3:
-        """[rad/s], shape (n, 3)."""
+        """Angular velocities [rad/s], shape (n, 3); settable, also one vector for all."""
         return self._by_user(self.motion[:, 4:7])
+
+    @angular_velocity.setter
+    def angular_velocity(self, given: ArrayLike) -> None:
+        self.motion[:, 4:7] = self._rows("angular_velocity", given, 3)
+        self.stale = True
 
     @property
     def bond_integrity(self) -> PerBond:
-        """1 intact … 0 broken, in the user's order of bonds, shape (m,)."""
-        values = np.empty_like(self.integrity)
-        values[self.layout.bond_order] = self.integrity
-        return values
+        """Integrity of each bond, 1 intact … 0 broken, in the user's order, shape (m,)."""
+        return self._bonds_by_user(self.integrity)
+
+    def _bonds_by_user(self, internal: PerBond) -> PerBond:
+        values = np.empty_like(internal)
+        values[self.layout.bond_order] = internal
+        return freeze(values)
+
+    @property
+    def bond_eigenstrain(self) -> PerBond:
+        """Stress-free strain ε* of each bond by the state alone [-], shape (m,); settable, also one value for all."""
+        if not self.eigenstrain.size:
+            return freeze(np.zeros(len(self.integrity)))
+        return self._bonds_by_user(self.eigenstrain)
+
+    @bond_eigenstrain.setter
+    def bond_eigenstrain(self, given: ArrayLike) -> None:
+        self.set_eigenstrain(np.asarray(given))
+
+    @property
+    def stress_free_strain(self) -> PerBond:
+        """Present strain ε* of the bonds [-], by the state and `Eigenstrain`, user's order, shape (m,)."""
+        strain = self.rest_strain
+        return self._bonds_by_user(strain) if strain.size else freeze(np.zeros(len(self.integrity)))
 
     @property
     def slipped(self) -> PerElement:
-        """Σ Δγ of the cells that yield [-], user's order, shape (n,); zeros where none do."""
+        """Accumulated plastic slip Σ Δγ of each cell [-], user's order, shape (n,); zeros if no cell can yield."""
         if not len(self.plastic):
-            return np.zeros(len(self.pose))
+            return freeze(np.zeros(len(self.pose)))
         return self._by_user(self.plastic[:, GAMMA])
 
     @property
     def plastic_deformation(self) -> Floats:
-        """P of each cell, in its own frame, by which its levers have grown [-], user's order, shape (n, 3, 3)."""
+        """Plastic deformation P of each cell in its frame, which scales its levers [-], user's order, (n, 3, 3)."""
         P = np.tile(np.eye(3), (len(self.pose), 1, 1))
         if len(self.plastic):
             P += self._by_user(self.plastic[:, DEFORMATION : DEFORMATION + 9]).reshape(-1, 3, 3)
-        return P
+        return freeze(P)
 
     @property
     def contacts(self) -> Pairs:
-        """Pairs of elements in contact, bonded ones not counted, user's order, shape (c, 2)."""
-        return self.layout.order[self.touching]
+        """Pairs of elements in contact, without bonded pairs, user's order, shape (c, 2)."""
+        return freeze(self.layout.order[self.touching])
 
     @property
     def wall_displacement(self) -> Floats:
-        """How far each wall has come [m], shape (w, 3)."""
-        return self.walls[:, :3].copy()
+        """Displacement of each wall [m], shape (w, 3)."""
+        return freeze(self.walls[:, :3].copy())
 
     @property
     def wall_growth(self) -> Floats:
-        """By how much the radius of each cylinder has changed [m], shape (w,)."""
-        return self.walls[:, 3].copy()
+        """Change of the radius of each cylinder or sphere [m], shape (w,)."""
+        return freeze(self.walls[:, 3].copy())
 
     @property
     def wall_force(self) -> Floats:
         """Force of the elements on each wall [N], shape (w, 3)."""
-        return self.walls[:, FORCE : FORCE + 3].copy()
+        return freeze(self.walls[:, FORCE : FORCE + 3].copy())
 
     def set_motion(
         self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None
     ) -> None:
-        """Give the elements velocities [m/s] or angular velocities [rad/s], user's order, shape (n, 3).
+        """Set velocities [m/s] or angular velocities [rad/s] of the elements, user's order, shape (n, 3).
 
         Raises:
-            InputError: a wrong shape or a value that is not finite.
+            InputError: An array has the wrong shape or a value that is not finite.
         """
-        for value, columns in ((velocity, slice(0, 3)), (angular_velocity, slice(4, 7))):
-            if value is None:
-                continue
-            given = array("State", "velocity", value, wanted=f"finite ({len(self.pose)}, 3)")
-            if given.shape != (len(self.pose), 3) or not np.isfinite(given).all():
-                raise InputError(f"velocities have shape {given.shape}; give finite ({len(self.pose)}, 3)")
-            self.motion[:, columns] = given[self.layout.order]
-            self.stale = True
+        for name, value in (("velocity", velocity), ("angular_velocity", angular_velocity)):
+            if value is not None:
+                setattr(self, name, value)
 
     def set_eigenstrain(self, strain: float | np.ndarray) -> None:
-        """Give the bonds a stress-free strain ε* [-] (heat, shrinkage, initial stress), user's order, (m,).
+        """Set a stress-free strain ε* of the bonds [-] (heat, shrinkage, initial stress), user's order, (m,).
 
         Raises:
-            InputError: a wrong shape, a value at or below -1, or a model of the incremental formulation.
+            InputError: The array has the wrong shape, a value is at or below -1, or the formulation is incremental.
         """
         if self.history.shape[1] > 0:
-            raise InputError("eigenstrain needs stored rest lengths: use formulation='total'")
+            raise InputError("eigenstrain needs stored rest lengths; use formulation='total'")
         count = len(self.integrity)
         values = array("State", "eigenstrain", strain, wanted=f"values above -1, one or ({count},)")
         if values.shape not in ((), (count,)) or not (np.isfinite(values) & (values > -1.0)).all():
@@ -316,8 +380,8 @@ class State:
         self.stale = True
 
     @property
-    def stress_free_strain(self) -> PerBond:
-        """ε* of each bond now [-], that of the state and of `Eigenstrain`, kernels' order, (m,), or (0,) for none."""
+    def rest_strain(self) -> PerBond:
+        """Present strain ε* of the bonds [-], by the state and `Eigenstrain`, kernels' order, (m,); (0,) if none."""
         strain = self.eigenstrain
         for condition in self.model.boundary:
             if isinstance(condition, Eigenstrain):
@@ -329,16 +393,8 @@ class State:
         """Move the elements to centres [m] (n, 3) and unit quaternions (n, 4), user's order.
 
         Raises:
-            InputError: a wrong shape, a value that is not finite, or quaternions that are not of unit length.
+            InputError: An array has the wrong shape, a value is not finite, or a quaternion has not unit length.
         """
-        for value, columns in ((position, slice(0, 3)), (orientation, slice(4, 8))):
-            if value is None:
-                continue
-            shape = self.pose[:, columns].shape
-            given = array("State", "pose", value, wanted=f"finite {shape}")
-            if given.shape != shape or not np.isfinite(given).all():
-                raise InputError(f"poses have shape {given.shape}; give finite {shape}")
-            if shape[1] == 4 and np.abs((given**2).sum(axis=1) - 1.0).max() > 1e-6:
-                raise InputError("orientations are no unit quaternions (w, x, y, z); divide each by its length")
-            self.pose[:, columns] = (given - self.origin if shape[1] == 3 else given)[self.layout.order]
-            self.stale = True
+        for name, value in (("position", position), ("orientation", orientation)):
+            if value is not None:
+                setattr(self, name, value)

@@ -1,4 +1,4 @@
-"""The stiffness of a model at rest: what its bonds resist, and what its cells do to their dilatation."""
+"""Stiffness of a model at rest, by its bonds and by the dilatation of its cells."""
 
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -11,10 +11,10 @@ from bondem._types import Floats
 
 @dataclass(frozen=True, eq=False)
 class Stiffness:
-    """K = B + Fᵀ W F, degrees of freedom (u, θ) an element.
+    """The matrix K = B + Fᵀ W F, with degrees of freedom (u, θ) per element.
 
-    Bonds couple two elements, B. The dilatation of a cell couples all its neighbours with each other: a matrix of
-    its own would have four times the blocks, so it stays a product.
+    Bonds couple two elements, B. The dilatation of a cell couples all its neighbours with each other. An explicit
+    matrix for it would have four times the blocks, so it remains a product.
 
     Attributes:
         bonds: B, 6×6 blocks, with a diagonal block in every row, (6 n, 6 n).
@@ -28,13 +28,13 @@ class Stiffness:
 
     @property
     def shape(self) -> tuple[int, int]:
-        """(6 n, 6 n)."""
+        """Shape (6 n, 6 n)."""
         size = 6 * (len(self.bonds.indptr) - 1)
         return size, size
 
     @property
     def neighbours(self) -> int:
-        """Blocks beside the diagonal, each pair of elements counted twice."""
+        """Number of blocks beside the diagonal; each pair of elements counts twice."""
         return len(self.bonds.indices) - self.shape[0] // 6
 
     @cached_property
@@ -48,7 +48,7 @@ class Stiffness:
         return dia_array((self.weight[None], [0]), shape=(len(self.weight),) * 2)
 
     def __matmul__(self, motion: Floats) -> Floats:
-        """K u of motions (6 n,) or (6 n, k)."""
+        """Return K u of motions (6 n,) or (6 n, k)."""
         force = self.bonds @ motion
         if self.forms is None:
             return force
@@ -57,7 +57,7 @@ class Stiffness:
         return np.asarray(force + columns @ (weight * (rows @ motion)), dtype=float)
 
     def diagonal_blocks(self) -> Floats:
-        """Diagonal blocks, (n, 6, 6)."""
+        """Return the diagonal blocks, (n, 6, 6)."""
         n = self.shape[0] // 6
         row = np.repeat(np.arange(n), np.diff(self.bonds.indptr))
         blocks = self.bonds.data[self.bonds.indices == row]
@@ -71,7 +71,7 @@ class Stiffness:
         return np.asarray(blocks + squares, dtype=float)
 
     def scaled(self, root: Floats) -> "Stiffness":
-        """Sᵀ K S with blocks `root` S of each element, (n, 6, 6)."""
+        """Return Sᵀ K S with blocks `root` S of each element, (n, 6, 6)."""
         B, F = self.bonds, self.forms
         row = np.repeat(np.arange(len(root)), np.diff(B.indptr))
         turned = np.swapaxes(root, 1, 2)
@@ -82,7 +82,7 @@ class Stiffness:
         return Stiffness(bonds, forms, self.weight)
 
     def projected(self, basis: bsr_array) -> csc_array:
-        """Pᵀ K P of a basis P, (6 n, k)."""
+        """Return Pᵀ K P of a basis P, (6 n, k)."""
         coarse = csc_array((basis.T @ (self.bonds @ basis)).tocsc())
         if self.forms is None:
             return coarse
@@ -90,7 +90,7 @@ class Stiffness:
         return csc_array(coarse + forms.T @ (self._weights @ forms))
 
     def tocsc(self) -> csc_array:
-        """K as one matrix."""
+        """Return K as one matrix."""
         whole = csc_array(self.bonds.tocsc())
         if self.forms is None:
             return whole

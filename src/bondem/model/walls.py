@@ -1,4 +1,4 @@
-"""Walls: rigid planes, cylinders and spheres that elements touch, held, driven, servo-controlled or free."""
+"""Rigid walls that elements touch: planes, cylinders and spheres, fixed, driven, servo-controlled or free."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,17 +10,17 @@ from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.model.schedules import Schedule, as_schedule
 
-# What a row of `WallTable.shape` ends with.
+# Kinds of walls, column 7 of `WallTable.shape`.
 PLANE, INSIDE, OUTSIDE, SHELL, BALL, DISC = range(6)
 _COMPONENTS = ("x", "y", "z", "growth")
 
 
 @dataclass(frozen=True, init=False)
 class Driven:
-    """Prescribed motion of a wall; what is not named rests. `Driven(x=bd.Ramp(0, -1e-4, 1e-3))`.
+    """Prescribed motion of a wall, such as `Driven(x=bd.Ramp(0, -1e-4, 1e-3))`. Other components are held at rest.
 
     Attributes:
-        motion: (component 0 … 3, schedule, whether it is a velocity) triples.
+        motion: triples of component 0 … 3, schedule, and True for a velocity.
 
     Args:
         x, y, z: displacements [m].
@@ -46,15 +46,15 @@ class Driven:
 
 @dataclass(frozen=True, init=False)
 class Servo:
-    """A free platen: a wall pushed along its normal by a given force, against that of the elements.
+    """A platen pushed along its normal by a prescribed force, against the force of the elements.
 
-    A platen without mass, moved in proportion to the missing force as many codes do it, is unstable wherever grains
-    are little damped; one with mass follows fast flow and its energy is accounted for. It swings a little.
+    Many codes move a platen without mass in proportion to the missing force; that is unstable where grains are little
+    damped. This platen has a mass: it follows fast flow and its energy is accounted for, but it oscillates slightly.
 
     Attributes:
-        force: sum of the normal forces on the wall [N], a number or a schedule; for a pressure, times the area.
-        speed: most it moves [m/s].
-        mass: of the platen [kg]; None for that of all elements together.
+        force: sum of the normal forces on the wall [N], a number or a schedule; for a pressure, multiply by the area.
+        speed: largest speed [m/s].
+        mass: mass of the platen [kg]; None for the mass of all elements together.
     """
 
     force: Schedule
@@ -75,18 +75,18 @@ class Servo:
 
 @dataclass(frozen=True)
 class Free:
-    """A rigid body that moves as elements push it, without turning: an impactor, a dropped weight, a flyer plate.
+    """A rigid body pushed by elements, without rotation: an impactor, a dropped weight or a flyer plate.
 
-    It is outside of the ledger of energies: what it gives to the elements is "work", what it has left is ½ m v² of
-    its `bd.WallGauge(..., "velocity")`. In a later stage it goes on as fast as it was.
+    The body is outside the energy ledger. Its work on the elements is "work"; its remaining kinetic energy ½ m v²
+    follows from `bd.WallGauge(..., "velocity")`. In a later stage it continues at its velocity.
 
     Attributes:
-        mass: [kg].
-        velocity: at first [m/s], (3,).
-        force: on it, beside that of the elements, such as its weight [N], (3,).
+        mass: mass of the body [kg].
+        velocity: initial velocity [m/s], (3,).
+        force: force on the body besides that of the elements, such as its weight [N], (3,).
 
     Raises:
-        InputError: a mass that is not positive, or what are not three numbers.
+        InputError: The mass is not positive, or a vector is not three finite numbers.
     """
 
     mass: float
@@ -124,14 +124,14 @@ def _check_motion(owner: str, motion: object, friction: object) -> None:
 
 @dataclass(frozen=True)
 class PlaneWall:
-    """A plane, infinite or a disc, with a hole or without; elements are on the side its normal points to.
+    """A plane, infinite or a disc, with or without a hole; elements are on the side its normal points to.
 
-    A disc is a piston, one with a hole the plate around it; elements beside it touch its rim.
+    A disc models a piston, and a disc with a hole the plate around it. Elements beside a disc touch its rim.
 
     Attributes:
-        point: a point of it, the centre of a disc [m], (3,).
-        normal: towards the elements, of any length, (3,).
-        motion: how it moves; None stands still.
+        point: a point of the plane, the centre of a disc [m], (3,).
+        normal: vector of any length towards the elements, (3,).
+        motion: motion of the wall; None for a fixed wall.
         friction: μ against the elements [-]; None for that of the contact law.
         outer: radius of a disc [m]; None for an infinite plane.
         inner: radius of its hole [m].
@@ -149,14 +149,14 @@ class PlaneWall:
         object.__setattr__(self, "normal", _direction("PlaneWall: normal", self.normal))
         _check_motion("PlaneWall", self.motion, self.friction)
         if isinstance(self.motion, Driven) and any(k == 3 for k, _, _ in self.motion.motion):
-            raise InputError("PlaneWall: a plane has no radius to grow; name x, y or z")
+            raise InputError("PlaneWall: growth is prescribed, but a plane has no radius; name x, y or z")
         number("PlaneWall", "inner", self.inner, unit="m", least=0.0, advice="the radius of the hole, zero or more")
         if self.outer is not None:
             number("PlaneWall", "outer", self.outer, unit="m", above=self.inner, advice="more than inner, or None")
 
     @property
     def row(self) -> Floats:
-        """Point, normal, outer radius, its kind and inner radius, (9,)."""
+        """Point, normal, outer radius, kind and inner radius, in the kernels' form, (9,)."""
         if self.outer is None and not self.inner:
             return np.array([*self.point, *self.normal, 0.0, PLANE, 0.0])
         outer = np.inf if self.outer is None else self.outer
@@ -168,11 +168,11 @@ class CylinderWall:
     """An infinite cylinder, around the elements or among them.
 
     Attributes:
-        radius: [m].
+        radius: radius [m].
         point: a point of its axis [m], (3,).
-        axis: direction, of any length, (3,).
-        outside: whether the elements are outside of it (a rod), not inside (a vessel).
-        motion: how it moves; None stands still. A servo changes the radius.
+        axis: direction of any length, (3,).
+        outside: True for elements outside of it (a rod), False for elements inside (a vessel).
+        motion: motion of the wall; None for a fixed wall. A servo changes the radius.
         friction: μ against the elements [-]; None for that of the contact law.
     """
 
@@ -192,19 +192,19 @@ class CylinderWall:
 
     @property
     def row(self) -> Floats:
-        """Point, axis, radius, its kind and 0, (9,)."""
+        """Point, axis, radius, kind and 0, in the kernels' form, (9,)."""
         return np.array([*self.point, *self.axis, self.radius, OUTSIDE if self.outside else INSIDE, 0.0])
 
 
 @dataclass(frozen=True)
 class SphereWall:
-    """A sphere among the elements (an impactor), or around them.
+    """A sphere among the elements, such as an impactor, or around them.
 
     Attributes:
-        radius: [m].
-        centre: [m], (3,).
-        inside: whether the elements are inside of it.
-        motion: how it moves; None stands still. A servo changes the radius.
+        radius: radius [m].
+        centre: centre [m], (3,).
+        inside: True for elements inside of it.
+        motion: motion of the wall; None for a fixed wall. A servo changes the radius.
         friction: μ against the elements [-]; None for that of the contact law.
     """
 
@@ -222,7 +222,7 @@ class SphereWall:
 
     @property
     def row(self) -> Floats:
-        """Centre, zeros, radius, its kind and 0, (9,)."""
+        """Centre, zeros, radius, kind and 0, in the kernels' form, (9,)."""
         return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, SHELL if self.inside else BALL, 0.0])
 
 
@@ -230,10 +230,10 @@ Wall = PlaneWall | CylinderWall | SphereWall
 
 
 def check_walls(walls: object) -> tuple[Wall, ...]:
-    """Walls as a tuple.
+    """Return walls as a tuple.
 
     Raises:
-        InputError: something else than walls.
+        InputError: A value is not a wall.
     """
     kinds = PlaneWall, CylinderWall, SphereWall
     return several("Model", "walls", walls, kinds, "bd.PlaneWall, bd.CylinderWall and bd.SphereWall")
@@ -241,15 +241,15 @@ def check_walls(walls: object) -> tuple[Wall, ...]:
 
 @dataclass(frozen=True, eq=False)
 class WallTable:
-    """Walls as the kernels take them.
+    """Walls in the form that the kernels require.
 
     Attributes:
         shape: point, normal or axis, radius, kind, radius of a hole; shape (w, 9).
         friction: μ, (w,).
         start, times, values: schedules one after the other.
-        drive_wall, drive_component, drive_schedule, drive_rate: what is prescribed, (d,).
-        servo_wall, servo_schedule, servo_speed, servo_mass: what is controlled, (s,).
-        free_wall, free_mass, free_force: what is free, (f,) and (f, 3).
+        drive_wall, drive_component, drive_schedule, drive_rate: prescribed motions, (d,).
+        servo_wall, servo_schedule, servo_speed, servo_mass: servo-controlled walls, (s,).
+        free_wall, free_mass, free_force: free walls, (f,) and (f, 3).
     """
 
     shape: Floats
@@ -271,14 +271,14 @@ class WallTable:
 
     @property
     def platens(self) -> Floats:
-        """Masses of the walls that a force moves [kg], (s + f,)."""
+        """Masses of the walls moved by a force [kg], (s + f,)."""
         return np.concatenate([self.servo_mass, self.free_mass])
 
     @classmethod
     def of(cls, walls: Sequence[Wall], friction: float, elements: float, origin: Floats) -> "WallTable":
-        """The walls of a model whose contact law has `friction` and whose elements weigh `elements` in all [kg].
+        """Return the walls of a model, given the `friction` of its contact law and the total mass `elements` [kg].
 
-        Their places count from `origin` [m], (3,), as those of the elements do.
+        Their places are relative to `origin` [m], (3,), as those of the elements are.
         """
         tables: list[tuple[Floats, Floats]] = []
         drives: list[tuple[int, int, int, bool]] = []
@@ -316,7 +316,7 @@ class WallTable:
 
 
 def _from(shape: Floats, origin: Floats) -> Floats:
-    """Shapes of walls from another origin; of a plane the nearest point to that."""
+    """Return the shapes of walls relative to another origin; the point of a plane becomes the one nearest to it."""
     if not origin.any():
         return shape
     point = shape[:, :3] - origin

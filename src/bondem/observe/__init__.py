@@ -1,1 +1,1 @@
-"""What is read off a model or a state: read, never write."""
+"""Quantities computed from a model or a state, which they never change."""

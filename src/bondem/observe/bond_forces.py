@@ -1,11 +1,11 @@
-"""Forces and moments of the bonds of a state."""
+"""Forces and moments of the bonds in a static solution or a state."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._checks import instance
-from bondem._types import Floats, PerBond, PerBond3
+from bondem._checks import instance, shown
+from bondem._types import Floats, PerBond, PerBond3, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.bond_report import COLUMNS, ON_J, TURN_I, TURN_J, report_beams, report_non_local, report_stored
 from bondem.kernels.soft_tables import SOFT_BOND
@@ -13,19 +13,21 @@ from bondem.model.bond_table import with_zeros
 from bondem.model.model import Model
 from bondem.model.origin import difference
 from bondem.model.state import State
+from bondem.observe.bond_strain import BondStrain
+from bondem.observe.cell_forces import SmallMotion
 
 
 @dataclass(frozen=True, eq=False)
 class BondForces:
-    """What bonds do to their elements, user's order, axes of space; zero of broken bonds.
+    """Forces and moments of bonds on their elements, user's order, global axes; zero for broken bonds.
 
     The force on element i is the opposite of that on j. Moments act on the elements, at their centres.
 
     Attributes:
-        force: on element j [N], shape (m, 3).
-        moment_i: on element i [N·m], shape (m, 3).
-        moment_j: on element j [N·m], shape (m, 3).
-        axis: unit vector from centre i to centre j now [-], shape (m, 3).
+        force: force on element j [N], shape (m, 3).
+        moment_i: moment on element i [N·m], shape (m, 3).
+        moment_j: moment on element j [N·m], shape (m, 3).
+        axis: unit vector from centre i to centre j in the present pose [-], shape (m, 3).
     """
 
     force: PerBond3
@@ -40,43 +42,73 @@ class BondForces:
 
     @property
     def shear(self) -> PerBond:
-        """Shear force [N], without sign, shape (m,)."""
+        """Magnitude of the shear force [N], shape (m,)."""
         return np.linalg.norm(np.cross(self.force, self.axis), axis=1)
 
     @property
     def bending(self) -> PerBond:
-        """The larger bending moment of both ends [N·m], without sign, shape (m,)."""
+        """Larger of the bending moments at both ends, as a magnitude [N·m], shape (m,)."""
         ends = [np.linalg.norm(np.cross(moment, self.axis), axis=1) for moment in (self.moment_i, self.moment_j)]
         return np.maximum(*ends)
 
     @property
     def twisting(self) -> PerBond:
-        """Twisting moment [N·m], without sign, shape (m,)."""
+        """Magnitude of the twisting moment [N·m], shape (m,)."""
         return np.abs((self.moment_i * self.axis).sum(axis=1))
 
 
-def bond_forces(model: Model, state: State) -> BondForces:
-    """Forces and moments of the bonds of a state, but for those of dashpots.
+def bond_forces(model: Model, result: SmallMotion | State) -> BondForces:
+    """Compute forces and moments of the bonds in a static solution or a state, without those of dashpots.
 
     Args:
-        model: of beams or the non-local law; bodies of cells have stresses instead (`bd.cell_stress`).
-        state: of a run of this model, or `model.state()`.
+        model: model of beams or of the non-local law; bodies of cells have stresses instead (`bd.cell_stress`).
+        result: linear solution of this model, such as that of `bd.solve_static`; or a state of a run, or
+            `model.state()`. Give a solution of large rotations as a state with its pose.
 
     Returns:
         Forces and moments, user's order.
 
     Raises:
-        InputError: a model of cells, or a state of another model.
+        InputError: The model has cells, the result belongs to another model, or is a static solution of the non-local
+            law.
     """
     instance("bond_forces", "model", model, Model, "bd.Model(...)")
-    instance("bond_forces", "state", state, State, "the state of a run, or model.state()")
-    other = difference(state.model, model)
-    if other:
-        raise InputError(f"bond_forces: the state belongs to another {other}; give one of this model")
     if model.cells is not None:
-        raise InputError("bond_forces: facets of cells have no moments of their own; look at bd.cell_stress instead")
+        raise InputError("bond_forces: facets of cells have no moments of their own; use bd.cell_stress instead")
+    if isinstance(result, State):
+        other = difference(result.model, model)
+        if other:
+            raise InputError(f"bond_forces: the state belongs to another {other}; give one of this model")
+        return _of_state(model, result)
+    moved, turned = getattr(result, "displacement", None), getattr(result, "rotation", None)
+    if moved is None or turned is None:
+        raise InputError(f"bond_forces: result = {shown(result)}; give what bd.solve_static returned, or a state")
+    if len(moved) != len(model.lattice.particles):
+        raise InputError(f"bond_forces: the result has {len(moved)} elements; give one of this model")
+    if model.non_local is not None:
+        raise InputError(
+            "bond_forces: a static solution of the non-local law does not store the stresses; give the state of a run"
+        )
+    return _of_small_motion(model, moved, turned)
+
+
+def _of_small_motion(model: Model, displacement: PerElement3, rotation: PerElement3) -> BondForces:
+    """Compute the forces of a linear equilibrium about the reference."""
+    lattice, k = model.lattice, model.stiffness
+    found = BondStrain.of(lattice, k.lever, displacement, rotation)
+    strain = np.empty(len(lattice.pairs))
+    strain[model.layout.bond_order] = model.constraints.final_strain()
+    pull = found.forces(k) - (k.kn * lattice.length * strain)[:, None] * found.direction
+    moment = k.kb[:, None] * found.bend + (k.kt * found.twist)[:, None] * found.direction
+    arm = np.cross(found.direction, pull)
+    near, far = k.lever[:, None], (lattice.length - k.lever)[:, None]
+    return BondForces(-pull, near * arm + moment, far * arm - moment, found.direction)
+
+
+def _of_state(model: Model, state: State) -> BondForces:
+    """Compute the forces in the pose of a state."""
     layout, pairs = model.layout, model.lattice.pairs
-    bonds = model.bonds.stretched(state.stress_free_strain).rows(layout, model.period, state.integrity)
+    bonds = model.bonds.stretched(state.rest_strain).rows(layout, model.period, state.integrity)
     found = np.zeros((bonds.m, COLUMNS))
     if bonds.m and model.non_local is not None:
         table = model.non_local.rows(with_zeros(state.history.copy()), state.stress.copy(), layout.i)
@@ -98,12 +130,12 @@ def bond_forces(model: Model, state: State) -> BondForces:
 
 
 def _pressed(model: Model, state: State, length: Floats) -> PerBond:
-    """What presses on beams that soften beside what is left of them [N], user's order."""
+    """Return the compressive force of beams that soften, without their share by integrity [N], user's order."""
     push = np.zeros(len(length))
     begun = state.softened[:, SOFT_BOND].astype(np.int64)
     begun = begun[state.integrity[begun] > 0.0]
     if len(begun):
         bond = model.layout.bond_order[begun]
-        rest = model.bonds.stretched(state.stress_free_strain).length[begun]
+        rest = model.bonds.stretched(state.rest_strain).length[begun]
         push[bond] = (1.0 - state.integrity[begun]) * model.bonds.kn[begun] * np.maximum(rest - length[bond], 0.0)
     return push

@@ -1,4 +1,4 @@
-"""What small motions of the elements do to their bonds: elongation, slip, bending and twist."""
+"""Deformation of bonds by small motions of the elements: elongation, slip, bending and twist."""
 
 from dataclasses import dataclass
 
@@ -11,17 +11,17 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class BondStrain:
-    """Small deformation of every bond about the reference, user's order.
+    """Small deformation of every bond from the reference, user's order.
 
     With X the direction of a bond, its slip is δ = u_j - u_i + X × (a θ_i + b θ_j) at the contact point and its
     relative rotation ρ = θ_j - θ_i.
 
     Attributes:
         direction: X, from i to j, (m, 3).
-        normal: δ·X [m], (m,).
-        shear: δ - (δ·X) X [m], (m, 3).
-        bend: ρ - (ρ·X) X [rad], (m, 3).
-        twist: ρ·X [rad], (m,).
+        normal: elongation δ·X [m], (m,).
+        shear: slip δ - (δ·X) X [m], (m, 3).
+        bend: bending rotation ρ - (ρ·X) X [rad], (m, 3).
+        twist: twist ρ·X [rad], (m,).
     """
 
     direction: Floats
@@ -40,13 +40,13 @@ class BondStrain:
         *,
         slip: Floats | None = None,
     ) -> "BondStrain":
-        """The deformation under displacements [m] and rotations [rad], (n, 3) each.
+        """Return the deformation under displacements [m] and rotations [rad], (n, 3) each.
 
         Args:
             lattice: elements and bonds.
             lever: distance a of the contact points from centres i [m], (m,).
-            displacement, rotation: of the elements.
-            slip: what every bond slips besides [m], (m, 3): that of a macroscopic strain in a periodic cell.
+            displacement, rotation: displacements and rotations of the elements.
+            slip: additional slip of every bond [m], (m, 3): that of a macroscopic strain in a periodic cell.
         """
         i, j = lattice.pairs.T
         direction = lattice.branch / lattice.length[:, None]
@@ -67,11 +67,11 @@ class BondStrain:
         )
 
     def forces(self, k: BondStiffness) -> Floats:
-        """Force of each bond on its element i, tension pointing to j [N], (m, 3)."""
+        """Return the force of each bond on its element i, tension pointing to j [N], (m, 3)."""
         return (k.kn * self.normal)[:, None] * self.direction + k.ks[:, None] * self.shear
 
     def products(self, other: "BondStrain") -> Floats:
-        """What kn, ks, kb and kt of each bond multiply in the work of one deformation on another, (4, m)."""
+        """Return the factors of kn, ks, kb and kt of each bond in the work of one deformation on another, (4, m)."""
         return np.stack(
             [
                 self.normal * other.normal,

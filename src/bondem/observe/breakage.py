@@ -1,4 +1,4 @@
-"""What broke in a run, and how near to breaking bonds are."""
+"""Broken bonds of a run, and the failure index of unbroken ones."""
 
 from dataclasses import dataclass
 
@@ -31,18 +31,18 @@ from bondem.observe.crack_index import crack_index
 
 @dataclass(frozen=True, eq=False)
 class BrokenBonds:
-    """Bonds or facets in the order in which they broke; those of one step in the order of the kernels.
+    """Broken bonds or facets in the order of breakage; those of one step are in the kernels' order.
 
-    A state that goes on in a second stage brings along what broke before; steps are those of the stage.
+    In a second stage the state keeps earlier breakages; steps are counted within the stage.
 
     Attributes:
-        time: [s], shape (e,).
-        step: shape (e,).
-        bond: user's number, shape (e,).
+        time: time of breakage [s], shape (e,).
+        step: step of breakage, shape (e,).
+        bond: user's number of the bond, shape (e,).
         mode: "tension", "shear", "bending" or "twisting", shape (e,).
-        gap: by how much it was longer than at rest; of a facet how far it was open along its normal [m], (e,).
-        energy: released [J], shape (e,).
-        position: of the contact point, or of the middle of the facet [m], shape (e, 3).
+        gap: elongation of a bond from its rest length, or opening of a facet along its normal [m], (e,).
+        energy: energy released [J], shape (e,).
+        position: contact point of the bond, or middle of the facet [m], shape (e, 3).
     """
 
     time: Floats
@@ -55,7 +55,7 @@ class BrokenBonds:
 
     @classmethod
     def of(cls, state: State) -> "BrokenBonds":
-        """What broke before a state."""
+        """Return the bonds that broke before a state."""
         rows = state.broken
         return cls(
             time=rows[:, BROKEN_TIME].copy(),
@@ -72,20 +72,21 @@ class BrokenBonds:
 
 
 def failure_index(model: Model, state: State) -> PerBond:
-    """How near each bond is to breaking: the index of the model's criterion, 1 where it breaks, 0 of broken bonds.
+    """Compute the index of the model's criterion for each bond: 1 at failure, 0 for broken bonds.
 
-    Of beams that soften 1. Of criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) the
-    largest principal stress over the strength, 0 where a facet is not pulled, 1 where it softens.
+    Beams that soften have 1. Criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) have
+    the largest principal stress over the strength. This index is 0 for a facet without tension and 1 for one that
+    softens.
 
     Args:
-        model: with a criterion of failure.
-        state: of this model, at any rotation.
+        model: model with a failure criterion.
+        state: state of this model, at any rotation.
 
     Returns:
         Index [-], user's order, shape (m,).
 
     Raises:
-        InputError: a model without a criterion, or of another kind.
+        InputError: The model has no criterion, or the state belongs to another model.
     """
     instance("failure_index", "model", model, Model, "bd.Model(...)")
     instance("failure_index", "state", state, State, "the state of a run, or model.state()")
@@ -96,9 +97,9 @@ def failure_index(model: Model, state: State) -> PerBond:
         return crack_index(model, state)
     table = model.breaking
     if table is None:
-        raise InputError("failure_index needs a criterion: give the model failure=bd.PeripheralStress(...)")
+        raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
     layout = model.layout
-    bonds = model.bonds.stretched(state.stress_free_strain).rows(layout, model.period, state.integrity)
+    bonds = model.bonds.stretched(state.rest_strain).rows(layout, model.period, state.integrity)
     if model.non_local is not None:
         found = np.empty(bonds.m)
         lagged = model.non_local.rows(state.history, state.stress, layout.i)
@@ -112,7 +113,7 @@ def failure_index(model: Model, state: State) -> PerBond:
         found = np.empty(bonds.m)
         pose = state.pose.copy()
         pose[:, STRESS] = CellForces.of(model, state).stress[layout.order]
-        cells = model.cells.stretched(state.stress_free_strain, layout).rows(layout.i)
+        cells = model.cells.stretched(state.rest_strain, layout).rows(layout.i)
         facet_indices(pose, bonds, cells, table.kind, table.coefficient, found)
     own = np.empty_like(found)
     own[layout.bond_order] = found

@@ -1,4 +1,4 @@
-"""Forces on the facets of the cells of a body, and where they act: in small motions, or in the pose of a state."""
+"""Forces on the facets of the cells of a body, and their arms, for small motions or in the pose of a state."""
 
 from dataclasses import dataclass, replace
 from typing import Protocol
@@ -24,7 +24,7 @@ class SmallMotion(Protocol):
 
     @property
     def displacement(self) -> PerElement3:
-        """Of the centres [m], (n, 3)."""
+        """Displacements of the centres [m], (n, 3)."""
         ...
 
     @property
@@ -35,17 +35,17 @@ class SmallMotion(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class CellForces:
-    """What bears on the cells of a body, user's order.
+    """Forces on the cells of a body, user's order.
 
     Arms begin at the centres of mass.
 
     Attributes:
-        force: of each facet on its cell i, tension pointing to j [N], shape (m, 3).
-        arm_i, arm_j: to the facet [m], shape (m, 3).
+        force: force of each facet on its cell i, tension pointing to j [N], shape (m, 3).
+        arm_i, arm_j: arms to the facet [m], shape (m, 3).
         held: forces of walls on the facets that they hold [N], shape (g, 3).
-        held_arm: to these [m], shape (g, 3).
+        held_arm: arms to these facets [m], shape (g, 3).
         load: forces of loads on the facets on the surface [N], in the order of `cells.free`, shape (k, 3).
-        load_arm: to these [m], shape (k, 3).
+        load_arm: arms to these facets [m], shape (k, 3).
         stress: λ θ of each cell [Pa], shape (n,).
     """
 
@@ -60,17 +60,17 @@ class CellForces:
 
     @classmethod
     def of(cls, model: Model, result: SmallMotion | State) -> "CellForces":
-        """The forces in an equilibrium of small rotations, or in a state at any rotation.
+        """Return the forces in an equilibrium of small rotations, or in a state at any rotation.
 
         Args:
-            model: a body of cells; that of the result.
+            model: the body of cells that the result belongs to.
             result: a linear `StaticResult`, or a `State`.
 
         Raises:
-            InputError: another law, or a result of another model.
+            InputError: The model has another law, or the result belongs to another model.
         """
         if model.cells is None:
-            raise InputError("stresses of cells need a body of cells, and bond=bd.CellBond(...)")
+            raise InputError("cell_stress: the model has no cells; give a body of cells and bond=bd.CellBond(...)")
         moved = getattr(result, "displacement", None)
         if moved is None:
             raise InputError(f"cell_stress: result = {shown(result)}; give what bd.solve_static returned, or a state")
@@ -130,9 +130,9 @@ def _turned(model: Model, state: State) -> CellForces:
 
 
 def _failing(model: Model, state: State) -> CellForces:
-    """Those of the last step of a state with cracks, or with cells that have yielded, as the run has left them."""
+    """Return the forces of the last step of a state with cracks or yielded cells, as stored by the run."""
     if state.stale:
-        raise InputError("cell_stress: the state has cracks and was changed by hand; run a step first")
+        raise InputError("cell_stress: the state has cracks and was changed after its last step; run a step first")
     body, constants, layout = model.lattice, _grown(model, state), model.layout
     _, cells = body_of(body)
     i, j = body.pairs.T
@@ -154,15 +154,15 @@ def _failing(model: Model, state: State) -> CellForces:
 
 
 def _deformed(state: State, owner: Ints, arm: Floats) -> Floats:
-    """Arms in cells that have yielded."""
+    """Return arms in cells that have yielded."""
     if not state.plastic.any():
         return arm
     return np.einsum("mab,mb->ma", state.plastic_deformation[owner], arm)
 
 
 def _grown(model: Model, state: State) -> CellConstants:
-    """The constants, user's order, with the stress-free strain of a state."""
-    constants, layout, strain = model.cell_constants, model.layout, state.stress_free_strain
+    """Return the constants with the stress-free strain of a state, user's order."""
+    constants, layout, strain = model.cell_constants, model.layout, state.rest_strain
     if len(state.grips) == len(constants.grips.cell):
         constants = replace(constants, grips=constants.grips.taken(state.grips))
     if not strain.size:
@@ -174,15 +174,15 @@ def _grown(model: Model, state: State) -> CellConstants:
 
 
 def held_arms(model: Model, state: State) -> Floats:
-    """From the centres of mass to the facets that walls hold, in a state [m], shape (g, 3)."""
+    """Return the arms from the centres of mass to the facets that walls hold, in a state [m], shape (g, 3)."""
     grips = _grown(model, state).grips
     return turned_vectors(state.orientation[grips.cell], _deformed(state, grips.cell, grips.arm))
 
 
 def wall_places(model: Model, state: State, base: Floats | None = None) -> Floats:
-    """Displacement of the walls that hold cells at the time of a state [m], (g, 3).
+    """Return the displacement of the walls that hold cells at the time of a state [m], (g, 3).
 
-    They come from where `base`, (g, 7), says, or the state itself.
+    Their initial places are `base`, (g, 7), or those of the state.
     """
     base = state.grips if base is None else base
     grips = model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0, base)

@@ -1,4 +1,4 @@
-"""What small motions of the elements of a body do to its facets and cells: gaps, relative rotations, dilatation."""
+"""Deformation of facets and cells by small motions of the elements: gaps, relative rotations, dilatation."""
 
 from dataclasses import dataclass
 
@@ -11,14 +11,14 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class CellStrain:
-    """Small deformation of every facet and cell about the reference, user's order.
+    """Small deformation of every facet and cell from the reference, user's order.
 
     Attributes:
-        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i, of the faces of each facet [m], (m, 3).
+        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i, gap between the faces of each facet [m], (m, 3).
         turn: θ_j - θ_i [rad], (m, 3).
-        held: of the facets that walls hold, along the held axes [m], (g, 3).
-        rotation: of the elements [rad], (n, 3).
-        swelling: V θ of each cell, but for what its own stress opens of free facets [m³], (n,).
+        held: gaps at the facets that walls hold, along the held axes [m], (g, 3).
+        rotation: rotations of the elements [rad], (n, 3).
+        swelling: V θ of each cell, without the opening of free facets by its own stress [m³], (n,).
     """
 
     gap: Floats
@@ -39,16 +39,16 @@ class CellStrain:
         wall: Floats | None = None,
         pressed: PerElement | None = None,
     ) -> "CellStrain":
-        """The deformation under displacements [m] and rotations [rad], (n, 3) each.
+        """Return the deformation under displacements [m] and rotations [rad], (n, 3) each.
 
         Args:
-            body: what deforms.
-            constants: of its law, user's order.
-            displacement, rotation: of the elements.
-            slip: what every facet opens besides [m], (m, 3): by a macroscopic strain in a periodic cell, or less
-                what it opens without stress.
-            wall: displacement of walls that hold facets [m], (g, 3); none when None.
-            pressed: what tractions on free facets add to V θ [m³], (n,); none when None.
+            body: the body that deforms.
+            constants: constants of its law, user's order.
+            displacement, rotation: displacements and rotations of the elements.
+            slip: additional opening of every facet [m], (m, 3): that of a macroscopic strain in a periodic cell, or
+                minus the stress-free opening.
+            wall: displacement of walls that hold facets [m], (g, 3); None for none.
+            pressed: contribution of tractions on free facets to V θ [m³], (n,); None for none.
         """
         i, j = body.pairs.T
         gap = (
@@ -67,17 +67,17 @@ class CellStrain:
         return cls(gap, rotation[j] - rotation[i], held, rotation, swelling)
 
     def stress(self, constants: CellConstants) -> PerElement:
-        """λ_p θ_p of each cell [Pa], (n,)."""
+        """Return λ_p θ_p of each cell [Pa], (n,)."""
         return constants.weight * self.swelling
 
     def forces(self, body: Lattice, constants: CellConstants) -> Floats:
-        """Force of each facet on its element i, tension pointing to j [N], (m, 3)."""
+        """Return the force of each facet on its element i, tension pointing to j [N], (m, 3)."""
         i, j = body.pairs.T
         stress = self.stress(constants)[:, None]
         return constants.k[:, None] * self.gap + stress[i] * constants.share_i + stress[j] * constants.share_j
 
     def nodal(self, body: Lattice, constants: CellConstants) -> PerElement6:
-        """What the facets do to the elements [N, N·m], (n, 6)."""
+        """Return forces and torques of the facets on the elements [N, N·m], (n, 6)."""
         i, j = body.pairs.T
         force = self.forces(body, constants)
         moment = np.einsum("mab,mb->ma", constants.H, self.turn)
@@ -89,14 +89,14 @@ class CellStrain:
         return load + self.of_walls(len(load), constants)
 
     def of_walls(self, n: int, constants: CellConstants) -> PerElement6:
-        """What the walls do to the elements that they hold [N, N·m], (n, 6)."""
+        """Return forces and torques of the walls on the elements that they hold [N, N·m], (n, 6)."""
         grips = constants.grips
         values = grips.nodal(self.held, self.rotation, self.stress(constants))
         parts = [np.bincount(grips.cell, weights=column, minlength=n) for column in values.T]
         return np.stack(parts, axis=1).astype(float)
 
     def work(self, other: "CellStrain", constants: CellConstants) -> float:
-        """What the stresses of one deformation do on another, twice the energy where both are the same [J]."""
+        """Return the work of the stresses of one deformation on another [J]; for equal ones twice the energy."""
         grips = constants.grips
         bent = np.einsum("ma,mab,mb->", self.turn, constants.H, other.turn)
         bent += np.einsum("ga,gab,gb->", self.rotation[grips.cell], grips.H, other.rotation[grips.cell])

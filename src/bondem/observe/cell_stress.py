@@ -8,31 +8,36 @@ from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces, SmallMotion
+from bondem.observe.element_stress import element_stress
 
 # Where the components of a tensor are in a row xx, yy, zz, xy, yz, zx.
 _OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
 
 
 def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
-    """Mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
+    """Compute the mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
 
-    f are the forces on its facets, those of its neighbours, of walls that hold it and of loads on the surface, and b
-    the arms to them from its centre of mass. In equilibrium Σ V σ over all cells is the moment of what acts on the
-    surface, exactly. Tension positive; axes in space.
+    For spheres joined by beams it is the symmetric part of `bd.element_stress`, which computes their couples too.
+
+    f are the forces of neighbours, holding walls and surface loads on the facets. b are the arms to them from the
+    centre of mass of the cell. In equilibrium Σ V σ over all cells is exactly the moment of the forces on the
+    surface. Tension is positive; axes are global.
 
     Args:
-        model: a body of cells under `CellBond`.
-        result: its linear static solution, or a state of an explicit run at any rotation. Give a nonlinear static
+        model: a body of cells under `CellBond`, or another model with bonds.
+        result: linear static solution, or a state of an explicit run at any rotation. Give a nonlinear static
             solution as a state with its pose.
 
     Raises:
-        InputError: another law, or a result of another model.
+        InputError: The result belongs to another model.
     """
+    if isinstance(model, Model) and model.cells is None:
+        return element_stress(model, result).symmetric
     return mean_stress(model, CellForces.of(model, result))
 
 
 def mean_stress(model: Model, forces: CellForces) -> Floats:
-    """The same of forces that are known."""
+    """Compute the mean stress tensor of every cell from known forces [Pa], shape (n, 3, 3)."""
     body, grips = model.lattice, model.cell_constants.grips
     _, cells = body_of(body)
     i, j = body.pairs.T
@@ -46,6 +51,6 @@ def mean_stress(model: Model, forces: CellForces) -> Floats:
 
 
 def dilatation(model: Model, stress: Floats) -> PerElement:
-    """Change of volume over volume of cells under these mean stresses, tr σ / 3K [-], shape (n,)."""
+    """Compute the dilatation of cells under these mean stresses, tr σ / 3K [-], shape (n,)."""
     constants = model.cell_constants
     return np.einsum("nii->n", stress) / (3.0 * constants.lame + 2.0 * constants.G)

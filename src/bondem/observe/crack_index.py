@@ -1,4 +1,4 @@
-"""How near facets are to begin to crack, and cells to yield, by the stress of the material."""
+"""Indices of crack initiation of facets and of yielding of cells, by the stress of the material."""
 
 import numpy as np
 
@@ -15,11 +15,12 @@ from bondem.observe.turned_vectors import turned_vectors
 
 
 def crack_index(model: Model, state: State) -> PerBond:
-    """Index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength).
+    """Compute the index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength).
 
-    0 of facets that are not pulled (but of `bd.Rankine` the smaller one of that and of the traction by itself), 1 of
-    those that soften, 0 of broken ones. Of `bd.Rankine` it is no more than what the traction opens along the present
-    principal directions, over the strength along them. Facets of material planes have the index of their traction.
+    It is 0 for broken facets and 1 for facets that soften. It is 0 for facets without tension, but for `bd.Rankine`
+    then the smaller of this index and that of the traction alone. For `bd.Rankine` it is at most the opening traction
+    along the present principal directions over the strength along them. Facets of material planes have the index of
+    their traction.
 
     Returns:
         Index [-], user's order, shape (m,).
@@ -61,10 +62,10 @@ def crack_index(model: Model, state: State) -> PerBond:
 
 
 def yield_index(model: Model, state: State) -> PerElement:
-    """(σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ over c cos φ of each cell, c what its slip has left of the cohesion.
+    """Compute (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ over c cos φ of each cell, with the cohesion c after its slip.
 
-    On Drucker and Prager's cone √J2 + α I1 over k, 0 where the mean stress is tension. Cells without cohesion have 1.
-    Zeros where no cell yields.
+    For the cone of Drucker and Prager it is √J2 + α I1 over k, and 0 where the mean stress is tensile. Cells without
+    cohesion have 1. The index is zero if no cell can yield.
 
     Returns:
         Index [-], user's order, shape (n,).
@@ -92,14 +93,14 @@ def _table(model: Model) -> SofteningTable:
 
 
 def _slip_index(table: SofteningTable, place: Ints, n: PerBond3, t: PerBond3) -> PerBond:
-    """|t_s| + t_n tan φ over the cohesion of facets of planes, 0 of all others; `place` in the table, (m,)."""
+    """Return |t_s| + t_n tan φ over the cohesion for facets of planes, else 0; `place` in the table, (m,)."""
     across = (t * n).sum(axis=1)
     shear = np.sqrt(np.maximum((t * t).sum(axis=1) - across**2, 0.0)) + table.friction[place] * across
     return np.maximum(shear, 0.0) / table.cohesion[place]
 
 
 def _bending(model: Model, state: State) -> PerBond:
-    """T_b of facets [Pa], user's order, (m,)."""
+    """Return T_b of facets [Pa], user's order, (m,)."""
     facets, _ = body_of(model.lattice)
     constants, turns = model.cell_constants, state.orientation[model.lattice.pairs]
     H = constants.H.reshape(-1, 9).T[[0, 4, 8, 1, 2, 5]]

@@ -20,13 +20,13 @@ from bondem.observe.facet_loads import loads_on_facets
 
 @dataclass(frozen=True)
 class EnergyParts:
-    """Elastic energy stored in all bonds.
+    """Elastic energy stored in all bonds, by parts.
 
     Attributes:
-        normal: of elongation; of cells, of the normal gaps of facets and of dilatation [J].
-        shear: of slip at the contact point [J]; with `bending` it is what the papers call bending.
-        bending: of relative rotation across the bond [J].
-        twisting: of relative rotation about the bond [J].
+        normal: energy of elongation [J]; for cells, of the normal gaps of facets and of dilatation.
+        shear: energy of slip at the contact point [J]; with `bending` it is what the papers call bending.
+        bending: energy of relative rotation across the bond [J].
+        twisting: energy of relative rotation about the bond [J].
     """
 
     normal: float
@@ -36,14 +36,14 @@ class EnergyParts:
 
     @property
     def total(self) -> float:
-        """Their sum [J]."""
+        """Sum of all parts [J]."""
         return self.normal + self.shear + self.bending + self.twisting
 
 
 def linear_energy(
     model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond | None = None
 ) -> EnergyParts:
-    """Energy of small displacements [m] and rotations [rad] about the reference, user's order, (n, 3) each.
+    """Compute the energy of small displacements [m] and rotations [rad], user's order, (n, 3) each.
 
     The parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)² of `BondStrain`.
     `strain` is ε* of each bond [-], in the kernels' order.
@@ -92,7 +92,10 @@ def _cell_energy(
 
 
 def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
-    """By how much less facets are open under stress-free strains ε* [-], kernels' order, (m,): [m], (m, 3)."""
+    """Return the gaps that stress-free strains subtract from the gaps of facets [m], (m, 3), with a negative sign.
+
+    `strain` is ε* [-], in the kernels' order, (m,).
+    """
     if strain is None or model.cells is None:
         return None
     own = np.empty(len(strain))
@@ -101,7 +104,7 @@ def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
 
 
 def wall_motion(model: Model, strain: PerBond | None) -> Floats:
-    """How far walls have come towards facets of cells, less what these have grown by the same strains [m], (g, 3)."""
+    """Return the motion of walls towards facets of cells, less the growth of cells by the strains [m], (g, 3)."""
     grips = model.cell_constants.grips
     if strain is None:
         return grips.motion
@@ -109,25 +112,25 @@ def wall_motion(model: Model, strain: PerBond | None) -> Floats:
 
 
 def elastic_energy(model: Model, state: State) -> EnergyParts:
-    """Energy of a state under the total formulation, at any rotation.
+    """Compute the energy of a state under the total formulation, at any rotation.
 
-    Walls that hold cells, tractions on them and stress-free strains are those of the time of the state.
+    Holding walls, tractions on them and stress-free strains are those of the time of the state.
 
     Raises:
-        InputError: a state with cracks that soften, or with cells that have yielded.
+        InputError: The state has cracks that soften, or cells that have yielded.
     """
-    return energy_of(model, state, state.stress_free_strain)
+    return energy_of(model, state, state.rest_strain)
 
 
 def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | None = None) -> EnergyParts:
-    """That of a state with stress-free strains ε* [-], kernels' order, (m,) or (0,) for none.
+    """Compute the energy of a state with stress-free strains ε* [-], kernels' order, (m,), or (0,) for none.
 
-    Walls are where `wall` [m], (g, 3), says, and tractions as the model's own cells have them, or as of
-    `elastic_energy`.
+    With `wall` [m], (g, 3), walls are at these places and tractions are those of the model's own cells. Without, both
+    are as for `elastic_energy`.
     """
     if len(state.cracks) or state.plastic.any():
         raise InputError(
-            "elastic_energy: a state with cracks or plastic strains; run.history.energy has its energies"
+            "elastic_energy: the state has cracks or plastic strains; use run.history.energy"
         )
     bonds = model.bonds.stretched(strain).rows(model.layout, model.period, state.integrity)
     if model.cells is None:

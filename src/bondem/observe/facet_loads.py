@@ -1,4 +1,4 @@
-"""What loads do on the facets that cells have on the surface."""
+"""Forces of loads on the facets that cells have on the surface."""
 
 from dataclasses import replace
 
@@ -13,10 +13,10 @@ from bondem.observe.turned_vectors import turned_vectors
 
 
 def loads_on_facets(model: Model, time: float | None = None, orientation: Floats | None = None) -> Floats:
-    """Forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end.
+    """Return the forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end.
 
-    Pressures that follow and the forces of moments have turned with their cells, whose quaternions are given, (n, 4);
-    without they are in the axes of their cells.
+    With the quaternions of the cells, (n, 4), following pressures and the forces of moments rotate with their cells.
+    Without them these forces are in the axes of their cells.
     """
     _, cells = body_of(model.lattice)
     force = np.zeros((len(cells.free.cell), 3))

@@ -1,4 +1,4 @@
-"""What small motions of the elements do to bonds of the non-local law: gaps, forces, stresses."""
+"""Deformation of bonds of the non-local law by small motions of the elements: gaps, forces, stresses."""
 
 from dataclasses import dataclass
 
@@ -15,13 +15,13 @@ _SIX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 @dataclass(frozen=True, eq=False)
 class NonLocalStrain:
-    """Small deformation of every bond about the reference, user's order.
+    """Small deformation of every bond from the reference, user's order.
 
     Attributes:
         lattice: the elements and bonds.
-        constants: of the law, user's order.
+        constants: constants of the law, user's order.
         gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i [m], (m, 3).
-        extra: e of each bond [N], (m, 3).
+        extra: extra force e of each bond [N], (m, 3).
     """
 
     lattice: Lattice
@@ -31,16 +31,16 @@ class NonLocalStrain:
 
     @classmethod
     def none(cls, lattice: Lattice, constants: NonLocalConstants) -> "NonLocalStrain":
-        """No deformation."""
+        """Return the undeformed state."""
         still = np.zeros((len(lattice.pairs), 3))
         return cls(lattice, constants, still, still)
 
     def moved(self, motion: PerElement6, slip: Floats | None = None) -> "NonLocalStrain":
-        """The same extra forces with the gaps of motions (u, θ) [m, rad], (n, 6).
+        """Return the same extra forces with the gaps of motions (u, θ) [m, rad], (n, 6).
 
         Args:
-            motion: of the elements, from the reference.
-            slip: what every bond opens besides [m], (m, 3): that of a macroscopic strain in a periodic cell.
+            motion: motion of the elements from the reference.
+            slip: additional opening of every bond [m], (m, 3): that of a macroscopic strain in a periodic cell.
         """
         i, j = self.lattice.pairs.T
         c, u, turn = self.constants, motion[:, :3], motion[:, 3:]
@@ -50,7 +50,7 @@ class NonLocalStrain:
         return NonLocalStrain(self.lattice, c, gap, self.extra)
 
     def lagged(self) -> "NonLocalStrain":
-        """The same gaps with the extra forces that the present stresses and gaps ask for."""
+        """Return the same gaps with the extra forces that follow from the present stresses and gaps."""
         c = self.constants
         extra = np.empty_like(self.gap)
         small_extra_forces(
@@ -60,19 +60,19 @@ class NonLocalStrain:
 
     @property
     def spring(self) -> PerBond3:
-        """kn δ_n n + kt δ_t, on the element i, tension pointing to j [N], (m, 3)."""
+        """Return kn δ_n n + kt δ_t, the spring force on the element i, tension pointing to j [N], (m, 3)."""
         c = self.constants
         along = (c.kn - c.kt) * (self.gap * c.normal).sum(axis=1)
         return c.kt[:, None] * self.gap + along[:, None] * c.normal
 
     @property
     def force(self) -> PerBond3:
-        """The same with the extra force [N], (m, 3)."""
+        """Return the sum of spring force and extra force [N], (m, 3)."""
         return self.spring + self.extra
 
     @property
     def stress(self) -> Floats:
-        """σ of each element by eq (1), its symmetric part xx, yy, zz, xy, xz, yz [Pa], (n, 6)."""
+        """Return σ of each element by eq (1), its symmetric part xx, yy, zz, xy, xz, yz [Pa], (n, 6)."""
         i, j = self.lattice.pairs.T
         c, force, n = self.constants, self.force, len(self.lattice.particles)
         found = np.zeros((n, 6))
@@ -84,7 +84,7 @@ class NonLocalStrain:
 
     @property
     def energy(self) -> EnergyParts:
-        """Of the springs alone; what extra forces have taken up depends on the path."""
+        """Return the energy of the springs alone, because the energy of extra forces depends on the path."""
         c = self.constants
         along = (self.gap * c.normal).sum(axis=1) ** 2
         across = (self.gap**2).sum(axis=1) - along
@@ -94,7 +94,7 @@ class NonLocalStrain:
         )  # fmt: skip
 
     def nodal(self, force: PerBond3) -> PerElement6:
-        """What such forces of the bonds do to the elements [N, N·m], (n, 6)."""
+        """Return forces and torques on the elements by forces of the bonds [N, N·m], (n, 6)."""
         i, j = self.lattice.pairs.T
         c = self.constants
         load = np.zeros((len(self.lattice.particles), 6))

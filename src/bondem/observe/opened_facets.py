@@ -1,4 +1,4 @@
-"""How far facets are opened along each of the directions by which they soften (`bondem.laws.softening`)."""
+"""Opening of facets along each of the directions by which they soften (`bondem.laws.softening`)."""
 
 from dataclasses import dataclass
 
@@ -11,14 +11,14 @@ from bondem.model.softening_table import SofteningTable
 
 @dataclass(frozen=True, eq=False)
 class Opened:
-    """What some facets are judged by at a load factor of 1: principal directions, or their own traction.
+    """Tractions and strengths of some facets at a load factor of 1, along principal directions or their own traction.
 
     Attributes:
         traction: T_a that opens them along a direction, as if they were whole [Pa], (c, 3).
-        strength: at which they begin to soften along it [Pa], (c, 3).
-        last: T_a where nothing is left [Pa], (c, 3).
-        kink, steep: of the softening curve (`bondem.laws.softening.softened`) [-].
-        gone: load factors at which nothing is left of those that have begun, whatever the direction, (c,).
+        strength: strength along it, at which they begin to soften [Pa], (c, 3).
+        last: T_a at zero integrity [Pa], (c, 3).
+        kink, steep: parameters of the softening curve (`bondem.laws.softening.softened`) [-].
+        gone: load factors at which facets that have begun to soften reach zero integrity in any direction, (c,).
     """
 
     traction: PerBond3
@@ -32,13 +32,13 @@ class Opened:
     def of(
         cls, table: SofteningTable, facets: Ints, normal: PerBond3, traction: PerBond3, bent: PerBond, mean: Floats
     ) -> "Opened":
-        """Judge some facets.
+        """Evaluate some facets.
 
         Args:
             table: strengths and softening curve.
-            facets: which, (c,).
-            normal: of these, (c, 3).
-            traction: that they would have if they were whole [Pa], (c, 3).
+            facets: facets to evaluate, (c,).
+            normal: normals of these, (c, 3).
+            traction: traction that they would have if they were whole [Pa], (c, 3).
             bent: T_b, likewise [Pa], (c,).
             mean: mean stress of their cells [Pa], (c, 3, 3).
         """
@@ -70,7 +70,7 @@ class Opened:
         return cls(opened, strength, last, table.kink, table.steep, gone)
 
     def reached(self, integrity: PerBond) -> PerBond:
-        """Load factors at which the integrities of the facets fall below what they are, inf for never, (c,)."""
+        """Return load factors at which the facets lose integrity below the given values, inf for never, (c,)."""
         s = integrity[:, None]
         with np.errstate(divide="ignore", invalid="ignore"):
             first = np.where(self.last > 0.0, self.strength / (self.steep * self.last), 0.0)
@@ -83,6 +83,6 @@ class Opened:
         return np.where(integrity < 1.0, np.minimum(reached, self.gone), reached)
 
     def steepest(self) -> Ints:
-        """The direction along which whole facets begin to soften first, (c,)."""
+        """Return the direction along which whole facets begin to soften first, (c,)."""
         with np.errstate(divide="ignore"):
             return np.where(self.traction > 0.0, self.strength / self.traction, np.inf).argmin(axis=1)

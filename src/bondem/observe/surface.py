@@ -1,4 +1,4 @@
-"""Where the surface of a body of cells goes: free facets open until they bear the traction that is put on them."""
+"""Displacement of the surface of a body of cells: free facets open until they carry the applied traction."""
 
 import numpy as np
 
@@ -12,18 +12,18 @@ from bondem.observe.cell_strain import CellStrain
 def surface_displacement(
     model: Model, displacement: PerElement3, rotation: PerElement3, *, traction: Floats | None = None
 ) -> Floats:
-    """Displacements of the centroids of the free facets [m], shape (k, 3), in the order of `cells.free`.
+    """Compute displacements of the centroids of the free facets [m], shape (k, 3), in the order of `cells.free`.
 
-    A facet lies half a cell outside of its element, and that half is strained, too: with the stress σ = λ θ of the
-    cell, the facet opens by (d / 2 G)(t - σ M⁻¹n). Where a wall holds it, it moves with the wall.
+    A facet lies half a cell outside of its element, and that half is strained too. With the stress σ = λ θ of the
+    cell, the facet opens by (d / 2 G)(t - σ M⁻¹n). A facet that a wall holds moves with the wall.
 
     Args:
         model: a body of cells.
-        displacement, rotation: of its elements [m, rad], small, (n, 3) each.
-        traction: on the free facets [Pa], (k, 3); none when None.
+        displacement, rotation: small displacements and rotations of its elements [m, rad], (n, 3) each.
+        traction: tractions on the free facets [Pa], (k, 3); None for none.
 
     Raises:
-        InputError: a model without cells.
+        InputError: The model has no cells.
     """
     instance("surface_displacement", "model", model, Model, "bd.Model(...)")
     _, cells = body_of(model.lattice)

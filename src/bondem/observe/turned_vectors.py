@@ -1,4 +1,4 @@
-"""Vectors that turn with their elements."""
+"""Rotation of vectors with their elements."""
 
 import numpy as np
 
@@ -7,5 +7,5 @@ from bondem.kernels.turning import turn_vectors
 
 
 def turned_vectors(quaternion: Floats, vectors: Floats) -> Floats:
-    """Vectors (k, 3), each turned by its unit quaternion (w, x, y, z), (k, 4)."""
+    """Return vectors (k, 3), each rotated by its unit quaternion (w, x, y, z), (k, 4)."""
     return turn_vectors(np.ascontiguousarray(quaternion), np.ascontiguousarray(vectors))

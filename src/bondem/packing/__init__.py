@@ -6,6 +6,7 @@ import numpy as np
 
 from bondem._checks import choice, instance, shown
 from bondem._checks import count as whole
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.io.packing_cache import PackingCache, wanted
 from bondem.packing.compression import compress
@@ -22,6 +23,7 @@ from bondem.packing.two_sided import Around, around_surfaces
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
+from bondem.specimen.shape import Placed
 
 __all__ = ["EVEN", "METHOD", "METHODS", "SEED", "aggregates", "pack"]
 
@@ -39,6 +41,7 @@ SEED = 1
 _MOST = 100_000_000
 
 
+@staged("packing")
 def pack(
     shape: Shape,
     *,
@@ -55,69 +58,72 @@ def pack(
     cache: bool = True,
     progress: Callable[[float], None] | None = None,
 ) -> Particles:
-    """Fill a shape with spheres, dense, random and isotropic.
+    """Fill a shape with spheres: dense, random and isotropic.
 
-    Spheres lie inside the walls to rounding. The radii follow from count, shape and target. Same arguments, same
-    bits, whatever the number of threads.
+    Spheres lie inside the walls to rounding. The radii follow from count, shape and target. The same arguments give
+    the same packing, bit for bit, for any number of threads.
 
-    A `method` packs, and a target says where it ends:
+    The `method` makes the packing, and a target defines its final state:
 
-    - "quench" (fastest): random soft spheres let loose far above jamming (just above, for jamming=True), then
-      decompressed.
-    - "growth": flying hard spheres that collide and grow (Lubachevsky and Stillinger).
-    - "compression": soft spheres compressed from a dilute gas in small strains, without gravity.
-    - "shear" (slowest): grains on a grid, pressed while walls shear them to and fro (André et al. 2012, §4.1).
-    - "even": for bodies of cells, `bd.connect(particles, method="laguerre")`: equal spheres, their centres spread
-      evenly, none nearer to a wall than a third of its radius. They hardly touch; no target, spread or sizes. With
-      `size` in place of `count`, one for all cells or another at each place, `bd.Graded`.
+    - "quench" (fastest): random soft spheres, overlapping far above jamming (just above, for jamming=True), are
+      relaxed and then decompressed.
+    - "growth": moving hard spheres collide and grow (Lubachevsky and Stillinger).
+    - "compression": a dilute gas of soft spheres is compressed in small strains, without gravity.
+    - "shear" (slowest): grains on a grid are compressed while walls shear them back and forth (André et al. 2012,
+      §4.1).
+    - "even": centres for bodies of cells, `bd.connect(particles, method="laguerre")`. Equal spheres are spread
+      evenly, none nearer to a wall than a third of its radius. They hardly touch, so the method has no target,
+      spread or sizes. With `size` in place of `count`, all cells have one size, or sizes vary in space
+      (`bd.Graded`).
 
-    Every target can be had from every other method; one above jamming is reached by compressing soft spheres. What
-    a coordination number costs beyond jamming is overlap: at 6.2 on average 0.2 % of the mean radius in a periodic
-    cell and, as spheres at walls have fewer neighbours, 0.8 % between the walls of a cylinder of 10 000, with 5 % for
-    the worst pair; `bd.fabric(lattice).largest_overlap` reports it.
+    All other methods reach every target; a target above jamming is reached by compressing soft spheres. A
+    coordination number beyond jamming requires overlaps. For 6.2 they are on average 0.2 % of the mean radius in a
+    periodic cell. Between the walls of a cylinder of 10 000 they are 0.8 %, and 5 % for the worst pair, because
+    spheres at walls have fewer neighbours. `bd.fabric(lattice).largest_overlap` reports the largest overlap.
 
     Args:
-        shape: any shape; walls that are not those of a Cylinder, Box, Ball or Cell are read from a grid of depths.
+        shape: any shape; only Cylinder, Box, Ball and Cell have exact walls, others use a grid of depths.
         count: number of spheres.
-        size: of cells, the cube root of their volume, for "even", in place of `count`: one size [m], `bd.Graded`, or
-            a function of points (k, 3) [m] that gives sizes (k,) [m] and changes by no more than the distance. How
-            many cells there are follows.
-        around: what cells of "even" end on, for an interface between materials that is not ragged: `bd.Plane`s,
-            shapes, `bd.Surface`s, one or a sequence, at least 1.6 cells apart; or balls from `bd.aggregates`. Cells
-            have one size then, of balls 0.8 of the smallest radius at most. They end exactly on plane faces, and on a
-            polyhedron of the same volume about curved ones; at edges within one face of a `bd.Surface`, about.
+        size: size of cells, the cube root of their volume, for "even", in place of `count`. Give one size [m],
+            `bd.Graded`, or a function of points (k, 3) [m] that returns sizes (k,) [m]. Sizes may change by no more
+            than the distance. The number of cells follows.
+        around: surfaces on which cells of "even" end, so that an interface between materials is smooth. Give
+            `bd.Plane`s, shapes or `bd.Surface`s, one or a sequence, at least 1.6 cells apart, or balls from
+            `bd.aggregates`. All cells then have one size, with balls at most 0.8 of the smallest radius. Cells end
+            exactly on plane faces, and on a polyhedron of the same volume around curved ones. At edges within one
+            face of a `bd.Surface` they end approximately.
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
             `sizes` is given. Equal spheres (0) order at walls.
-        sizes: law of the radii: Uniform, Lognormal, Sieve; in place of `spread`.
+        sizes: law of the radii, in place of `spread`: Uniform, Lognormal or Sieve.
         method: "quench", "growth", "compression", "shear" (Box and Cylinder) or "even".
-        seed: which of the random packings.
-        coordination_number: target z = 2 contacts / spheres [-], ± 0.01, as `bd.connect` counts them with
-            tolerance 0, over all spheres, those at walls and rattlers included. Without any target, 6.2.
+        seed: number that selects one of the random packings.
+        coordination_number: target z = 2 contacts / spheres [-], ± 0.01; 6.2 if no target is given. Contacts are
+            counted as by `bd.connect` with tolerance 0, over all spheres, including rattlers and those at walls.
         volume_fraction: target φ, volume of the spheres over that of the shape [-]; below jamming they barely touch.
-        jamming: target: the density at which the spheres begin to bear load; no overlap above 1e-3 mean radii,
-            and in a periodic cell six contacts a sphere without rattlers.
-        cache: whether a packing of 1000 spheres or more that was asked for before may come from disk, the same to
-            the bit, and this one is kept there; `BONDEM_PACKING_CACHE=off` in the environment says no to all.
-        progress: called now and then with the done share, from 0 to 1, never less than before.
+        jamming: target: the density at which the spheres begin to carry load. No overlap exceeds 1e-3 mean
+            radii. A periodic cell has six contacts per sphere, without rattlers.
+        cache: True to reuse an identical packing of 1000 spheres or more from disk, the same to the bit, and to store
+            this one there. `BONDEM_PACKING_CACHE=off` in the environment disables the cache.
+        progress: function called repeatedly with the completed share, 0 … 1, which never decreases.
 
     Returns:
         Exactly `count` spheres, or as many as have the given size, with their `shape`.
 
     Raises:
-        InputError: an argument out of range.
-        PackingError: the target was not reached.
+        InputError: An argument is out of range.
+        PackingError: The target was not reached.
     """
     instance("pack", "shape", shape, Shape, "a shape such as bd.Cylinder(radius=5e-3, length=40e-3)")
     choice("pack", "method", method, METHODS)
     if (count is None) == (size is None):
-        raise InputError("pack: give count=, how many spheres, or size=, how large cells are, and not both")
+        raise InputError("pack: give either count=, the number of spheres, or size=, the size of cells")
     if size is not None and method != EVEN:
-        raise InputError(f'pack: size= is for cells; give method="even" with it, or count= for {method!r}')
+        raise InputError(f'pack: size= applies to cells; give method="even" with it, or count= for {method!r}')
     if around is not None:
         around = _surfaces(around)
         if method != EVEN or callable(size) or shape.period is not None:
             raise InputError(
-                'pack: around= is for cells of one size in a shape with walls; give method="even", and count= or'
+                'pack: around= requires cells of one size in a shape with walls; give method="even", and count= or'
                 " size= as a number"
             )
     if size is not None and not callable(size):
@@ -153,31 +159,36 @@ def pack(
             return _kept(request, lambda: even(shape, count, random, told), told, cache=cache)
         assert callable(size)
         if shape.period is not None:
-            raise InputError("pack: a periodic cell has cells of one size; give size= as a number, or count=")
+            raise InputError("pack: a periodic cell requires cells of one size; give size= as a number, or count=")
         at = sizes_by(size)
         return _kept(request | {"size": size}, lambda: graded(shape, at, random, told), told, cache=cache)
     assert count is not None
     target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
     size_law = Uniform(SPREAD if spread is None else spread) if sizes is None else sizes
 
+    own = shape.shape if isinstance(shape, Placed) else shape
+
     def make() -> Particles:
         random = np.random.Generator(np.random.Philox(seed))
         spheres = _METHODS[method](
-            shape, size_law.radii(count, random), target, random,
+            own, size_law.radii(count, random), target, random,
             lambda steps: told(steps / (steps + _USUAL_STEPS)),
         )  # fmt: skip
         target.reach(spheres)
-        return filled(Particles(spheres.sphere[:, :3].copy(), spheres.sphere[:, 3].copy(), shape.period), shape)
+        centre = spheres.sphere[:, :3].copy()
+        if isinstance(shape, Placed):  # packed where it came from, so that its place changes nothing
+            centre = shape.place(centre)
+        return filled(Particles(centre, spheres.sphere[:, 3].copy(), shape.period), shape)
 
     request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
     return _kept(request, make, told, cache=cache)
 
 
 def _surfaces(around: object) -> Aggregates | tuple[Around, ...]:
-    """Aggregates alone, or all that cells are to end on.
+    """Return aggregates alone, or all surfaces on which cells end.
 
     Raises:
-        InputError: something else.
+        InputError: The value is neither.
     """
     listed = tuple(around) if isinstance(around, list | tuple) else (around,)
     given = tuple(one for one in listed if isinstance(one, Around))
@@ -194,7 +205,7 @@ def _surfaces(around: object) -> Aggregates | tuple[Around, ...]:
 def _kept(
     request: dict[str, object], make: Callable[[], Particles], told: Callable[[float], None], *, cache: bool
 ) -> Particles:
-    """The packing of a request, from disk where it may be, else made."""
+    """Return the packing of a request, from disk if possible, else newly made."""
     count = request["count"]
     worth = wanted(count if isinstance(count, int) else _MOST)
     particles = PackingCache().remembered(request, make) if cache and worth else make()

@@ -1,8 +1,8 @@
 """Isotropic compression without gravity: from a dilute gas of spheres to jamming, in small strains.
 
-Athermal and quasi-static: after each strain the overlaps push the spheres apart until none are left. The last strain
-is the one they cannot give way to; it is taken back and tried again in smaller ones. That all radii grow instead of
-the shape shrinking is the same thing seen from outside.
+The method is athermal and quasi-static: after each strain, overlaps push the spheres apart until no overlap remains.
+The last strain is the one at which this fails; it is reversed and repeated in smaller steps. Instead of shrinking
+the shape, all radii grow, which is equivalent.
 """
 
 from collections.abc import Callable
@@ -30,7 +30,7 @@ def compress(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Spheres compressed from below until they jam, or to the volume fraction asked for where it comes first."""
+    """Compress spheres from below until they jam, or to the requested volume fraction if that comes first."""
     start = _START_FRACTION
     if isinstance(target, Fraction):
         start = min(start, 0.9 * target.volume_fraction)

@@ -1,8 +1,8 @@
-"""Centres for cells: spread evenly and at random through a shape, each at the centroid of its own cell.
+"""Centres for cells, spread evenly and at random through a shape, each at the centroid of its own cell.
 
-Soft spheres push each other apart for a while, from random places; they need not come to rest. Then every centre
-moves to the centroid of its Voronoi cell, a few times over (Lloyd). Cells are round and of much the same size, and
-nothing has to jam: what carries the load of a body of cells are facets.
+From random places, soft spheres push each other apart for a while; they need not reach equilibrium. Then every centre
+moves to the centroid of its Voronoi cell, several times (Lloyd). The cells are round and of nearly equal size. The
+spheres need not jam, because facets carry the load of a body of cells.
 """
 
 from collections.abc import Callable
@@ -30,16 +30,16 @@ _MARGIN = 0.4
 def even(
     shape: Shape, count: int, random: np.random.Generator, told: Callable[[float], None]
 ) -> Particles:
-    """Equal spheres, no two of which overlap by more than a tenth of their diameter.
+    """Pack equal spheres, no two of which overlap by more than a tenth of their diameter.
 
     Args:
-        shape: what to fill.
-        count: how many.
-        random: where the randomness comes from.
-        told: called with the done share.
+        shape: shape to fill.
+        count: number of spheres.
+        random: random generator.
+        told: function called with the completed share.
 
     Raises:
-        InputError: spheres too large for the shape, or a part of it that no centre fell into.
+        InputError: The spheres are too large for the shape, or a part of it received no centre.
     """
     spheres = thrown(shape, np.ones(count), _PUSHED, random, inside=_START)
     spheres.relax(1.0, tolerance=_ROUGH, steps=_STEPS)
@@ -53,12 +53,12 @@ def even(
 
 
 def points_of(shape: Shape, x: Floats, width: float) -> Particles:
-    """Particles of next to no radius, so that overlap is no matter."""
+    """Return particles of negligible radius, so that overlap does not matter."""
     return filled(Particles(x, 1e-3 * width, shape.period), shape)
 
 
 def kept_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> Floats:
-    """Centres that would come nearer to a wall than `margin` go half the way, or stay, and are pushed inwards."""
+    """Keep centres at least `margin` from the walls: those that would come nearer move half the way, or stay."""
     if shape.period is not None:
         return np.mod(x, shape.period)
     x = x.copy()
@@ -83,7 +83,7 @@ def kept_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> 
 
 
 def usual_radius(shape: Shape, x: Floats, width: float) -> float:
-    """Radius of the spheres [m]: as large as neighbours and walls let them be."""
+    """Return the radius of the spheres [m]: as large as neighbours and walls allow."""
     if len(x) == 1:
         return float(min(width, shape.depth(x)[0]))
     nearest = float(KDTree(x, boxsize=shape.period).query(x, k=2)[0][:, 1].min())

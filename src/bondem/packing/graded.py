@@ -1,8 +1,8 @@
-"""Centres for cells of sizes that differ from place to place, each at the centroid of its own cell.
+"""Centres for cells of sizes that vary in space, each at the centroid of its own cell.
 
-Centres begin at random, as many to each part of the shape as it holds; near ones push each other apart; then every
-centre moves to the centroid of its Laguerre cell, a few times over (Lloyd). Radii are as the sizes there, so that the
-plane between two neighbours parts their distance as their sizes are.
+Centres begin at random, and each part of the shape receives the number it holds. Near centres push each other apart.
+Then every centre moves to the centroid of its Laguerre cell, several times (Lloyd). Radii are in proportion to the
+sizes, so that the plane between two neighbours divides their distance in the ratio of their sizes.
 """
 
 from collections.abc import Callable
@@ -33,16 +33,16 @@ def graded(
     shape: Shape, size: SizesAt, random: np.random.Generator,
     told: Callable[[float], None],
 ) -> Particles:  # fmt: skip
-    """Spheres as large as cells are to be, no two of which overlap by half the smaller radius.
+    """Pack spheres as large as the cells, no two of which overlap by half the smaller radius.
 
     Args:
-        shape: what to fill.
-        size: of cells at points (k, 3) [m], (k,).
-        random: where the randomness comes from.
-        told: called with the done share.
+        shape: shape to fill.
+        size: sizes of cells at points (k, 3) [m], (k,).
+        random: random generator.
+        told: function called with the completed share.
 
     Raises:
-        InputError: too many cells, sizes that change too fast, or a part of the shape that no centre fell into.
+        InputError: There are too many cells, sizes change too fast, or a part of the shape received no centre.
     """
     places = sites(shape, size)
     x = _begun(shape, places, size, random)
@@ -62,7 +62,7 @@ def graded(
 def _begun(
     shape: Shape, places: Sites, size: SizesAt, random: np.random.Generator
 ) -> PerElement3:
-    """Centres at random, one in each of `count` equal parts of what the places take [m], (n, 3)."""
+    """Return random centres, one in each of `count` equal parts of the capacity of the places [m], (n, 3)."""
     n = places.count
     end = np.cumsum(places.cells)
     along = (np.arange(n) + random.random(n)) * (end[-1] / n)
@@ -84,13 +84,13 @@ def _inside(
 
 
 def nearest_others(x: PerElement3, most: int) -> tuple[Floats, Ints]:
-    """Distances [m] and numbers of the nearest others, (n, most - 1), or all others where there are less."""
+    """Return distances [m] and indices of the nearest others, (n, most - 1), or of all others if there are fewer."""
     distance, other = KDTree(x).query(x, k=min(most, len(x)))
     return np.asarray(distance)[:, 1:], np.asarray(other)[:, 1:]
 
 
 def pushed(x: PerElement3, h: PerElement, other: Ints) -> PerElement3:
-    """Centres after those too near to their neighbours (n, k), for their sizes, have gone apart a little."""
+    """Move centres that are too near to their neighbours (n, k), for their sizes, apart by a small step."""
     way = x[:, None] - x[other]
     distance = np.maximum(np.sqrt(np.einsum("nkc,nkc->nk", way, way)), 1e-12 * h[:, None])
     apart = np.maximum(0.5 * _PUSHED * (h[:, None] + h[other]) - distance, 0.0)
@@ -98,14 +98,14 @@ def pushed(x: PerElement3, h: PerElement, other: Ints) -> PerElement3:
 
 
 def _spheres(shape: Shape, x: PerElement3, radius: PerElement) -> Particles:
-    """Particles as they are, overlap unchecked."""
+    """Return particles without a check of overlaps."""
     spheres = filled(Particles(x, np.full(len(x), 1e-9 * radius.min())), shape)
     object.__setattr__(spheres, "radius", freeze(radius))
     return spheres
 
 
 def _check_slope(x: PerElement3, h: PerElement) -> None:
-    """Refuse sizes that change by more than the distance between neighbours."""
+    """Reject sizes that change by more than the distance between neighbours."""
     if len(x) == 1:
         return
     distance, other = nearest_others(x, 2)
@@ -113,13 +113,13 @@ def _check_slope(x: PerElement3, h: PerElement) -> None:
     worst = int(np.argmax(change))
     if change[worst] > STEEPEST + 1e-9:
         raise InputError(
-            f"pack: size= changes by {change[worst]:.2g} of the distance at {x[worst]}, and no cells are like that;"
+            f"pack: size= changes by {change[worst]:.2g} of the distance at {x[worst]}, too fast for cells;"
             f" let it change by at most {STEEPEST:g}, such as bd.Graded(..., growth=0.3)"
         )
 
 
 def _share(shape: Shape, x: PerElement3, h: PerElement) -> float:
-    """Radius over size, as large as neighbours and walls let all of them be, but not more than half."""
+    """Return radius over size, as large as neighbours and walls allow for all centres, at most one half."""
     share = min(_RADIUS, float((_INSIDE * shape.depth(x) / h).min()))
     if len(x) == 1:
         return share

@@ -1,7 +1,7 @@
-"""Sizes of cells that differ from place to place, and how many cells of such sizes a shape holds.
+"""Cell sizes that vary in space, and the number of such cells in a shape.
 
-The size h of a cell is the cube root of its volume. A shape holds ∫ dV / h³ of them: it is halved into cubes until
-these are smaller than the cells there, and what is counted is also where centres may begin.
+The size h of a cell is the cube root of its volume. A shape holds ∫ dV / h³ cells. The shape is halved into cubes
+until these are smaller than the cells there; the cubes are also the possible initial places of centres.
 """
 
 from collections.abc import Callable
@@ -33,18 +33,18 @@ _FIRST = 4
 
 @dataclass(frozen=True)
 class Graded:
-    """Sizes of cells: fine about a place, from there on growing with the distance.
+    """Graded cell sizes: fine at a place, and growing with the distance from it.
 
-    h(x) = min(coarse, fine + growth · distance(x)), the cube root of the volume of a cell at x.
+    The size of a cell at x, the cube root of its volume, is h(x) = min(coarse, fine + growth · distance(x)).
 
     Attributes:
         fine: size of cells in and at `about` [m].
         coarse: largest size of cells [m], at least `fine`.
         about: a shape (distance 0 inside of it), or points [m], (3,) or (k, 3). A line or a plane is a thin box.
-        growth: by how much cells grow over the distance [-], above 0 up to 1; neighbours differ by about this share.
+        growth: growth of the cell size per distance [-], above 0 up to 1; neighbours differ by about this share.
 
     Raises:
-        InputError: sizes that are not positive, `fine` above `coarse`, or what is no place.
+        InputError: A size is not positive, `fine` is above `coarse`, or `about` is not a place.
     """
 
     fine: float
@@ -65,14 +65,14 @@ class Graded:
         if not isinstance(self.about, Shape):
             object.__setattr__(self, "about", _points(self.about))
         elif self.about.period is not None:
-            raise InputError("Graded: about= is a periodic cell, which is everywhere; give a bd.Box of its size")
+            raise InputError("Graded: about= is a periodic cell, which fills all space; give a bd.Box of its size")
 
     @cached_property
     def _tree(self) -> KDTree:
         return KDTree(np.array(self.about))
 
     def __call__(self, points: PerElement3) -> PerElement:
-        """Sizes at points (k, 3) [m], (k,)."""
+        """Return the sizes at points (k, 3) [m], (k,)."""
         if isinstance(self.about, Shape):
             distance = np.maximum(-self.about.depth(points), 0.0)
         else:
@@ -80,7 +80,7 @@ class Graded:
         return np.minimum(self.coarse, self.fine + self.growth * distance)
 
 
-#: What says how large cells are: one size [m], `Graded`, or a function of points (k, 3) that gives sizes (k,) [m].
+#: Definition of cell sizes: one size [m], `Graded`, or a function of points (k, 3) that gives sizes (k,) [m].
 SizeField = float | Graded | Callable[[PerElement3], PerElement]
 SizesAt = Callable[[PerElement3], PerElement]
 
@@ -95,13 +95,13 @@ def _points(about: object) -> tuple[tuple[float, ...], ...]:
 
 @dataclass(frozen=True, eq=False)
 class Sites:
-    """Where the cells of a shape may begin.
+    """Possible initial places of cells in a shape.
 
     Attributes:
-        count: how many cells there are to be.
-        centre: of the cubes that the shape was halved into, near ones near in order [m], (k, 3).
-        edge: of these [m], (k, 3).
-        cells: how many cells each takes; together `count`, (k,).
+        count: total number of cells.
+        centre: centres of the cubes that make up the shape, in Morton order [m], (k, 3).
+        edge: edge lengths of the cubes [m], (k, 3).
+        cells: number of cells in each cube, (k,); their sum is `count`.
     """
 
     count: int
@@ -111,21 +111,21 @@ class Sites:
 
 
 def cells_of(size: object, volume: float) -> int:
-    """How many cells of one size [m] fill a volume [m³]: at least one.
+    """Return the number of cells of one size [m] that fill a volume [m³], at least one.
 
     Raises:
-        InputError: no size, or more than `MOST_CELLS`.
+        InputError: The size is not a positive number, or the cells exceed `MOST_CELLS`.
     """
     wanted = f"{_WANTED}, bd.Graded, or a function of points (k, 3)"
     h = number("pack", "size", size, unit="m", above=0.0, advice=wanted)
     count = volume / h / h / h
     if not count <= MOST_CELLS:
-        raise InputError(f"pack: size = {h:g} m asks for {count:.3g} cells; give a larger size, or bd.Graded")
+        raise InputError(f"pack: size = {h:g} m requires {count:.3g} cells; give a larger size, or bd.Graded")
     return max(1, round(count))
 
 
 def sizes_by(size: Callable[[PerElement3], PerElement]) -> SizesAt:
-    """Sizes at points (k, 3) [m], checked."""
+    """Wrap a function for cell sizes at points (k, 3) [m] with checks of its values."""
 
     def sizes(points: PerElement3) -> PerElement:
         try:
@@ -134,8 +134,8 @@ def sizes_by(size: Callable[[PerElement3], PerElement]) -> SizesAt:
             raise InputError(f"pack: size= failed for points (k, 3): {shown(str(error))}") from error
         if found.shape != (len(points),) or found.dtype.kind not in "fiu":
             raise InputError(
-                f"pack: size= gave {shown(found)} for {len(points)} points; give a function of points (k, 3) that"
-                " gives sizes (k,) [m]"
+                f"pack: size= returned {shown(found)} for {len(points)} points; give a function of points (k, 3) that"
+                " returns sizes (k,) [m]"
             )
         bad = np.flatnonzero(~(np.isfinite(found) & (found > 0.0)))
         if bad.size:
@@ -149,11 +149,11 @@ def sites(shape: Shape, size: SizesAt) -> Sites:
     """Halve a shape into cubes no larger than the cells there.
 
     Args:
-        shape: what is to be filled.
-        size: of cells at points (k, 3) [m], (k,); it changes by no more than the distance.
+        shape: shape to be filled.
+        size: sizes of cells at points (k, 3) [m], (k,); they change by no more than the distance.
 
     Raises:
-        InputError: more than `MOST_CELLS` cells.
+        InputError: The shape would hold more than `MOST_CELLS` cells.
     """
     lower, upper = shape.bounds
     along = np.maximum(1, np.rint(_FIRST * (upper - lower) / (upper - lower).max())).astype(int)
@@ -176,7 +176,7 @@ def sites(shape: Shape, size: SizesAt) -> Sites:
         coarse = inside[~small] * edge.prod() / (h[~small] + _USUAL * 0.5 * np.linalg.norm(edge)) ** 3
         if counted > MOST_CELLS or coarse.sum() > _SURELY * MOST_CELLS:
             raise InputError(
-                f"pack: size= asks for more than {MOST_CELLS} cells; give larger sizes, or fine ones in a smaller"
+                f"pack: size= requires more than {MOST_CELLS} cells; give larger sizes, or fine ones in a smaller"
                 " part of the shape"
             )
         index, edge = _halved(index[~small]), 0.5 * edge

@@ -1,7 +1,7 @@
-"""Growth of flying hard spheres to jamming (Lubachevsky, Stillinger, J. Stat. Phys. 60, 1990).
+"""Growth of moving hard spheres to jamming (Lubachevsky, Stillinger, J. Stat. Phys. 60, 1990).
 
-The spheres never overlap. As they crowd, they collide ever more often; the pressure tells how near jamming is, as
-it grows like the inverse of the gaps.
+The spheres never overlap. As free space shrinks they collide ever more often. The pressure measures the distance from
+jamming, because it grows like the inverse of the gaps.
 """
 
 from collections.abc import Callable
@@ -45,14 +45,14 @@ def grow(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Spheres grown until they jam, or to the volume fraction asked for where it comes first.
+    """Grow spheres until they jam, or to the requested volume fraction if that comes first.
 
     Raises:
-        InputError: a shape they cannot fly in.
+        InputError: The shape has walls that the spheres cannot collide with.
     """
     if not isinstance(shape, Box | Cylinder | Ball | Cell):
         raise InputError(
-            f"method='growth' fills Box, Cylinder, Ball and Cell, not {shape}; take method='quench' or 'compression'"
+            f"method='growth' fills Box, Cylinder, Ball and Cell, not {shape}; use method='quench' or 'compression'"
         )
     start = _START_FRACTION
     if isinstance(target, Fraction):
@@ -61,7 +61,7 @@ def grow(
     spheres.on_step = on_step
     rest = spheres.relax(1.0, tolerance=1e-2, steps=20_000)
     if not rest.loose:
-        raise PackingError(f"{spheres} are too crowded to fly; ask for more spheres or take method='quench'")
+        raise PackingError(f"{spheres} are too crowded to move; ask for more spheres or use method='quench'")
     n, mean = len(relative_radius), spheres.mean_radius
     # What is left of the overlaps goes: hard spheres have none.
     spheres.scale = 1.0 - 1.001 * rest.largest_overlap * mean / float(spheres.unit.min())
@@ -74,7 +74,7 @@ def grow(
         if collisions > _COLLISIONS * n:
             raise PackingError(
                 f"{spheres} did not jam in {_COLLISIONS} collisions each; ask for another seed="
-                " or take method='quench'"
+                " or use method='quench'"
             )
         velocity *= mean * np.sqrt(n / (velocity**2).sum())
         skin = (_SKIN_CAGED if pressure > _CAGED else _SKIN_FLYING) * spheres.mean_radius

@@ -1,9 +1,9 @@
 """Coarse aggregates of a grading curve at random places of a shape, and centres of cells that follow their surfaces.
 
-Two layers of centres face each other across the surface of a ball: for each direction one centre half the size of a
-cell inside, and one as far outside. The plane half-way between such a pair touches the ball. Of two directions the
-one nearer to a point of the surface has both of its centres nearer to it, so that cells end on these planes alone: on
-a polyhedron about the ball, which is made as large as the ball by its volume.
+Two layers of centres face each other across the surface of a ball. For each direction one centre lies half the size
+of a cell inside, and one as far outside. The plane half-way between them touches the ball. A point of the surface is
+nearest to the two centres of the direction closest to it, so that cells end on these planes alone. The planes form a
+polyhedron around the ball, scaled to the volume of the ball.
 """
 
 import math
@@ -15,14 +15,14 @@ from scipy.spatial.transform import Rotation
 
 from bondem._checks import count as whole
 from bondem._checks import instance, number
-from bondem._types import Floats, Mask, PerElement3
+from bondem._progress import staged
+from bondem._types import Floats, PerElement3
 from bondem.errors import InputError, PackingError
-from bondem.packing.even import kept_inside, points_of, usual_radius
-from bondem.packing.graded import nearest_others, pushed
+from bondem.packing.even import usual_radius
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
 from bondem.packing.sizes import Sieve
 from bondem.packing.start import thrown
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.cells.tessellation import cell_centroids
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
 
@@ -32,30 +32,28 @@ _DENSEST, _CLOSER = 0.55, 0.1
 _SETTLED, _STEPS = 5e-3, 20_000
 # Smallest radius of a ball over the size of a cell, and least number of directions.
 _LEAST, _DIRECTIONS = 1.25, 12
-# Distance from a surface, over the size of a cell, that free centres keep; distance between centres of two balls, and
-# of centres from walls, that is enough for both.
-_CLEAR, _APART, _MARGIN = 0.85, 0.5, 0.33
-# Times that centres are pushed apart with new neighbours, with the same ones, how many, and steps of Lloyd.
-_ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
-_TRIES = 1000
+# Distance from a surface, over the size of a cell, that free centres keep, and distance between centres of two balls
+# that is enough for both.
+_CLEAR, _APART = 0.85, 0.5
 
 
+@staged("placing aggregates")
 def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed: int = 1) -> Aggregates:
-    """Put balls of a grading curve into a shape, at random and apart from each other.
+    """Place balls of a grading curve in a shape, at random and apart from each other.
 
     Args:
-        shape: of the body, not periodic.
-        sieve: grading curve; its diameters are in metres here.
+        shape: shape of the body, not periodic.
+        sieve: grading curve, with diameters in metres.
         fraction: volume of the balls over that of the shape, to half a ball [-].
-        gap: between their surfaces, at least, and twice what is left to walls [m]; cells of size h want 1.2 h.
-        seed: which of the random arrangements.
+        gap: smallest gap between their surfaces, and twice the gap to walls [m]; cells of size h need 1.2 h.
+        seed: number that selects one of the random arrangements.
 
     Returns:
         The balls, as a region.
 
     Raises:
-        InputError: an argument out of range, or balls that have no room with their gaps.
-        PackingError: they did not come apart.
+        InputError: An argument is out of range, or the balls have no room with their gaps.
+        PackingError: The balls could not be separated by the gap.
     """
     instance("aggregates", "shape", shape, Shape, "a shape such as bd.Box((60e-3, 40e-3, 40e-3))")
     instance("aggregates", "sieve", sieve, Sieve, "bd.Sieve(diameters=..., mass_passing=...), in metres")
@@ -64,7 +62,7 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
     gap = number("aggregates", "gap", gap, unit="m", above=0.0)
     seed = whole("aggregates", "seed", seed, advice="a whole number from 0 up")
     if shape.period is not None:
-        raise InputError("aggregates: a periodic cell has no walls to keep from; give a bd.Box of its size")
+        raise InputError("aggregates: a periodic cell has no walls; give a bd.Box of its size")
     random = np.random.Generator(np.random.Philox(seed))
     radius = radii_with_room(shape, sieve, fraction, gap)
     random.shuffle(radius)
@@ -76,17 +74,17 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
     found = Aggregates(spheres.sphere[:, :3], wide - 0.5 * gap)
     if found.gap < (1.0 - _CLOSER) * gap:
         raise PackingError(
-            f"aggregates: balls came as near as {found.gap:.3g} m where {gap:g} m are asked for; give a smaller"
+            f"aggregates: gap = {gap:g} m: only {found.gap:.3g} m were reached between two balls; give a smaller"
             " fraction= or gap=, or another seed="
         )
     return found
 
 
 def radii_with_room(shape: Shape, sieve: Sieve, fraction: float, gap: float) -> Floats:
-    """Radii of the balls of `aggregates`, ascending [m].
+    """Return the radii of the balls of `aggregates`, ascending [m].
 
     Raises:
-        InputError: none, too many, or more than go into the shape with their gaps.
+        InputError: There are no balls or too many, or they do not fit into the shape with their gaps.
     """
     mean = 4.0 / 3.0 * math.pi * float((sieve.quantile((np.arange(1000) + 0.5) / 1000) ** 3).mean())
     count = round(fraction * shape.volume / mean)
@@ -99,36 +97,36 @@ def radii_with_room(shape: Shape, sieve: Sieve, fraction: float, gap: float) -> 
     taken = _part(radius + 0.5 * gap, shape)
     if taken > _DENSEST:
         raise InputError(
-            f"aggregates: with half their gaps of {gap:.3g} m the balls take {taken:.2f} of the shape, and"
-            f" {_DENSEST:g} at most go in; give a smaller fraction= or gap=, or larger balls"
+            f"aggregates: with half their gaps of {gap:.3g} m the balls occupy {taken:.2f} of the shape, and"
+            f" at most {_DENSEST:g} fits; give a smaller fraction= or gap=, or larger balls"
         )
     return radius
 
 
 def _part(radius: Floats, shape: Shape) -> float:
-    """Volume of balls over that of the shape [-]."""
+    """Return the volume of balls over that of the shape [-]."""
     return 4.0 / 3.0 * math.pi * float((radius**3).sum()) / shape.volume
 
 
 def least_count(shape: Shape, radius: float) -> int:
-    """Cells of a shape that are small enough to make up balls of a radius [m]."""
+    """Return the number of cells of a shape that are small enough to represent balls of a radius [m]."""
     return math.ceil(shape.volume * (_LEAST / radius) ** 3)
 
 
 def around_balls(
     shape: Shape, count: int, balls: Aggregates, random: np.random.Generator, told: Callable[[float], None]
 ) -> Particles:
-    """Equal spheres for cells that end on the surfaces of balls.
+    """Pack equal spheres for cells that end on the surfaces of balls.
 
     Args:
-        shape: what to fill.
-        count: how many.
-        balls: inside of it.
-        random: where the randomness comes from.
-        told: called with the done share.
+        shape: shape to fill.
+        count: number of spheres.
+        balls: balls inside the shape.
+        random: random generator.
+        told: function called with the completed share.
 
     Raises:
-        InputError: cells too large for the balls, or balls outside of the shape.
+        InputError: The cells are too large for the balls, or balls reach out of the shape.
     """
     h = float(np.cbrt(shape.volume / count))
     centre, radius = np.array(balls.position), np.array(balls.radius)
@@ -142,29 +140,16 @@ def around_balls(
     pins = _layers(shape, centre, radius, h, random)
     free = count - len(pins)
     if free < len(radius):
-        raise InputError(f"pack: {count} cells are all taken by the surfaces of {len(radius)} balls; ask for more")
-    x = np.concatenate([pins, _thrown_free(shape, free, balls, h, random)])
-    still = np.arange(len(x)) < len(pins)
-    margin = np.full(len(x), _MARGIN * h)
-    for _ in range(_ROUNDS):
-        other = nearest_others(x, _NEAR)[1]
-        for _ in range(_SAME):
-            x = _moved(shape, pushed(x, np.full(len(x), h), other), x, still, margin)
-    for step in range(_LLOYD):
-        told((step + 1) / (_LLOYD + 2))
-        x = _moved(shape, cell_centroids(points_of(shape, x, h)), x, still, margin)
+        raise InputError(f"pack: the surfaces of {len(radius)} balls need more than {count} cells; ask for more")
+    free_centres = thrown_free(shape, free, lambda x: np.abs(balls.depth(x)), _CLEAR * h, h, random)
+    x = settled_free(shape, pins, free_centres, h, told)
     return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
-
-
-def _moved(shape: Shape, x: PerElement3, before: PerElement3, still: Mask, margin: Floats) -> PerElement3:
-    """Free centres where they go, inside the walls; the others stay."""
-    return np.where(still[:, None], before, kept_inside(shape, np.where(still[:, None], before, x), before, margin))
 
 
 def _layers(
     shape: Shape, centre: PerElement3, radius: Floats, h: float, random: np.random.Generator
 ) -> PerElement3:
-    """Centres of both layers of all balls [m], (k, 3)."""
+    """Return the centres of both layers of all balls [m], (k, 3)."""
     inner, outer, whose = [], [], []
     for k, (at, R) in enumerate(zip(centre, radius, strict=True)):
         n = max(_DIRECTIONS, round(4.0 * math.pi * (R / h) ** 2))
@@ -175,7 +160,7 @@ def _layers(
         outer.append(at + (R + 0.5 * h) * way)
         whose.append(np.full(n, k))
     beyond, owner = np.concatenate(outer), np.concatenate(whose)
-    kept = shape.depth(beyond) >= _MARGIN * h
+    kept = shape.depth(beyond) >= MARGIN * h
     # where two balls face each other closely, one layer between them serves both
     pairs = KDTree(beyond).query_pairs(_APART * h, output_type="ndarray")
     for a, b in pairs[np.lexsort(pairs.T[::-1])] if len(pairs) else ():
@@ -185,23 +170,8 @@ def _layers(
 
 
 def _directions(count: int) -> Floats:
-    """Unit vectors spread evenly over the sphere, on a spiral of golden angles, (count, 3)."""
+    """Return unit vectors spread evenly over the sphere, on a spiral of golden angles, (count, 3)."""
     z = 1.0 - (2.0 * np.arange(count) + 1.0) / count
     angle = math.pi * (3.0 - math.sqrt(5.0)) * np.arange(count)
     r = np.sqrt(1.0 - z * z)
     return np.column_stack([r * np.cos(angle), r * np.sin(angle), z])
-
-
-def _thrown_free(
-    shape: Shape, count: int, balls: Aggregates, h: float, random: np.random.Generator
-) -> PerElement3:
-    """Centres at random that are in no layer [m], (count, 3)."""
-    lower, upper = shape.bounds
-    found = np.empty((0, 3))
-    for _ in range(_TRIES):
-        x = lower + (upper - lower) * random.random((2 * count, 3))
-        x = x[shape.depth(x) > _MARGIN * h]
-        found = np.concatenate([found, x[np.abs(balls.depth(x)) > _CLEAR * h]])
-        if len(found) >= count:
-            return found[:count]
-    raise InputError("pack: the layers about balls leave no room for other cells; ask for more and smaller cells")

@@ -1,4 +1,4 @@
-"""The default method: random soft spheres, far denser than they can be, pushed apart by their overlaps."""
+"""The default method: random soft spheres with large overlaps, which push them apart."""
 
 from collections.abc import Callable
 
@@ -25,7 +25,10 @@ def quench(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Spheres at rest above jamming, far above or, if it is the target, just above: decompression comes next."""
+    """Return spheres at rest above jamming: far above it, or just above it if jamming is the target.
+
+    Decompression to the target follows.
+    """
     start = _START_JAMMED if isinstance(target, Jammed) else _START_FRACTION
     spheres = thrown(shape, relative_radius, start, random)
     spheres.on_step = on_step

@@ -1,8 +1,9 @@
-"""Shear compaction (André et al. 2012, §4.1): spheres on a grid, pressed together while walls shear them to and fro.
+"""Shear compaction (André et al. 2012, §4.1): spheres on a grid, compressed while walls shear them back and forth.
 
-A run of the explicit solver with contacts. One wall is held under pressure (the pressure wall), two opposite ones
-move sinusoidally (the shear walls; the mantle of a cylinder breathes), the others repel. The paper shows the recipe
-and prints no numbers: pressure, stiffness and rates here are those of slow flow of nearly rigid grains.
+It is a run of the explicit solver with contacts. One wall is under pressure (the pressure wall). Two opposite walls
+move sinusoidally (the shear walls), or the mantle of a cylinder expands and contracts. The other walls only repel.
+The paper describes the procedure without numbers: pressure, stiffness and rates here are those of slow flow of nearly
+rigid grains.
 """
 
 import math
@@ -55,16 +56,16 @@ _TOLD = 2000
 
 @dataclass(frozen=True, eq=False)
 class Compaction:
-    """What a shear compaction leaves.
+    """Result of a shear compaction.
 
     Attributes:
         position: centres [m], (n, 3).
-        radius: [m], (n,).
-        length: extent left by the pressure wall along x [m].
+        radius: radii [m], (n,).
+        length: final extent up to the pressure wall along x [m].
         history: gauges "pressure wall" (displacement), "pressure" (force), "shear wall" (displacement of the wall at
-            y_max, or growth of the mantle) and "shear" (force on it); energies [J], whose ledger begins anew with the
+            y_max, or growth of the mantle) and "shear" (force on it); energies [J], whose ledger restarts with the
             second run, after the radii were fitted. Density [kg/m³] and pressure [Pa] are 1.
-        steps: time steps taken.
+        steps: number of time steps.
     """
 
     position: Floats
@@ -81,11 +82,11 @@ def sheared(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Spheres compacted under shear, in the shape to a small part of a radius, for any target.
+    """Compact spheres under shear until they fit the shape to a small part of a radius, for any target.
 
     Raises:
-        InputError: a shape without the walls it takes.
-        PackingError: the spheres blew up.
+        InputError: The shape lacks the walls that the method needs.
+        PackingError: The run became unstable.
     """
     packed = compact(shape, relative_radius, random, on_share=lambda share: on_step(round(share * _TOLD)))
     position = packed.position.copy()
@@ -107,18 +108,18 @@ def compact(
     """Carry out the compaction.
 
     Args:
-        shape: a Box or a Cylinder; the wall at x_max bears the pressure.
+        shape: a Box or a Cylinder; the wall at x_max carries the pressure.
         relative_radius: radii up to a common factor, (n,).
-        random: for the disorder of the grid.
-        cycles: of shear, those for fitting included.
-        on_share: told the share of the time that is over, 0 … 1.
+        random: random generator for the disorder of the grid.
+        cycles: number of shear cycles, including those of the fit.
+        on_share: function called with the completed share of the time, 0 … 1.
 
     Raises:
-        InputError: another shape, or spheres too large for it.
-        PackingError: the spheres blew up.
+        InputError: The shape is neither Box nor Cylinder, or the spheres are too large for it.
+        PackingError: The run became unstable.
     """
     if not isinstance(shape, Box | Cylinder):
-        raise InputError(f"method='shear' fills Box and Cylinder, not {shape}; take another method, or carve a Box")
+        raise InputError(f"method='shear' fills Box and Cylinder, not {shape}; use another method, or carve a Box")
     solid = 4.0 / 3.0 * math.pi * float((relative_radius**3).sum())
     radius = relative_radius * (_FRACTION * shape.volume / solid) ** (1.0 / 3.0)
     position, top = _grid(shape, radius, random)
@@ -142,7 +143,7 @@ def _shares(on_share: Callable[[float], None], first: int, second: int) -> Calla
 
 
 def _grid(shape: Box | Cylinder, radius: Floats, random: np.random.Generator) -> tuple[Floats, float]:
-    """Centres on a plane-parallel grid from the wall at x_min on [m], (n, 3), and where the last layer ends [m]."""
+    """Return centres on a plane-parallel grid from the wall at x_min on [m], (n, 3), and the end of the grid [m]."""
     n, largest = len(radius), float(radius.max())
     edge = 2.0 * largest * (1.0 + _CLEARANCE)
     lower, upper = shape.bounds
@@ -165,7 +166,7 @@ def _grid(shape: Box | Cylinder, radius: Floats, random: np.random.Generator) ->
 
 
 class _Press:
-    """The walls and the law of contact of one shape."""
+    """The walls and the contact law of one shape."""
 
     def __init__(self, shape: Box | Cylinder, mean_radius: float) -> None:
         self._shape = shape
@@ -179,7 +180,7 @@ class _Press:
     def run(
         self, position: Floats, radius: Floats, top: float, cycles: int, on_share: Callable[[float], None]
     ) -> Compaction:
-        """Press and shear from where the spheres are, the pressure wall at `top` [m], then rest for one period."""
+        """Compress and shear the spheres, then let them rest; the pressure wall starts at `top` [m]."""
         lattice = Lattice(Particles(position, radius), np.zeros((0, 2), dtype=np.int64))
         duration = top / self._speed + (cycles + 1) * self._period
         walls = self._walls(top, top / self._speed, cycles)
@@ -202,7 +203,7 @@ class _Press:
         return Compaction(done.state.position, radius, length, done.history, done.steps)
 
     def _walls(self, top: float, begin: float, cycles: int) -> list[Wall]:
-        """The wall at x_min, the pressure wall, the shear walls, and those that only repel."""
+        """Return the wall at x_min, the pressure wall, the shear walls, and the walls that only repel."""
         shape = self._shape
         lower, upper = shape.bounds
         pressing = Servo(_PRESSURE * self._area, speed=self._speed)
@@ -224,7 +225,7 @@ class _Press:
         ]
 
     def _swing(self, amplitude: float, begin: float, cycles: int) -> Table:
-        """`amplitude` [m] · sin over whole cycles from `begin` [s] on, then rest."""
+        """Return `amplitude` [m] · sin over whole cycles from `begin` [s] on, then rest."""
         phase = np.linspace(0.0, cycles, 32 * cycles + 1)
         times = np.concatenate([[0.0], begin + self._period * phase])
         swing = np.concatenate([[0.0], amplitude * np.sin(2.0 * np.pi * phase)])

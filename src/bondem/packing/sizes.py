@@ -1,7 +1,7 @@
-"""Size laws: how the radii of a packing are distributed.
+"""Size laws: distributions of the radii of a packing.
 
-Every law is met exactly at any number of spheres: the radii are its quantiles in the middle of `count` equal
-shares, shuffled, instead of random draws with their scatter.
+Every law is met exactly at any number of spheres. The radii are its quantiles in the middle of `count` equal
+shares, shuffled, which avoids the scatter of random draws.
 """
 
 from abc import ABC, abstractmethod
@@ -16,19 +16,19 @@ from bondem.errors import InputError
 
 __all__ = ["SPREAD", "Lognormal", "Sieve", "SizeLaw", "Uniform"]
 
-#: κ of a packing of which nothing is said about sizes [-]: that of André et al. (2012); equal spheres order at walls.
+#: Default κ of a packing [-], that of André et al. (2012); equal spheres would order at walls.
 SPREAD = 0.25
 
 
 class SizeLaw(ABC):
-    """Distribution of radii, by number of spheres."""
+    """A distribution of radii, by number of spheres."""
 
     @abstractmethod
     def quantile(self, share: Floats) -> Floats:
-        """Radius below which this share of the spheres lies, up to a common factor, (n,)."""
+        """Return the radii below which the given shares of the spheres lie, up to a common factor, (n,)."""
 
     def radii(self, count: int, random: np.random.Generator) -> Floats:
-        """Radii over their mean [-], in random order, (count,)."""
+        """Return radii over their mean [-], in random order, (count,)."""
         radius = self.quantile((np.arange(count) + 0.5) / count)
         radius /= radius.mean()
         random.shuffle(radius)
@@ -37,10 +37,10 @@ class SizeLaw(ABC):
 
 @dataclass(frozen=True)
 class Uniform(SizeLaw):
-    """Radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10).
+    """Radii distributed uniformly in R̄ (1 ± κ/2) (André et al. 2012, eq 10).
 
     Args:
-        spread: κ = (R_max - R_min) / R̄ [-], from 0 up to below 2.
+        spread: κ = (R_max - R_min) / R̄ [-], at least 0 and below 2.
     """
 
     spread: float = SPREAD
@@ -56,12 +56,12 @@ class Uniform(SizeLaw):
 
 @dataclass(frozen=True)
 class Lognormal(SizeLaw):
-    """Radii whose logarithm is normal.
+    """Radii distributed log-normally.
 
     Args:
-        cv: standard deviation over mean of the whole law [-].
-        cut: both tails are cut off at this many standard deviations of the logarithm; a sphere far larger than
-            the others would make every neighbour list long.
+        cv: coefficient of variation of the whole law, standard deviation over mean [-].
+        cut: truncation of both tails, in standard deviations of the logarithm [-]. A sphere far larger than the
+            others would make every neighbour list long.
     """
 
     cv: float
@@ -84,11 +84,11 @@ class Lognormal(SizeLaw):
 
 @dataclass(frozen=True)
 class Sieve(SizeLaw):
-    """Radii by a grading curve; between two sieves mass is spread evenly over the logarithm of the diameter.
+    """Radii by a grading curve. Between two sieves mass is distributed uniformly over the logarithm of the diameter.
 
     Args:
-        diameters: openings of the sieves [m or any other unit: the packing sets the scale], ascending.
-        mass_passing: share of the mass that passes each [-], ascending from 0 to 1.
+        diameters: sieve openings [m or any other unit, because the packing sets the scale], ascending.
+        mass_passing: share of the mass that passes each sieve [-], ascending from 0 to 1.
     """
 
     diameters: tuple[float, ...]

@@ -1,4 +1,4 @@
-"""Soft spheres at rest: the state that the relaxation advances, and its neighbour lists."""
+"""Soft spheres at rest: the state advanced by the relaxation pass, and its neighbour lists."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -28,15 +28,15 @@ LOOSE = 2e-5
 
 @dataclass(frozen=True)
 class Rest:
-    """What a relaxation ended with.
+    """Result of a relaxation.
 
     Attributes:
         coordination_number: 2 contacts / spheres, over all spheres [-].
-        mean_overlap: over the contacts, in mean radii [-].
-        largest_overlap: in mean radii [-].
-        steps: minimisation steps taken.
-        settled: whether the forces balance; neither so nor loose, the spheres did not come to rest in time.
-        loose: whether the spheres do not press on each other.
+        mean_overlap: mean overlap of the contacts, in mean radii [-].
+        largest_overlap: largest overlap, in mean radii [-].
+        steps: number of minimisation steps.
+        settled: True if the forces balance. If neither `settled` nor `loose`, the spheres did not reach rest in time.
+        loose: True if the spheres do not press on each other.
     """
 
     coordination_number: float
@@ -48,14 +48,14 @@ class Rest:
 
 
 class SoftSpheres:
-    """Spheres in a shape, relaxed at one scale of their radii after another.
+    """Spheres in a shape, relaxed at a sequence of scales of their radii.
 
     Attributes:
-        table: the spheres in the form the passes take.
-        walls: the walls of the shape in the form the passes take.
-        scale: factor on the radii they were made with [-].
-        steps: minimisation steps taken so far.
-        on_step: told `steps`, now and then.
+        table: the spheres in the form that the passes require.
+        walls: the walls of the shape in the form that the passes require.
+        scale: factor on the initial radii [-].
+        steps: number of minimisation steps so far.
+        on_step: function called repeatedly with `steps`.
     """
 
     def __init__(self, shape: Shape, centre: Floats, radius: Floats) -> None:
@@ -86,22 +86,22 @@ class SoftSpheres:
 
     @property
     def mean_radius(self) -> float:
-        """R̄ at the present scale [m]."""
+        """Mean radius R̄ at the present scale [m]."""
         return float(self.sphere[:, 3].mean())
 
     def scale_for(self, volume_fraction: float) -> float:
-        """Scale at which the spheres have this share of the volume of the shape [-]."""
+        """Return the scale at which the spheres have this share of the volume of the shape [-]."""
         solid = 4.0 / 3.0 * np.pi * float((self.unit**3).sum())
         return float(np.cbrt(volume_fraction * self._shape.volume / solid))
 
     def relax(self, scale: float, *, tolerance: float, steps: int, loose: float = LOOSE) -> Rest:
-        """Bring the spheres to rest with their radii `scale` times the first ones.
+        """Bring the spheres to rest with their radii `scale` times the initial ones.
 
         Args:
-            scale: factor on the radii the object was made with [-].
-            tolerance: rms force over mean contact force at which they count as at rest [-].
-            steps: give up after this many.
-            loose: mean overlap below which they count as not pressing on each other, over the mean radius [-].
+            scale: factor on the initial radii [-].
+            tolerance: rms force over mean contact force below which the spheres count as at rest [-].
+            steps: largest number of minimisation steps.
+            loose: mean overlap over the mean radius below which the spheres count as loose [-].
         """
         self.scale = scale
         self.sphere[:, 3] = scale * self.unit
@@ -125,7 +125,10 @@ class SoftSpheres:
         return Rest(z, overlap / mean, largest / mean, taken, settled, free)
 
     def near(self, skin: float, share: float, *, threads: int = 1) -> Near:
-        """Neighbours up to `skin` apart [m], until a centre has moved by `share` of it. Centres enter the cell."""
+        """Return neighbours up to `skin` apart [m], valid until a centre moves by `share` of it.
+
+        Centres are wrapped into the periodic cell first.
+        """
         periodic = self.table.period > 0.0
         self.sphere[:, :3][:, periodic] %= self.table.period[periodic]
         start, neighbour = neighbours(

@@ -1,4 +1,4 @@
-"""Where a packing begins: spheres at random."""
+"""Initial state of a packing: spheres at random places."""
 
 import math
 
@@ -17,17 +17,17 @@ _WIDTH, _DENSEST = 5.2, 0.75
 def thrown(
     shape: Shape, relative_radius: Floats, fraction: float, random: np.random.Generator, *, inside: float = 1.0
 ) -> SoftSpheres:
-    """Spheres thrown into a shape at random, overlapping as they fall, neighbours in space near in order.
+    """Place spheres at random in a shape, with overlaps, in Morton order.
 
     Args:
-        shape: what to fill.
+        shape: shape to fill.
         relative_radius: radii up to a common factor, (n,).
         fraction: volume of the spheres over that of the shape [-].
-        random: where the randomness comes from.
-        inside: how far from walls centres fall at least, over the radius [-].
+        random: random generator.
+        inside: smallest distance of centres from walls, over the radius [-].
 
     Raises:
-        InputError: spheres too large for the shape.
+        InputError: The spheres are too large for the shape.
     """
     solid = 4.0 / 3.0 * math.pi * float((relative_radius**3).sum())
     radius = relative_radius * (fraction * shape.volume / solid) ** (1.0 / 3.0)
@@ -43,10 +43,10 @@ def thrown(
 
 
 def _random_centres(shape: Shape, radius: Floats, random: np.random.Generator) -> Floats:
-    """Centres [m], uniform over the part of `shape` that is deeper than `radius` (n,) [m], (n, 3).
+    """Return centres [m], uniform over the part of `shape` that is deeper than `radius` (n,) [m], (n, 3).
 
     Raises:
-        InputError: the largest sphere does not fit.
+        InputError: The largest sphere does not fit.
     """
     lower, upper = shape.bounds
     centre = np.empty((len(radius), 3))

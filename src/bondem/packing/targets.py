@@ -1,7 +1,7 @@
-"""Targets: what soft spheres are brought to once a method has packed them.
+"""Targets: final states of soft spheres after a method has packed them.
 
-Above jamming the mean overlap grows in proportion to ln(scale), and so does (z - z_J)², z_J being the
-coordination number at jamming (O'Hern et al., Phys. Rev. E 68, 2003): a few scales suffice.
+Above jamming the mean overlap is proportional to ln(scale), and so is (z - z_J)² (O'Hern et al., Phys. Rev. E 68,
+2003). Here z_J is the coordination number at jamming. A few scales are therefore sufficient.
 """
 
 import math
@@ -45,13 +45,13 @@ _JAMMED_LOOSE, _DELICATE = 1e-5, 2e-3
 
 
 class Target(Protocol):
-    """What a packing is to have."""
+    """A property that a packing must reach."""
 
     def reach(self, spheres: SoftSpheres) -> None:
         """Scale the radii and bring the spheres to rest until the target is met.
 
         Raises:
-            PackingError: it was not.
+            PackingError: The target was not met.
         """
         ...
 
@@ -73,8 +73,8 @@ class Contacts:
                 break
             if tried >= _SCALES or search.jumps >= _JUMPS or spheres.steps - first > _ALL_STEPS:
                 raise PackingError(
-                    f"{spheres} came to a coordination number of {rest.coordination_number:.2f} instead of"
-                    f" {self.coordination_number:.2f}, and jam at about 4 to 6; ask for a larger"
+                    f"{spheres} reached a coordination number of {rest.coordination_number:.2f} instead of"
+                    f" {self.coordination_number:.2f}; they jam at about 4 to 6; ask for a larger"
                     " coordination_number=, more spheres or another seed=, or for volume_fraction= or jamming=True"
                 )
             if rest.settled and tolerance == _ROUGH and miss < _NEAR:
@@ -88,7 +88,7 @@ class Contacts:
 
 @dataclass(frozen=True)
 class Fraction:
-    """Volume of the spheres over that of the shape [-]; what overlaps counts twice."""
+    """Volume of the spheres over that of the shape [-]; overlaps count twice."""
 
     volume_fraction: float
 
@@ -104,7 +104,7 @@ class Fraction:
 
 @dataclass(frozen=True)
 class Jammed:
-    """Where the spheres just begin to bear load, found from above."""
+    """The state in which the spheres just begin to carry load, found from above."""
 
     def reach(self, spheres: SoftSpheres) -> None:
         size, step, first = math.log(spheres.scale), _TIGHTEN, spheres.steps
@@ -144,10 +144,10 @@ def _check_overlap(spheres: SoftSpheres, rest: Rest, what: str, option: str) -> 
 def chosen(
     count: int, coordination_number: float | None, volume_fraction: float | None, *, jamming: bool
 ) -> Target:
-    """The one target a request names; a coordination number of 6.2 if it names none.
+    """Return the target of a request, a coordination number of 6.2 if it names none.
 
     Raises:
-        InputError: more than one, or one out of range.
+        InputError: The request names more than one target, or one out of range.
     """
     instance("pack", "jamming", jamming, bool, "True or False")
     if (coordination_number is not None) + (volume_fraction is not None) + jamming > 1:
@@ -169,7 +169,7 @@ def chosen(
 
 
 class _ScaleSearch:
-    """Finds the scale of the radii at which the coordination number is on target."""
+    """A search for the scale of the radii at which the coordination number is on target."""
 
     def __init__(self, coordination_number: float, size: float) -> None:
         self._wanted = _excess(coordination_number)
@@ -179,16 +179,16 @@ class _ScaleSearch:
 
     @property
     def scale(self) -> float:
-        """Factor on the first radii to try next [-]."""
+        """Factor on the initial radii to try next [-]."""
         return math.exp(self._size)
 
     def forget(self) -> None:
-        """Drop what is known: spheres brought to rest more finely have other contacts."""
+        """Discard all results: spheres brought to rest more finely have other contacts."""
         self._below: tuple[float, float] | None = None
         self._above: tuple[float, float] | None = None
 
     def learn(self, rest: Rest) -> None:
-        """Take in what the present scale led to, and choose the next."""
+        """Add the result of the present scale, and choose the next scale."""
         excess = _excess(rest.coordination_number) if rest.settled else 0.0
         if excess > self._wanted:
             self._above = (self._size, excess)

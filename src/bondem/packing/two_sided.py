@@ -1,10 +1,10 @@
 """Centres of cells that end on surfaces: planes, the walls of shapes, closed triangulated surfaces.
 
-A centre inside at half the size of a cell from a face has its mirror image outside, and the plane half-way between
-the two is the face, or touches it where it is curved. As long as no point of the face is nearer to any other centre,
-cells end there and nowhere else: exactly on plane faces, on a polyhedron of the same volume about curved ones. Near a
-convex edge a centre is at half a size from both faces and has an image behind each. Concave edges are only followed
-about: 0.13 sizes off, root mean square over an L.
+A centre at half the size of a cell inside a face has its mirror image outside. The plane half-way between the two is
+the face, or touches it where it is curved. If no point of the face is nearer to any other centre, cells end there and
+nowhere else: exactly on plane faces, on a polyhedron of the same volume around curved ones. Near a convex edge a
+centre is half a size from both faces and has an image behind each. Concave edges are only approximated: the error is
+0.13 sizes, root mean square over an L.
 """
 
 from collections.abc import Callable, Sequence
@@ -14,12 +14,12 @@ from functools import partial
 import numpy as np
 from scipy.spatial import KDTree
 
-from bondem._types import Floats, Mask, PerElement, PerElement3
+from bondem._types import PerElement, PerElement3
 from bondem.errors import InputError
-from bondem.packing.even import kept_inside, points_of, usual_radius
+from bondem.packing.even import kept_inside, usual_radius
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
 from bondem.packing.graded import nearest_others, pushed
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.cells.tessellation import cell_centroids
 from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.regions import Plane
@@ -28,23 +28,23 @@ from bondem.specimen.regions import Plane
 Around = Plane | Shape | Aggregates
 
 # All over the size of a cell: distance of pins from a face; of faces that a pin belongs to; that free centres keep
-# from surfaces; between pins that are one too many, and of pins of two surfaces; of centres from walls.
-_HALF, _NEAR_FACE, _CLEAR, _TWIN, _MARGIN, _PIN_MARGIN = 0.5, 0.8, 1.25, 0.5, 0.33, 0.45
+# from surfaces; between pins that are one too many, and of pins of two surfaces; of pins from walls.
+_HALF, _NEAR_FACE, _CLEAR, _TWIN, _PIN_MARGIN = 0.5, 0.8, 1.25, 0.5, 0.45
 # A shift of the surface up to this share of the size of a cell counts as curvature, a larger one as an edge.
 _SHIFT = 0.08
 # Times that centres are pushed apart with new neighbours, with the same ones, how many, and steps of Lloyd.
 _ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
 # Farthest that a point of a layer is from a pin, over the size of a cell, and times that pins are put into holes.
 _HOLE, _FILLED = 0.8, 3
-# Points of the body that area is measured by, points of a layer to a pin, and times that free centres are thrown.
-_SAMPLES, _POINTS, _TRIES = 400_000, 150, 1000
+# Points of the body that area is measured by, and points of a layer to a pin.
+_SAMPLES, _POINTS = 400_000, 150
 
 _Depth = Callable[[PerElement3], PerElement]
 
 
 @dataclass(frozen=True)
 class _Sided:
-    """A surface: depth behind all of its faces, positive inside, and behind each of them."""
+    """A surface, with the depth behind all of its faces, positive inside, and the depth behind each face."""
 
     depth: _Depth
     faces: tuple[_Depth, ...]
@@ -59,17 +59,17 @@ class _Sided:
 def around_surfaces(
     shape: Shape, count: int, surfaces: Sequence[Around], random: np.random.Generator, told: Callable[[float], None]
 ) -> Particles:
-    """Equal spheres for cells that end on surfaces.
+    """Pack equal spheres for cells that end on surfaces.
 
     Args:
-        shape: what to fill.
-        count: how many.
-        surfaces: within it or across it, apart from each other by 1.6 cells or more.
-        random: where the randomness comes from.
-        told: called with the done share.
+        shape: shape to fill.
+        count: number of spheres.
+        surfaces: surfaces within the shape or across it, apart from each other by 1.6 cells or more.
+        random: random generator.
+        told: function called with the completed share.
 
     Raises:
-        InputError: cells too large, surfaces outside of the shape, or too near to each other.
+        InputError: The cells are too large, or surfaces lie outside the shape or too near to each other.
     """
     h = float(np.cbrt(shape.volume / count))
     sided = [_Sided.of(surface) for surface in surfaces]
@@ -78,42 +78,27 @@ def around_surfaces(
         for other in layers[:k]:
             if KDTree(layer).query(other)[0].min() < _TWIN * h:
                 raise InputError(
-                    f"pack: two of the surfaces of around= come nearer to each other than 1.6 cells of {h:.3g} m; ask"
-                    " for more and smaller cells, or give surfaces that keep apart"
+                    f"pack: two surfaces of around= are nearer to each other than 1.6 cells of {h:.3g} m; ask"
+                    " for more and smaller cells, or give surfaces farther apart"
                 )
     pins = np.concatenate(layers)
     if count <= len(pins):
-        raise InputError(f"pack: {count} cells are all taken by the surfaces of around=; ask for more")
-    x = np.concatenate([pins, _thrown(shape, count - len(pins), sided, h, random)])
-    still, margin = np.arange(count) < len(pins), np.full(count, _MARGIN * h)
-    for _ in range(_ROUNDS):
-        other = nearest_others(x, min(_NEAR, count))[1]
-        for _ in range(_SAME):
-            x = _moved(shape, pushed(x, np.full(count, h), other), x, still, margin, sided, h)
-    for step in range(_LLOYD):
-        told((step + 1) / (_LLOYD + 2))
-        x = _moved(shape, cell_centroids(points_of(shape, x, h)), x, still, margin, sided, h)
+        raise InputError(f"pack: the surfaces of around= need more than {count} cells; ask for more")
+    nearest = partial(_nearest, sided)
+    free = thrown_free(shape, count - len(pins), nearest, _CLEAR * h, h, random)
+    x = settled_free(shape, pins, free, h, told, nearest=nearest, clear=_CLEAR * h)
     return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
 
 
-def _moved(
-    shape: Shape, x: PerElement3, before: PerElement3, still: Mask, margin: Floats, sided: list[_Sided], h: float
-) -> PerElement3:
-    """Free centres where they go, inside the walls and clear of surfaces; the others stay."""
-    x = kept_inside(shape, np.where(still[:, None], before, x), before, margin)
-    stay = still | (_nearest(sided, x) < _CLEAR * h)
-    return np.where(stay[:, None], before, x)
-
-
 def _nearest(sided: list[_Sided], x: PerElement3) -> PerElement:
-    """Distance from the nearest surface [m], (n,)."""
+    """Return the distance from the nearest surface [m], (n,)."""
     return np.min([np.abs(one.depth(x)) for one in sided], axis=0)
 
 
 def _layers(
     shape: Shape, surface: Around, sided: _Sided, h: float, random: np.random.Generator
 ) -> PerElement3:
-    """Centres on both sides of a surface [m], (k, 3)."""
+    """Return the centres on both sides of a surface [m], (k, 3)."""
     lower, upper = shape.bounds
     x = lower + (upper - lower) * random.random((_SAMPLES, 3))
     x = x[shape.depth(x) > 0.0]
@@ -130,7 +115,7 @@ def _layers(
     # points of the layer, as many to each pin as decide its place
     inside = _onto(sided, inside[: _POINTS * wanted], h)
     pin = _spread(shape, sided, inside, min(wanted, len(inside)), h)
-    pin = pin[(shape.depth(pin) >= _MARGIN * h) & (sided.depth(pin) > 0.25 * h)]
+    pin = pin[(shape.depth(pin) >= MARGIN * h) & (sided.depth(pin) > 0.25 * h)]
     pin = _apart(pin, _TWIN * h)
     images = []
     for face in sided.faces:
@@ -138,7 +123,7 @@ def _layers(
         if not len(near):
             continue
         image = near - 2.0 * (face(near) - _shift(face, near, h))[:, None] * _slope(face, near, h)
-        images.append(image[(shape.depth(image) >= _MARGIN * h) & (sided.depth(image) < -0.25 * h)])
+        images.append(image[(shape.depth(image) >= MARGIN * h) & (sided.depth(image) < -0.25 * h)])
     outside = np.concatenate([np.empty((0, 3)), *images])
     if not len(pin) or not len(outside):
         raise InputError(
@@ -149,7 +134,7 @@ def _layers(
 
 
 def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: float) -> PerElement3:
-    """Some of the points of a layer, pushed apart, holes filled, each moved amid the points nearest to it."""
+    """Select points of a layer: pushed apart, with holes filled, each centred among its nearest points."""
     pin = points[:count].copy()
     if count == 1:
         return pin
@@ -168,15 +153,15 @@ def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: flo
             middle = np.column_stack([np.bincount(own, weights=points[:, d], minlength=len(pin)) for d in range(3)])
             pin = _onto(sided, (middle / np.maximum(number, 1)[:, None])[number > 0], h)
     # in a corner of the body a point pushed off one wall comes to another: the nearest that is clear of all is taken
-    deep = points[shape.depth(points) > 1.02 * _MARGIN * h]
+    deep = points[shape.depth(points) > 1.02 * MARGIN * h]
     if len(deep):
-        shallow = np.flatnonzero(shape.depth(pin) < _MARGIN * h)
+        shallow = np.flatnonzero(shape.depth(pin) < MARGIN * h)
         pin[shallow] = deep[np.asarray(KDTree(deep).query(pin[shallow])[1])]
     return pin
 
 
 def _onto(sided: _Sided, x: PerElement3, h: float) -> PerElement3:
-    """Points moved to half a size behind the faces that they are near to, the nearest at least."""
+    """Move points to half a size behind the faces near to them, at least behind the nearest face."""
     for _ in range(3):
         depth = np.array([face(x) for face in sided.faces])
         nearest = np.abs(depth - _HALF * h).argmin(axis=0)
@@ -189,14 +174,14 @@ def _onto(sided: _Sided, x: PerElement3, h: float) -> PerElement3:
 
 
 def _slope(face: _Depth, x: PerElement3, h: float) -> PerElement3:
-    """Inward unit normals of a face at points (n, 3) [-]."""
+    """Return the inward unit normals of a face at points (n, 3) [-]."""
     tiny = 1e-3 * h
     slope = np.column_stack([(face(x + tiny * axis) - face(x - tiny * axis)) / (2.0 * tiny) for axis in np.eye(3)])
     return slope / np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), 0.1)
 
 
 def _shift(face: _Depth, x: PerElement3, h: float) -> PerElement:
-    """How far inside a curved face planes that touch it lie, for the volume to be right [m], (n,).
+    """Return the depth of tangent planes inside a curved face that gives the right volume [m], (n,).
 
     Tiles h wide rise above a surface of principal curvatures κ by h² (κ₁ + κ₂) / 24 on average.
     """
@@ -208,25 +193,10 @@ def _shift(face: _Depth, x: PerElement3, h: float) -> PerElement:
 
 
 def _apart(x: PerElement3, least: float) -> PerElement3:
-    """The points without those that are nearer to one before them than `least` [m]."""
+    """Remove points that are nearer to an earlier point than `least` [m]."""
     kept = np.ones(len(x), dtype=bool)
     pairs = KDTree(x).query_pairs(least, output_type="ndarray") if len(x) > 1 else np.empty((0, 2), dtype=int)
     for a, b in pairs[np.lexsort(pairs.T[::-1])]:
         if kept[a] and kept[b]:
             kept[b] = False
     return x[kept]
-
-
-def _thrown(
-    shape: Shape, count: int, sided: list[_Sided], h: float, random: np.random.Generator
-) -> PerElement3:
-    """Centres at random that are in no layer [m], (count, 3)."""
-    lower, upper = shape.bounds
-    found = np.empty((0, 3))
-    for _ in range(_TRIES):
-        x = lower + (upper - lower) * random.random((2 * count, 3))
-        x = x[shape.depth(x) > _MARGIN * h]
-        found = np.concatenate([found, x[_nearest(sided, x) > _CLEAR * h]])
-        if len(found) >= count:
-            return found[:count]
-    raise InputError("pack: surfaces of around= leave no room for other cells; ask for more and smaller cells")

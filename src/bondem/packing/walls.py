@@ -1,14 +1,25 @@
-"""Rigid walls of a shape, in the form the packing passes take."""
+"""Rigid walls of a shape, in the form that the packing passes require.
+
+Plane walls across an axis are exact, wherever they are, and so are cylinders and balls about the origin. The rest
+of a shape is given by its depth on a grid, which rounds the edges between walls on it: spheres that touch two of them
+lie deeper there than they should.
+"""
 
 import math
+from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 from scipy.ndimage import map_coordinates
 
-from bondem._types import Floats, PerElement
+from bondem._types import Floats, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.packing.packing_tables import PackingWalls
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
+from bondem.specimen.planes import Planes, box_planes
+from bondem.specimen.shape import Cut, Overlap, Placed
+from bondem.specimen.surface import Surface
+from bondem.specimen.walled import BOX_FACES
 
 # Spacing of the grid of depths over the mean radius. Where the shape has an edge the wall is rounded by about
 # this much, and walls as curved as a sphere are off by 1/8 of its square: 2 % of the radius.
@@ -20,10 +31,10 @@ _COARSE = 4
 
 
 def walls(shape: Shape, radius: PerElement) -> PackingWalls:
-    """Walls of `shape` for spheres of `radius` (n,) [m].
+    """Return the walls of `shape` for spheres of `radius` (n,) [m].
 
     Raises:
-        InputError: more spheres than a grid of depths can be made for.
+        InputError: There are too many spheres for a grid of depths.
     """
     none, everywhere, flat = np.full(3, -np.inf), np.full(3, np.inf), np.zeros(3)
     lower, upper = shape.bounds
@@ -37,7 +48,81 @@ def walls(shape: Shape, radius: PerElement) -> PackingWalls:
             return _plain(none, everywhere, np.ones(3), shape.radius)
         case Cell():
             return _plain(none, everywhere, flat, np.inf)
-    return PackingWalls(none, everywhere, flat, np.inf, *_depth_grid(shape, radius))
+    parts = _parts(shape)
+    lower, upper = _box(parts.planes)
+    if parts.depth is None:
+        return _plain(lower, upper, flat, np.inf)
+    return PackingWalls(lower, upper, flat, np.inf, *_depth_grid(shape, parts.depth, radius))
+
+
+class _Parts(NamedTuple):
+    """Walls of a shape: planes across an axis, which are exact, and the depth behind all others, or None."""
+
+    planes: list[Planes]
+    depth: Callable[[PerElement3], PerElement] | None
+
+
+def _parts(shape: Shape) -> _Parts:
+    """Planes that bound a whole shape, and the rest of it."""
+    match shape:
+        case Box():
+            return _Parts([shape.planes], None)
+        case Cylinder():
+            return _Parts([shape.planes], lambda x: shape.face_depth("side", x))
+        case Cut():
+            return _joint(_parts(shape.first), _Parts([], shape.beside))
+        case Overlap():
+            return _joint(_parts(shape.first), _parts(shape.second))
+        case Placed() if _along_axes(shape):
+            turn, by = np.array(shape.turn), np.array(shape.by)
+            inner = _parts(shape.shape)
+            planes = [
+                {name: (turn @ at + by, turn @ out) for name, (at, out) in some.items()} for some in inner.planes
+            ]
+            depth = inner.depth
+            return _Parts(planes, None if depth is None else lambda x: depth((x - by) @ turn))
+        case Surface():
+            flat = [face for face in BOX_FACES if face in shape.faces]
+            planes = [box_planes(shape.bounds, flat)]
+            if "side" not in shape.faces:  # a box
+                return _Parts(planes, None)
+            return _Parts(planes, lambda x: _beside_planes(shape, flat, x))
+    return _Parts([], shape.depth)
+
+
+def _joint(one: _Parts, other: _Parts) -> _Parts:
+    """Walls of what two shapes have in common."""
+    a, b = one.depth, other.depth
+    if a is None or b is None:
+        return _Parts(one.planes + other.planes, b if a is None else a)
+    return _Parts(one.planes + other.planes, lambda x: np.minimum(a(x), b(x)))
+
+
+def _along_axes(shape: Placed) -> bool:
+    """Whether a shape is turned by right angles only."""
+    return bool(np.isin(np.abs(shape.turn), (0.0, 1.0)).all())
+
+
+def _beside_planes(shape: Surface, flat: list[str], points: PerElement3) -> PerElement:
+    """Depth behind all faces of a surface but those in sides of its box, beyond which it goes on as it is there."""
+    lower, upper = (side.copy() for side in shape.bounds)
+    tiny = 1e-6 * float((upper - lower).max())
+    for axis, name in enumerate("xyz"):
+        lower[axis] = lower[axis] + tiny if f"{name}_min" in flat else -np.inf
+        upper[axis] = upper[axis] - tiny if f"{name}_max" in flat else np.inf
+    return shape.face_depth("side", np.clip(points, lower, upper))
+
+
+def _box(planes: list[Planes]) -> tuple[Floats, Floats]:
+    """Lower and upper corner of the box that planes across the axes leave, infinite without one [m]."""
+    lower, upper = np.full(3, -np.inf), np.full(3, np.inf)
+    for at, out in (plane for some in planes for plane in some.values()):
+        axis = int(np.abs(out).argmax())
+        if out[axis] > 0.0:
+            upper[axis] = min(upper[axis], at[axis])
+        else:
+            lower[axis] = max(lower[axis], at[axis])
+    return lower, upper
 
 
 def _plain(lower: Floats, upper: Floats, weight: Floats, radius: float) -> PackingWalls:
@@ -45,8 +130,10 @@ def _plain(lower: Floats, upper: Floats, weight: Floats, radius: float) -> Packi
     return PackingWalls(*box, weight, float(radius), np.zeros(3), 0.0, np.empty((0, 0, 0)))
 
 
-def _depth_grid(shape: Shape, radius: PerElement) -> tuple[Floats, float, Floats]:
-    """First node [m], spacing [m] and depths [m] of a grid over the shape."""
+def _depth_grid(
+    shape: Shape, depth_at: Callable[[PerElement3], PerElement], radius: PerElement
+) -> tuple[Floats, float, Floats]:
+    """Return first node [m], spacing [m] and depths [m] of a grid over the shape."""
     h = _SPACING * float(radius.mean())
     lower, upper = shape.bounds
     coarse = [int(n) + 3 for n in np.ceil((upper - lower) / (_COARSE * h))]
@@ -56,7 +143,7 @@ def _depth_grid(shape: Shape, radius: PerElement) -> tuple[Floats, float, Floats
             f"{len(radius)} spheres are too many for the walls of {shape}; ask for fewer, or bd.carve a packed Box"
         )
     corner = 0.5 * (lower + upper) - 0.5 * h * (np.array(fine) - 1)
-    rough = shape.depth(corner + _COARSE * h * np.indices(coarse).reshape(3, -1).T).reshape(coarse)
+    rough = depth_at(corner + _COARSE * h * np.indices(coarse).reshape(3, -1).T).reshape(coarse)
     depth = np.empty(fine)
     # Depths change no faster than distance, and between coarse nodes half a diagonal is the farthest from one.
     farthest = 0.5 * np.sqrt(3.0) * _COARSE * h
@@ -64,6 +151,6 @@ def _depth_grid(shape: Shape, radius: PerElement) -> tuple[Floats, float, Floats
         at = np.stack(np.broadcast_arrays(i, *np.indices(fine[1:]))).reshape(3, -1)
         layer = map_coordinates(rough, at / _COARSE, order=1)
         near = (layer > -farthest - 3.0 * h) & (layer < radius.max() * 1.2 + farthest + 3.0 * h)
-        layer[near] = shape.depth(corner + h * at[:, near].T)
+        layer[near] = depth_at(corner + h * at[:, near].T)
         depth[i] = layer.reshape(fine[1:])
     return corner, h, depth

@@ -1,1 +1,1 @@
-"""Fracture without inertia: one event after the other, each at the load factor at which it is next."""
+"""Fracture without inertia: one event after another, each at its own load factor."""

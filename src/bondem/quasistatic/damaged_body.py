@@ -1,8 +1,8 @@
-"""A body of cells whose facets have any integrity, in small motions: its matrix, and what its facets bear.
+"""A body of cells whose facets have any integrity, in small motions: its matrix, and the loads of its facets.
 
-A facet of integrity s is that of `bondem.laws.softening` about the reference. Of each half that presses, what is
-along the normal stays whole: its stiffness is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. There
-is no friction on closed cracks. Everything is for a load factor of 1, and proportional to it.
+A facet of integrity s is that of `bondem.laws.softening` near the reference. Each half in compression keeps its
+stiffness along the normal: it is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. Closed cracks have
+no friction. All values are for a load factor of 1, and proportional to it.
 """
 
 from dataclasses import dataclass, replace
@@ -28,16 +28,16 @@ _XX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 @dataclass(frozen=True, eq=False)
 class Loaded:
-    """What facets and cells bear, kernels' order.
+    """Loads of facets and cells, kernels' order.
 
     Attributes:
-        traction: of each facet [Pa], (m, 3).
+        traction: traction of each facet [Pa], (m, 3).
         bending: T_b of each facet, as if it were whole [Pa], (m,).
         tensor: σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6).
         cracked: facets that have lost integrity, (c,).
         opening: traction of these, as if they were whole [Pa], (c, 3).
         opened: |F⁺| / A of these [Pa], (c,).
-        turned: which of their halves close or open now, (c, 2).
+        turned: mask of their halves that close or open now, (c, 2).
         wall: force of the walls on the facets that they hold [N], (g, 3).
     """
 
@@ -52,15 +52,15 @@ class Loaded:
 
 
 class DamagedBody:
-    """Facets of a body, each with its integrity, and the matrix that goes with them.
+    """Facets of a body, each with its integrity, and the matrix that belongs to them.
 
     Attributes:
-        integrity: of the facets, (m,).
-        closed: which halves of cracked facets press, (m, 2).
-        area: of the facets [m²], (m,).
+        integrity: integrity of the facets, (m,).
+        closed: mask of the halves of cracked facets in compression, (m, 2).
+        area: areas of the facets [m²], (m,).
         system: the whole body and its supports.
-        given: V θ of cells at rest, by walls that move and by tractions on free facets [m³], (n,).
-        load: forces and torques on cells at rest, but for those of this dilatation [N, N·m], (6 n,).
+        given: V θ of cells at rest, by moving walls and by tractions on free facets [m³], (n,).
+        load: forces and torques on cells at rest, without those of this dilatation [N, N·m], (6 n,).
         motion: displacements and rotations of elements that are driven themselves [m, rad], (6 n,).
     """
 
@@ -68,7 +68,7 @@ class DamagedBody:
         """Begin with whole facets.
 
         Args:
-            model: of cells.
+            model: model of cells.
             system: its matrix and supports.
             root: S of each element, by which the matrix is scaled, (n, 6, 6).
         """
@@ -112,39 +112,39 @@ class DamagedBody:
 
     @property
     def left(self) -> Floats:
-        """Integrity of the facets, 0 where nothing is left, (m,)."""
+        """Integrity of the facets, 0 for broken ones, (m,)."""
         return np.where(self.integrity > _NONE, self.integrity, 0.0)
 
     @property
     def right(self) -> Floats:
-        """What the displacements have to balance [N, N·m], (6 n,)."""
+        """Forces and torques that the displacements must balance [N, N·m], (6 n,)."""
         return self.load - self.matrix.swelling_force(self.system.matrix.weight * self.given)
 
     @property
     def pull(self) -> Floats:
-        """What driven elements do to the others, and these to them [N, N·m], (6 n,)."""
+        """Forces and torques between driven elements and the others [N, N·m], (6 n,)."""
         return self.matrix.force(self.motion) if self.motion.any() else self.motion
 
     def potential(self, motion: Floats) -> float:
-        """Energy of the body less the work of its loads, but for what no facet changes [J]."""
+        """Return the energy of the body less the work of its loads, up to a constant that no facet changes [J]."""
         stored = 0.5 * float(motion @ self.matrix.force(motion))
         stored += 0.5 * float(self.system.matrix.weight @ self.given**2)
         return stored - float(self.right @ motion)
 
     def size(self, found: Loaded) -> float:
-        """Σ V σ:σ / 2 G of the cells, which is 1 + ν times twice their energy in tension [J]."""
+        """Return Σ V σ:σ / 2 G of the cells, which is 1 + ν times twice their energy in tension [J]."""
         square = (found.tensor[:, :3] ** 2).sum(axis=1) + 2.0 * (found.tensor[:, 3:] ** 2).sum(axis=1)
         return 0.5 * float(self._soft @ square)
 
     def held_by_none(self, found: Loaded) -> float:
-        """Energy of the facets that have no integrity left: of that which stands for none [J]."""
+        """Return the energy of the residual stiffness of facets with zero integrity [J]."""
         none = found.cracked[self.integrity[found.cracked] <= _NONE]
         opened = found.opened[self.integrity[found.cracked] <= _NONE]
         force = self.area[none] * np.hypot(opened, found.bending[none])
         return 0.5 * _NONE * float((force**2 / self.constants.k[none]).sum())
 
     def state(self, motion: Floats) -> State:
-        """The body under displacements and rotations (6 n,), with its cracks."""
+        """Return the state of the body under displacements and rotations (6 n,), with its cracks."""
         model = self.model
         moved = motion.reshape(-1, 6)[model.layout.rank]
         turn = np.hstack([np.ones((len(moved), 1)), 0.5 * moved[:, 3:]])
@@ -159,7 +159,7 @@ class DamagedBody:
         return state
 
     def weaken(self, k: int, integrity: float, closed: tuple[bool, bool]) -> None:
-        """Give facet k another integrity, at least `_NONE`, or other halves that press."""
+        """Set the integrity of facet k, at least `_NONE`, and its halves in compression."""
         before = self._facet(k, self.integrity[k], self.closed[k])
         self._weigh(k, -1.0)
         self.integrity[k], self.closed[k] = max(integrity, _NONE), closed
@@ -179,7 +179,7 @@ class DamagedBody:
         return facet_stiffness((c.lever_i[k], c.lever_j[k]), D, s * c.H[k], (shares[0], shares[1]))
 
     def _weigh(self, k: int, sign: float) -> None:
-        """Add what a facet lacks to the slack of its cells, or take it off."""
+        """Add the missing part of a facet to the slack of its cells, or subtract it."""
         c, open_part = self.constants, sign * (1.0 - self.integrity[k])
         for p, slack, share, shut in (
             (self.i[k], c.slack_i[k], c.share_i[k], self.closed[k, 0]),
@@ -190,7 +190,7 @@ class DamagedBody:
             self.system.matrix.weight[p] = c.weight[p] / (1.0 + c.weight[p] * self._slack[p])
 
     def loaded(self, motion: Floats) -> Loaded:
-        """What facets and cells bear under displacements and rotations (6 n,)."""
+        """Return the loads of facets and cells under displacements and rotations (6 n,)."""
         c, grips = self.constants, self.model.cell_constants.grips
         u, phi = (np.ascontiguousarray(part) for part in np.hsplit(motion.reshape(-1, 6), 2))
         m, n, rank = len(self.i), len(u), self.model.layout.rank
@@ -216,11 +216,11 @@ class DamagedBody:
         )  # fmt: skip
 
     def mean(self, tensor: Floats, facets: Ints) -> Floats:
-        """Mean of the stresses (n, 6) of the two cells of some facets [Pa], (c, 6)."""
+        """Return the mean of the stresses (n, 6) of the two cells of some facets [Pa], (c, 6)."""
         return 0.5 * (tensor[self.i[facets]] + tensor[self.j[facets]])
 
     def bent(self, tensor: Floats, bending: Floats, facets: Ints) -> Floats:
-        """T_b (m,) of some facets less the largest pressure of the mean stress of their cells, at least 0, (c,)."""
+        """Return T_b (m,) of some facets less the largest pressure of the mean stress of their cells, or 0, (c,)."""
         pressure = -np.linalg.eigvalsh(full_tensor(self.mean(tensor, facets)))[:, 0]
         return np.maximum(bending[facets] - np.maximum(pressure, 0.0), 0.0)
 

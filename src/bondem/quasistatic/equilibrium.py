@@ -1,4 +1,4 @@
-"""Equilibria of one body after another, each a little weaker than the one before."""
+"""Successive equilibria of a body, each a little weaker than the one before."""
 
 import math
 from typing import Protocol
@@ -22,29 +22,29 @@ _LOST, _NEW = 150.0, 5
 
 
 class Equilibrium(Protocol):
-    """Finds displacements and rotations that balance a load, with the matrix as it is now.
+    """Solver for displacements and rotations that balance a load, with the present matrix.
 
     Attributes:
-        rounds: iterations so far.
-        solutions: equilibria found so far.
+        rounds: number of iterations so far.
+        solutions: number of equilibria so far.
     """
 
     rounds: int
     solutions: int
 
     def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
-        """u (6 n,) with K u = `right` where elements are free; it begins at a guess.
+        """Return u (6 n,) with K u = `right` where elements are free, starting from a guess.
 
         Args:
             right: forces and torques [N, N·m], (6 n,).
-            guess: where an iteration begins, (6 n,).
-            energy: about twice that of the body [J], 0 where it is not known.
+            guess: start of the iteration, (6 n,).
+            energy: about twice the energy of the body [J], 0 if unknown.
         """
         ...
 
 
 class Eliminated:
-    """By elimination, each time from the beginning: small bodies."""
+    """Solver by elimination, repeated for each equilibrium; for small bodies."""
 
     def __init__(self, system: System) -> None:
         self._system, self.rounds, self.solutions = system, 0, 0
@@ -56,20 +56,20 @@ class Eliminated:
 
 
 class Iterated:
-    """By conjugate gradients from the last solution, with a preconditioner that is kept while it serves.
+    """Solver by conjugate gradients from the last solution, with a preconditioner kept while it serves.
 
     Attributes:
-        rounds, solutions: iterations and equilibria so far.
+        rounds, solutions: numbers of iterations and equilibria so far.
     """
 
     def __init__(self, system: System, matrix: FacetMatrix, begun: Iteration, integrity: PerBond) -> None:
         """Begin with the preconditioner of the whole body.
 
         Args:
-            system: whose matrix changes.
-            matrix: the same, scaled as `begun` has it.
-            begun: of the matrix as it is now.
-            integrity: of its facets, which changes, too, (m,).
+            system: system whose matrix changes.
+            matrix: the same matrix, scaled as in `begun`.
+            begun: iteration with the present matrix.
+            integrity: integrity of its facets, which changes too, (m,).
         """
         self._system, self._matrix, self._begun, self._integrity = system, matrix, begun, integrity
         self.rounds = self.solutions = 0
@@ -97,7 +97,7 @@ class Iterated:
         return found
 
     def _judge(self, rounds: int, digits: float) -> None:
-        """Whether the preconditioner still serves, by how many iterations a digit of the energy took."""
+        """Check whether the preconditioner still serves, by the number of iterations per digit of the energy."""
         self._fresh = False
         self._solved += 1
         if self._solved <= _NEW:
@@ -108,11 +108,11 @@ class Iterated:
             self._renew()
 
     def _renew(self) -> None:
-        """Make the preconditioner of the matrix as it is now."""
+        """Make the preconditioner of the present matrix."""
         self._begun = Iteration(self._system, (*self._matrix.sides, 1.0 - self._integrity))
         self._matrix.rescale(self._begun.root)
         self._begin()
 
     def _begin(self) -> None:
-        """Nothing is known of the preconditioner."""
+        """Reset the record of the preconditioner."""
         self._fresh, self._solved, self._rate, self._lost = True, 0, 0.0, 0.0

@@ -1,4 +1,4 @@
-"""The stiffness of a body of cells, changed in place facet by facet."""
+"""Stiffness matrix of a body of cells, changed in place facet by facet."""
 
 from dataclasses import replace
 
@@ -11,9 +11,9 @@ from bondem.model.stiffness import Stiffness
 
 
 class FacetMatrix:
-    """K = B + Fᵀ W F of `Stiffness`, whose entries of single facets can be changed.
+    """The matrix K = B + Fᵀ W F of `Stiffness`, with entries of single facets that can change.
 
-    It is scaled by blocks S of its elements, Sᵀ K S, and changes with the unscaled one.
+    It is scaled by blocks S of its elements, Sᵀ K S, and changes with the unscaled matrix.
 
     Attributes:
         plain: K.
@@ -21,11 +21,11 @@ class FacetMatrix:
     """
 
     def __init__(self, plain: Stiffness, layout: Layout, root: Floats) -> None:
-        """Take over a matrix.
+        """Make the matrix from that of the whole body.
 
         Args:
-            plain: of the whole body, in the kernels' order.
-            layout: that order.
+            plain: matrix of the whole body, in the kernels' order.
+            layout: order of the kernels.
             root: S of each element, (n, 6, 6).
         """
         assert plain.forms is not None
@@ -44,36 +44,36 @@ class FacetMatrix:
 
     @property
     def sides(self) -> tuple[Ints, Ints]:
-        """The cells on either side of each facet, (m,) each."""
+        """Cells on either side of each facet, (m,) each."""
         return self._i, self._j
 
     def rescale(self, root: Floats) -> None:
-        """Take other blocks S."""
+        """Scale by other blocks S."""
         self._root = root
         self.scaled = self.plain.scaled(root)
         self._scaled_rows = _by_rows(self.scaled)
 
     def __matmul__(self, motion: Floats) -> Floats:
-        """Sᵀ K S x of (6 n,)."""
+        """Return Sᵀ K S x of (6 n,)."""
         weighted = self.plain.weight * (self._scaled_rows @ motion)
         return np.asarray(self.scaled.bonds @ motion + self._scaled_rows.T @ weighted, dtype=float)
 
     def force(self, motion: Floats) -> Floats:
-        """K u of (6 n,)."""
+        """Return K u of (6 n,)."""
         weighted = self.plain.weight * (self._plain_rows @ motion)
         return np.asarray(self.plain.bonds @ motion, dtype=float) + self.swelling_force(weighted)
 
     def swelling_force(self, stress: Floats) -> Floats:
-        """Fᵀ σ of (n,), (6 n,)."""
+        """Return Fᵀ σ of (n,), (6 n,)."""
         return np.asarray(self._plain_rows.T @ stress, dtype=float)
 
     def add(self, k: int, block: Floats, form_i: Floats, form_j: Floats) -> None:
-        """Add to what facet k does.
+        """Add to the contribution of facet k.
 
         Args:
             k: kernels' number.
-            block: to the stiffness of its two cells, (12, 12).
-            form_i, form_j: to V θ of each cell, (12,).
+            block: addition to the stiffness of its two cells, (12, 12).
+            form_i, form_j: additions to V θ of each cell, (12,).
         """
         i, j = self._i[k], self._j[k]
         self._put(self.plain, k, block, form_i, form_j)
@@ -94,7 +94,7 @@ class FacetMatrix:
 
 
 def _by_rows(matrix: Stiffness) -> csr_array:
-    """F by single rows, in the same memory."""
+    """Return F by single rows, in the same memory."""
     assert matrix.forms is not None
     forms = matrix.forms
     columns = (6 * forms.indices[:, None] + np.arange(6, dtype=forms.indices.dtype)).ravel()
@@ -104,10 +104,10 @@ def _by_rows(matrix: Stiffness) -> csr_array:
 def facet_stiffness(
     arms: tuple[Floats, Floats], D: Floats, H: Floats, shares: tuple[Floats, Floats]
 ) -> tuple[Floats, Floats, Floats]:
-    """Stiffness of a facet for motions (u, φ) of its two cells, (12, 12), and what they add to V θ of each, (12,).
+    """Return the stiffness of a facet for motions (u, φ) of its two cells, (12, 12), and its part in V θ, (12,) each.
 
     Args:
-        arms: from the centre of either cell to the facet [m], (3,).
+        arms: arms from the centre of either cell to the facet [m], (3,).
         D: force over the gap [N/m], (3, 3).
         H: moment over the relative rotation [N·m], (3, 3).
         shares: V θ of either cell over the gap [m²], (3,).
@@ -119,5 +119,5 @@ def facet_stiffness(
 
 
 def _crossed(b: Floats) -> Floats:
-    """[b]× with [b]× v = b × v."""
+    """Return [b]× with [b]× v = b × v."""
     return np.array([[0.0, -b[2], b[1]], [b[2], 0.0, -b[0]], [-b[1], b[0], 0.0]])

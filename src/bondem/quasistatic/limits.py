@@ -1,4 +1,4 @@
-"""At which load factor a facet begins to crack or goes on, where everything is proportional to it."""
+"""Load factors at which facets begin to crack or soften further, if everything is proportional to the factor."""
 
 from typing import Protocol
 
@@ -18,25 +18,25 @@ _NEAR = 1e-5
 
 
 class FacetOnset(Protocol):
-    """When whole facets begin to fail, and how they go on."""
+    """Onset of failure of whole facets, and their softening."""
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
-        """Facets of `whole` with their load factors, (c,) each: all that begin below a factor, and below the first.
+        """Return the facets of `whole` that begin below a factor and the first one, and their factors, (c,) each.
 
         Args:
-            found: what they bear.
+            found: loads of the facets.
             whole: facets that have not failed.
-            below: that factor.
-            close: how far above the least of theirs, as a share.
+            below: largest factor of interest.
+            close: distance above the least of their factors, as a share.
         """
         ...
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
-        """How facet k goes on that begins at a load factor."""
+        """Return the softening steps of facet k that begins to fail at a load factor."""
         ...
 
     def again(self, found: Loaded) -> PerBond:
-        """Load factors at which the facets that have lost integrity soften further by their curve, (c,)."""
+        """Return load factors at which facets that have lost integrity soften further by their curve, (c,)."""
         ...
 
 
@@ -68,10 +68,10 @@ class TractionOnset:
 
 
 class StressOnset:
-    """When facets begin to crack by the stress of their cells, and those of material planes by their own traction.
+    """Onset of facets by the stress of their cells, and of those of material planes by their own traction.
 
-    A facet of the material begins where σ1(σ*) reaches the strength, it is pulled or sheared, and it is opened so far
-    along a principal direction that it softens (`bd.Rankine`).
+    A facet of the material begins to crack if three conditions hold (`bd.Rankine`): σ1(σ*) reaches the strength, the
+    facet is in tension or shear, and its opening along a principal direction is enough for softening.
     """
 
     def __init__(self, body: DamagedBody, table: SofteningTable) -> None:
@@ -99,7 +99,7 @@ class StressOnset:
         )  # fmt: skip
 
     def _reached(self, found: Loaded, facets: Ints) -> Floats:
-        """Load factors at which some facets of the material begin, inf for never, (c,)."""
+        """Return load factors at which some facets of the material begin, inf for never, (c,)."""
         body = self._body
         mean, bent = body.mean(found.tensor, facets).T, body.bent(found.tensor, found.bending, facets)
         n, t = body.constants.normal[facets].T, found.traction[facets].T
@@ -112,7 +112,7 @@ class StressOnset:
         return np.maximum(reached, self._opened(found, facets, t.T).reached(np.ones(len(facets))))
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
-        """See `FacetOnset`: along the direction in which it begins."""
+        """See `FacetOnset`; the steps are along the direction in which the facet begins."""
         alone = np.array([k])
         opened = self._opened(found, alone, found.traction[alone])
         d = int(opened.steepest()[0])
@@ -128,7 +128,7 @@ class StressOnset:
 
 
 def _sheared_at(across: Floats, shear: Floats, strength: PerBond) -> Floats:
-    """The factor at which a pressed traction t has σ1 = f by itself, t_s² = f (f - t_n); `shear` is t_s²."""
+    """Return the factor at which a compressive traction t has σ1 = f, t_s² = f (f - t_n); `shear` is t_s²."""
     bears = shear > 0.0
     root = strength * (np.sqrt(across**2 + 4.0 * np.maximum(shear, 0.0)) - across)
     return np.where(bears, root / np.where(bears, 2.0 * shear, 1.0), np.inf)

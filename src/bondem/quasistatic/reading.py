@@ -1,4 +1,4 @@
-"""What is read off a body as it is loaded: force and displacement of the driven region, and gauges."""
+"""Response of a body during loading: force and displacement of the driven region, and gauges."""
 
 from collections.abc import Mapping
 
@@ -22,7 +22,7 @@ class Reading:
         """Find the conditions of a region.
 
         Raises:
-            InputError: nothing that moves and no load on this region.
+            InputError: Nothing moves on this region, and no load acts on it.
         """
         self._body, model = body, body.model
         motion, force, held = np.zeros(3), np.zeros(3), False
@@ -42,7 +42,7 @@ class Reading:
         way = motion if self._driven else force
         if not way.any():
             raise InputError(
-                "solve_quasistatic: nothing drives or loads drive= along a way; give the region of a bd.Drive or"
+                "solve_quasistatic: the region drive= is neither driven nor loaded; give the region of a bd.Drive or"
                 " bd.Load of the model"
             )
         self._way, self._force = way / np.linalg.norm(way), float(np.linalg.norm(force))
@@ -52,7 +52,7 @@ class Reading:
             self._wall = np.isin(model.cell_constants.grips.holds.facet, facet_numbers(drive, model.lattice))
 
     def read(self, found: Loaded, motion: Floats) -> tuple[float, float]:
-        """Load [N] and displacement [m]."""
+        """Return load [N] and displacement [m]."""
         if not self._driven:
             moved = motion.reshape(-1, 6)[self._element, :3].mean(axis=0)
             return self._force, float(moved @ self._way)
@@ -63,7 +63,7 @@ class Reading:
 
 
 class RegionGauges:
-    """Displacements between two regions, mean over the elements of each."""
+    """Displacements between two regions, each the mean over the elements."""
 
     def __init__(self, model: Model, gauges: Mapping[str, tuple[Region, Region]]) -> None:
         """Find the elements."""
@@ -78,6 +78,6 @@ class RegionGauges:
             self._ends[name] = tuple(model.layout.rank[one.select(model.lattice)] for one in ends)
 
     def read(self, motion: Floats) -> dict[str, Floats]:
-        """How far each second region has moved from its first [m], (3,) each."""
+        """Return the displacement of each second region from its first [m], (3,) each."""
         moved = motion.reshape(-1, 6)[:, :3]
         return {name: moved[b].mean(axis=0) - moved[a].mean(axis=0) for name, (a, b) in self._ends.items()}

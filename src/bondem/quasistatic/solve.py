@@ -1,4 +1,4 @@
-"""Quasi-static fracture by load factors: bonds fail one after the other, whatever the load does meanwhile."""
+"""Quasi-static fracture by load factors: bonds fail one by one, at whatever load each event requires."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import count, instance, number
+from bondem._drawing import Plotted
+from bondem._progress import staged
 from bondem._types import Floats, Ints, PerBond, PerElement3
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.model import Model
@@ -37,30 +39,31 @@ _ROUNDS = 40
 
 
 @dataclass(frozen=True, eq=False)
-class QuasistaticResult:
+class QuasistaticResult(Plotted):
     """A path of equilibria, each at the load at which the next facets fail: e events, f failures of facets.
 
     Attributes:
-        factor: of the load at each event [-], (e,). It falls where the path snaps back.
-        load: on the driven region along its motion or load [N], (e,).
-        displacement: of the same [m], (e,).
-        work: of `load` on its way until each event [J], (e,): all there is, where nothing else moves under load.
-        stored: elastic energy before each event, ½ load · displacement [J], (e,), likewise.
-        energy: dissipated by each event [J], (e,); the sum of those before is work - stored. Nothing is known of the
-            last one, which has 0.
-        gauge: of each gauge the displacement between its regions [m], (e, 3).
+        factor: factor of the load at each event [-], (e,); it falls where the path snaps back.
+        load: load on the driven region along its motion or load [N], (e,).
+        displacement: displacement of the driven region along the same direction [m], (e,).
+        work: work of `load` until each event [J], (e,); the total work if nothing else moves under load.
+        stored: elastic energy before each event, ½ load · displacement [J], (e,), under the same condition.
+        energy: energy dissipated by each event [J], (e,). The sum over earlier events is work - stored. The last
+            event has 0, because its dissipation is unknown.
+        gauge: displacement between the regions of each gauge [m], (e, 3).
         bond: user's number of each facet that loses integrity, (f,).
-        integrity: what it has left, (f,).
-        event: in which event, (f,).
-        position: of the facet in the reference [m], (f, 3).
-        bond_integrity: of all facets at the end, user's order, (m,).
-        end: why it ended: "unloaded", "parted", "strong" where nothing fails at any load, "loose" where parts hang
-            together by so little that no equilibrium is found any more, "folded" where a tenth of the elements would
-            turn by more than 0.1 rad until the next event, so that motions are not small any more, or "events".
-        motion: of the elements at the last event [m], (n, 3).
-        state: the last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
-        solutions: how often an equilibrium was sought: once an event, and again where cracks close or open.
-        iterations: of all solutions.
+        integrity: remaining integrity of the facet, (f,).
+        event: event of the failure, (f,).
+        position: centroid of the facet in the reference [m], (f, 3).
+        bond_integrity: integrity of all facets at the end, user's order, (m,).
+        end: reason for the end: "unloaded", "parted", "strong", "loose", "folded" or "events". "strong": nothing
+            fails at any load. "loose": parts are connected so weakly that no equilibrium is found. "folded": before
+            the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions are no longer
+            small.
+        motion: displacements of the elements at the last event [m], (n, 3).
+        state: last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
+        solutions: number of equilibria that were computed: one per event, and more where cracks close or open.
+        iterations: total number of iterations.
     """
 
     factor: Floats
@@ -83,11 +86,12 @@ class QuasistaticResult:
 
     @property
     def peak(self) -> float:
-        """The largest load [N]."""
+        """Largest load [N]."""
         return float(self.load.max(initial=0.0))
 
 
 @one_blas_thread
+@staged("quasi-static run")
 def solve_quasistatic(
     model: Model,
     drive: Region,
@@ -99,32 +103,32 @@ def solve_quasistatic(
     gauges: Mapping[str, tuple[Region, Region]] | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> QuasistaticResult:
-    """Follow a body of cells as it fails without inertia: all drives and loads are scaled by one factor.
+    """Follow a body of cells as it fails without inertia, with all drives and loads scaled by one factor.
 
-    Between two events the body is elastic and everything is proportional to the factor. Each event is that of the
-    facet that is next, at whatever factor it comes, so that snap-back is followed and nothing depends on speeds or
-    damping. A facet that softens does so in steps within a band about its line, and takes its fracture energy; closed
-    cracks bear pressure, without friction. Rotations are small, and the path ends where they are not.
+    Between two events the body is elastic and everything is proportional to the factor. Each event is the failure of
+    the next facet, at whatever factor it requires. Snap-back is therefore followed, and nothing depends on speeds or
+    damping. A facet softens in steps within a band around its softening line, and absorbs its fracture energy. Closed
+    cracks carry pressure, without friction. Rotations are small; the path ends where they are not.
 
     Args:
-        model: cells with `bd.Rankine`, or facets that break at once by `bd.MohrCoulomb`; its drives and loads count
-            at the end of their schedules, which is a factor of 1.
-        drive: the face or elements that are driven or loaded, by a `bd.Drive`, `bd.Load` or `bd.Pressure` of the
-            model on the same region: whose load and displacement are given.
-        ripple: how far the traction of a facet that softens is above and below its line, as a share of it: the less,
-            the more events.
+        model: cells with `bd.Rankine`, or brittle facets with `bd.MohrCoulomb`. Its drives and loads are used at the
+            end of their schedules, which is a factor of 1.
+        drive: region that is driven or loaded by a `bd.Drive`, `bd.Load` or `bd.Pressure` of the model on the same
+            region. Load and displacement are measured there.
+        ripple: half-width of the band around the softening line, as a share of the traction; a smaller value gives
+            more events.
         together: facets whose load factors are within this share of the least fail in one event, at the middle of
-            it; 0 for one after the other, of equal ones that of the lowest number first.
-        until: end where the load has fallen to this share of its peak, and all of the last twentieth of the events,
-            at least 2 / `ripple`, stay below: some events come at much less than those about them.
-        most: end after so many events.
+            the range. With 0 they fail one by one, equal ones in the order of their numbers.
+        until: share of the peak load at which the path ends. All of the last twentieth of the events, at least
+            2 / `ripple`, must stay below it, because single events occur at much lower loads than others.
+        most: largest number of events.
         gauges: pairs of regions whose relative displacement is recorded, by name.
-        progress: called with the share done, 0 … 1, by how far the load has fallen after its peak.
+        progress: function called with the completed share, 0 … 1, by how far the load has fallen after its peak.
 
     Raises:
-        InputError: a model without cells or another criterion, cells that yield, contacts, prestress, or nothing that
-            is driven at `drive`.
-        ConvergenceError: a body that its supports do not hold.
+        InputError: The model has no cells, another criterion, cells that yield, contacts or prestress, or nothing is
+            driven at `drive`.
+        ConvergenceError: The supports do not hold the body.
 
     Reference: sequentially linear analysis, Rots (2001); DeJong, Hendriks and Rots (2008).
     """
@@ -186,7 +190,7 @@ def solve_quasistatic(
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
-    """The equilibrium with the halves that press closed, and what it bears; `size` of the body before, 0 at first."""
+    """Return the equilibrium with pressing halves closed, and its loads; `size` of the body before, initially 0."""
     def rest() -> tuple[Floats, Loaded]:
         found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)
@@ -205,12 +209,12 @@ def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: 
 
 
 def _held_by_none(body: DamagedBody, found: Loaded, motion: Floats, worked: float) -> bool:
-    """Whether what stands for no integrity holds the body together; `worked` is load times displacement [J]."""
+    """Return True if stiffness of zero integrity holds the body together; `worked` is load times displacement [J]."""
     return body.held_by_none(found) > _HELD * 0.5 * max(abs(worked), abs(float(body.right @ motion)))
 
 
 def _folds(motion: Floats, factor: float) -> bool:
-    """Whether more than a few elements have turned by more than small motions at a load factor."""
+    """Return True if more than a few elements have rotated beyond small motions at a load factor."""
     turn = factor * np.linalg.norm(motion.reshape(-1, 6)[:, 3:], axis=1)
     return float((turn > _SMALL).mean()) > _TURNED
 
@@ -218,9 +222,9 @@ def _folds(motion: Floats, factor: float) -> bool:
 def _next(
     body: DamagedBody, onset: FacetOnset, following: Floats, found: Loaded, close: float
 ) -> tuple[Ints, float]:
-    """The facets that fail next, in the user's order, and the factor of the load; none where nothing fails.
+    """Return the facets that fail next, in the user's order, and the load factor; none if nothing fails.
 
-    `following` says how far beyond its curve each facet that softens is at its next event [-], inf for none.
+    `following` is the factor beyond its curve of the next event of each softening facet [-], inf for none.
     """
     limit = following[found.cracked] * onset.again(found)
     alike = max(close, _TIE)
@@ -236,7 +240,7 @@ def _next(
 
 
 class _Path:
-    """What is recorded of each event."""
+    """Record of all events."""
 
     def __init__(self, model: Model) -> None:
         self._model = model
@@ -248,9 +252,9 @@ class _Path:
         self._motion = np.zeros(6 * len(model.layout.order))
 
     def settle(self, potential: float, load: float, displacement: float) -> None:
-        """Take over what holds at a factor of 1 since the last event: energy less work of loads, load, displacement.
+        """Store the state at a factor of 1 since the last event: energy less work of loads, load and displacement.
 
-        At the factor of the event that energy fell by what was dissipated; walls did not move, loads did not change.
+        At the factor of the event that energy fell by the dissipated energy, because walls and loads did not change.
         """
         if self._rows:
             square = self._rows[-1][0] ** 2
@@ -259,11 +263,11 @@ class _Path:
         self._potential, self._load, self._way = potential, load, displacement
 
     def add(self, k: int, integrity: float) -> None:
-        """Take down a facet that fails in the event to come."""
+        """Record a facet that fails in the coming event."""
         self._facets.append((k, integrity, len(self._rows)))
 
     def add_event(self, factor: float, gauge: dict[str, Floats], motion: Floats) -> None:
-        """Take down an event, with what is read at a factor of 1."""
+        """Record an event, with the gauges at a factor of 1."""
         before = self._rows[-1][0] if self._rows else 0.0
         self._work += 0.5 * self._load * self._way * (factor**2 - before**2)
         load, displacement = factor * self._load, factor * self._way
@@ -272,7 +276,7 @@ class _Path:
         self._motion = factor * motion
 
     def result(self, body: DamagedBody, end: str, equilibrium: Equilibrium) -> QuasistaticResult:
-        """All of it."""
+        """Return the whole path."""
         model, layout = self._model, self._model.layout
         rows = np.array(self._rows).reshape(-1, 5)
         facet = np.array([k for k, *_ in self._facets], dtype=np.int64)
@@ -294,26 +298,26 @@ class _Path:
 
 
 def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
-    """The whole body, how its equilibria are found, and when its facets begin to fail.
+    """Return the whole body, its solver of equilibria, and the onset of failure of its facets.
 
     Raises:
-        InputError: what has no quasi-static path here.
+        InputError: The model has no quasi-static path.
     """
     instance("solve_quasistatic", "model", model, Model, "bd.Model(...)")
     if model.cells is None:
-        raise InputError("solve_quasistatic needs cells: bd.connect(..., method='laguerre') and bd.CellBond")
+        raise InputError("solve_quasistatic needs cells; use bd.connect(..., method='laguerre') and bd.CellBond")
     soft, brittle = model.softening, model.breaking
     if brittle is None and (soft is None or soft.judge is not None or soft.slip is not None):
         raise InputError(
-            "solve_quasistatic: cells neither yield nor follow another criterion here; give the model"
+            "solve_quasistatic: cells that yield and other criteria are not supported; give the model"
             " failure=bd.Rankine(tension=..., fracture_energy=...) or bd.MohrCoulomb without a fracture energy, or"
             " use solve_explicit"
         )
     if model.constraints.strain_part.size or model.constraints.body_on.size:
-        raise InputError("solve_quasistatic scales drives and loads only; leave bd.Eigenstrain and bd.BodyForce out")
+        raise InputError("solve_quasistatic scales drives and loads only; leave out bd.Eigenstrain and bd.BodyForce")
     if soft is not None and np.isfinite(soft.cohesion).any():
         raise InputError(
-            "solve_quasistatic: facets of a plane with a cohesion slip with friction, which has no path of load"
+            "solve_quasistatic: facets of a plane with cohesion slip with friction, which has no path of load"
             " factors; give planes bd.Rankine(tension=..., fracture_energy=...), or use solve_explicit"
         )
     system = System.of(replace(model, failure=None))

@@ -1,4 +1,4 @@
-"""Softening in steps: a curve from the strength to an opening, followed by teeth within a band about it."""
+"""Softening in steps: a curve from the strength to an opening, followed by teeth within a band around it."""
 
 import math
 from dataclasses import dataclass
@@ -15,16 +15,16 @@ _BELOW = 0.999
 
 @dataclass(frozen=True)
 class SofteningLine:
-    """What a facet bears as it softens: the larger of two straight lines in its opening (`bondem.laws.softening`).
+    """Traction of a softening facet: the larger of two straight lines in its opening (`bondem.laws.softening`).
 
-    T stands for |F⁺| / A, the traction that the facet would have if it were whole, which is its gap but for a factor;
-    it bears s T. Each line is s T = a - b (1 - s) T.
+    T stands for |F⁺| / A, the traction that the facet would have if it were whole, which is proportional to its gap;
+    the facet carries s T. Each line is s T = a - b (1 - s) T.
 
     Attributes:
         onset: traction from which the facet softens [Pa].
-        last: T where nothing is left [Pa], 0 where it breaks at once.
+        last: T at zero integrity [Pa], 0 for a brittle facet.
         kink: traction where both lines meet, over `onset`; 0 for one line.
-        steep: where the first line would reach nothing, over `last`.
+        steep: T at which the first line would reach zero, over `last`.
     """
 
     onset: float
@@ -34,7 +34,7 @@ class SofteningLine:
 
     @property
     def lines(self) -> tuple[tuple[float, float], ...]:
-        """a [Pa] and b [-] of each."""
+        """Coefficients a [Pa] and b [-] of each line."""
         end = self.steep * self.last
         first = self.onset, self.onset / end
         if self.kink == 0.0:
@@ -43,15 +43,15 @@ class SofteningLine:
         return first, (slope * self.last, slope)
 
     def borne(self, T: float) -> float:
-        """s T at T [Pa]."""
+        """Return s T at T [Pa]."""
         return max(0.0, *((a - b * T) / (1.0 - b) for a, b in self.lines))
 
     def reached(self, s: float, share: float) -> float:
-        """T at which a facet of integrity s bears `share` times what it does on the curve [Pa]."""
+        """Return T at which a facet of integrity s carries `share` times its traction on the curve [Pa]."""
         return max(share * a / (s * (1.0 - b) + share * b) for a, b in self.lines)
 
     def energy(self, now: float) -> float:
-        """∫ T² (-ds) from T = `now` on [Pa²]."""
+        """Return ∫ T² (-ds) from T = `now` on [Pa²]."""
         lines, taken = self.lines, 0.0
         ends = (
             [self.last]
@@ -66,15 +66,15 @@ class SofteningLine:
 
 @dataclass(frozen=True, eq=False)
 class Teeth:
-    """What a facet goes through from its onset on.
+    """Softening steps of a facet from its onset on.
 
-    Between two events a facet is elastic with its integrity; at an event it loses some of it, and dissipates T² Δs,
-    in units of A / 2k.
+    Between two events a facet is elastic with its integrity. At an event it loses some of its integrity and
+    dissipates T² Δs, in units of A / 2k.
 
     Attributes:
-        integrity: after events 1 … t, falling to 0, (t,).
-        limit: T at which events 2 … t come [Pa], (t - 1,).
-        beyond: these over the T at which the curve itself has the facet soften further [-], (t - 1,).
+        integrity: integrity after events 1 … t, falling to 0, (t,).
+        limit: T of events 2 … t [Pa], (t - 1,).
+        beyond: these over the T at which the curve itself softens the facet further [-], (t - 1,).
     """
 
     integrity: Floats
@@ -83,18 +83,18 @@ class Teeth:
 
     @classmethod
     def of(cls, line: SofteningLine, ripple: float, now: float = 0.0) -> "Teeth":
-        """Teeth of a curve; a facet that breaks at once has one.
+        """Return the teeth of a curve; a brittle facet has one.
 
-        The first event comes at the onset, the others where the traction is `ripple` above the curve, as a share of
-        it, but a little below that at the onset at most, and each leaves it as much below the curve. Where T is
-        beyond the onset when a facet begins, it falls to the curve there. The last event comes when all of them
-        together have taken the energy under the curve: what a band that is cut at the onset has too little is made up
-        where a facet bears least. Peaks depend on how a curve begins, and its beginning stays as it is.
+        The first event is at the onset. The others are at a traction `ripple` above the curve, as a share of it, and
+        at most a little below that of the onset; each leaves the traction as much below the curve. If T is beyond the
+        onset when a facet begins, the traction falls to the curve there. The last event is where all of them together
+        have dissipated the energy under the curve: the energy missing from the band that is cut at the onset is added
+        where a facet carries least. Peaks depend on the beginning of a curve, which stays unchanged.
 
         Args:
-            line: the curve of the material.
-            ripple: in (0, 1).
-            now: T as it begins, if that is more than the onset [Pa].
+            line: curve of the material.
+            ripple: half-width of the band as a share, in (0, 1).
+            now: T at the beginning, if it exceeds the onset [Pa].
         """
         now = max(now, line.onset)
         if line.last <= now:
@@ -110,7 +110,7 @@ class Teeth:
 
 
 def _steps(line: SofteningLine, ripple: float, now: float) -> tuple[Floats, Floats]:
-    """Integrities and limits within a band about a curve, from T = `now` on."""
+    """Return integrities and limits within a band around a curve, from T = `now` on."""
     borne = line.borne(now)
     s, T = [(1.0 - ripple) * borne / now], []
     while borne > _REST * line.onset:

@@ -1,7 +1,7 @@
-"""Stress tensors of many cells and facets at once: what agrees with a traction, and principal stresses.
+"""Stress tensors of many cells and facets at once: agreement with a traction, and principal stresses.
 
-Closed forms of principal stresses lose half of the digits where two of them are equal: they tell which facets are
-looked at, and `eigvalsh` looks.
+Closed forms of principal stresses lose half of the digits where two of them are equal. They only select facets, which
+`eigvalsh` then evaluates.
 """
 
 import numpy as np
@@ -12,17 +12,17 @@ _ROOT = np.sqrt(3.0)
 
 
 def full_tensor(s: Floats) -> Floats:
-    """(…, 3, 3) of xx, yy, zz, xy, xz, yz."""
+    """Return (…, 3, 3) of xx, yy, zz, xy, xz, yz."""
     return s[..., [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
 
 
 def agreed(mean: Floats, n: Floats, t: Floats) -> Floats:
-    """σ*: mean tensors made to agree with tractions t on facets of normals n.
+    """Return σ*: mean tensors modified to agree with tractions t on facets of normals n.
 
     Args:
-        mean: xx, yy, zz, xy, xz, yz [Pa], (6, c).
-        n: (3, c).
-        t: [Pa], (3, c).
+        mean: components xx, yy, zz, xy, xz, yz [Pa], (6, c).
+        n: normals, (3, c).
+        t: tractions [Pa], (3, c).
     """
     x, y, z = n
     a = t[0] - (mean[0] * x + mean[3] * y + mean[4] * z)
@@ -35,5 +35,5 @@ def agreed(mean: Floats, n: Floats, t: Floats) -> Floats:
 
 
 def largest(s: Floats) -> Floats:
-    """Largest principal stress of (6, c), (c,)."""
+    """Return the largest principal stress of tensors (6, c), (c,)."""
     return np.asarray(np.linalg.eigvalsh(full_tensor(s.T))[:, 2], dtype=float)

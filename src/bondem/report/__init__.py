@@ -1,1 +1,1 @@
-"""Tables, figures and one HTML page: all plotting lives here."""
+"""Reports: tables, figures and one HTML page; all plotting code."""

@@ -1,4 +1,4 @@
-"""What tests to failure leave and cost: pieces and crack surfaces of the first specimen, and its energies."""
+"""Figures of tests to failure: fragments and crack surfaces of the first specimen, and its energies."""
 
 from pathlib import Path
 
@@ -13,21 +13,19 @@ from bondem.labtests.outcome import Outcome
 from bondem.report.crack_pictures import draw_cracks, draw_fragments
 from bondem.report.findings import Examined
 from bondem.report.numbers import with_unit
-from bondem.report.strength_figures import DRAWN, Drawn, arranged, broken_in, panels
-from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, sheet
+from bondem.report.strength_figures import CRACKED, DRAWN, Drawn, arranged, broken_in, panels
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
 
-#: Facets that have at most this integrity left are cracks, and join no pieces [-].
-CRACKED = 0.5
 # Largest motion of the pieces drawn, over the length of the specimen.
 _EXAGGERATED = 0.08
-# A piece has at least so many cells; smaller ones are crumbs.
+# Pieces of fewer cells are counted as crumbs.
 _FEW = 10
 _COLOURS = dict(zip(PARTS, (BLUE, GREY, ORANGE, PURPLE, GREEN, PALE), strict=True))
 
 
 def draw_pieces(path: Path, specimen: Examined) -> None:
-    """Pieces, moved apart, and the surfaces of cracks with their opening; a row a test."""
+    """Draw the separated fragments and the crack surfaces with their opening, one row per test."""
     names = broken_in(specimen)
     with sheet(path, 8.2, 3.5 * len(names), len(names), 2, squeeze=False) as (figure, axes):
         for (left, right), name in zip(axes, names, strict=True):
@@ -55,9 +53,9 @@ def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: 
 
 
 def draw_energies(path: Path, specimen: Examined) -> None:
-    """The ledger of each test over its strain: what the work of the load has turned into.
+    """Draw the energy balance of each test over its strain: the parts into which the work is converted.
 
-    Where a path turns back, only what lies farther than all before is drawn.
+    On a path that turns back, only points beyond all previous strains are drawn.
     """
     names = [name for name in broken_in(specimen) if specimen.outcomes[name].energy]
     rows, columns = arranged(len(names))
@@ -78,7 +76,7 @@ def draw_energies(path: Path, specimen: Examined) -> None:
             ax.text(0.02, 0.97, f"balance within {with_unit(float(missing), 'J', 2)}", transform=ax.transAxes,
                     va="top", fontsize=8.5)  # fmt: skip
         handles, labels = axes[0, 0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside lower center", ncols=4 if columns > 1 else 2)
+        figure.legend(handles, labels, loc="outside lower center", ncols=legend_columns(4 if columns > 1 else 2, 2))
 
 
 def _many(count: int, what: str) -> str:

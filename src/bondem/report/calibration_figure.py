@@ -1,4 +1,4 @@
-"""A calibration as a figure: the curves it walks along, where it ends, and how packings scatter."""
+"""Figure of a calibration: its curves, its result and the scatter of packings."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 
 
 def draw_calibration(path: Path, fit: Calibration) -> None:
-    """ν and E/E_μ over the free parameter, and E and ν of every calibrating packing.
+    """Draw ν and E/E_μ over the free parameter, and E and ν of every calibrating packing.
 
     Args:
         path: PNG to write.

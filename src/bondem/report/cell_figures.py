@@ -1,4 +1,4 @@
-"""A body as its cells: the specimen cut open, and what bending does to it."""
+"""Figures of a body of cells: the specimen cut open, and its bending."""
 
 import math
 from pathlib import Path
@@ -21,15 +21,15 @@ _EXAGGERATED = 0.15
 
 
 def draw_body(path: Path, body: Lattice) -> None:
-    """Cells coloured by size, whole on one half, cut open along the axis on the other.
+    """Draw cells coloured by size, one half whole and the other cut open along the axis.
 
     Args:
         path: PNG to write.
-        body: what to draw.
+        body: lattice of cells.
     """
     assert body.cells is not None
     size = np.cbrt(body.cells.volume / body.cells.volume.mean())
-    norm = Normalize(float(np.quantile(size, 0.002)), float(np.quantile(size, 0.998)))
+    norm = Normalize(float(size.min()), float(size.max()))
     lower, upper = body.particles.envelope.bounds
     middle = 0.5 * (lower + upper)
     x, y, _ = body.centre.T
@@ -44,16 +44,16 @@ def draw_body(path: Path, body: Lattice) -> None:
 
 
 def draw_bent(path: Path, specimen: Examined) -> None:
-    """The body bent along y, exaggerated, its cells coloured by the axial stress, and a section of it along the axis.
+    """Draw the exaggerated bending of a body along y with the axial stress of its cells, and an axial section.
 
     Args:
         path: PNG to write.
-        specimen: a body whose bending was tested.
+        specimen: body with a bending test.
     """
     body, curves = specimen.lattice, specimen.outcomes["static_bending"].curves
     solid = polyhedra(body)
     stress, moved = curves["axial_stress"] / 1e6, curves["displacement"]
-    top = float(np.quantile(np.abs(stress), 0.995))
+    top = float(np.abs(stress).max())
     norm = Normalize(-top, top)
     colour = _coloured(DIVERGING, norm, stress)
     reach = _EXAGGERATED * float(np.ptp(body.centre[:, 0])) / float(np.abs(moved).max())

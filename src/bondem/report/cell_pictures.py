@@ -1,4 +1,6 @@
-"""Cells drawn as polyhedra in parallel projection, and cut by a plane: painter's algorithm, no graphics driver."""
+"""Pictures of cells as polyhedra in parallel projection, and of plane sections, by the painter's algorithm without a
+graphics driver.
+"""
 
 from dataclasses import dataclass
 
@@ -19,11 +21,11 @@ _AMBIENT, _LAMP = 0.62, 0.45
 
 @dataclass(frozen=True, eq=False)
 class CellSection:
-    """Polygons in which a plane cuts cells.
+    """Polygons of the intersection of a plane with cells.
 
     Attributes:
-        outline: corners in the plane, one array (k, 2) a cell.
-        cell: whose each is.
+        outline: corners in the plane, one array (k, 2) per cell.
+        cell: cell of each polygon.
     """
 
     outline: list[Floats]
@@ -41,17 +43,17 @@ def draw_cells(
     piece: np.ndarray | None = None,
     scale: float = 1e3,
 ) -> None:
-    """Draw what is seen of cells from outside, and of those that others leave bare.
+    """Draw the visible outer polygons of cells, also those next to hidden cells.
 
     Args:
-        ax: where to.
-        solid: the polygons.
-        colour: red, green, blue of each cell in 0 … 1, (n, 3).
-        view: where one looks from.
+        ax: axes to draw on.
+        solid: polygons of the cells.
+        colour: red, green and blue of each cell in 0 … 1, (n, 3).
+        view: direction of view.
         moved: displacements of the corners of the polygons [m], (v, 3).
-        shown: which cells are there, (n,); all when None.
-        piece: of each cell: what lies between two pieces is drawn too, (n,); all are one when None.
-        scale: units of the axes over metres.
+        shown: mask of the cells to draw, (n,); None for all.
+        piece: fragment of each cell, (n,), so that faces between fragments are drawn; None for one fragment.
+        scale: units of the axes per metre.
     """
     here = np.ones(len(colour), dtype=bool) if shown is None else shown
     behind = (solid.neighbour >= 0) & here[np.maximum(solid.neighbour, 0)]
@@ -67,7 +69,7 @@ def draw_cells(
     unit = normal[seen] / np.linalg.norm(normal[seen], axis=1, keepdims=True)
     light = _AMBIENT + _LAMP * np.clip(unit @ _LIGHT, 0.0, None)
     face = np.clip(colour[solid.cell[seen]] * light[:, None], 0.0, 1.0)
-    outlined = _outlined(solid)
+    edge = outlined(solid)
     following = _following(solid.start)
     paths: list[Floats] = []
     fills: list[Floats] = []
@@ -75,7 +77,7 @@ def draw_cells(
         corners = np.arange(int(solid.start[k]), int(solid.start[k + 1]))
         paths.append(placed[np.append(corners, corners[0]), :2])
         fills.append(np.append(tint, 1.0))
-        for a in corners[outlined[corners]]:  # drawn with their polygon, so that nearer ones hide both
+        for a in corners[edge[corners]]:  # drawn with their polygon, so that nearer ones hide both
             paths.append(placed[[a, following[a]], :2])
             fills.append(np.append(0.7 * tint, 1.0))
     ax.add_collection(PolyCollection(paths, closed=False, facecolors=fills, edgecolors=fills, linewidths=0.35))
@@ -87,22 +89,22 @@ def draw_cells(
 
 
 def _following(start: np.ndarray) -> np.ndarray:
-    """The next corner of the polygon, of each corner, (v,)."""
+    """Next corner of the polygon for each corner, (v,)."""
     following = np.arange(1, start[-1] + 1)
     following[start[1:] - 1] = start[:-1]
     return following
 
 
-def _outlined(solid: Polyhedra) -> Mask:
-    """Whether the edge that begins at a corner is a true one, not one between two strips of a curved wall, (v,)."""
+def outlined(solid: Polyhedra) -> Mask:
+    """True for corners that begin a true edge, not one between two strips of a curved wall, (v,)."""
     following, size = _following(solid.start), np.diff(solid.start)
     owner, wall = np.repeat(solid.cell, size), np.repeat(solid.neighbour < 0, size)
     grid = np.rint((solid.vertex + solid.vertex[following]) / (1e-6 * np.ptp(solid.vertex, axis=0).max()))
     rows = np.column_stack([owner, grid.astype(np.int64)])[wall]
     _, same, count = np.unique(rows, axis=0, return_inverse=True, return_counts=True)
-    outlined = np.ones(len(owner), dtype=bool)
-    outlined[wall] = count[same.ravel()] == 1
-    return outlined
+    true = np.ones(len(owner), dtype=bool)
+    true[wall] = count[same.ravel()] == 1
+    return true
 
 
 def _normals(place: Floats, start: np.ndarray) -> Floats:
@@ -111,7 +113,9 @@ def _normals(place: Floats, start: np.ndarray) -> Floats:
 
 
 def section_through(solid: Polyhedra, axis: int, at: float) -> CellSection:
-    """Where the plane across an axis at `at` [m] cuts the cells; each as the hull of its corners in the plane."""
+    """Compute the section of cells by the plane normal to an axis at `at` [m], each as the convex hull of its
+    corners.
+    """
     following = _following(solid.start)
     owner = np.repeat(solid.cell, np.diff(solid.start))
     a, b = solid.vertex[:, axis] - at, solid.vertex[following, axis] - at
@@ -130,7 +134,7 @@ def section_through(solid: Polyhedra, axis: int, at: float) -> CellSection:
 
 
 def draw_section(ax: Axes, section: CellSection, colour: Floats, *, scale: float = 1e3) -> None:
-    """Draw a section with the colours of the cells, (n, 3)."""
+    """Draw a section in the colours of its cells, (n, 3)."""
     face = colour[section.cell]
     ax.add_collection(
         PolyCollection([scale * one for one in section.outline], facecolors=face, edgecolors="white", linewidths=0.35)
@@ -139,9 +143,10 @@ def draw_section(ax: Axes, section: CellSection, colour: Floats, *, scale: float
 
 
 def draw_field(ax: Axes, section: CellSection, value: Floats, *, scale: float = 1e3) -> PolyCollection:
-    """Draw a section with the values of the cells, (n,), about zero; what a colour bar is made from.
+    """Draw a section with the values of its cells, (n,), symmetric about zero, and return the mappable of a colour
+    bar.
 
-    The strongest colours begin at the value that 1.5 % of the cells exceed.
+    The colour scale ends at the value that 1.5 % of the cells exceed.
     """
     top = float(np.quantile(np.abs(value), 0.985))
     field = PolyCollection(

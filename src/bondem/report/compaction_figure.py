@@ -1,4 +1,4 @@
-"""Shear compaction at work: the grains at the start, in the middle and at the end, and the walls over time."""
+"""Figure of a shear compaction: the grains at the start, in the middle and at the end, and the walls over time."""
 
 import math
 from dataclasses import dataclass
@@ -22,16 +22,16 @@ _CLOSE = 0.636
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """A shear compaction along z, in a square box whose walls across x move towards each other and apart.
+    """Record of a shear compaction along z in a square box, whose walls across x oscillate.
 
     Attributes:
-        parts: histories, first while the platen falls, then one a cycle, with the gauges "platen" and "sway"
+        parts: histories of the falling platen and then of each cycle, with the gauges "platen" and "sway"
             (displacements of the pressure wall and of the shear wall at x_max) and "force" (on the pressure wall).
         frames: centres at the start and after each part [m], each (n, 3).
-        radius: [m], (n,).
-        width: of the box at rest [m].
-        top: where the pressure wall begins [m].
-        pressure: asked of it [Pa].
+        radius: radii of the grains [m], (n,).
+        width: width of the box at rest [m].
+        top: initial height of the pressure wall [m].
+        pressure: target pressure [Pa].
     """
 
     parts: tuple[History, ...]
@@ -43,27 +43,27 @@ class Course:
 
     @property
     def time(self) -> Floats:
-        """[s], (s,)."""
+        """Time of each record [s], (s,)."""
         return np.concatenate([part.time for part in self.parts])
 
     @property
     def height(self) -> Floats:
-        """Of the pressure wall [m], (s,)."""
+        """Height of the pressure wall [m], (s,)."""
         return self.top + self._gauge("platen", 2)
 
     @property
     def sway(self) -> Floats:
-        """Of the shear wall at x_max, outwards [m], (s,)."""
+        """Outward displacement of the shear wall at x_max [m], (s,)."""
         return self._gauge("sway", 0)
 
     @property
     def pressed(self) -> Floats:
-        """Pressure of the grains on the pressure wall over the one asked for [-], (s,)."""
+        """Pressure of the grains on the pressure wall over the target pressure [-], (s,)."""
         return self._gauge("force", 2) / (self.pressure * self.width**2)
 
     @property
     def fraction(self) -> Floats:
-        """Volume of the grains over that between the walls [-], (s,)."""
+        """Volume fraction of the grains between the walls [-], (s,)."""
         solid = 4.0 / 3.0 * math.pi * float((self.radius**3).sum())
         return solid / (self.height * self.width * (self.width + 2.0 * self.sway))
 
@@ -78,11 +78,12 @@ class Course:
 
 
 def draw_compaction(path: Path, course: Course) -> None:
-    """The grains three times, coloured by the height they began at, and the walls, pressure and density over time.
+    """Draw the grains at three times, coloured by their initial height, and the walls, pressure and density over
+    time.
 
     Args:
         path: PNG to write.
-        course: what to draw.
+        course: record of the compaction.
     """
     with sheet(path, 8.2, 8.4, 0, 0) as (figure, _):
         grid = figure.add_gridspec(4, 1, height_ratios=(3.3, 1.0, 1.0, 1.0))

@@ -1,4 +1,4 @@
-"""What fracture leaves, drawn: pieces as the cells that they are made of, and the surfaces of cracks."""
+"""Pictures of fracture: fragments as their cells, and crack surfaces."""
 
 from itertools import product
 
@@ -7,7 +7,7 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import Normalize, to_rgb
+from matplotlib.colors import Normalize
 
 from bondem._types import Floats, PerElement3
 from bondem.fracture.cracks import Cracks
@@ -15,22 +15,20 @@ from bondem.fracture.fragments import Fragments
 from bondem.model.state import State
 from bondem.observe.turned_vectors import turned_vectors
 from bondem.report.cell_pictures import draw_cells
+from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
 from bondem.report.style import GREY, SEQUENTIAL
 from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
 from bondem.specimen.lattice import Lattice
 
-# Of the heaviest pieces, in turns; of those of a few cells.
-_PIECES = ("#cfd8df", "#8db9d3", "#e6bd8a", "#a5cdb2", "#c9b2d6", "#d8cf9a")
-_CRUMB, _FEW = "#d55e00", 10
 # Share of light that falls on a surface seen edge-on.
 _AMBIENT = 0.55
 
 
 def corners_moved(solid: Polyhedra, body: Lattice, state: State, reach: float = 1.0) -> Floats:
-    """How the corners of cells have gone with them, displacements of these times `reach` [m], (v, 3).
+    """Displacements of the corners of cells whose displacements are magnified by `reach` [m], (v, 3).
 
-    Cells turn as they do: turns of crumbs cannot be exaggerated.
+    Rotations of the cells are not exaggerated, as crumbs rotate by large angles.
     """
     owner = np.repeat(solid.cell, np.diff(solid.start))
     arm = solid.vertex - body.centre[owner]
@@ -41,45 +39,43 @@ def corners_moved(solid: Polyhedra, body: Lattice, state: State, reach: float = 
 def draw_fragments(
     ax: Axes, body: Lattice, state: State, pieces: Fragments, *, view: View, reach: float = 1.0
 ) -> None:
-    """Draw the cells where they are, each piece in a colour of its own; crumbs of less than ten cells in orange.
+    """Draw the cells at their positions, each fragment in its own colour.
 
     Args:
-        ax: where to, in mm.
-        body: cells.
-        state: where they are.
-        pieces: of this state, from `bd.fragments`.
-        view: where one looks from.
-        reach: by how much displacements are exaggerated [-].
+        ax: axes to draw on, in mm.
+        body: lattice of cells.
+        state: state of the body.
+        pieces: fragments of this state, from `bd.fragments`.
+        view: direction of view.
+        reach: magnification of displacements [-].
     """
     solid = polyhedra(body)
     draw_cells(ax, solid, piece_colours(pieces), view=view, moved=corners_moved(solid, body, state, reach))
 
 
 def piece_colours(pieces: Fragments) -> Floats:
-    """Red, green, blue of each element by its piece, in 0 … 1, (n, 3)."""
-    colour = np.array([to_rgb(_PIECES[k % len(_PIECES)]) for k in range(len(pieces))])
-    colour[pieces.size < _FEW] = to_rgb(_CRUMB)
-    return colour[pieces.label]
+    """Red, green and blue of each element by its fragment, in 0 … 1, (n, 3)."""
+    return piece_palette(len(pieces))[pieces.label]
 
 
 def draw_cracks(
     ax: Axes, body: Lattice, found: Cracks, *, view: View, top: float | None = None
 ) -> ScalarMappable:
-    """Draw the surfaces of cracks, coloured by their opening [µm], in the edges of the box about the specimen.
+    """Draw crack surfaces, coloured by their opening [µm], within the edges of the specimen's bounding box.
 
     Args:
-        ax: where to, in mm.
-        body: whose cracks they are.
-        found: from `bd.cracks`.
-        view: where one looks from.
-        top: opening of the brightest colour [m]; by default that of one facet in twenty.
+        ax: axes to draw on, in mm.
+        body: lattice of the cracks.
+        found: cracks from `bd.cracks`.
+        view: direction of view.
+        top: upper end of the colour scale [m]; None for the largest.
 
     Returns:
-        The scale of colours, for a bar.
+        The colour scale, for a colour bar.
     """
     if top is None:
-        top = float(np.quantile(found.opening, 0.95)) if len(found) else 1e-6
-    norm = Normalize(0.0, 1e6 * max(top, 1e-12))
+        top = float(found.opening.max()) if len(found) else 1e-6
+    norm = Normalize(0.0, 1e6 * max(top, 1e-9))
     outline, size = found.polygons, np.diff(found.polygons.start)
     placed = 1e3 * outline.vertex @ view.axes.T
     facing = np.abs(found.normal[outline.facet] @ view.axes[2])

@@ -1,4 +1,4 @@
-"""What a criterion of failure was given, as people read it."""
+"""Readable parameters of a failure criterion."""
 
 import math
 from dataclasses import fields
@@ -12,7 +12,7 @@ _ANGLES = ("friction_angle",)
 
 
 def told(criterion: Criterion) -> list[tuple[str, str]]:
-    """Names and values of a criterion, without what is zero or was not given; angles in degrees."""
+    """Names and values of a criterion, without zero and default parameters; angles in degrees."""
     found: list[tuple[str, str]] = []
     for item in fields(criterion):
         value = getattr(criterion, item.name)

@@ -1,4 +1,4 @@
-"""Mode shapes, free vibration and the wave of an impact."""
+"""Figures of mode shapes, free vibration and the wave of an impact."""
 
 import math
 from pathlib import Path
@@ -6,10 +6,13 @@ from pathlib import Path
 import numpy as np
 from matplotlib import colormaps
 
+from bondem._types import Floats
+from bondem.report.cell_pictures import draw_cells
 from bondem.report.findings import Examined
 from bondem.report.numbers import with_unit
 from bondem.report.spheres import View, render
-from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, for_phones, sheet
+from bondem.specimen.cells.polyhedra import polyhedra
 
 _KINDS = (
     ("bending", "dynamic_bending", 1, GREEN),
@@ -20,21 +23,20 @@ _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 
 
 def draw_modes(path: Path, specimen: Examined) -> None:
-    """First bending, torsional and axial mode, exaggerated and coloured by how far elements move."""
+    """Draw the first bending, torsional and axial mode, exaggerated and coloured by the displacement of elements."""
     frequencies = specimen.frequencies
     assert frequencies is not None
     lattice = specimen.lattice
     chosen = lattice.connected
     position, radius = lattice.particles.position[chosen], lattice.particles.radius[chosen]
     modes = frequencies.modes
+    if lattice.cells is not None:
+        _draw_cell_modes(path, specimen)
+        return
     titles, images = [], []
     for kind, _, column, _ in _KINDS:
-        # of the two bending modes the one that bends upwards, across the line of sight
-        seen = 2 if kind == "bending" else column
-        best = int(np.argmax(frequencies.mass_share[:, seen]))
-        shape = modes.shape[best][chosen, :3]
-        if kind == "bending":
-            shape = shape * np.sign(shape[np.argmax(np.abs(shape[:, 2])), 2])
+        best, every = _mode(specimen, kind, column)
+        shape = every[chosen, :3]
         moved = np.linalg.norm(shape, axis=1)
         # so far that one sees it: along the bar a share of its length, about it of its radius
         reach = 0.4 * np.ptp(position[:, 1]) if kind == "torsion" else 0.2 * np.ptp(position[:, 0])
@@ -51,8 +53,37 @@ def draw_modes(path: Path, specimen: Examined) -> None:
             ax.axis("off")
 
 
+def _mode(specimen: Examined, kind: str, column: int) -> tuple[int, Floats]:
+    """Number and shape of a mode, (n, 6): of the two bending modes the one that bends upwards, across the view."""
+    frequencies = specimen.frequencies
+    assert frequencies is not None
+    best = int(np.argmax(frequencies.mass_share[:, 2 if kind == "bending" else column]))
+    shape = frequencies.modes.shape[best]
+    if kind == "bending":
+        shape = shape * np.sign(shape[np.argmax(np.abs(shape[:, 2])), 2])
+    return best, shape
+
+
+def _draw_cell_modes(path: Path, specimen: Examined) -> None:
+    """The same modes of a body of cells, which move and turn as rigid pieces."""
+    body, solid = specimen.lattice, polyhedra(specimen.lattice)
+    assert specimen.frequencies is not None
+    owner = np.repeat(solid.cell, np.diff(solid.start))
+    arm = solid.vertex - body.centre[owner]
+    with sheet(path, 8.2, 2.5, 1, 3) as (_, axes):
+        for ax, (kind, _, column, _) in zip(axes, _KINDS, strict=True):
+            best, shape = _mode(specimen, kind, column)
+            far = np.linalg.norm(shape[:, :3], axis=1)
+            reach = 0.4 * np.ptp(body.centre[:, 1]) if kind == "torsion" else 0.2 * np.ptp(body.centre[:, 0])
+            shift = shape[owner, :3] + np.cross(shape[owner, 3:], arm)
+            colour = colormaps["viridis"](far / far.max())[:, :3]
+            draw_cells(ax, solid, colour, view=_VIEW, moved=reach / far.max() * shift)
+            frequency = float(specimen.frequencies.modes.frequency[best])
+            ax.set_title(f"{kind}: {with_unit(frequency, 'Hz')}")
+
+
 def draw_vibration(path: Path, specimen: Examined) -> None:
-    """Signals of the free vibration and their spectra, with the frequencies of theory."""
+    """Draw the signals of the free vibration and their spectra, with the theoretical frequencies."""
     rows = [row for row in _KINDS if "signal" in getattr(specimen.outcomes.get(row[1]), "curves", {})]
     with sheet(path, 8.2, 2.0 * len(rows) + 0.3, len(rows), 2, squeeze=False, width_ratios=(3, 2)) as (_, axes):
         for (left, right), (kind, name, _, colour) in zip(axes, rows, strict=True):
@@ -73,7 +104,7 @@ def draw_vibration(path: Path, specimen: Examined) -> None:
 
 
 def draw_wave(path: Path, specimen: Examined) -> None:
-    """Velocities of the struck and of the far face, and when the wave arrives."""
+    """Draw the velocities of the struck and of the far face, and the arrival of the wave."""
     outcome = specimen.outcomes["impact"]
     curves = outcome.curves
     time = curves["time"] * 1e6
@@ -81,7 +112,7 @@ def draw_wave(path: Path, specimen: Examined) -> None:
     expected = arrival * outcome.measured / outcome.theory
     # of a body of cells the wall is held, and the cells behind it are sprung
     struck = "struck face, held" if specimen.lattice.cells is None else "cells behind the struck face"
-    with sheet(path, 8.2, 3.1) as (_, ax):
+    with sheet(path, 8.2, 4.4 if for_phones() else 3.1) as (figure, ax):
         ax.plot(time, curves["near"], color=GREY, label=struck)
         ax.plot(time, curves["far"], color=BLUE, label="far face")
         ax.axhline(0.5 * plateau, color=PURPLE, linewidth=1.0, linestyle=(0, (1, 1.5)), label="half of the plateau")
@@ -90,4 +121,7 @@ def draw_wave(path: Path, specimen: Examined) -> None:
         ax.plot([arrival], [0.5 * plateau], "D", color=ORANGE, markersize=7,
                 label=f"arrival: {with_unit(outcome.measured, 'm/s')}", zorder=5)  # fmt: skip
         ax.set(xlabel="time [µs]", ylabel="mean velocity of a face [m/s]", xlim=(0.0, time[-1]))
-        ax.legend(loc="upper left")
+        if for_phones():
+            figure.legend(loc="outside lower center")
+        else:
+            ax.legend(loc="upper left")

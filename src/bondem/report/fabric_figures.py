@@ -1,11 +1,11 @@
-"""What walls do to a packing, and what neighbours do to each other."""
+"""Figures of the fabric: layering at walls and order among neighbours."""
 
 from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
-from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, legend_columns, sheet
 from bondem.specimen.layering import Layering
 from bondem.specimen.radial_distribution import RadialDistribution
 
@@ -13,12 +13,12 @@ _COLOURS = (BLUE, ORANGE, GREEN, PURPLE, INK, GREY)
 
 
 def draw_layering(path: Path, layering: Mapping[str, Layering], inside: float) -> None:
-    """Solid fraction against the distance from each wall.
+    """Draw the solid fraction over the distance from each wall.
 
     Args:
         path: PNG to write.
-        layering: of each face.
-        inside: solid fraction away from all walls [-], NaN where that is nowhere.
+        layering: layering at each face.
+        inside: solid fraction away from all walls [-]; NaN for specimens without such a region.
     """
     with sheet(path, 8.2, 3.0) as (_, ax):
         for k, (face, one) in enumerate(layering.items()):
@@ -30,11 +30,11 @@ def draw_layering(path: Path, layering: Mapping[str, Layering], inside: float) -
             ax.axhline(inside, color=GREY, linewidth=1.0, label=f"core, φ = {inside:.3f}")
         ax.set(xlabel="distance from the wall over mean diameter [-]", ylabel="solid fraction [-]", ylim=(0.0, 1.0),
                xlim=(0.0, None))  # fmt: skip
-        ax.legend(loc="upper right", ncols=4)
+        ax.legend(loc="upper right", ncols=legend_columns(4, 2))
 
 
 def draw_distribution(path: Path, distribution: RadialDistribution) -> None:
-    """The radial distribution function of the centres away from the walls."""
+    """Draw the radial distribution function of the centres away from the walls."""
     with sheet(path, 8.2, 2.9) as (_, ax):
         ax.axhline(1.0, color=GREY, linewidth=1.0, label="spheres without order")
         ax.plot(distribution.distance, distribution.density, color=BLUE)

@@ -1,4 +1,4 @@
-"""What a study found out, as the report takes it."""
+"""Results of a study as the input of its report."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -20,12 +20,12 @@ from bondem.specimen.material import Material
 
 @dataclass(frozen=True, eq=False)
 class Bonding:
-    """What a study bonds its elements with.
+    """Bonds of the elements of a study.
 
     Attributes:
-        law: the bond law, calibrated or with the material's own E and ν.
-        density: of the elements [kg/m³].
-        fit: the calibration; None of a law that needs none.
+        law: bond law, calibrated or with E and ν of the material.
+        density: density of the elements [kg/m³].
+        fit: calibration; None for a law without calibration.
     """
 
     law: BondLaw | CellBond
@@ -35,18 +35,18 @@ class Bonding:
 
 @dataclass(frozen=True, eq=False)
 class Examined:
-    """One packing and what its tests gave.
+    """Packing with the results of its tests.
 
     Attributes:
-        seed: of the packing.
+        seed: seed of the packing.
         lattice: the specimen.
-        quality: its fabric.
-        tension: its own E and ν under the law of the study, where there is one.
-        rho: its own density, mass of the connected elements over the volume of the shape [kg/m³], likewise.
-        outcomes: of the tests, by name.
-        frequencies: natural frequencies, where a dynamic test was asked for.
-        law: what holds it together, by region where there are aggregates in it.
-        aggregates: in it, or None.
+        quality: fabric of the packing.
+        tension: measured E and ν under the law of the study, or None.
+        rho: mass of the connected elements over the volume of the shape [kg/m³], or None.
+        outcomes: results of the tests, by name.
+        frequencies: natural frequencies if a dynamic test was requested, or None.
+        law: law of the body, by region if it has aggregates.
+        aggregates: aggregates of the specimen, or None.
     """
 
     seed: int
@@ -62,19 +62,20 @@ class Examined:
 
 @dataclass(frozen=True, eq=False)
 class Findings:
-    """A finished study.
+    """Results of a finished study.
 
     Attributes:
-        title: of the report.
-        material: the continuum that was to be reproduced, or None where only packings were made and checked.
-        bonds: what it was tested with, likewise.
-        chart: trials over the range of the free parameter, for the calibration curve.
-        calibrating: how many packings, the first ones, a calibration used.
-        specimens: every packing.
-        results: what `results.json` holds.
-        citation: where `published` is from, or "".
-        published: errors of the tests in print, by name [-].
-        failures: how it fails, by the part of it that does.
+        title: title of the report.
+        material: continuum to reproduce; None for a study that packs and checks only.
+        bonds: bonds of the tests; None for a study that packs and checks only.
+        chart: evaluations over the range of the free parameter, for the calibration curve.
+        calibrating: number of packings of the calibration, the first ones.
+        specimens: all packings.
+        results: contents of `results.json`.
+        citation: source of `published`, or "".
+        published: published errors of the tests, by name [-].
+        failures: failure criteria by part of the material.
+        source: name and text of the study file, or None.
     """
 
     title: str
@@ -87,8 +88,9 @@ class Findings:
     citation: str = ""
     published: Mapping[str, float] = field(default_factory=dict)
     failures: Mapping[str, Criterion] = field(default_factory=dict)
+    source: tuple[str, str] | None = None
 
     @property
     def fit(self) -> Calibration | None:
-        """The calibration, where there was one."""
+        """Calibration of the study, or None."""
         return None if self.bonds is None else self.bonds.fit

@@ -1,4 +1,4 @@
-"""A broken specimen on one sheet: its pieces, its cracks, how they grew and what was heard."""
+"""Figure of a broken specimen: its fragments, its cracks, their growth and the acoustic emission."""
 
 from pathlib import Path
 
@@ -30,16 +30,16 @@ def draw_fracture(
     view: View | None = None,
     reach: float = 1.0,
 ) -> None:
-    """Draw four panels.
+    """Draw four panels: fragments, cracks, growth and acoustic emission.
 
     Args:
         path: PNG to write.
-        body: the cells.
-        state: in the end.
-        pieces, cracks, growth, emission: of this state and its events.
-        b_value: of the emission, or None for none.
-        view: where one looks from.
-        reach: by how much displacements of the pieces are exaggerated [-].
+        body: lattice of cells.
+        state: final state.
+        pieces, cracks, growth, emission: results for this state and its events.
+        b_value: b-value of the emission, or None.
+        view: direction of view.
+        reach: magnification of displacements of the fragments [-].
     """
     view = View() if view is None else view
     with sheet(path, 10.0, 6.4, 2, 2, height_ratios=(1.25, 1.0)) as (figure, axes):
@@ -65,7 +65,7 @@ def _many(count: int, what: str) -> str:
 
 
 def _draw_growth(ax: Axes, growth: CrackGrowth) -> None:
-    """The front over time, and the line of its speed."""
+    """Draw the crack front over time, and the line of its speed."""
     t, x = 1e6 * growth.time, 1e3 * growth.length
     ax.plot(t, x, drawstyle="steps-post", color=BLUE, label="farthest broken facet")
     line = 1e-3 * growth.speed * t
@@ -78,7 +78,7 @@ def _draw_growth(ax: Axes, growth: CrackGrowth) -> None:
 
 
 def _draw_magnitudes(ax: Axes, emission: AcousticEmission, b_value: BValue | None) -> None:
-    """How many emissions there are of a magnitude or more."""
+    """Draw the number of emissions above each magnitude."""
     heard = np.sort(emission.magnitude[np.isfinite(emission.magnitude)])
     ax.step(heard, np.arange(len(heard), 0, -1), where="pre", color=BLUE, label=f"{len(emission)} emissions")
     if b_value is not None:

@@ -1,4 +1,4 @@
-"""A body with aggregates: broken, cut open, and its curve."""
+"""Figure of a body with aggregates: broken, cut open, and its curve."""
 
 from pathlib import Path
 
@@ -26,13 +26,13 @@ _EXAGGERATED = 0.06
 
 
 def draw_mesoscale(path: Path, body: Lattice, state: State, stones: Aggregates, curve: Floats) -> None:
-    """Draw three panels.
+    """Draw three panels: the broken body, a section and the curve.
 
     Args:
         path: PNG to write.
-        body: the cells.
-        state: in the end.
-        stones: which of them are aggregates.
+        body: lattice of cells.
+        state: final state.
+        stones: mask of the cells of aggregates.
         curve: elongation [m] and stress [Pa], (k, 2).
     """
     solid, colour = polyhedra(body), _coloured(body, stones)
@@ -50,11 +50,11 @@ def draw_mesoscale(path: Path, body: Lattice, state: State, stones: Aggregates, 
 
 
 def draw_cut_open(path: Path, specimen: Examined) -> None:
-    """Draw a section of a specimen with aggregates after each of its tests to failure, with its cracks.
+    """Draw a section of a specimen with aggregates and its cracks after each of its tests to failure.
 
     Args:
         path: PNG to write.
-        specimen: cells around aggregates, broken in a test or more.
+        specimen: cells around aggregates, broken in at least one test.
     """
     assert specimen.aggregates is not None
     body, names = specimen.lattice, broken_in(specimen)
@@ -73,7 +73,7 @@ def _coloured(body: Lattice, stones: Aggregates) -> Floats:
 
 
 def _draw_cut_open(ax: Axes, solid: Polyhedra, body: Lattice, state: State, colour: Floats, axis: int) -> None:
-    """The section through the middle, across an axis, where the cells were at rest."""
+    """Draw the section through the middle, normal to an axis, with the cells in their initial positions."""
     at = float(np.mean(body.particles.envelope.bounds, axis=0)[axis])
     draw_section(ax, section_through(solid, axis, at), colour)
     _draw_cuts(ax, solid, body, state, axis, at)
@@ -82,7 +82,7 @@ def _draw_cut_open(ax: Axes, solid: Polyhedra, body: Lattice, state: State, colo
 
 
 def _draw_cuts(ax: Axes, solid: Polyhedra, body: Lattice, state: State, axis: int, at: float) -> None:
-    """Lines in which a plane across an axis cuts facets that have lost integrity, the wider the more."""
+    """Draw the lines in which a plane cuts softened facets; line width increases with damage."""
     lost = {frozenset(pair): loss for pair, loss in zip(
         body.pairs.tolist(), (1.0 - state.bond_integrity).tolist(), strict=True) if loss > 0.0}  # fmt: skip
     lines, widths = [], []

@@ -1,4 +1,4 @@
-"""Numbers as people read them."""
+"""Readable numbers."""
 
 import math
 
@@ -10,7 +10,7 @@ _SCALED = ("Pa", "m", "s", "Hz", "m/s", "N", "J", "rad")
 
 
 def with_unit(value: float | None, unit: str = "", digits: int = 4) -> str:
-    """A value with a unit: 72.5e9, "Pa" becomes 72.50 GPa."""
+    """Format a value with a unit: 72.5e9, "Pa" becomes 72.50 GPa."""
     if value is None or not math.isfinite(value):
         return "–"
     if unit in ("-", ""):
@@ -37,23 +37,23 @@ def _significant(value: float, digits: int) -> str:
 
 
 def percent(value: float) -> str:
-    """0.0663 becomes 6.63 %."""
+    """Format a share as a percentage: 0.0663 becomes 6.63 %."""
     return f"{100.0 * value:.2f} %"
 
 
 def signed_percent(value: float | None, digits: int = 2) -> str:
-    """0.0663 becomes +6.63 %, with a true minus sign; what is not known a dash."""
+    """Format a share as a signed percentage: 0.0663 becomes +6.63 %, with a true minus sign; None becomes a dash."""
     return "–" if value is None else f"{signed(100.0 * value, digits)} %"
 
 
 def signed(value: float, digits: int = 4) -> str:
-    """0.00012 becomes +0.0001; what rounds to zero has no sign."""
+    """Format a number with its sign: 0.00012 becomes +0.0001; a value that rounds to zero has no sign."""
     text = f"{value:+.{digits}f}"
     return text[1:] if float(text) == 0.0 else text.replace("-", "−")
 
 
 def measures(shape: Shape) -> str:
-    """A shape as engineers write it, such as Ø 10 × 40 mm."""
+    """Format the dimensions of a shape, such as Ø 10 × 40 mm."""
     lower, upper = shape.bounds
     edges = [f"{1e3 * edge:.4g}" for edge in upper - lower]
     if isinstance(shape, Cylinder):

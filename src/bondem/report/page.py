@@ -1,20 +1,24 @@
-"""The report: one HTML page that holds everything it shows, and the figures beside it as PNG files."""
+"""Report of a study: one self-contained HTML page, and its figures as PNG files."""
 
 import base64
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import date
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+from PIL import Image
 
 from bondem.errors import InputError
 from bondem.io.atomic import write_text
+from bondem.io.commit import commit
 from bondem.laws.catalogue import named
 from bondem.report.breakage_figures import draw_energies, draw_pieces
+from bondem.report.captions import CAPTIONS, OF_CELLS
 from bondem.report.cell_figures import draw_bent, draw_body
 from bondem.report.criterion_told import told
 from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
@@ -26,71 +30,44 @@ from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_free_parameter, draw_profiles, draw_tension
 from bondem.report.strength_figures import DRAWN, draw_broken, draw_curves
+from bondem.report.style import narrow
 from bondem.report.summary_figures import draw_errors
 from bondem.report.turning import turning_of
+from bondem.report.turning_cells import turning_cells_of
 from bondem.specimen.layering import wall_layering
 from bondem.specimen.radial_distribution import radial_distribution
 
-#: Of the figures, by name.
-CAPTIONS = {
-    "specimen": "The specimen: its elements, coloured by radius, on one half; its bonds alone on the other.",
-    "geode": """Directions of the bonds, counted on the 320 faces of a geode and divided by what an isotropic fabric
-        would have there. Inside, a good packing shows noise and no pattern; next to the walls elements line up.""",
-    "contacts": """Left: bonds of an element, with their mean, the coordination number z. Right: radii of the
-        elements.""",
-    "layering": """Solid fraction against the distance from each wall. Walls order spheres into layers, which die out
-        within some two diameters; what lies beyond is the same as deep inside.""",
-    "distribution": """How often centres lie at a distance from each other, over what chance would do: spheres in
-        touch at one diameter, a second shell (in two parts where all are of one size), and ever less order further
-        out. Sharp peaks there would be a crystal.""",
-    "calibration": """Calibration: Poisson's ratio depends on one parameter of the bonds, and the modulus is
-        proportional to that of the bonds; so one root and one division do.""",
-    "tension": """Tension of the free specimen. Left: stress over strain along and across the pull, every packing.
-        Right: displacement of every element of the first; E and ν are read from the affine field (line) that fits
-        the middle half best.""",
-    "profiles": """Motion of the cross-sections of the clamped specimen under an axial force, a transverse force and
-        a torque, against Euler–Bernoulli theory.""",
-    "cells": """The body under a transverse force: its cells as polyhedra, which move as rigid pieces, and a section
-        along the axis, coloured by the mean axial stress of each cell.""",
-    "modes": "First natural modes of the clamped specimen, exaggerated; bright elements move farthest.",
-    "vibration": """Free vibration after release from a combined load: mean motion of the free end, and its spectrum
-        with the frequency of the mode and those of theory.""",
-    "wave": """Impact: one face is pushed at a held velocity; the wave has arrived when the far face, free and so
-        twice as fast, passes half of its plateau.""",
-    "strength": """Tests to failure: stress over strain as each test has them (below), every packing, and the strength
-        that was put in, where that has a closed form.""",
-    "broken": """The first specimen as it broke, its motion exaggerated: cells as polyhedra, coloured by the damage of
-        their facets, or by their plastic slip.""",
-    "pieces": """Cracks are facets that have lost half of their strength or more. Left: what the others join, each
-        piece in a colour of its own, its motion exaggerated; those of less than ten cells in orange. Right: surfaces
-        of cracks, coloured by their opening.""",
-    "cut_open": """Sections of the first specimen: aggregates in grey, matrix in sand. Red: facets that have cracked,
-        the wider the more of their strength is lost.""",
-    "energies": """Energies of the first specimen as its curve goes: what the work of the load (dashed) has turned
-        into.""",
-    "errors": "All tests at a glance: means over the packings with their scatter.",
-}
-
-
-# Where these say something else of a body of cells.
-_OF_CELLS = {
-    "specimen": "The specimen: its cells, coloured by size; one half is cut open along the axis.",
-    "geode": """Directions of the lines between neighbouring cells, counted on the 320 faces of a geode and divided by
-        what an isotropic fabric would have there.""",
-    "contacts": """Left: facets of a cell with its neighbours, with their mean. Right: radii of the spheres that
-        cells were cut from.""",
-    "layering": "Solid fraction of the spheres the cells were cut from, against the distance from each wall.",
-    "distribution": """How often centres of the spheres the cells were cut from lie at a distance from each other,
-        over what chance would do.""",
-}
+#: Folder of the figures for phones within that of the figures.
+PHONE = "phone"
 
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure as the page embeds it: its caption and its PNG as base64."""
+    """Figure of the page.
+
+    Attributes:
+        caption: text below the figure.
+        data: picture as base64, in WebP, which needs a fifth of the size of a PNG.
+        narrow: picture for phones as base64, or "".
+    """
 
     caption: str
     data: str
+    narrow: str = ""
+
+    @classmethod
+    def of(cls, file: Path, caption: str) -> "Picture":
+        """A PNG of a folder of figures, with that for phones where there is one."""
+        slim = file.parent / PHONE / file.name
+        return cls(" ".join(caption.split()), *(_embedded(one) if one.exists() else "" for one in (file, slim)))
+
+
+def _embedded(file: Path) -> str:
+    """A picture as base64 of WebP."""
+    stream = BytesIO()
+    with Image.open(file) as picture:
+        picture.convert("RGB").save(stream, "WEBP", quality=90)
+    return base64.b64encode(stream.getvalue()).decode("ascii")
 
 
 def write_report(
@@ -100,35 +77,36 @@ def write_report(
     figures: bool = True,
     progress: Callable[[float], None] | None = None,
 ) -> None:
-    """Write `report.html` and, where wanted, `figures/*.png` into a folder.
+    """Write `report.html` and, optionally, `figures/*.png` into a folder.
 
     Args:
-        findings: what to report.
-        out: an existing folder.
-        figures: whether to draw.
-        progress: told the share done, 0 … 1.
+        findings: results to report.
+        out: existing folder.
+        figures: True to draw figures.
+        progress: callback, called with the completed share [-], 0 … 1.
     """
     drawings = drawings_of(findings) if figures else {}
     pictures: dict[str, Picture] = {}
     if drawings:
-        (out / "figures").mkdir(exist_ok=True)
+        (out / "figures" / PHONE).mkdir(parents=True, exist_ok=True)
     for done, (name, draw) in enumerate(drawings.items()):
         if progress is not None:
             progress(done / len(drawings))
         path = out / "figures" / f"{name}.png"
         draw(path)
-        caption = _OF_CELLS.get(name, CAPTIONS[name]) if findings.specimens[0].lattice.cells else CAPTIONS[name]
+        with narrow():
+            draw(path.parent / PHONE / path.name)
+        caption = OF_CELLS.get(name, CAPTIONS[name]) if findings.specimens[0].lattice.cells else CAPTIONS[name]
         if name == "errors" and findings.published:
-            caption += " Ticks: what is in print (unsigned)."
-        data = base64.b64encode(path.read_bytes()).decode("ascii")
-        pictures[name] = Picture(" ".join(caption.split()), data)
+            caption += " Ticks: published errors (unsigned)."
+        pictures[name] = Picture.of(path, caption)
     write_text(out / "report.html", page(findings, pictures))
     if progress is not None:
         progress(1.0)
 
 
 def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
-    """What draws each figure a study has the data for; the first packing stands for all."""
+    """Functions that draw the figures for which a study has data; the first packing represents all."""
     first = findings.specimens[0]
     drawings: dict[str, Callable[[Path], None]] = {
         "specimen": lambda path: (draw_specimen if first.lattice.cells is None else draw_body)(path, first.lattice),
@@ -168,7 +146,7 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
 
 
 def templates() -> Environment:
-    """Where pages are made from; a name that is not there raises."""
+    """Template environment of the pages, in which undefined names raise errors."""
     return Environment(
         loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
@@ -176,7 +154,7 @@ def templates() -> Environment:
 
 
 def page(findings: Findings, pictures: dict[str, Picture]) -> str:
-    """The HTML of the report."""
+    """HTML text of the report."""
     environment = templates()
     environment.filters |= {
         "quantity": with_unit,
@@ -185,30 +163,56 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         "difference": signed,
     }
     rows = rows_of(findings)
+    solid = bool(pictures) and findings.specimens[0].lattice.cells is not None
     law = findings.bonds.law if findings.bonds is not None else None
     return environment.get_template("report.html").render(
         findings=findings,
         results=findings.results,
         pictures=pictures,
-        turning=turning_of(findings.specimens[0]) if pictures else None,
-        rows=rows,
+        turning=turning_of(findings.specimens[0]) if pictures and not solid else None,
+        cells=turning_cells_of(findings.specimens[0]) if solid else None,
+        contents=_contents(findings, rows, pictures),
+        rows=[row for row in rows if not row["failing"]],
+        broken=[row for row in rows if row["failing"]],
         bonds=named(type(law).__name__) if law is not None else None,
         free=findings.fit.law.free if findings.fit is not None else None,
-        worst=max((row for row in rows if row["error"] is not None), key=lambda row: abs(row["error"]), default=None),
+        worst=max(
+            (row for row in rows if row["error"] is not None and not row["failing"]),
+            key=lambda row: abs(row["error"]), default=None,
+        ),
         quality=quality_rows(findings.specimens),
         shape=measures(findings.specimens[0].lattice.particles.envelope),
         failures=[(part, type(one).__name__, told(one)) for part, one in findings.failures.items()],
+        commit=commit(),
         today=date.today().isoformat(),
     )
 
 
+def _contents(
+    findings: Findings, rows: Sequence[Mapping[str, Any]], pictures: Mapping[str, Picture]
+) -> list[tuple[str, str]]:
+    """Anchors and titles of the sections that the page has."""
+    macro = findings.results["macro"]
+    known = (
+        ("failure", "Tests to failure", any(row["failing"] for row in rows)),
+        ("theory", "Tests against theory", any(not row["failing"] for row in rows)),
+        ("elasticity", "Calibration" if findings.fit else "Elasticity, measured", macro and macro["E"] is not None),
+        ("static", "Static tests", "profiles" in pictures), ("vibration", "Vibration", "modes" in pictures),
+        ("impact", "Impact", "wave" in pictures), ("packing", "Quality of the packing", True),
+        ("study", "Study file", findings.source is not None),
+    )  # fmt: skip
+    return [(anchor, title) for anchor, title, there in known if there]
+
+
 def rows_of(findings: Findings) -> list[dict[str, Any]]:
-    """Rows of the table of tests: the aggregate, the other theories and the published error."""
+    """Rows of the table of tests: the mean, the other theories and the published error."""
     rows = []
     for name, row in findings.results["tests"].items():
         outcomes = [one.outcomes[name] for one in findings.specimens]
         rows.append({
-            "name": name.replace("_", " "),
+            "name": DRAWN[name].title if name in DRAWN else name.replace("_", " "),
+            "key": name,
+            "failing": name in DRAWN,
             **row,
             "error_timoshenko": _mean([one.error_timoshenko for one in outcomes]),
             "error_refined": _mean([one.error_refined for one in outcomes]),

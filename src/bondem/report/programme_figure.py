@@ -1,4 +1,4 @@
-"""All strengths of a test programme at a glance: what was measured over what was wanted."""
+"""Figure of all strengths of a test programme: measured values over targets."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -6,15 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from bondem.report.style import BLUE, INK, ORANGE, sheet
+from bondem.report.style import BLUE, INK, ORANGE, legend_columns, sheet
 
 
 def draw_targets(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
-    """How far each test is off its target and off the closed form of the criterion [%].
+    """Draw the deviation of each test from its target and from the closed form of the criterion [%].
 
     Args:
         path: PNG to write.
-        rows: of the table of the programme, at least one with "off_target" or "off_theory".
+        rows: rows of the programme's table, at least one with "off_target" or "off_theory".
     """
     shown = [row for row in rows if row["off_target"] is not None or row["off_theory"] is not None]
     place = np.arange(len(shown))[::-1]
@@ -36,4 +36,4 @@ def draw_targets(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
                xlabel="measured over target or closed form, less one  [%]")  # fmt: skip
         ax.set_yticklabels([f"{row['specimen']}: {row['label']}" for row in shown])
         ax.grid(axis="y", visible=False)
-        figure.legend(loc="outside lower center", ncols=2)
+        figure.legend(loc="outside lower center", ncols=legend_columns(2))

@@ -1,6 +1,5 @@
-"""The report of a test programme: one HTML page over the reports of its specimens."""
+"""Report of a test programme: one HTML page that links the reports of its specimens."""
 
-import base64
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
@@ -8,30 +7,33 @@ from pathlib import Path
 from typing import Any
 
 from bondem.io.atomic import write_text
+from bondem.io.commit import commit
 from bondem.laws.failure.criterion import Criterion
+from bondem.report.captions import CAPTIONS
 from bondem.report.criterion_told import told
 from bondem.report.numbers import percent, signed_percent, with_unit
-from bondem.report.page import CAPTIONS, Picture, templates
+from bondem.report.page import PHONE, Picture, templates
 from bondem.report.programme_figure import draw_targets
+from bondem.report.style import narrow
 from bondem.specimen.material import Material
 
 #: Figures of a specimen's own report that this one shows, in order.
 SHOWN = ("strength", "broken", "pieces", "cut_open", "energies")
-_TARGETS = """How far each test is off its target, and off what the strengths put in imply, where that has a closed
-    form."""
+_TARGETS = """How far each test is off its target [%], and off what the strengths put in imply [%], where that has a
+    closed form."""
 _BARS = " Bars: standard deviation over the packings."
 
 
 @dataclass(frozen=True)
 class Chapter:
-    """What the report shows of one specimen.
+    """Section of the report on one specimen.
 
     Attributes:
-        name: of the specimen.
-        folder: of its results, beside the report.
-        shape: as engineers write it.
-        results: its `results.json`.
-        labels: of its tests, by name.
+        name: name of the specimen.
+        folder: folder of its results, beside the report.
+        shape: readable dimensions.
+        results: contents of its `results.json`.
+        labels: labels of its tests, by name.
     """
 
     name: str
@@ -50,24 +52,28 @@ def write_programme(
     out: Path,
     *,
     figures: bool,
+    source: tuple[str, str] | None = None,
 ) -> None:
-    """Write `report.html` and, where wanted, `figures/targets.png`.
+    """Write `report.html` and, optionally, `figures/targets.png`.
 
     Args:
-        title: of the programme.
-        material: of all specimens.
-        failures: how they fail, by the part of them that does.
-        rows: of the table, measured against target.
-        chapters: what the specimens left, in folders within `out`.
-        out: an existing folder.
-        figures: whether to draw, and to show what the specimens drew.
+        title: title of the programme.
+        material: material of all specimens.
+        failures: failure criteria by part of the material.
+        rows: rows of the table, measured values beside targets.
+        chapters: sections of the specimens, in folders within `out`.
+        out: existing folder.
+        figures: True to draw, and to show the figures of the specimens.
+        source: name and text of the study file, or None.
     """
     summary = None
     if figures and any(row["off_target"] is not None or row["off_theory"] is not None for row in rows):
-        (out / "figures").mkdir(exist_ok=True)
+        (out / "figures" / PHONE).mkdir(parents=True, exist_ok=True)
         draw_targets(out / "figures" / "targets.png", rows)
+        with narrow():
+            draw_targets(out / "figures" / PHONE / "targets.png", rows)
         scattered = any(row["scatter"] for row in rows)
-        summary = _picture(out / "figures" / "targets.png", _TARGETS + (_BARS if scattered else ""))
+        summary = Picture.of(out / "figures" / "targets.png", _TARGETS + (_BARS if scattered else ""))
     pictures = {one.name: _pictures(out / one.folder) if figures else [] for one in chapters}
     environment = templates()
     environment.filters |= {"quantity": with_unit, "percent": percent, "signed": signed_percent}
@@ -80,6 +86,8 @@ def write_programme(
         summary=summary,
         pictures=pictures,
         seconds=sum(sum(one.results["timing"].values()) for one in chapters),
+        source=source,
+        commit=commit(),
         today=date.today().isoformat(),
     )
     write_text(out / "report.html", page)
@@ -89,8 +97,5 @@ def _pictures(folder: Path) -> list[Picture]:
     files = [(name, folder / "figures" / f"{name}.png") for name in ("specimen", *SHOWN)]
     drawn = [(name, file) for name, file in files if file.exists()]
     broken = any(name in SHOWN for name, _ in drawn)
-    return [_picture(file, CAPTIONS[name]) for name, file in drawn if not broken or name != "specimen"]
+    return [Picture.of(file, CAPTIONS[name]) for name, file in drawn if not broken or name != "specimen"]
 
-
-def _picture(file: Path, caption: str) -> Picture:
-    return Picture(" ".join(caption.split()), base64.b64encode(file.read_bytes()).decode("ascii"))

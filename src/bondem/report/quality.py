@@ -1,4 +1,4 @@
-"""The table of the report that says how good the packings are, for readers new to these measures."""
+"""Table of the report on the quality of packings, with explanations of the measures."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -14,14 +14,14 @@ from bondem.specimen.fabric import LIMITS
 
 @dataclass(frozen=True)
 class QualityRow:
-    """One measure.
+    """Row of a measure.
 
     Attributes:
-        name: what it is called.
+        name: name of the measure.
         first: value of the first packing.
-        range: least and largest of all packings, "" where there is one only.
-        limit: of the verdict, or "".
-        meaning: what it says, in a sentence.
+        range: smallest and largest value of all packings, "" for a single packing.
+        limit: limit of the verdict, or "".
+        meaning: explanation in one sentence.
     """
 
     name: str
@@ -32,7 +32,7 @@ class QualityRow:
 
 
 def quality_rows(specimens: Sequence[Examined]) -> list[QualityRow]:
-    """The measures of all packings, the first of which is shown by itself."""
+    """Rows of the measures of all packings, with the first packing shown separately."""
     return [
         _row(specimens, name, measure, write, LIMITS.get(limit), meaning)
         for name, measure, write, limit, meaning in _MEASURES
@@ -78,44 +78,44 @@ def _three(value: float) -> str:
 
 _MEASURES: tuple[tuple[str, Callable[[Examined], float], Callable[[float], str], str, str], ...] = (
     ("volume fraction φ", lambda one: one.quality.volume_fraction, _four, "",
-     "Volume of the elements over that of the shape; what overlaps counts twice. Random spheres jam near 0.64."),
+     "Volume of the elements over that of the shape; overlaps count twice. Random spheres jam near 0.64."),
     ("φ of the core", lambda one: one.quality.core_volume_fraction, _four, "",
-     "The same, three mean radii or more from every wall: walls leave gaps, so this is what the material has."),
+     "Volume fraction at least three mean radii from every wall, without the gaps at walls: that of the material."),
     ("coordination number z", lambda one: one.quality.coordination_number, _four, "",
-     "Bonds of an element, the mean over all."),
+     "Mean number of bonds per element."),
     ("z of the backbone", lambda one: one.quality.backbone_coordination_number, _four, "",
-     "The mean over the elements that are held in place, of the bonds between them: 6 at jamming, fewer where walls"
-     " do part of the holding, more beyond."),
+     "Mean number of bonds between elements that are held in place: 6 at jamming, fewer near supporting walls,"
+     " more beyond jamming."),
     ("loose elements", lambda one: one.quality.loose / _elements(one), percent, "",
-     "Held by fewer than four others and walls, so free to move: rattlers in the sense of jamming. Bonded, they take"
-     " part all the same."),
+     "Elements held by fewer than four others and walls, so free to move: rattlers in the sense of jamming. Bonded,"
+     " they transmit load nevertheless."),
     ("elements not connected", lambda one: one.quality.rattlers / _elements(one), percent, "rattlers",
-     "In no bond with the specimen, or in a small piece beside it: left out of every test."),
+     "Elements without a bond to the specimen, or in a small separate piece: excluded from every test."),
     ("largest overlap / R̄", lambda one: one.quality.largest_overlap, percent, "",
-     "The deepest pair. Coordination beyond that of jamming is bought with overlap."),
+     "Largest overlap of a pair. A coordination beyond that of jamming requires overlap."),
     ("fineness", lambda one: one.quality.fineness, _three, "",
-     "Mean diameters in the edge of a cube with the volume of the shape: how much larger the specimen is than its"
+     "Edge of a cube with the volume of the shape, in mean diameters: the size of the specimen relative to its"
      " elements."),
     ("smallest extent", lambda one: one.quality.smallest_extent, _three, "",
-     "Of the shape along x, y or z, in mean diameters; below ten or so, walls rule all of it."),
+     "Smallest extent of the shape along x, y or z, in mean diameters; below about ten, walls dominate."),
     ("isotropy error e, eq (11)", lambda one: one.quality.isotropy_error, _three, "",
-     "Mean square difference of the shares of bond directions on 320 faces from 1/320: the measure in print; small"
+     "Mean square difference of the shares of bond directions on 320 faces from 1/320: the published measure; small"
      " for any packing."),
     ("anisotropy beyond chance", lambda one: one.quality.rms_excess, percent, "",
-     "How much the number of bonds differs from direction to direction, rms. Walls line up the bonds next to them."),
-    ("the same in the core", lambda one: one.quality.core_rms_excess, percent, "rms_excess",
-     "Two mean radii or more from every wall: that of the material. A crystal has some hundred per cent."),
+     "Variation of the number of bonds with direction, rms. Walls align the bonds next to them."),
+    ("anisotropy of the core", lambda one: one.quality.core_rms_excess, percent, "rms_excess",
+     "Anisotropy two mean radii or more from every wall: that of the material. A crystal has several hundred %."),
     ("preferred direction", lambda one: one.quality.core_stretch, percent, "stretch",
      "Largest difference of an eigenvalue of the fabric tensor of the core from 1/3, over 1/3."),
     ("strata of density", lambda one: _worst(one.quality.strata.density), percent, "density",
      "Difference between slices of the core, rms beyond chance, along the worst of x, y, z. Gravity leaves strata."),
     ("strata of coordination", lambda one: _worst(one.quality.strata.coordination), percent, "coordination",
-     "The same of the bonds of an element."),
+     "Difference of the bonds per element between slices of the core, rms beyond chance, along the worst axis."),
     ("strata of size", lambda one: _worst(one.quality.strata.size), percent, "size",
-     "The same of the mean radius, over the standard deviation of the radii: whether large and small have parted."),
+     "Difference of the mean radius between slices, over the standard deviation of radii: segregation by size."),
     ("change of density", lambda one: _worst(one.quality.strata.density_gradient), signed_percent, "",
-     "From end to end of the core by a straight line, along the worst axis."),
+     "Change of density from end to end of the core by a linear fit, along the worst axis."),
     ("layers", lambda one: _worst(one.quality.strata.layers), percent, "layers",
-     "Amplitude of the density of centres as a wave about a diameter long: 0 in a random packing, up to 200 % in"
+     "Amplitude of the density of centres as a wave of about one diameter: 0 in a random packing, up to 200 % in"
      " plane layers."),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The specimen itself: elements and bonds in three dimensions."""
+"""Figures of the specimen: elements and bonds in three dimensions."""
 
 import math
 from pathlib import Path
@@ -20,11 +20,11 @@ _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 
 
 def draw_specimen(path: Path, lattice: Lattice) -> None:
-    """Elements coloured by radius on one half, the bonds alone on the other.
+    """Draw elements coloured by radius on one half, and the bonds alone on the other.
 
     Args:
         path: PNG to write.
-        lattice: what to draw.
+        lattice: the specimen.
     """
     particles = lattice.particles
     x = particles.position[:, 0]
@@ -54,7 +54,7 @@ def draw_specimen(path: Path, lattice: Lattice) -> None:
 
 
 def draw_contacts(path: Path, lattice: Lattice) -> None:
-    """How many bonds elements have, and how large elements are."""
+    """Draw the distributions of the number of bonds per element and of the size of elements."""
     particles = lattice.particles
     bonds = np.bincount(lattice.pairs.ravel(), minlength=len(particles))
     share = np.bincount(bonds) / len(bonds)
@@ -72,7 +72,7 @@ def draw_contacts(path: Path, lattice: Lattice) -> None:
 
 
 def draw_geode(path: Path, quality: Fabric) -> None:
-    """Bond directions on the faces of the geode, seen from the side and along the axis, and their histogram."""
+    """Draw bond directions on the faces of the geode, from the side and along the axis, and their histogram."""
     sphere = geode()
     density = quality.face_density
     spread = max(0.05, float(np.abs(density - 1.0).max()))
@@ -114,7 +114,7 @@ def draw_geode(path: Path, quality: Fabric) -> None:
 
 
 def _draw_axes(ax: Axes, view: View) -> None:
-    """Names where the coordinate axes come out towards the viewer or in the plane."""
+    """Write the names of the coordinate axes at their ends."""
     for name, direction in zip("xyz", np.eye(3), strict=True):
         right, up, toward = view.axes @ direction
         if toward > -0.5 and math.hypot(right, up) > 0.2:

@@ -1,7 +1,7 @@
-"""Spheres and tubes drawn in parallel projection, with soft shadows where they lie close together.
+"""Spheres and tubes in parallel projection, with soft shadows between close neighbours.
 
-A sphere in parallel projection is a disc of known depth, so a depth buffer in NumPy draws ten thousand of
-them in a second: no graphics driver, no window system, the same picture everywhere.
+A sphere in parallel projection is a disc of known depth. A depth buffer in NumPy therefore draws ten thousand spheres
+in a second, without a graphics driver or window system, and equally on every machine.
 """
 
 import math
@@ -20,11 +20,11 @@ _BATCH = 4_000_000
 
 @dataclass(frozen=True)
 class View:
-    """Where one looks from.
+    """Direction of view.
 
     Attributes:
-        azimuth: turn of the camera about z, from looking along +y [rad].
-        elevation: of the camera above the horizon [rad].
+        azimuth: rotation of the camera about z, from a view along +y [rad].
+        elevation: elevation of the camera above the horizon [rad].
     """
 
     azimuth: float = 0.35
@@ -32,7 +32,7 @@ class View:
 
     @property
     def axes(self) -> Floats:
-        """Rows: right, up and towards the viewer, (3, 3)."""
+        """Axes of the view as rows: right, up and towards the viewer, (3, 3)."""
         s, c = math.sin(self.azimuth), math.cos(self.azimuth)
         toward = np.array([math.cos(self.elevation) * s, -math.cos(self.elevation) * c, math.sin(self.elevation)])
         right = np.array([c, s, 0.0])
@@ -40,14 +40,14 @@ class View:
 
 
 def render(position: Floats, radius: Floats, colour: Floats, *, view: View, width: int) -> Floats:
-    """Draw spheres.
+    """Draw spheres into an array of pixels.
 
     Args:
         position: centres, (n, 3).
-        radius: (n,).
+        radius: radii, (n,).
         colour: red, green, blue in 0 … 1, (n, 3).
-        view: where one looks from.
-        width: of the picture [pixel].
+        view: direction of view.
+        width: width of the picture [pixels].
 
     Returns:
         Red, green, blue and opacity in 0 … 1, (height, width, 4).
@@ -76,7 +76,7 @@ def render(position: Floats, radius: Floats, colour: Floats, *, view: View, widt
 
 
 def tubes(start: Floats, end: Floats, radius: float) -> tuple[Floats, Ints]:
-    """Segments (k, 3) to (k, 3) as rows of overlapping spheres: their centres and the segment of each."""
+    """Represent segments (k, 3) to (k, 3) as rows of overlapping spheres; return centres and segment numbers."""
     count = np.maximum(2, np.ceil(np.linalg.norm(end - start, axis=1) / (0.7 * radius))).astype(int)
     segment = np.repeat(np.arange(len(start)), count)
     step = np.arange(len(segment)) - np.repeat(np.cumsum(count) - count, count)
@@ -87,7 +87,7 @@ def tubes(start: Floats, end: Floats, radius: float) -> tuple[Floats, Ints]:
 def _covered(
     centre: Floats, size: Floats, columns: int, rows: int
 ) -> Iterator[tuple[Ints, Ints, Floats]]:
-    """Batches of (sphere, pixel, depth there) over all pixels that spheres cover."""
+    """Batches of (sphere, pixel, depth) over all pixels covered by spheres."""
     order = np.argsort(size, kind="stable")
     first = 0
     while first < len(order):
@@ -132,7 +132,7 @@ def _shaded(depth: Floats, owner: Ints, centre: Floats, size: Floats, colour: Fl
 
 
 def _blurred(field: Floats, reach: float) -> Floats:
-    """Gaussian blur over `reach` pixels, of block means where they are fine enough."""
+    """Gaussian blur over `reach` pixels, on block means if they are fine enough."""
     block = max(1, int(0.25 * reach))
     rows, columns = field.shape
     padded = np.pad(field, ((0, -rows % block), (0, -columns % block)))

@@ -1,4 +1,4 @@
-"""Calibration curve, strain field in tension, and deflected shapes."""
+"""Figures of the calibration curve, the strain field in tension and deflected shapes."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 
 
 def draw_free_parameter(path: Path, findings: Findings) -> None:
-    """ν and E / E_μ over the free parameter of the law, with the trials and the chosen point."""
+    """Draw ν and E / E_μ over the free parameter of the law, with the evaluations and the result."""
     fit, material = findings.fit, findings.material
     assert fit is not None
     assert material is not None
@@ -40,7 +40,7 @@ def draw_free_parameter(path: Path, findings: Findings) -> None:
 
 
 def draw_tension(path: Path, findings: Findings) -> None:
-    """Stress over strain of every packing, and displacements of the first with the field E and ν are read from."""
+    """Draw stress over strain of every packing, and the displacements of the first one with the fitted field."""
     with sheet(path, 8.2, 3.0, 1, 3, width_ratios=(1.15, 1.2, 1)) as (_, (left, middle, right)):
         _draw_stress_strain(left, findings)
         _draw_displacement(middle, findings.specimens[0], "x")
@@ -90,7 +90,7 @@ def _draw_displacement(ax: Axes, specimen: Examined, name: str) -> None:
 
 
 def draw_profiles(path: Path, specimen: Examined) -> None:
-    """Motion of the cross-sections along the bar in the three static tests, over that of the end in theory."""
+    """Draw the motion of the cross-sections in the three static tests over the theoretical motion of the end."""
     wanted = (
         ("static_tension", "tension", "elongation", BLUE, lambda s: s),
         ("static_bending", "bending", "deflection", GREEN, lambda s: 0.5 * s**2 * (3.0 - s)),

@@ -1,4 +1,4 @@
-"""Tests to failure: curves of all packings, and the first specimen as it broke."""
+"""Figures of tests to failure: curves of all packings, and the first broken specimen."""
 
 import math
 from collections.abc import Mapping
@@ -17,12 +17,14 @@ from bondem.observe.turned_vectors import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.findings import Examined, Findings
 from bondem.report.spheres import View
-from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, sheet
+from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, sheet
 from bondem.specimen.cells.polyhedra import polyhedra
 from bondem.specimen.lattice import Lattice
 
 _ASIDE = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 _ALONG = View(azimuth=math.radians(62.0), elevation=math.radians(14.0))
+#: Facets that have at most this integrity left are cracks, and join no pieces [-].
+CRACKED = 0.5
 # Largest opening drawn, over the length of the specimen.
 _EXAGGERATED = 0.08
 # Figures in a row.
@@ -31,14 +33,14 @@ _COLUMNS = 3
 
 @dataclass(frozen=True)
 class Drawn:
-    """How a test to failure is drawn.
+    """Style of the figures of a test to failure.
 
     Attributes:
-        title: of its panels.
-        strain, stress: what its curve is of.
-        view: where one looks from.
-        slips: whether cells are coloured by their slip, where there is any.
-        halved: whether the half that is nearer is left out.
+        title: title of its panels.
+        strain, stress: quantities of its curve.
+        view: direction of view.
+        slips: True to colour cells by their slip, if there is any.
+        halved: True to leave out the nearer half.
         across, up: factor and unit of both axes.
     """
 
@@ -74,7 +76,7 @@ DRAWN: Mapping[str, Drawn] = {
 
 
 def draw_curves(path: Path, findings: Findings) -> None:
-    """Stress over strain of every packing, with the strength that was put in."""
+    """Draw stress over strain of every packing, with the strength of the material."""
     names = broken_in(findings.specimens[0])
     rows, columns = arranged(len(names))
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (_, axes):
@@ -87,14 +89,14 @@ def draw_curves(path: Path, findings: Findings) -> None:
                         linewidth=1.2, label="each packing" if n == 0 else None)  # fmt: skip
             theory = findings.specimens[0].outcomes[name].theory
             if math.isfinite(theory) and name != "spall":
-                ax.axhline(up * theory, color=ORANGE, linestyle=(0, (4, 3)), label="put in")
+                ax.axhline(up * theory, color=ORANGE, linestyle=(0, (4, 3)), label="strength of the material")
             ax.set(xlabel=f"{told.strain} [{along}]", ylabel=f"{told.stress} [{of}]", title=told.title)
             ax.set_ylim(bottom=0.0)
             ax.legend(loc="best")
 
 
 def draw_broken(path: Path, specimen: Examined) -> None:
-    """The broken specimen, its motion exaggerated: cells by what their facets have lost, or by their slip."""
+    """Draw the broken specimen with exaggerated motion, its cells coloured by damage or slip."""
     names = broken_in(specimen)
     rows, columns = arranged(len(names))
     with sheet(path, 4.1 * columns, 3.6 * rows, rows, columns, squeeze=False) as (figure, axes):
@@ -106,22 +108,21 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     """Draw one broken specimen.
 
     Args:
-        figure: for the bar of colours.
-        ax: where to.
-        body: the cells.
-        curves: "displacement" [m], "orientation", "damage" and "slip" of the cells, and "piece" where they part.
-        told: how.
+        figure: figure for the colour bar.
+        ax: axes to draw on.
+        body: lattice of cells.
+        curves: arrays "displacement" [m], "orientation", "damage" and "slip" of the cells, and "piece" for fragments.
+        told: style of the figure.
     """
     solid = polyhedra(body)
     owner = np.repeat(solid.cell, np.diff(solid.start))
     slipped = told.slips and float(curves["slip"].max()) > 0.0
     value = 100.0 * curves["slip"] if slipped else curves["damage"]
-    norm = Normalize(0.0, float(np.quantile(value, 0.995)) or 1.0)
+    norm = Normalize(0.0, (float(value.max()) or 1.0) if slipped else 1.0)
     arm = solid.vertex - body.centre[owner]
     moved = curves["displacement"][owner] + turned_vectors(curves["orientation"][owner], arm) - arm
     moved -= moved.mean(axis=0)
-    size = np.ptp(body.centre, axis=0).max()
-    reach = max(1.0, _EXAGGERATED * float(size) / float(np.ptp(moved, axis=0).max()))
+    reach = reach_of(body, moved)
     colour = np.asarray(colormaps[SEQUENTIAL](norm(value)))[:, :3]
     shown = None
     if told.halved:
@@ -136,18 +137,31 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
 
 
+def reach_of(body: Lattice, moved: Floats) -> float:
+    """Magnification of motion in pictures, at least 1 [-].
+
+    Args:
+        body: the specimen.
+        moved: displacements [m], (k, 3).
+    """
+    size, most = float(np.ptp(body.centre, axis=0).max()), float(np.ptp(moved, axis=0).max())
+    return max(1.0, _EXAGGERATED * size / most) if most > 0.0 else 1.0
+
+
 def broken_in(specimen: Examined) -> list[str]:
-    """The tests to failure of a specimen, in the order of figures."""
+    """Tests to failure of a specimen, in the order of figures."""
     return [name for name in DRAWN if name in specimen.outcomes]
 
 
 def arranged(count: int) -> tuple[int, int]:
-    """Rows and columns."""
+    """Numbers of rows and columns for a number of panels; one column on phones."""
+    if for_phones():
+        return count, 1
     return math.ceil(count / _COLUMNS), min(count, _COLUMNS)
 
 
 def panels(axes: np.ndarray, count: int) -> list[Axes]:
-    """As many as there are tests; the others are left empty."""
+    """Iterate over as many axes as there are tests; the others stay empty."""
     every = axes.ravel().tolist()
     for ax in every[count:]:
         ax.axis("off")

@@ -1,7 +1,8 @@
-"""One look for every figure: colours that colour-blind readers can tell apart, units on every axis."""
+"""Common style of all figures: colours for colour-blind readers and units on every axis."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,8 @@ SEQUENTIAL = "cividis"
 # Of the laws in the order of the catalogue, from the start again where there are more.
 _LAW_COLOURS = (BLUE, PURPLE, ORANGE, GREEN, GREY, INK)
 
-_SETTINGS: Any = {
+#: Settings of matplotlib in which every figure is drawn.
+SETTINGS: Any = {
     "font.family": "DejaVu Sans",
     "font.size": 9.5,
     "axes.titlesize": 10.5,
@@ -55,27 +57,71 @@ _SETTINGS: Any = {
     "savefig.facecolor": "white",
     "mathtext.fontset": "dejavusans",
 }
-_DOTS_PER_INCH = 160
+_DOTS_PER_INCH = 220
+# Width of a figure for a phone, and the least height of its panels [inch].
+_NARROW, _LOW = 4.2, 3.4
+_for_phones: ContextVar[bool] = ContextVar("for_phones", default=False)
 
 
 def law_colour(law: str) -> str:
-    """The colour of a bond law in every figure, by the name of its class."""
+    """Colour of a bond law in all figures, by the name of its class."""
     return _LAW_COLOURS[list(LAWS).index(law) % len(_LAW_COLOURS)]
+
+
+@contextmanager
+def narrow() -> Iterator[None]:
+    """Draw the figures of this block for phones: their panels below each other."""
+    token = _for_phones.set(True)
+    try:
+        yield
+    finally:
+        _for_phones.reset(token)
+
+
+def for_phones() -> bool:
+    """Return True while figures are drawn for phones."""
+    return _for_phones.get()
+
+
+def legend_columns(wide: int, phone: int = 1) -> int:
+    """Columns of a legend below a figure."""
+    return phone if for_phones() else wide
 
 
 @contextmanager
 def sheet(
     path: Path, width: float, height: float, rows: int = 1, columns: int = 1, **options: Any
 ) -> Iterator[tuple[Figure, Any]]:
-    """A figure in the common style and its axes, saved to `path` after the block; no global state.
+    """Create a figure in the common style and save it to `path` at the end of the block, without global state.
+
+    Within `narrow()` it is 4.2 inches wide, its panels are in one column, and the axes have the same shape.
 
     Args:
         path: PNG to write.
-        width, height: [inch].
-        rows, columns: of the grid of axes; with 0 columns the figure starts without any.
-        options: for `Figure.subplots`.
+        width, height: size of the figure [inch].
+        rows, columns: shape of the grid of axes; a figure with 0 columns has no axes at first.
+        options: options of `Figure.subplots`.
     """
-    with rc_context(_SETTINGS):
+    with rc_context(SETTINGS):
+        slim = _for_phones.get() and width > _NARROW
+        if slim:
+            low = min(height / rows, _LOW) if columns else 0.0
+            least = max(height / rows * _NARROW * max(columns, 1) / width, low)
+            width, height = _NARROW, least * rows * max(columns, 1)
         figure = Figure(figsize=(width, height), dpi=_DOTS_PER_INCH, layout="constrained")
-        yield figure, figure.subplots(rows, columns, **options) if columns else None
+        axes = None
+        if columns:
+            axes = _column(figure, rows, columns, options) if slim else figure.subplots(rows, columns, **options)
+        yield figure, axes
         figure.savefig(path, dpi=_DOTS_PER_INCH)
+
+
+def _column(figure: Figure, rows: int, columns: int, options: dict[str, Any]) -> Any:
+    """The axes of a grid, below each other."""
+    kept = {key: value for key, value in options.items() if key not in ("squeeze", "width_ratios", "height_ratios")}
+    if columns == 1 and "height_ratios" in options:
+        kept["height_ratios"] = options["height_ratios"]
+    axes = figure.subplots(rows * columns, 1, squeeze=False, **kept).reshape(rows, columns)
+    if not options.get("squeeze", True):
+        return axes
+    return axes.item() if axes.size == 1 else axes.squeeze()

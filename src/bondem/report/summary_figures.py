@@ -1,15 +1,15 @@
-"""All errors at a glance, beside those in print."""
+"""Figure of all errors beside published ones."""
 
 from pathlib import Path
 
 import numpy as np
 
 from bondem.report.findings import Findings
-from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
+from bondem.report.style import BLUE, GREY, INK, ORANGE, legend_columns, sheet
 
 
 def draw_errors(path: Path, findings: Findings) -> None:
-    """Error of every test: each packing, mean and scatter, against Timoshenko theory, and published."""
+    """Draw the error of every test: each packing, mean and scatter, against Timoshenko theory, and published."""
     tests = findings.results["tests"]
     names = [name for name, row in tests.items() if row["error"] is not None]
     place = np.arange(len(names))[::-1]
@@ -42,4 +42,4 @@ def draw_errors(path: Path, findings: Findings) -> None:
         ax.set(yticks=place, xlabel="measured / theory − 1  [%]")
         ax.set_yticklabels([name.replace("_", " ") for name in names])
         ax.grid(axis="y", visible=False)
-        figure.legend(loc="outside lower center", ncols=4)
+        figure.legend(loc="outside lower center", ncols=legend_columns(4))

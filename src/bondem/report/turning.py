@@ -1,4 +1,4 @@
-"""The specimen of a report that one can turn in the browser: its elements, as few bytes as a screen can show."""
+"""Rotatable picture of the specimen in a report, with few bytes."""
 
 import base64
 from dataclasses import dataclass
@@ -22,15 +22,15 @@ _COLOURS, _MOVED = 24, 0.08
 
 @dataclass(frozen=True)
 class Turning:
-    """What the page draws.
+    """Data of the rotatable picture.
 
     Attributes:
-        place: centres from -1 to 1 as 16-bit integers, three an element, base64.
+        place: centres from -1 to 1 as 16-bit integers, three per element, base64.
         size: radii over the largest as bytes, base64.
-        colour: numbers of the colours as bytes, base64.
-        colours: as HTML has them.
-        largest: radius over half of the longest edge.
-        caption: what is seen.
+        colour: indices of the colours as bytes, base64.
+        colours: colours in the notation of HTML.
+        largest: largest radius over half of the longest edge [-].
+        caption: caption of the picture.
     """
 
     place: str
@@ -42,7 +42,7 @@ class Turning:
 
 
 def turning_of(one: Examined) -> Turning:
-    """Elements at rest, coloured by radius; after a test to failure as they have moved, coloured by how far."""
+    """Data of the elements at rest, coloured by radius, or after a test to failure, coloured by displacement."""
     particles = one.lattice.particles
     centre, radius = one.lattice.centre, particles.radius
     if one.lattice.cells is not None:

@@ -1,4 +1,4 @@
-"""What only some runs have, gathered for the kernels: body forces, strains, dashpots, mass damping."""
+"""Optional terms of a run, gathered for the kernels: body forces, strains, dashpots, mass damping."""
 
 import numpy as np
 
@@ -13,13 +13,13 @@ from bondem.model.state import State
 
 
 def added(model: Model, terms: DampingTerms, state: State, rows: int) -> Added | None:
-    """The rest of a run but for strains and contacts, or None for a plain one.
+    """Return the optional terms of a run except strains and contacts, or None for a plain run.
 
     Args:
-        model: what is run.
-        terms: of damping.
-        state: where it starts.
-        rows: of the sums of bond forces.
+        model: model to run.
+        terms: terms of damping.
+        state: initial state.
+        rows: number of rows of the sums of bond forces.
     """
     held, plain = model.constraints, model.bonds
     damped = terms.eta > 0.0 or terms.beta > 0.0
@@ -46,7 +46,7 @@ def added(model: Model, terms: DampingTerms, state: State, rows: int) -> Added |
 
 
 def changing_strain(model: Model, state: State) -> Strain | None:
-    """The stress-free strains of the boundary conditions, on top of those of the state; None without any."""
+    """Return the stress-free strains of the boundary conditions, added to those of the state, or None."""
     held, plain = model.constraints, model.bonds
     if not len(held.strain_part):
         return None
@@ -65,7 +65,7 @@ def changing_strain(model: Model, state: State) -> Strain | None:
 
 
 def changing_cells(model: Model, state: State) -> StrainedCells | None:
-    """The same of cells."""
+    """Return the stress-free strains of cells by the boundary conditions, or None."""
     held, cells, layout = model.constraints, model.cells, model.layout
     if cells is None or not len(held.strain_part):
         return None
@@ -82,13 +82,13 @@ def changing_cells(model: Model, state: State) -> StrainedCells | None:
 
 
 def bond_dashpots(model: Model, terms: DampingTerms) -> Floats:
-    """cn, cs [N·s/m], cb, ct [N·m·s] of each bond, internal order, shape (4, m)."""
+    """Return cn, cs [N·s/m], cb, ct [N·m·s] of each bond, internal order, shape (4, m)."""
     stiffness, inert = _stiffness(model)
     return 2.0 * terms.eta * np.sqrt(stiffness * inert) + terms.beta * stiffness
 
 
 def bond_delay(model: Model, terms: DampingTerms) -> float:
-    """Largest c / k of the bonds [s]; with it, C is at most delay times K."""
+    """Return the largest c / k of the bonds [s]; with it, C is at most delay times K."""
     stiffness, inert = _stiffness(model)
     there = stiffness > 0.0
     if not there.any():
@@ -97,7 +97,7 @@ def bond_delay(model: Model, terms: DampingTerms) -> float:
 
 
 def _stiffness(model: Model) -> tuple[Floats, Floats]:
-    """kn, ks, kb, kt and reduced masses and moments of inertia of each bond, internal order, (4, m) each."""
+    """Return kn, ks, kb, kt and the reduced masses and moments of inertia of bonds, internal order, (4, m) each."""
     layout, bonds = model.layout, model.bonds
     mass, inertia = model.mass[layout.order], model.inertia[layout.order]
     m, I = (1.0 / (1.0 / v[layout.i] + 1.0 / v[layout.j]) for v in (mass, inertia))

@@ -1,7 +1,7 @@
-"""Beams that soften on a CUDA device: their tables, and what a step launches.
+"""Softening beams on a CUDA device: their tables, and the launches of a step.
 
-Bytes on the device, in double precision: 108 a bond more than of beams that break (state of one that softens 48, what
-it does 40, fracture energies 16, its number 4).
+They take 108 more bytes per bond on the device, in double precision, than beams that break: state of softening 48,
+forces 40, fracture energies 16, number 4.
 """
 
 from typing import Any
@@ -24,7 +24,7 @@ _PARTS = 256
 
 
 class SoftBeamForces:
-    """Of bonds that are beams, and soften."""
+    """Forces of bonds that are beams and soften."""
 
     def __init__(self, table: FailureTable, model: Model, state: State, run: DeviceRun) -> None:
         self._run, self._beams = run, BeamForces(model, state, run)
@@ -35,7 +35,7 @@ class SoftBeamForces:
         self._soft, self._lost = _soft(model, state), zeros(_PARTS)
 
     def act(self, ahead: int, stream: Any = 0) -> None:
-        """Integrities first, then forces; then beams begin to soften."""
+        """Compute integrities, then forces; then mark beams that begin to soften."""
         run, bonds, breaks, table, lost = self._run, self._beams.bonds, self._breaks, self._soft, self._lost
         pose = run.elements.pose
         launch(kernels.soften_beams, self.m, pose, bonds, breaks, table, ahead > 0, stream=stream)
@@ -50,20 +50,20 @@ class SoftBeamForces:
             launch(kernels.begin_soft, self.m, pose, bonds, breaks, table, stream=stream)
 
     def take_up(self) -> None:
-        """Nothing: a record needs poses and integrities only."""
+        """Do nothing: a record needs poses and integrities only."""
 
     def guard(self, flags: Array) -> None:
-        """A thread a bond."""
+        """Count by one thread per bond."""
         self._beams.guard(flags)
 
     def sums(self, parts: Array) -> None:
-        """Of bonds, then of what presses on those that soften; and what these have dissipated."""
+        """Add the energies of bonds and of the compression of softening ones, and the dissipated energy."""
         self._beams.sums(parts)
         launch(kernels.soft_sums, parts.shape[1], self._run.elements.pose, self._beams.bonds, self._soft, parts)
         launch(released_sum, 1, self._breaks, parts)
 
     def keep(self, state: State) -> None:
-        """Write what has softened and broken since the last call into the state."""
+        """Write bonds that have softened and broken since the last call into the state."""
         table: Any = self._soft
         counts = self._breaks.counts.copy_to_host()
         logged, begun = int(counts[LOGGED]), int(table.sizes.copy_to_host()[BEGUN])
@@ -77,7 +77,7 @@ class SoftBeamForces:
 
 
 def _soft(model: Model, state: State) -> SoftBonds:
-    """The table of the CPU on the device, where the list of active rows has the bonds of those that begin."""
+    """Return the CPU's table on the device; its list of active rows holds the bonds that begin to soften."""
     table = soft_bonds(model, state, np.zeros((0, 6)))
     assert table is not None
     small: dict[str, Any] = {"active": table.active.astype(np.int32), "sizes": table.sizes.astype(np.int32)}

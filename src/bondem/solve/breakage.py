@@ -1,4 +1,4 @@
-"""Tables of the kernels for bonds that break, and what comes back from them."""
+"""Tables of the kernels for bonds that break, and their transfer back to the state."""
 
 import numpy as np
 
@@ -12,12 +12,12 @@ from bondem.model.state import State
 
 
 def breaking(model: Model, state: State, blocks: Blocks) -> Breaks | None:
-    """What kernels take to break the bonds or facets of a state; None where none break.
+    """Return the kernels' table for breaking the bonds or facets of a state, or None if none can break.
 
     Args:
-        model: with a criterion, or without.
-        state: which of them are broken already.
-        blocks: of the step; elements wait in rows behind those of its sums.
+        model: model with a criterion, or without.
+        state: state with the bonds that are already broken.
+        blocks: blocks of the step; postponed elements have rows behind those of its sums.
     """
     table, cells = model.breaking, model.cells
     if table is None:
@@ -47,7 +47,7 @@ def breaking(model: Model, state: State, blocks: Blocks) -> Breaks | None:
 
 
 def keep_broken(breaks: Breaks, integrity: np.ndarray, state: State) -> None:
-    """Write what has broken since the last call into the state."""
+    """Write bonds that have broken since the last call into the state."""
     count = int(breaks.logged[0])
     if count:
         state.broken = np.concatenate([state.broken, breaks.log[:count]])
@@ -56,12 +56,12 @@ def keep_broken(breaks: Breaks, integrity: np.ndarray, state: State) -> None:
 
 
 def soft_bonds(model: Model, state: State, load: Floats) -> SoftBonds | None:
-    """What kernels take to let the beams of a state soften; None where none do.
+    """Return the kernels' table for softening the beams of a state, or None if none can soften.
 
     Args:
-        model: with a criterion, or without.
-        state: which of them have begun.
-        load: what contacts and others do to each element [N, N·m], (n, 6).
+        model: model with a criterion, or without.
+        state: state with the beams that have begun to soften.
+        load: force and torque of contacts and other sources on each element [N, N·m], (n, 6).
     """
     table = model.beam_softening
     if table is None:
@@ -76,6 +76,6 @@ def soft_bonds(model: Model, state: State, load: Floats) -> SoftBonds | None:
 
 
 def keep_softened(soft: SoftBonds, integrity: np.ndarray, state: State) -> None:
-    """Write what has softened into the state."""
+    """Write beams that have softened into the state."""
     state.softened = soft.row[: soft.sizes[BEGUN]].copy()
     state.integrity[:] = integrity[: len(state.integrity)]

@@ -1,8 +1,8 @@
-"""Bonds and facets that break on a CUDA device: what a step launches for it, and what comes back.
+"""Breaking bonds and facets on a CUDA device: the launches of a step, and the transfer back.
 
-Bytes on the device, in double precision: 128 a bond more than without (coefficients 32, where moments count and where
-the contact point is 16, bound 4, list 4, and 72 of the log, as each breaks once), 1 an element. A facet takes 129
-(instead of the 16, 16 of what cells weigh by without it, and a mark), a cell 9.
+Breakage takes 128 more bytes per bond on the device, in double precision, and 1 per element. These are coefficients
+32, station and contact point 16, bound 4, list 4, and log 72, because each bond breaks once. A facet takes 129
+(instead of the 16, the weights of cells without it 16, and a mark), a cell 9.
 """
 
 from typing import Any, Protocol
@@ -33,13 +33,13 @@ from bondem.solve.forces_cuda import BeamForces, DeviceRun, FacetForces
 def device_breaks(
     table: FailureTable, model: Model, state: State, limit: PerBond | None = None
 ) -> DeviceBreaks:
-    """When bonds break, on the device.
+    """Return the table of breakage on the device.
 
     Args:
-        table: of the criterion.
-        model: of beams or cells.
-        state: what it has released.
-        limit: of the bound of each bond, where that of the criterion is not asked of some, (m,).
+        table: table of the criterion.
+        model: model of beams or cells.
+        state: state with the released energy.
+        limit: bound of each bond, if it differs from that of the criterion, (m,).
     """
     n, m = len(state.pose), len(state.integrity)
     station = share = np.zeros(0)
@@ -57,27 +57,27 @@ def device_breaks(
 
 
 class DeviceBreakage(Protocol):
-    """What a step of a run with bonds or facets that break does beside their forces."""
+    """Breakage of bonds or facets within the steps of a run."""
 
     def mark(self, stream: Any = 0) -> None:
-        """Before the forces of a step: mark what is to be judged."""
+        """Mark bonds to evaluate, before the forces of a step."""
         ...
 
     def move(self, tick: int, *, go_on: bool, stream: Any = 0) -> None:
-        """Judge, close the step, break what breaks, and open the next step if it is to go on."""
+        """Evaluate bonds, close the step, break bonds, and open the next step if the run continues."""
         ...
 
     def sums(self, parts: Array) -> None:
-        """The energy released, into `parts`."""
+        """Write the energy released into `parts`."""
         ...
 
     def keep(self, state: State) -> None:
-        """Write what has broken since the last call into the state."""
+        """Write bonds that have broken since the last call into the state."""
         ...
 
 
 class BeamBreakage:
-    """Of bonds that are beams."""
+    """Breakage of bonds that are beams."""
 
     def __init__(
         self, table: FailureTable, model: Model, state: State, run: DeviceRun, bodies: DeviceBodies,
@@ -87,10 +87,10 @@ class BeamBreakage:
         self._breaks = device_breaks(table, model, state)
 
     def mark(self, stream: Any = 0) -> None:
-        """Nothing: their bound is held against the forces of this step."""
+        """Do nothing: their bound is compared with the forces of this step."""
 
     def move(self, tick: int, *, go_on: bool, stream: Any = 0) -> None:
-        """Four launches in place of one."""
+        """Do the same as `DeviceBreakage.move` by four launches in place of one."""
         run, bonds = self._run, self._forces.bonds
         launch(judge_bonds, bonds.m, run.elements, bonds, self._breaks, stream=stream)
         _move_or_wait(run, bonds.forces, self._bodies, self._breaks, tick, go_on, stream)
@@ -98,16 +98,16 @@ class BeamBreakage:
         _let_go(run, bonds.forces, self._bodies, self._breaks, go_on, stream)
 
     def sums(self, parts: Array) -> None:
-        """The energy released, into `parts`."""
+        """Write the energy released into `parts`."""
         launch(released_sum, 1, self._breaks, parts)
 
     def keep(self, state: State) -> None:
-        """Write what has broken since the last call into the state."""
+        """Write bonds that have broken since the last call into the state."""
         _keep(self._breaks, self._forces.integrity, state)
 
 
 class FacetBreakage:
-    """Of the facets of a body of cells."""
+    """Breakage of the facets of a body of cells."""
 
     def __init__(
         self, table: FailureTable, model: Model, state: State, run: DeviceRun, bodies: DeviceBodies,
@@ -122,19 +122,19 @@ class FacetBreakage:
         self._weigh(True, 0)
 
     def _weigh(self, every: bool, stream: Any) -> None:
-        """As a run begins by the kernel that weighs them anew where a facet breaks, to the bit."""
+        """Compute the initial weights of cells by the kernel that renews them at breakages, to the same bit."""
         launch(
             weigh_cells, self._breaks.held.size, self._forces.facets, self._run.adjacency, self._whole, self._breaks,
             every, stream=stream,
         )  # fmt: skip
 
     def mark(self, stream: Any = 0) -> None:
-        """A thread a facet."""
+        """Mark facets by one thread each."""
         facets = self._forces.facets
         launch(mark_facets, facets.m, self._run.elements.pose, facets, self._breaks, self._marked, stream=stream)
 
     def move(self, tick: int, *, go_on: bool, stream: Any = 0) -> None:
-        """Nine launches in place of one."""
+        """Do the same as `DeviceBreakage.move` by nine launches in place of one."""
         run, breaks, facets = self._run, self._breaks, self._forces.facets
         pose, n, m = run.elements.pose, breaks.held.size, facets.m
         launch(judge_facets, m, pose, facets, breaks, self._marked, stream=stream)
@@ -153,11 +153,11 @@ class FacetBreakage:
         _let_go(run, facets.forces, self._bodies, breaks, go_on, stream)
 
     def sums(self, parts: Array) -> None:
-        """The energy released, into `parts`."""
+        """Write the energy released into `parts`."""
         launch(released_sum, 1, self._breaks, parts)
 
     def keep(self, state: State) -> None:
-        """Write what has broken since the last call into the state."""
+        """Write facets that have broken since the last call into the state."""
         _keep(self._breaks, self._forces.integrity, state)
 
 

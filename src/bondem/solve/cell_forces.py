@@ -1,4 +1,4 @@
-"""Forces of a body of cells in any pose, and their derivative: what Newton's method needs."""
+"""Forces of a body of cells in any pose, and their derivative, for Newton's method."""
 
 import numpy as np
 from scipy.sparse import bsr_array
@@ -15,7 +15,7 @@ from bondem.observe.turned_vectors import turned_vectors
 
 
 def body_tables(model: Model, integrity: Floats) -> tuple[Bonds, Body]:
-    """Facets, cells and walls as kernels take them, walls at the end of their schedules."""
+    """Return facets, cells and walls in the kernels' form, walls at the end of their schedules."""
     layout, cells = model.layout, _cells(model)
     grips = cells.grips.table(layout, model.constraints.row_of, 0)
     grips.wall[:] = cells.grips.motion
@@ -42,9 +42,9 @@ def body_loads(pose: Floats, rest: Floats, bonds: Bonds, body: Body, sums: Float
 
 
 def cell_forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
-    """Derivative of the energy by displacements and spins, and what the walls do [N, N·m], (n, 6) each.
+    """Return the derivative of the energy by displacements and spins, and the wall loads [N, N·m], (n, 6) each.
 
-    The stresses of the cells are left in the pose.
+    The stresses of the cells are stored in the pose.
     """
     order = model.layout.order
     bonds, body = body_tables(model, np.ones(len(model.layout.i)))
@@ -55,7 +55,7 @@ def cell_forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
 
 
 def facet_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
-    """Derivative of the energy of each facet by the motion of its two ends, at the stresses in the pose, (6, m)."""
+    """Return the derivative of the energy of facets by the motion of their ends, at the pose's stresses, (6, m)."""
     m = len(i)
     bonds, body = body_tables(model, np.ones(m))
     bonds = bonds._replace(i=with_twins(i), j=with_twins(j))
@@ -67,7 +67,7 @@ def facet_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
 
 
 def current_forms(model: Model, pose: Floats, pattern: bsr_array) -> bsr_array:
-    """V θ of each cell under unit motions from the present pose [m², m³], 1×6 blocks, (n, 6 n)."""
+    """Return V θ of each cell under unit motions from the present pose [m², m³], 1×6 blocks, (n, 6 n)."""
     layout, cells = model.layout, _cells(model)
     i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
     a, b = turned_vectors(pose[i, 4:], cells.lever_i), turned_vectors(pose[j, 4:], cells.lever_j)
@@ -96,7 +96,7 @@ def current_forms(model: Model, pose: Floats, pattern: bsr_array) -> bsr_array:
 
 
 def grip_blocks(model: Model, pose: Floats) -> tuple[np.ndarray, Floats]:
-    """Cells that walls hold, and what the walls add to their diagonal blocks in the present pose, (g,), (g, 6, 6)."""
+    """Return the cells that walls hold, (g,), and their parts of diagonal blocks in the present pose, (g, 6, 6)."""
     order, grips = model.layout.order, _cells(model).grips
     held = model.layout.rank[grips.cell]
     arm = turned_vectors(pose[held, 4:], grips.arm)

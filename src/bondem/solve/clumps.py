@@ -1,9 +1,9 @@
 """A coarse twin of a lattice: elements gathered in clumps that move as rigid bodies.
 
-What an element and its neighbours cannot see, the slow bending and stretching of the whole, the clumps carry
-at once: their own stiffness is the lattice's, restricted to motions rigid clump by clump, and so small that
-it is eliminated. Together with the elements' own blocks this preconditions conjugate gradients (two-level
-additive Schwarz with a Nicolaides coarse space): the number of iterations hardly grows with the lattice.
+Slow bending and stretching of the whole are invisible to an element and its neighbours; the clumps represent them.
+The stiffness of the clumps is that of the lattice restricted to motions that are rigid clump by clump, and small
+enough to be eliminated. Together with the elements' own blocks it preconditions conjugate gradients (two-level
+additive Schwarz with a Nicolaides coarse space). The number of iterations then hardly grows with the lattice.
 """
 
 import math
@@ -26,7 +26,7 @@ _LOST = 0.5
 
 
 def clump_of(position: PerElement3) -> Ints:
-    """The clump of each element: cubes of a grid that hold about the same number each, shape (n,)."""
+    """Return the clump of each element: cubes of a grid that hold about the same number each, shape (n,)."""
     n = len(position)
     lower = position.min(axis=0)
     extent = np.maximum(np.ptp(position, axis=0), 1e-300)
@@ -43,16 +43,17 @@ def clump_of(position: PerElement3) -> Ints:
 
 
 def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) -> Ints:
-    """Clumps that do not reach across cracks, (n,): iterations on a cracked body take less than half as many.
+    """Return clumps that do not reach across cracks, (n,), which more than halves the iterations on a cracked body.
 
-    Elements that no bond with half its stiffness joins are in clumps of their own. What still holds together, but by
-    some bonds that have lost stiffness, is cut by a plane through the mean place of these, across their direction.
+    Elements that are not joined by a bond with half its stiffness are put into different clumps. A clump that remains
+    joined, but by some bonds that have lost stiffness, is cut by a plane through their mean place, across their
+    direction.
 
     Args:
-        clump: of each element, (n,).
-        position: of the elements [m], (n, 3).
+        clump: clump of each element, (n,).
+        position: positions of the elements [m], (n, 3).
         i, j: elements on both sides of a bond, (m,) each.
-        lost: the share of its stiffness that it has lost, (m,).
+        lost: share of its stiffness that a bond has lost, (m,).
     """
     clump = _joined(clump, i, j, lost <= _LOST)
     weak = np.flatnonzero((clump[i] == clump[j]) & (lost > 0.0))
@@ -72,14 +73,14 @@ def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) 
 
 
 def _joined(clump: Ints, i: Ints, j: Ints, bonds: Mask) -> Ints:
-    """The parts of clumps that some of the bonds join, (n,)."""
+    """Return the parts of clumps joined by some of the bonds, (n,)."""
     held = np.flatnonzero(bonds & (clump[i] == clump[j]))
     joined = coo_array((np.ones(len(held)), (i[held], j[held])), shape=(len(clump), len(clump)))
     return connected_components(joined, directed=False)[1].astype(np.int64)
 
 
 def clump_motions(position: PerElement3, clump: Ints) -> Floats:
-    """Motion (u, R θ) of each element per motion of its clump about the clump's centre, shape (n, 6, 6).
+    """Return the motion (u, R θ) of each element per motion of its clump about the clump's centre, shape (n, 6, 6).
 
     Rotations of a clump are scaled by the root mean square R of its arms, so that all six are displacements.
     """
@@ -97,9 +98,9 @@ class Clumps:
     """The coarse correction P (Pᵀ K P)⁻¹ Pᵀ.
 
     Args:
-        matrix: symmetric, positive (semi-)definite, 6×6 blocks.
-        basis: motion of each element per motion of its clump, in the matrix' unknowns, shape (n, 6, 6).
-        clump: shape (n,).
+        matrix: symmetric, positive (semi-)definite matrix, 6×6 blocks.
+        basis: motion of each element per motion of its clump, in the unknowns of the matrix, shape (n, 6, 6).
+        clump: clump of each element, shape (n,).
     """
 
     def __init__(self, matrix: Stiffness, basis: Floats, clump: Ints) -> None:
@@ -117,11 +118,11 @@ class Clumps:
         )
 
     def __call__(self, residual: Floats) -> Floats:
-        """The correction for a residual, shape (6 n,) or (6 n, k)."""
+        """Return the correction for a residual, shape (6 n,) or (6 n, k)."""
         return self.prolongation @ self._factors.solve(np.asfortranarray(self.restriction @ residual))
 
     def modes(self, mass: bsr_array, count: int) -> Floats:
-        """Lowest modes of the pencil (matrix, mass) among the motions of the clumps, (6 n, count) or all but one."""
+        """Return the lowest modes of the pencil (matrix, mass) among motions of clumps, (6 n, count) or fewer."""
         coarse = csc_array((self.restriction @ (mass @ self.prolongation)).tocsc())
         start = coarse @ np.random.default_rng(0).standard_normal(self._size)
         solve = self._factors.solve

@@ -1,10 +1,11 @@
-"""Contacts of a run, checked for what their law and the time step do not describe."""
+"""Checks of the contacts of a run against the range of their law and of the time step."""
 
 import warnings
 
 import numpy as np
 from scipy.spatial import KDTree
 
+from bondem._names import users_line
 from bondem._types import Floats
 from bondem.errors import ContactWarning
 from bondem.kernels.crack_tables import FACET, PARTED, STATUS
@@ -22,10 +23,10 @@ _SUNK, _SUNK_PAIR = 0.6, 0.75
 
 
 class ContactCheck:
-    """Gives one warning for overlaps beyond the law, and one for motion beyond the step.
+    """Check that warns once of overlaps beyond the law, and once of motion beyond the step.
 
-    It is asked when the list of contacts is made anew, which fast elements bring about every few steps, and at the
-    end of each compiled call.
+    It is made when the list of contacts is renewed, every few steps for fast elements, and at the end of each
+    compiled call.
     """
 
     def __init__(self, contacts: ContactModel, dt: float) -> None:
@@ -35,15 +36,15 @@ class ContactCheck:
         self._deep = self._fast = False
 
     def look(self, c: ContactTable, motion: Floats, time: float) -> None:
-        """Look at the contacts of a list.
+        """Check the contacts of a list.
 
         Args:
-            c: the list.
-            motion: of the elements, velocities in the first three columns.
+            c: list of contacts.
+            motion: motion of the elements, velocities in the first three columns.
             time: present time [s].
 
         Warns:
-            ContactWarning: an overlap is beyond the law, or a motion beyond the step; each once.
+            ContactWarning: An overlap is beyond the law, or a motion beyond the step; each once.
         """
         if not self._deep and c.far[2] > self._deepest:
             self._deep = True
@@ -51,7 +52,7 @@ class ContactCheck:
                 f"a contact overlaps by {c.far[2]:.2g} of the smaller radius at t = {time:.6g} s, beyond the"
                 f" {self._deepest:.2g} up to which {self._law} describes it; use a stiffer law, a lower speed"
                 " or load, or a smaller dt",
-                ContactWarning, stacklevel=5,
+                ContactWarning, stacklevel=users_line(),
             )  # fmt: skip
         if not self._fast:
             share = self._dt * self._fastest(c, motion[:, :3])
@@ -60,12 +61,13 @@ class ContactCheck:
                 warnings.warn(
                     f"an element moves by {share:.2g} of its radius per step against others at t = {time:.6g} s, and"
                     f" may pass through them; give dt= at most {_FAST / share * self._dt:.2g} s",
-                    ContactWarning, stacklevel=5,
+                    ContactWarning, stacklevel=users_line(),
                 )  # fmt: skip
 
     def _fastest(self, c: ContactTable, velocity: Floats) -> float:
-        """Largest relative velocity over the smaller radius, of listed pairs, of elements and their walls, and of
-        each element against the mean of all [1/s].
+        """Return the largest relative velocity over the smaller radius [1/s].
+
+        It covers listed pairs, elements and their walls, and each element against the mean of all.
         """
         speed = [np.linalg.norm(velocity - velocity.mean(axis=0), axis=1) / self._radius]
         free = (c.bond < 0) | (c.joined[np.maximum(c.bond, 0)] <= 0.0) if len(c.joined) else c.bond < 0
@@ -77,9 +79,9 @@ class ContactCheck:
 
 
 class SinkingCheck:
-    """Gives one warning where elements that have parted sink into each other, as no contact law is given.
+    """Check that warns once if separated elements overlap because the model has no contact law.
 
-    Only elements with a bond that is broken, or a facet whose faces have parted, are looked at.
+    Only elements with a broken bond, or a facet whose faces have separated, are checked.
     """
 
     def __init__(self, model: Model) -> None:
@@ -87,10 +89,10 @@ class SinkingCheck:
         self._radius = model.contact_radius[model.layout.order]
 
     def look(self, state: State) -> None:
-        """Look at a state.
+        """Check a state.
 
         Warns:
-            ContactWarning: once, elements sink into each other.
+            ContactWarning: Elements overlap; given once.
         """
         if self._warned:
             return
@@ -121,7 +123,7 @@ class SinkingCheck:
         if sunk.any():
             self._warned = True
             warnings.warn(
-                f"elements that have parted sink into each other at t = {state.time:.6g} s ({int(sunk.sum())} pairs),"
-                " as no contact law was given; pass contact=bd.LinearContact(...) to bd.Model",
-                ContactWarning, stacklevel=4,
+                f"separated elements overlap at t = {state.time:.6g} s ({int(sunk.sum())} pairs),"
+                " because the model has no contact law; pass contact=bd.LinearContact(...) to bd.Model",
+                ContactWarning, stacklevel=users_line(),
             )  # fmt: skip

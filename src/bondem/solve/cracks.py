@@ -1,4 +1,4 @@
-"""Tables of the kernels for facets that crack and cells that yield, and what comes back from them."""
+"""Tables of the kernels for facets that crack and cells that yield, and their transfer back to the state."""
 
 import numpy as np
 
@@ -39,13 +39,13 @@ _LOSS = 0.1
 
 
 def with_forces(cells: CellTable, model: Model, state: State, rows: int) -> CellTable:
-    """The table of a body that keeps the forces of its facets, those of the state to begin with.
+    """Return the table of a body that stores the forces of its facets, initially those of the state.
 
     Args:
         cells: facets and cells.
-        model: with a criterion that softens.
-        state: where to start.
-        rows: how many rows of sums there are.
+        model: model with a criterion that softens.
+        state: initial state.
+        rows: number of rows of sums.
     """
     adjacency, table = model.layout.adjacency, model.softening
     assert table is not None
@@ -57,16 +57,16 @@ def with_forces(cells: CellTable, model: Model, state: State, rows: int) -> Cell
 
 
 def joints(model: Model, state: State, integrity: PerBond) -> tuple[PerBond, PerBond]:
-    """What joins the elements of each bond, and the distance at which they touch once nothing does [m], (m,) each.
+    """Return the joints of the elements of bonds, 0 for none, and contact distances without them [m], (m,) each.
 
     Cracked facets join two cells as long as their faces face each other.
 
     Args:
-        model: whose bonds they are.
-        state: what has cracked so far.
-        integrity: of the bonds as the loop over them has it; at least (m,).
+        model: model of the bonds.
+        state: state with the present cracks.
+        integrity: integrity of the bonds in the form of the loop over them; at least (m,).
     """
-    apart = model.bonds.stretched(state.stress_free_strain).length.copy()
+    apart = model.bonds.stretched(state.rest_strain).length.copy()
     if model.softening is None:
         return integrity, apart
     joined = (state.integrity > 0.0).astype(float)
@@ -79,15 +79,15 @@ def joints(model: Model, state: State, integrity: PerBond) -> tuple[PerBond, Per
 def crack_table(
     model: Model, state: State, cells: CellTable | None, grips: GripTable, load: Floats, dt: float
 ) -> CrackTable | None:
-    """What kernels take to let the facets of a state crack and its cells yield; None where none do.
+    """Return the kernels' table for cracking the facets of a state and yielding its cells, or None if none can.
 
     Args:
-        model: with a criterion that softens, or without.
-        state: what has cracked and yielded so far.
+        model: model with a criterion that softens, or without.
+        state: state with the present cracks and plastic strains.
         cells: facets and cells, from `with_forces`.
         grips: walls that hold some of them.
         load: force and torque of cracks on each cell, (n, 6).
-        dt: the step [s].
+        dt: time step [s].
     """
     table, constants = model.softening, model.cells
     if table is None or constants is None or cells is None:
@@ -134,7 +134,7 @@ def crack_table(
 def _flow(
     model: Model, state: State, table: SofteningTable, cells: CellTable, grips: GripTable, constants: CellConstants
 ) -> CellYield:
-    """How cells yield; nothing of it is used where none do."""
+    """Return the parameters of yielding, unused if no cell can yield."""
     slip, bare, none = table.slip, np.zeros((3, 0), dtype=np.int32), np.zeros(len(constants.volume))
     G = constants.G
     if slip is not None and slip.cone:
@@ -149,7 +149,7 @@ def _flow(
 
 
 def _pressed(model: Model) -> Floats:
-    """b⊗F of each load on free facets, xx, yy, zz, xy, xz, yz, in the order of the kernels' loads [J], (l, n, 6)."""
+    """Return b⊗F of loads on free facets, xx, yy, zz, xy, xz, yz, in the order of kernels' loads [J], (l, n, 6)."""
     _, cells = body_of(model.lattice)
     free, found = cells.free, []
     for condition in model.boundary:
@@ -165,7 +165,7 @@ def _pressed(model: Model) -> Floats:
 
 
 def take_up(pose: Floats, bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable) -> None:
-    """Go on with cracks and plastic strains as a run begins: lists, weights, levers and sums of forces."""
+    """Initialise cracks and plastic strains at the beginning of a run: lists, weights, levers and sums of forces."""
     if cracks.flow.yielding:
         stretch_cells(cells, cracks.flow, True, 0, len(cracks.flow.plastic))
     stretch_grips(grips, cracks.flow)
@@ -179,7 +179,7 @@ def take_up(pose: Floats, bonds: Bonds, cells: CellTable, grips: GripTable, crac
 
 
 def keep_cracks(cells: CellTable, cracks: CrackedFacets, state: State) -> None:
-    """Write what has cracked and broken since the last call into the state."""
+    """Write facets that have cracked and broken since the last call into the state."""
     count, logged = int(cracks.sizes[CRACKS]), int(cracks.sizes[LOGGED])
     state.cracks = cracks.row[:count].copy()
     assert cells.force is not None

@@ -1,13 +1,13 @@
-"""Facets of cells that crack on a CUDA device: their tables, and what a step launches.
+"""Cracking facets of cells on a CUDA device: their tables, and the launches of a step.
 
-Bytes on the device, in double precision, more than without:
+Additional bytes on the device, in double precision:
 
-    a facet   650: state of its crack 104, geometry 152, both halves 128, what it does 64, its force 24, log 72,
-              integrity 8, how it is treated 2, strength, softening, friction and weights 72, numbers and lists 24
-    a cell    135: V σ, bending and stress 104, volume, weight and V θ 24, where its cracks begin and how hot it is 7
+    a facet   667: state of its crack 104, geometry 152, planes 17, both halves 128, loads 64, its force 24, log 72,
+              integrity 8, kind of treatment 2, strength, softening, friction and weights 72, numbers and lists 24
+    a cell    135: V σ, bending and stress 104, volume, weight and V θ 24, start of its cracks and marks 7
 
-and where cells yield, 24 a facet (levers without plastic strain), 176 a cell (17 numbers that change, 5 constants)
-and 24 a facet that walls hold.
+Where cells yield, there are 24 more per facet (levers without plastic strain), 176 per cell (17 variables, 5
+constants) and 24 per facet that walls hold.
 """
 
 from typing import Any
@@ -48,7 +48,7 @@ _PARTS = 256
 
 
 class CrackForces:
-    """Of the facets of a body of cells that crack."""
+    """Forces of the facets of a body of cells that crack."""
 
     def __init__(self, model: Model, state: State, run: DeviceRun, dt: float) -> None:
         self._run = run
@@ -78,7 +78,7 @@ class CrackForces:
         launch(states.weigh_all_cracked, n, self._body, self._cracks)
 
     def act(self, ahead: int, stream: Any = 0) -> None:
-        """Find the forces: facets begin to crack where a step has led here, and cracks change."""
+        """Compute the forces: facets begin to crack at the present step, and cracks change."""
         run, whole, body, cracks, lists = self._run, self._whole, self._body, self._cracks, self._lists
         pose, n, m = run.elements.pose, run.elements.pose.shape[0], self.m
         if ahead > 0:
@@ -102,7 +102,7 @@ class CrackForces:
         launch(beginnings.sum_moments, n, run.elements, body, cracks, ahead > 0, stream=stream)
 
     def _begin(self, stream: Any) -> None:
-        """As a step begins: facets begin to crack by the stresses of the step before."""
+        """Initiate cracks at the beginning of a step, by the stresses of the step before."""
         run, body, cracks, onset, lists = self._run, self._body, self._cracks, self._onset, self._lists
         pose, n = run.elements.pose, run.elements.pose.shape[0]
         self._find_stresses(1, stream)
@@ -117,7 +117,7 @@ class CrackForces:
         launch(begin, self.m, pose, body, cracks, onset, lists, stream=stream)
 
     def _find_stresses(self, ahead: int, stream: Any = None) -> None:
-        """Stresses of all cells, with what walls and tractions do now or in the step `ahead`."""
+        """Compute stresses of all cells, with walls and tractions now or in the step `ahead`."""
         run, body, cracks, onset, whole = self._run, self._body, self._cracks, self._onset, self._whole
         pose, n = run.elements.pose, run.elements.pose.shape[0]
         launch(beginnings.stress_tensors, n, pose, body, cracks, onset.volume, stream=stream)
@@ -127,7 +127,7 @@ class CrackForces:
         )  # fmt: skip
 
     def _yield(self, flow: CellYield, stream: Any) -> None:
-        """Cells yield, and what is on their surfaces follows."""
+        """Let cells yield, and update their surfaces."""
         run, onset, n = self._run, self._onset, self._run.elements.pose.shape[0]
         launch(yield_some, n, run.elements.pose, self._body, self._cracks.tensor, onset, flow, stream=stream)
         launch(
@@ -136,7 +136,7 @@ class CrackForces:
         )  # fmt: skip
 
     def _change(self, stream: Any) -> None:
-        """Cracks wake, soften, part and go to rest, and their cells with them."""
+        """Activate, soften, separate and deactivate cracks, and update their cells."""
         body, cracks, lists = self._body, self._cracks, self._lists
         pose, n, m = self._run.elements.pose, self._run.elements.pose.shape[0], self.m
         launch(states.wake_some, m, pose, body, cracks, stream=stream)
@@ -147,7 +147,7 @@ class CrackForces:
         launch(states.change_cells, n, pose, body, cracks, stream=stream)
 
     def take_up(self) -> None:
-        """Walls, tractions and cracks where time has brought them; stresses and forces are those of the state."""
+        """Bring walls, tractions and cracks to the present time; stresses and forces are those of the state."""
         run, whole, body, cracks = self._run, self._whole, self._body, self._cracks
         pose, n = run.elements.pose, run.elements.pose.shape[0]
         launch(
@@ -160,14 +160,14 @@ class CrackForces:
             self._find_stresses(0)
 
     def guard(self, flags: Array) -> None:
-        """A thread a facet; by levers without plastic strain, as directions are those of the reference."""
+        """Count by one thread per facet, with levers without plastic strain, as directions are of the reference."""
         facets, flow = self._whole.facets, self._flow
         if flow is not None:
             facets = facets._replace(lever_i=flow.base_i, lever_j=flow.base_j)
         launch(turn_guard, self.m, self._run.elements, facets, flags)
 
     def sums(self, parts: Array) -> None:
-        """Of facets, cells and walls, then of cracks; and what these have dissipated."""
+        """Add the energies of facets, cells and walls, of cracks, and the energy that these have dissipated."""
         self._whole.sums(parts)
         launch(states.crack_sums, parts.shape[1], self._run.elements.pose, self._body, self._cracks, parts)
         launch(released_sum, 1, self._cracks, parts)
@@ -176,7 +176,7 @@ class CrackForces:
             launch(heat_sums, parts.shape[1], tensor, volume, self._flow.plastic, parts)
 
     def keep(self, state: State) -> None:
-        """Write what has cracked and broken since the last call into the state."""
+        """Write facets that have cracked and broken since the last call into the state."""
         cracks: Any = self._cracks
         sizes = cracks.sizes.copy_to_host()
         count, logged = int(sizes[CRACKS]), int(sizes[LOGGED])
@@ -193,7 +193,7 @@ class CrackForces:
 
 
 def _cracks(table: CrackedFacets) -> CrackedFacets:
-    """The table of the CPU on the device, in whose lists every crack and every cell stands in its own place."""
+    """Return the CPU's table on the device, where every crack and every cell has its own place in the lists."""
     n, m = len(table.head), len(table.integrity)
     own = upload(np.arange(max(n, m), dtype=np.int32))
     large = {
@@ -216,7 +216,7 @@ def _cracks(table: CrackedFacets) -> CrackedFacets:
 
 
 def _listed(table: CrackedFacets) -> np.ndarray:
-    """How the facets are treated, as `kernels.crack_list.treat` writes it."""
+    """Return the treatment of the facets, in the form of `kernels.crack_list.treat`."""
     count = table.sizes[CRACKS]
     listed = np.zeros(len(table.integrity), dtype=np.uint8)
     listed[table.row[:count, FACET].astype(np.int64)] = 1 + table.row[:count, STATUS].astype(np.uint8)
@@ -245,7 +245,7 @@ def _onset(model: Model, table: CrackTable) -> DeviceOnset:
 
 
 def _flow(table: CrackTable, grips: GripTable) -> CellYield:
-    """The table of the CPU on the device, with the walls in the order of the rows."""
+    """Return the CPU's table on the device, with the walls in the order of the rows."""
     flow, order = table.flow, np.argsort(grips.row, kind="stable")
     arrays = {
         name: upload(getattr(flow, name))
@@ -259,7 +259,7 @@ def _flow(table: CrackTable, grips: GripTable) -> CellYield:
 
 
 def judging_of(model: Model) -> Judging | None:
-    """The kernels of a criterion that is a function of the stress.
+    """Return the kernels of a criterion that is a function of the stress.
 
     Raises:
         InputError: CUDA does not compile the function.

@@ -18,10 +18,10 @@ _TOLERANCE = 1e-3
 
 @one_blas_thread
 def fastest_decay(model: Model, terms: DampingTerms) -> float:
-    """Largest eigenvalue of M⁻¹ C of the dashpots of all bonds at rest [1/s].
+    """Compute the largest eigenvalue of M⁻¹ C of the dashpots of all bonds at rest [1/s].
 
-    The largest c / k times ω²_max is a bound too, but c / k of a share of the critical damping grows as 1 / √k: it
-    would go by the smallest facet, which moves nothing.
+    The largest c / k times ω²_max is a bound, too. For a share of the critical damping, however, c / k grows as 1 /
+    √k, so that the smallest facet, which moves nothing, would determine the bound.
     """
     cn, cs, cb, ct = bond_dashpots(model, terms)
     layout, table, order = model.layout, model.bonds, model.layout.order
@@ -54,6 +54,6 @@ def fastest_decay(model: Model, terms: DampingTerms) -> float:
 
 
 def _split(vector: Floats, normal: Floats, along: Floats, across: Floats) -> Floats:
-    """Rows of vectors times one factor along the normals and another one across."""
+    """Return vectors, row by row, times one factor along the normals and another one across."""
     part = np.einsum("mk,mk->m", vector, normal)
     return across[:, None] * vector + ((along - across) * part)[:, None] * normal

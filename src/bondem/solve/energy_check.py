@@ -1,9 +1,10 @@
-"""The energy ledger of a run, checked while the run goes on."""
+"""Check of the energy ledger during a run."""
 
 import warnings
 
 import numpy as np
 
+from bondem._names import users_line
 from bondem._types import Floats
 from bondem.errors import ImbalanceWarning
 from bondem.kernels.tables import FIXED_COLUMNS
@@ -24,18 +25,18 @@ _STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", 
 
 
 class EnergyCheck:
-    """Compares the balance of the ledger with the energies of the run, record by record.
+    """Check that compares the balance of the ledger with the energies of the run, record by record.
 
-    The scale is the largest energy so far: stored energies as they are, work and losses since the first record. The
-    outcome depends on the records alone, so that a resumed run is judged like an uninterrupted one.
+    The scale is the largest energy so far: stored energies, and work and losses since the first record. The outcome
+    depends on the records alone, so that a resumed run is checked like an uninterrupted one.
     """
 
     def __init__(self, model: Model, state: State, dt: float, limits: tuple[float, float], first: Floats) -> None:
         """Begin a check.
 
         Args:
-            model: what is run.
-            state: where it starts.
+            model: model of the run.
+            state: initial state.
             dt: time step [s].
             limits: shares of the scale at which the check warns and stops the run; infinity for never [-].
             first: first record of the run, (1, columns).
@@ -49,10 +50,10 @@ class EnergyCheck:
         self.remark = ""
 
     def examine(self, records: Floats) -> str:
-        """Examine further records; what to say of a balance beyond the second limit, else an empty text.
+        """Examine further records; return a text about a balance beyond the second limit, else an empty text.
 
         Warns:
-            ImbalanceWarning: the balance is beyond the first limit, once.
+            ImbalanceWarning: The balance is beyond the first limit; given once.
         """
         if not len(records):
             return ""
@@ -71,11 +72,11 @@ class EnergyCheck:
         if texts[0] and not self.remark:
             self.remark = texts[0]
             if not texts[1]:
-                warnings.warn(f"{texts[0]}; {_ADVICE}", ImbalanceWarning, stacklevel=4)
+                warnings.warn(f"{texts[0]}; {_ADVICE}", ImbalanceWarning, stacklevel=users_line())
         return f"{texts[1]}; {_ADVICE}" if texts[1] else ""
 
     def _beyond(self, level: int, time: Floats, share: Floats, balance: Floats) -> str:
-        """Text on the first record that ends a sustained excess over a limit, if there is one."""
+        """Return a text on the first record that ends a sustained excess over a limit, else an empty text."""
         above = share > self._limits[level]
         times = np.concatenate([[self._good[level]], np.where(above, -np.inf, time)])
         good = np.maximum.accumulate(times)[1:]

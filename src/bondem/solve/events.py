@@ -1,4 +1,4 @@
-"""Events: when to stop a run before its end."""
+"""Events that end a run early."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -10,20 +10,20 @@ from bondem.model.state import State
 
 
 class Event(ABC):
-    """A condition looked at whenever a record is written."""
+    """A condition evaluated with each record of a run."""
 
     @abstractmethod
     def happened(self, state: State) -> bool:
-        """Whether to stop now."""
+        """Return True to end the run now."""
 
 
 @dataclass(frozen=True)
 class AtRest(Event):
-    """All elements are slower than `speed`.
+    """An event that occurs when all elements are slower than `speed`.
 
     Attributes:
-        speed: [m/s].
-        after: not before this time [s], so that a run that starts from rest gets going.
+        speed: limit of the speed [m/s].
+        after: earliest time of the event [s], so that a run from rest can start.
     """
 
     speed: float

@@ -41,25 +41,25 @@ def integrate(
     remark: str = "",
     halt: Halt | None = None,
 ) -> ExplicitResult:
-    """Carry out a plan, from rest or from where `state` and `history` of the same plan left off.
+    """Carry out a plan, from rest or from the end of `state` and `history` of the same plan.
 
     Args:
-        model: what to run; its geometry is the reference configuration.
-        plan: how.
-        state: where to start; it is changed in place.
-        history: the records so far.
-        sink: takes checkpoints, and the last state.
-        progress: called now and then with the share done, 0 … 1.
-        loop_of: makes the loop from model, plan, state and dt; that of the CPU unless given.
-        callback: called with the state and its record, a history of one, whenever one is written; it only looks,
-            and ends the run by returning True.
-        remark: more to say in the message of the result.
-        halt: asked now and then; the run stops, with a checkpoint, where it tells a signal.
+        model: model to run; its geometry is the reference configuration.
+        plan: parameters of the run.
+        state: initial state; it is changed in place.
+        history: records so far.
+        sink: receiver of checkpoints and of the last state.
+        progress: function called repeatedly with the completed share, 0 … 1.
+        loop_of: function that makes the loop from model, plan, state and dt; that of the CPU by default.
+        callback: function called with the state and its record, a history of one, with each record. It must not
+            change the state, and ends the run by returning True.
+        remark: addition to the message of the result.
+        halt: function called repeatedly; the run stops, with a checkpoint, if it returns a signal.
 
-    A given dt is taken as it is: `settled` checks it.
+    A given dt is used without a check, which `settled` makes.
     """
     if callback is not None and not plan.every:
-        raise InputError("a callback is called with each record: give every= at least 1 where there is callback=")
+        raise InputError("callback= is called with each record, but every = 0; give every= of at least 1")
     if plan.dt is None:
         plan = settled(model, plan)
     dt = cast(float, plan.dt)
@@ -156,7 +156,10 @@ def integrate(
 
 
 def _pulse(before: Pulse | None, state: State, total: int, rate: float, since: History) -> Pulse:
-    """This moment: the rate is smoothed, of the ledger the worst counts; `since` begins with the first record."""
+    """Return the present moment. The rate is smoothed, and the worst error of the ledger counts.
+
+    `since` begins with the first record.
+    """
     error = energy = 0.0
     if before is not None:
         error, energy = before.error, before.energy

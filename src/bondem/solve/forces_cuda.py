@@ -1,12 +1,12 @@
-"""Forces of one law on a CUDA device: what a step launches between its schedules and its motion.
+"""Forces of one law on a CUDA device: the launches of a step between its schedules and its motion.
 
 Bytes on the device, in double precision:
 
-    a beam bond   124 where all are alike but for their length, else 164: ends 8, adjacency 4, constants 32 or 72,
+    a beam bond   124 for bonds that differ in length only, else 164: ends 8, adjacency 4, constants 32 or 72,
                   integrity 8, force and torques 72
     a facet       196: ends 8, adjacency 4, integrity 8, k 8, levers 24, shares 24, H 24, normal 24, force and
-                  torques 72, where V θ of both sides stands before
-    a cell        8, for λ / V, and 24 for its centre in the reference where walls hold any
+                  torques 72, preceded there by V θ of both sides
+    a cell        8, for λ / V, and 24 for its centre in the reference if walls hold any
 """
 
 from typing import Any, NamedTuple, Protocol
@@ -29,7 +29,7 @@ from bondem.model.state import State
 
 
 class DeviceRun(NamedTuple):
-    """What the loop and the forces of its law share."""
+    """Data shared by the loop and the forces of its law."""
 
     clock: Array  #: the number of the present step, (1,)
     scheme: StepScheme
@@ -40,35 +40,35 @@ class DeviceRun(NamedTuple):
 
 
 class DeviceForces(Protocol):
-    """What makes the forces of a run."""
+    """Forces of a run."""
 
     m: int  #: bonds or facets
     forces: Array  #: force on j, torque on i and on j; (9, m)
     integrity: Array  #: 1 intact … 0 broken [-], (m,)
 
     def act(self, ahead: int, stream: Any = 0) -> None:
-        """Find the forces, `ahead` steps from the present one: 1, or 0 where no step leads to them."""
+        """Compute the forces, `ahead` steps from the present one: 1, or 0 without a step."""
         ...
 
     def take_up(self) -> None:
-        """Find what a record needs, at the start of a run whose acceleration is known."""
+        """Compute what a record needs, at the start of a run whose acceleration is known."""
         ...
 
     def guard(self, flags: Array) -> None:
-        """Count bonds that are turned too far, as `kernels.cuda.guards` do."""
+        """Count bonds that are turned too far, as `kernels.cuda.guards` does."""
         ...
 
     def sums(self, parts: Array) -> None:
-        """The four elastic energies, into `parts`."""
+        """Write the four elastic energies into `parts`."""
         ...
 
     def keep(self, state: State) -> None:
-        """Write what bonds store into the state."""
+        """Write data stored by bonds into the state."""
         ...
 
 
 class BeamForces:
-    """Of bonds that are beams."""
+    """Forces of bonds that are beams."""
 
     def __init__(self, model: Model, state: State, run: DeviceRun) -> None:
         self._elements = run.elements
@@ -86,26 +86,26 @@ class BeamForces:
         self.forces, self.integrity = self.bonds.forces, self.bonds.integrity
 
     def act(self, ahead: int, stream: Any = 0) -> None:
-        """One launch."""
+        """Compute the forces by one launch."""
         launch(bond_forces, self.m, self._elements, self.bonds, stream=stream)
 
     def take_up(self) -> None:
-        """Nothing: a record needs the poses only."""
+        """Do nothing: a record needs the poses only."""
 
     def guard(self, flags: Array) -> None:
-        """A thread a bond."""
+        """Count by one thread per bond."""
         launch(rotation_guard, self.m, self._elements, self.bonds, flags)
 
     def sums(self, parts: Array) -> None:
-        """A thread a part."""
+        """Sum by one thread per part."""
         launch(sample.bond_sums, parts.shape[1], self._elements, self.bonds, parts)
 
     def keep(self, state: State) -> None:
-        """Nothing: the poses say all."""
+        """Do nothing: beams store no data besides the poses."""
 
 
 class FacetForces:
-    """Of the facets of a body of cells, and of walls that hold some of them."""
+    """Forces of the facets of a body of cells, and of walls that hold some of them."""
 
     def __init__(self, model: Model, state: State, run: DeviceRun) -> None:
         assert model.cells is not None
@@ -126,13 +126,13 @@ class FacetForces:
         self.grips, self.holds = _holds(cells, held, model, state)
 
     def act(self, ahead: int, stream: Any = 0) -> None:
-        """Stresses of the cells first, then forces."""
+        """Compute the stresses of the cells, then the forces."""
         elements = self._run.elements
         self._stress(ahead, stream)
         launch(facet_loads, self.m, elements, self.facets, stream=stream)
 
     def take_up(self) -> None:
-        """Stresses, and walls and tractions where time has brought them."""
+        """Compute the stresses, and bring walls and tractions to the present time."""
         self._stress(0, 0)
 
     def _stress(self, ahead: int, stream: Any) -> None:
@@ -146,19 +146,19 @@ class FacetForces:
         )  # fmt: skip
 
     def guard(self, flags: Array) -> None:
-        """A thread a facet."""
+        """Count by one thread per facet."""
         launch(turn_guard, self.m, self._run.elements, self.facets, flags)
 
     def sums(self, parts: Array) -> None:
-        """A thread a part."""
+        """Sum by one thread per part."""
         launch(facet_sums, parts.shape[1], self._run.elements, self.facets, self.grips, self.holds, parts)
 
     def keep(self, state: State) -> None:
-        """Nothing: the poses say all."""
+        """Do nothing: facets store no data besides the poses."""
 
 
 def _left(state: State) -> np.ndarray:
-    """Integrities as the loop over facets has them: cracks that are treated one by one are no part of it, (m,)."""
+    """Return integrities in the form of the loop over facets, without cracks that are treated one by one, (m,)."""
     left = state.integrity.copy()
     active = state.cracks[:, STATUS] == ACTIVE
     left[state.cracks[active, FACET].astype(np.int64)] = 0.0
@@ -166,12 +166,12 @@ def _left(state: State) -> np.ndarray:
 
 
 def starts(rows: np.ndarray, count: int) -> np.ndarray:
-    """Where the entries of each row begin in `rows`, once sorted."""
+    """Return the places where the entries of each row begin in `rows`, once sorted."""
     return np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=count))]).astype(np.int64)
 
 
 def _holds(cells: CellConstants, held: Constraints, model: Model, state: State) -> tuple[GripTable, DeviceHolds]:
-    """Walls and tractions in the order of the rows, each of a row in the order of the CPU."""
+    """Return walls and tractions in the order of the rows, those of a row in the order of the CPU."""
     rows = len(held.element)
     grips = cells.grips.table(model.layout, held.row_of, held.works[2], state.grips)
     order, count = np.argsort(grips.row, kind="stable"), len(grips.row)

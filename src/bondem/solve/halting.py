@@ -1,4 +1,4 @@
-"""Signals that ask a run to stop: it finishes its steps, keeps them, and only then stops."""
+"""Signals that stop a run: it finishes its steps, saves them, and then stops."""
 
 import signal
 import threading
@@ -12,10 +12,11 @@ Halt = Callable[[], int | None]
 
 @contextmanager
 def noticing() -> Iterator[Halt]:
-    """Within the block SIGINT (Ctrl-C) and SIGTERM are noted; a second one stops at once.
+    """Record SIGINT (Ctrl-C) and SIGTERM within the block; a second signal stops at once.
 
     Yields:
-        What tells the signal that has come, or None. In other threads than the main one none are noted.
+        A function that returns the signal received, or None. In other threads than the main one no signal is
+        recorded.
     """
     if threading.current_thread() is not threading.main_thread():
         yield lambda: None
@@ -39,8 +40,8 @@ def stop_by(number: int, told: str) -> None:
     """Stop as the signal would have: KeyboardInterrupt for SIGINT, SystemExit with status 143 for SIGTERM.
 
     Args:
-        number: of the signal.
-        told: for the traceback of an interrupt.
+        number: number of the signal.
+        told: text for the traceback of an interrupt.
     """
     if number == signal.SIGINT:
         raise KeyboardInterrupt(told)

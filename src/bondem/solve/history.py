@@ -1,4 +1,4 @@
-"""What was recorded while a run went on."""
+"""Records of a run over time."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -16,10 +16,10 @@ _ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "fracture",
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """Records in time; `history["name"]` is a gauge, (s, 3).
+    """Records of a run over time; `history["name"]` returns the records of a gauge, (s, 3).
 
     Attributes:
-        records: columns time [s], thirteen energies [J], three components a gauge, shape (s, 14 + 3 g).
+        records: columns time [s], thirteen energies [J], three components per gauge, shape (s, 14 + 3 g).
         gauges: names of the gauges, in the order of their columns.
     """
 
@@ -28,11 +28,11 @@ class History:
 
     @classmethod
     def empty(cls, gauges: tuple[str, ...]) -> "History":
-        """A history without records."""
+        """Return a history without records."""
         return cls(np.zeros((0, FIXED_COLUMNS + 3 * len(gauges))), gauges)
 
     def extended(self, *records: Floats) -> "History":
-        """This history with more records."""
+        """Return this history with more records."""
         return History(np.concatenate([self.records, *records]), self.gauges)
 
     def __len__(self) -> int:
@@ -40,25 +40,28 @@ class History:
 
     def __getitem__(self, name: str) -> Floats:
         if name not in self.gauges:
-            raise InputError(f"no gauge '{name}' was recorded; there are: {', '.join(self.gauges) or 'none'}")
+            raise InputError(f"no gauge '{name}' was recorded; choose from: {', '.join(self.gauges) or 'none'}")
         first = FIXED_COLUMNS + 3 * self.gauges.index(name)
         return self.records[:, first : first + 3]
 
     @property
     def time(self) -> Floats:
-        """[s], shape (s,)."""
+        """Times of the records [s], shape (s,)."""
         return self.records[:, 0]
 
     @property
     def energy(self) -> dict[str, Floats]:
-        """Ledger [J], each (s,): kinetic "translation", "rotation"; elastic "normal", "shear", "bending",
-        "twisting", and of "contact"; "work" of loads, drives and walls; "loss" to damping and dashpots; that to
-        "friction"; "non-local work" that the extra forces of `NonLocal` have taken up, which no potential holds;
-        "fracture" that bonds and facets released as they broke or softened; "plastic" that cells dissipated as they
-        yielded; and "balance", which should vanish.
+        """Energy ledger [J], a dict of arrays (s,).
 
-        balance = kinetic + elastic + loss + friction + non-local work + fracture + plastic - work - its value in the
-        first record.
+        Its entries are the kinetic energies "translation" and "rotation"; the elastic energies "normal", "shear",
+        "bending", "twisting" and that of "contact"; the "work" of loads, drives and walls; the "loss" to damping and
+        dashpots; the loss to "friction"; and four more:
+
+        - "non-local work": work of the extra forces of `NonLocal`, which have no potential;
+        - "fracture": energy that bonds and facets released as they broke or softened;
+        - "plastic": energy that cells dissipated as they yielded;
+        - "balance": kinetic + elastic + loss + friction + non-local work + fracture + plastic - work, less its value
+          in the first record. It should be zero.
         """
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
         held = sum(ledger[name] for name in _STORED) - ledger["work"]
@@ -67,7 +70,9 @@ class History:
         return ledger | {"balance": held - held[:1]}
 
     def to_pandas(self) -> Any:
-        """The records as a pandas.DataFrame over time [s]: energies [J] by name, gauges as name_x, name_y, name_z.
+        """Return the records as a pandas.DataFrame over time [s].
+
+        Columns are the energies [J] by name, and the gauges as name_x, name_y, name_z.
 
         Raises:
             MissingDependencyError: pandas is not installed.
@@ -77,7 +82,9 @@ class History:
         return pandas.DataFrame(self.energy | gauges, index=pandas.Index(self.time, name="time"))
 
     def to_xarray(self) -> Any:
-        """The records as an xarray.Dataset over time [s]: energies [J], and gauges with a dimension "component".
+        """Return the records as an xarray.Dataset over time [s].
+
+        It holds the energies [J], and gauges with the dimension "component".
 
         Raises:
             MissingDependencyError: xarray is not installed.

@@ -1,15 +1,15 @@
-"""Equilibrium of the non-local law: its stresses lag one iteration behind the motions.
+"""Equilibrium of the non-local law, whose stresses lag one iteration behind the motions.
 
 F_t = A τ holds for any tangential forces that agree with the stress that they make, so that no single set of
-equations has the answer. It is where a path from the unloaded state ends: rounds of
+equations has the answer. The equilibrium is the end of a path from the unloaded state, in rounds of
 
-    K u' = f + what the extra forces e do to the elements,    e' = e(σ, δ_t) of the motion u'
+    K u' = f + nodal loads of the extra forces e,    e' = e(σ, δ_t) of the motion u'
 
-with K of the springs alone. After a round of each of `steps` equal shares of the load the rounds go on at full load
-until stresses no longer change. How many steps there were leaves no trace in the stresses.
+with K of the springs alone. After one round for each of `steps` equal shares of the load, rounds continue at full
+load until stresses no longer change. The number of steps has no effect on the stresses.
 
-Where the extra shear force is limited, the rounds are mixed to end sooner (Anderson). Without the limiter rotations
-may go on for ever at stresses that have settled, as no spring holds them: there the rounds are plain.
+If the extra shear force is limited, the rounds are mixed to converge sooner (Anderson). Without the limiter rotations
+may never settle although stresses have, because no spring resists them; the rounds are then plain.
 """
 
 from dataclasses import dataclass
@@ -39,10 +39,10 @@ class Settled:
     """An equilibrium, user's order.
 
     Attributes:
-        strain: of all bonds, with their forces.
+        strain: deformation of all bonds, with their forces.
         motion: (u, θ) of the elements [m, rad], (n, 6).
-        rounds: how many there were.
-        change: of the stresses in the last round, root of sums of squares over theirs [-].
+        rounds: number of rounds.
+        change: change of the stresses in the last round, root of sums of squares over that of the stresses [-].
     """
 
     strain: NonLocalStrain
@@ -69,17 +69,17 @@ class LaggedStatics:
         steps: int = 1,
         limited: bool | None = None,
     ) -> Settled:
-        """Where the model rests, user's order.
+        """Compute the equilibrium of the model, user's order.
 
         Args:
             load: forces and moments on the elements [N, N·m], (n, 6).
-            motion: prescribed ones of the elements that are held [m, rad], (n, 6).
-            slip: what bonds open besides [m], (m, 3), by a macroscopic strain.
-            steps: in which all of these are applied.
-            limited: whether rounds may be mixed; where None, as the law is.
+            motion: prescribed motions of the elements that are held [m, rad], (n, 6).
+            slip: additional opening of bonds [m], (m, 3), by a macroscopic strain.
+            steps: number of steps in which all of these are applied.
+            limited: True if rounds may be mixed; None for the setting of the law.
 
         Raises:
-            ConvergenceError: stresses that grow, or that do not settle.
+            ConvergenceError: Stresses grow, or do not settle.
         """
         model = self._model
         constants = model.non_local_constants
@@ -120,7 +120,7 @@ class LaggedStatics:
 
 
 class Mixing:
-    """What to put in next, from what was put in and what came out (Anderson), or simply what came out."""
+    """The next input of a round, from earlier inputs and outputs (Anderson), or simply the last output."""
 
     def __init__(self, mixed: bool) -> None:
         self._most = _MEMORY if mixed else 0
@@ -128,7 +128,7 @@ class Mixing:
         self._left: list[Floats] = []
 
     def __call__(self, put: Floats, out: Floats) -> Floats:
-        """Values to go on with, of the shape of both."""
+        """Return the next values, of the shape of both arguments."""
         if not self._most:
             return out
         self._put, self._left = [*self._put, put][-self._most :], [*self._left, out - put][-self._most :]

@@ -1,7 +1,7 @@
-"""The stable time step of the non-local law, by steps of its lagged operator itself.
+"""The stable time step of the non-local law, found by steps of its lagged operator itself.
 
-ω_max of the springs is no bound: a stress that is a step old feeds the fastest motions, the more so the larger ν is.
-Undamped, what lags pumps energy at any step; dashpots or local damping take it out again, up to some ν.
+ω_max of the springs is not a bound: a stress that is one step old drives the fastest motions, the more so the larger
+ν is. Undamped, the lag adds energy at any step; dashpots or local damping remove it, up to some ν.
 """
 
 import math
@@ -20,7 +20,7 @@ _STEPS, _GROWTH = 400, 1.2
 
 
 def stable_share(model: Model, critical: float, terms: DampingTerms) -> float:
-    """The largest of `SHARES` of a step [s] at which small motions do not grow; 0 where they do at all of them."""
+    """Return the largest of `SHARES` of a step [s] at which small motions do not grow; 0 if there is none."""
     for share in SHARES:
         if growth(model, share * critical, terms) <= _GROWTH:
             return share
@@ -28,9 +28,9 @@ def stable_share(model: Model, critical: float, terms: DampingTerms) -> float:
 
 
 def growth(model: Model, dt: float, terms: DampingTerms, *, steps: int = _STEPS) -> float:
-    """By how much small motions grow over the last half of so many steps [-], infinite beyond numbers.
+    """Return the growth of small motions over the last half of a number of steps [-], infinite beyond numbers.
 
-    Local and bond damping take part; the motions start from a fixed random field and nothing is held.
+    Local and bond damping act; the motions start from a fixed random field and nothing is held.
     """
     lattice, n = model.lattice, len(model.lattice.particles)
     constants = model.non_local_constants
@@ -62,7 +62,7 @@ def growth(model: Model, dt: float, terms: DampingTerms, *, steps: int = _STEPS)
 
 
 def _dashpots(model: Model, terms: DampingTerms) -> tuple[Floats, Floats]:
-    """cn and cs of the bonds [N·s/m], as `BondDamping` has them."""
+    """Return cn and cs of the bonds [N·s/m], in the form of `BondDamping`."""
     i, j = model.lattice.pairs.T
     c, mass = model.non_local_constants, model.mass
     pair = mass[i] * mass[j] / (mass[i] + mass[j])

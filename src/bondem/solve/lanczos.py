@@ -1,4 +1,4 @@
-"""Lowest eigenvalues by Lanczos iteration on an inverse that someone else provides."""
+"""Lowest eigenvalues by Lanczos iteration on a given inverse."""
 
 from collections.abc import Callable
 
@@ -27,14 +27,15 @@ def lowest_modes(
     count: int,
     tolerance: float,
 ) -> tuple[Floats, Floats]:
-    """Lowest eigenvalues, ascending (count,), and vectors (rows, count) of matrix x = λ mass x.
+    """Return the lowest eigenvalues, ascending (count,), and vectors (rows, count) of matrix x = λ mass x.
 
     Args:
-        matrix: symmetric.
-        inverse: x with matrix x = b for a vector b; what it never returns takes no part.
-        start: vector to start from, (rows,).
-        mass: symmetric, positive semi-definite; None is the unit matrix.
-        count: how many.
+        matrix: symmetric matrix.
+        inverse: function that returns x with matrix x = b for a vector b; directions that it never returns are left
+            out.
+        start: initial vector, (rows,).
+        mass: symmetric, positive semi-definite matrix; None for the unit matrix.
+        count: number of eigenvalues.
         tolerance: relative error of the eigenvalues.
     """
     values, vectors = eigsh(

@@ -1,9 +1,9 @@
-"""The linear system of a lattice, K u = f, six degrees of freedom (u, θ) an element, and how it is solved.
+"""The linear system of a lattice, K u = f, with six degrees of freedom (u, θ) per element, and its solvers.
 
-Every element's unknowns are scaled by an inverse root S of its own diagonal block, restricted to what is free:
-Sᵀ K S has unit blocks on its diagonal, translations and rotations in one measure, and nothing at all where
-elements are held or rattle. Small lattices and chains are eliminated; else conjugate
-gradients, preconditioned by `Clumps`, run to a residual so small that it does not show.
+The unknowns of every element are scaled by an inverse root S of its own diagonal block, restricted to its free part.
+Sᵀ K S has unit blocks on its diagonal, translations and rotations in one measure, and zeros for held elements and
+rattlers. Small lattices and chains are solved by elimination. Others use conjugate gradients, preconditioned by
+`Clumps`, to a negligible residual.
 """
 
 from collections.abc import Callable
@@ -36,13 +36,13 @@ _MECHANISM = (
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """The matrix of a model and what its supports leave free, in the kernels' order.
+    """The matrix of a model and its free motions, in the kernels' order.
 
     Attributes:
         matrix: K of all degrees of freedom [N/m, N, N·m], (6 n, 6 n).
-        position: centres, rattlers put at the centroid [m], shape (n, 3).
-        length: R̄, by which rotations become displacements [m].
-        free: degrees of freedom neither held nor a rattler's, shape (n, 6).
+        position: centres, with rattlers at the centroid [m], shape (n, 3).
+        length: R̄, which converts rotations to displacements [m].
+        free: mask of the degrees of freedom that are neither held nor a rattler's, shape (n, 6).
         loose: rigid motions (u, θ) that the supports permit, orthonormal with u·u + R̄² θ·θ, shape (6 n, k).
     """
 
@@ -54,10 +54,10 @@ class System:
 
     @classmethod
     def of(cls, model: Model) -> "System":
-        """The matrix and supports of a model.
+        """Return the matrix and supports of a model.
 
         Raises:
-            InputError: contacts or walls, which only press and therefore have no matrix, or no bonds.
+            InputError: The model has contacts or walls, which only carry compression and have no matrix, or no bonds.
         """
         if model.contact is not None:
             raise InputError(
@@ -93,13 +93,13 @@ class System:
         )
 
     def without_rigid_motion(self, motion: Floats) -> Floats:
-        """A motion (6 n,) without its part along `loose`."""
+        """Return a motion (6 n,) without its part along `loose`."""
         if self.loose.shape[1] == 0:
             return motion
         return motion - self.loose @ (self.loose.T @ (self._weight * motion))
 
     def balanced(self, load: Floats) -> Floats:
-        """A load (6 n,) without what rounding left of work on `loose`."""
+        """Return a load (6 n,) without the rounding errors of its work on `loose`."""
         if self.loose.shape[1] == 0:
             return load
         return load - self._weight * (self.loose @ (self.loose.T @ load))
@@ -110,55 +110,63 @@ class System:
 
 
 def orthonormal(vectors: Floats) -> Floats:
-    """Vectors (rows, k) of the same span, orthonormal."""
+    """Return orthonormal vectors (rows, k) of the same span."""
     for _ in range(2):
         vectors = vectors / np.sqrt(np.einsum("nk,nk->k", vectors, vectors))
         vectors = vectors @ normalising(vectors.T @ vectors)
     return vectors
 
 
+def spanning(vectors: Floats) -> Floats:
+    """Return an orthonormal basis of the span of vectors (rows, k), which may be dependent, (rows, ≤ k)."""
+    if vectors.shape[1] == 0:
+        return vectors
+    size, turn = np.linalg.eigh(vectors.T @ vectors)
+    return orthonormal(vectors @ turn[:, size > 1e-14 * size[-1]])
+
+
 def normalising(product: Floats) -> Floats:
-    """T with Tᵀ product T = 1."""
+    """Return T with Tᵀ product T = 1."""
     return np.asarray(np.linalg.inv(np.linalg.cholesky(product)).T, dtype=float)
 
 
 def rigid_motions(position: Floats, periodic: bool) -> Floats:
-    """Translations along and rotations about the axes through the centroid as (u, θ), shape (n, 6, 6 or 3)."""
+    """Return translations along and rotations about the axes through the centroid as (u, θ), shape (n, 6, 6 or 3)."""
     motions = clump_motions(position, np.zeros(len(position), dtype=np.int64))
     return motions[:, :, :3] if periodic else motions
 
 
 class Solver(Protocol):
-    """Solves K u = f for one system and many right-hand sides."""
+    """Solver of K u = f for one system and many right-hand sides."""
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
-        """Displacements and rotations u (6 n,), zero where held and without rigid motion, and how many iterations.
+        """Return displacements and rotations u (6 n,), without rigid motion, and the number of iterations.
 
         Args:
-            load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where held.
-            guess: where an iteration starts.
-            rtol: when it ends, residual over load.
+            load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where held, where u is zero.
+            guess: start of an iteration.
+            rtol: residual over load at which the iteration ends.
 
         Raises:
-            ConvergenceError: no bond resists the load.
+            ConvergenceError: No bond resists the load.
         """
         ...
 
 
 def solver(system: System) -> Solver:
-    """The faster of elimination and iteration."""
+    """Return the faster of elimination and iteration."""
     return Elimination(system) if prefers_elimination(system) else Iteration(system)
 
 
 def prefers_elimination(system: System) -> bool:
-    """Whether a lattice is so small, or so nearly a chain, that elimination wins."""
+    """Return True if a lattice is so small, or so nearly a chain, that elimination is faster."""
     n = len(system.free)
     bonds = system.matrix.neighbours // 2
     return n <= (_DIRECT if system.matrix.forms is None else _DIRECT_CELLS) or bonds <= _CHAIN * n
 
 
 class Elimination:
-    """LU of what is free; where the specimen is free to move, one degree of freedom a motion is grounded."""
+    """LU decomposition of the free part; for a free specimen, one degree of freedom per rigid motion is grounded."""
 
     def __init__(self, system: System) -> None:
         self._system = system
@@ -201,14 +209,14 @@ class Iteration:
     Attributes:
         root: S of each element, shape (n, 6, 6).
         scaled: Sᵀ K S.
-        coarse: its coarse correction.
+        coarse: coarse correction of the scaled matrix.
     """
 
     def __init__(self, system: System, lost: tuple[Ints, Ints, PerBond] | None = None) -> None:
         """Prepare the preconditioner.
 
         Args:
-            system: the matrix and what is free.
+            system: the matrix and its free part.
             lost: elements on both sides of bonds, and the share of their stiffness that these have lost, (m,) each.
         """
         self._system = system
@@ -220,9 +228,7 @@ class Iteration:
         if lost is not None:
             clump = parted(clump, system.position, *lost)
         self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
-        self._rigid = self.unscaled(system.loose)
-        if self._rigid.shape[1]:
-            self._rigid = orthonormal(self._rigid)
+        self._rigid = spanning(self.unscaled(system.loose))
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
         """See `Solver`."""
@@ -242,22 +248,22 @@ class Iteration:
         return solution, rounds
 
     def approximate(self, residual: Floats) -> Floats:
-        """Roughly (Sᵀ K S)⁻¹ times residuals of shape (6 n,) or (6 n, k)."""
+        """Return an approximation of (Sᵀ K S)⁻¹ times residuals of shape (6 n,) or (6 n, k)."""
         z = residual + self.coarse(residual)
         # the clumps nearly resist rigid motion only: what rounding leaves of it in a residual would grow a
         # billionfold, and iterations on a free specimen stall or diverge near 1e-10
         return z - self._rigid @ (self._rigid.T @ z)
 
     def turned(self, load: Floats) -> Floats:
-        """Sᵀ f for every column of (6 n, k)."""
+        """Return Sᵀ f for every column of (6 n, k)."""
         return _by_element(self._turned, load)
 
     def displacement(self, unknowns: Floats) -> Floats:
-        """S x for every column of (6 n, k)."""
+        """Return S x for every column of (6 n, k)."""
         return _by_element(self.root, unknowns)
 
     def unscaled(self, displacement: Floats) -> Floats:
-        """S⁻¹ u for every column of (6 n, k)."""
+        """Return S⁻¹ u for every column of (6 n, k)."""
         return _by_element(self._back, displacement)
 
 
@@ -266,9 +272,9 @@ def _by_element(blocks: Floats, values: Floats) -> Floats:
 
 
 def element_roots(matrix: Stiffness, free: Mask) -> tuple[Floats, Floats]:
-    """S with Sᵀ K_ee S = 1 on the free part of every diagonal block, zero elsewhere, and its pseudo-inverse.
+    """Return S with Sᵀ K_ee S = 1 on the free part of every diagonal block, zero elsewhere, and its pseudo-inverse.
 
-    Each (n, 6, 6). Motions of an element that its block does not resist are left out.
+    Both have the shape (n, 6, 6). Motions of an element that its block does not resist are left out.
     """
     blocks = matrix.diagonal_blocks() * (free[:, :, None] & free[:, None, :])
     size = np.sqrt(np.einsum("nii->ni", blocks))
@@ -284,20 +290,20 @@ def element_roots(matrix: Stiffness, free: Mask) -> tuple[Floats, Floats]:
 
 
 class Matrix(Protocol):
-    """What can be multiplied by unknowns."""
+    """A matrix given by its product with vectors."""
 
     def __matmul__(self, motion: Floats, /) -> Floats:
-        """K x."""
+        """Return K x."""
         ...
 
 
 def conjugate_gradients(
     matrix: Matrix, precondition: Callable[[Floats], Floats], residual: Floats, stop: float, *, energy: float = 0.0
 ) -> tuple[Floats, int]:
-    """x with |residual - K x| <= stop, and the iterations it took.
+    """Return x with |residual - K x| <= stop, and the number of iterations.
 
-    Or with r·z <= `energy` of what is left of the residual r, z what the preconditioner makes of it: about twice the
-    energy of the error.
+    The iteration also ends at r·z <= `energy`, with the remaining residual r and its preconditioned form z: r·z is
+    about twice the energy of the error.
     """
     x = np.zeros_like(residual)
     r = residual.copy()

@@ -13,8 +13,8 @@ from bondem.model.model import Model
 class LongSlip:
     """Closed cracks on planes whose faces have slipped by s = √A, as far as they face each other.
 
-    The normal turns with the mean of both cells and the slip with cell i. With t the direction of the slip and
-    b = n×t, a turn changes the opening n·δ by ½ s b·(θ_i + θ_j), and the stretch b·δ of the friction spring by
+    The normal rotates with the mean of both cells and the slip with cell i. With t the direction of the slip and
+    b = n×t, a rotation changes the opening n·δ by ½ s b·(θ_i + θ_j), and the stretch b·δ of the friction spring by
     -s n·θ_i. Beside the opening x of a facet without slip these store k [(x + y)² - x²] / 2 each, and the volume
     strains of the cells λ A² y² / 2 V.
 
@@ -23,7 +23,7 @@ class LongSlip:
         slip: s [m], (f,).
         k, swollen: stiffness of facets, and λ A² / V [N/m], (f,).
         normal, across: n and b [-], (f, 3).
-        arm_i, arm_j: from the centres to the facets [m], (f, 3).
+        arm_i, arm_j: arms from the centres to the facets [m], (f, 3).
     """
 
     i: Ints
@@ -37,7 +37,7 @@ class LongSlip:
     arm_j: Floats
 
     def held(self, n: int) -> Floats:
-        """How stiffly each cell is held against turning, about [N·m], (n,)."""
+        """Return the approximate stiffness of each cell against rotation [N·m], (n,)."""
         stiff = (self.k + self.swollen) * self.slip**2
         found = np.zeros(n)
         np.add.at(found, self.i, stiff)
@@ -45,7 +45,7 @@ class LongSlip:
         return found
 
     def forces(self, motion: Floats) -> Floats:
-        """Forces and torques against small displacements and rotations, beside those without slip, (n, 6)."""
+        """Return forces and torques against small displacements and rotations, beside those without slip, (n, 6)."""
         i, j, n, b = self.i, self.j, self.normal, self.across
         u, turn = motion[:, :3], motion[:, 3:]
         opening = u[j] - u[i] + np.cross(turn[j], self.arm_j) - np.cross(turn[i], self.arm_i)
@@ -63,10 +63,10 @@ class LongSlip:
 
 
 def long_slips(model: Model) -> tuple[LongSlip, ...]:
-    """Slips in two directions and their opposites on all planes of a model; empty without planes.
+    """Return slips in two directions and their opposites on all planes of a model; empty without planes.
 
-    Planes are entries of `failure=` keyed by two regions: all their facets slip far. Cracks inside a region slip far
-    on few facets of a cell, which the safety of the default step covers.
+    Planes are entries of `failure=` keyed by two regions; slip is long on all their facets. For cracks inside a
+    region slip is long on few facets of a cell, which the safety of the default step covers.
     """
     table, cells, layout = model.softening, model.cells, model.layout
     if table is None or cells is None or not isinstance(model.failure, Mapping):

@@ -1,4 +1,4 @@
-"""The loop of the CPU: what the compiled steps are given, gathered once."""
+"""The loop of the CPU, which gathers the arguments of the compiled steps once."""
 
 import numpy as np
 
@@ -56,7 +56,7 @@ _REDUCTIONS = {"mean": tables.MEAN, "sum": tables.SUM, "max_abs": tables.LARGEST
 
 
 class CpuLoop:
-    """The tables of one run, and the calls that go on with it."""
+    """The tables of one run, and the calls that advance it."""
 
     def __init__(self, model: Model, plan: Plan, state: State, dt: float) -> None:
         self.state = state
@@ -136,7 +136,7 @@ class CpuLoop:
         return None if self._contacts is None else self._contacts.arrays
 
     def look(self) -> np.ndarray:
-        """Bring the acceleration up to date and record the present."""
+        """Bring the acceleration up to date and record the present state."""
         state, budget = self.state, self._run.budget
         begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
         records = np.empty((1, self._width))
@@ -149,14 +149,14 @@ class CpuLoop:
         return records
 
     def _advance(self, span: Span, records: np.ndarray) -> tuple[int, int, int, int, int, bool]:
-        """`kernels.advance.advance` of this run."""
+        """Call `kernels.advance.advance` for this run."""
         law = self._same, self._history, self._body, self._non_local, self._soft
         return advance(
             span, self._scheme, self._run, law, self._touching, self._added, self._strain, self._breaks, records
         )
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` found."""
+        """Carry out steps; see `Loop`."""
         if self.state.stale:
             self.look()
         state, every = self.state, self._every
@@ -182,7 +182,7 @@ class CpuLoop:
         return records[:written], wide, lost, sick
 
     def _keep(self) -> None:
-        """Hand what bonds store to the state, where the kernels had a longer table of them."""
+        """Write data stored by bonds into the state, if the kernels use a longer table of them."""
         if self._history is not None and self._history is not self.state.history:
             self.state.history[:] = self._history[:, : self._run.bonds.m]
         if self._breaks is not None:
@@ -194,12 +194,12 @@ class CpuLoop:
 
 
 def noticeable(model: Model, dt: float) -> float:
-    """Kinetic energy below which no guard minds a run [J]."""
+    """Return the kinetic energy below which no guard acts on a run [J]."""
     return 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
 
 
 def gauge_tables(model: Model, plan: Plan) -> Gauges:
-    """Gauges as kernels take them."""
+    """Return gauges in the kernels' form."""
     gauges = list(plan.gauges.values())
     members = [_members(model, gauge) for gauge in gauges]
     return Gauges(
@@ -211,15 +211,15 @@ def gauge_tables(model: Model, plan: Plan) -> Gauges:
 
 
 def _members(model: Model, gauge: AnyGauge) -> np.ndarray:
-    """Elements of a gauge, internal order, or the number of its wall.
+    """Return the elements of a gauge, internal order, or the index of its wall.
 
     Raises:
-        InputError: no such wall.
+        InputError: The wall does not exist.
     """
     if isinstance(gauge, Gauge):
         return np.sort(model.layout.rank[gauge.region.select(model.lattice)])
     if not 0 <= gauge.wall < len(model.walls):
-        raise InputError(f"WallGauge: there is no wall {gauge.wall}; give one from 0 to {len(model.walls) - 1}")
+        raise InputError(f"WallGauge: wall = {gauge.wall} does not exist; give 0 to {len(model.walls) - 1}")
     return np.array([gauge.wall], dtype=np.int64)
 
 

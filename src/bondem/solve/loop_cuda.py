@@ -1,12 +1,12 @@
-"""Explicit dynamics on a CUDA device: the whole step stays there.
+"""Explicit dynamics on a CUDA device, where the whole step stays.
 
-Bytes on the device of an element, in double precision: 212, as pose 64, motion 64, acceleration 48, loss 24, row and
-adjacency 12, and 12 more where body forces act; those of bonds, facets and cells stand in `bondem.solve.forces_cuda`,
-and what breaking, softening and cracks take besides in `breakage_cuda`,
-`beam_softening_cuda` and `cracks_cuda`.
-1e8 bonds of 3.2e7 elements take 19 or 23 GB, and 1e7 cells with 7e7 facets 16 GB. Records gather on the device and
-come over once a call; the state comes over when a call ends, which is at checkpoints, at looks of events, and every
-10 000 steps.
+An element takes 212 bytes on the device, in double precision: pose 64, motion 64, acceleration 48, loss 24, row and
+adjacency 12; and 12 more where body forces act. The bytes of bonds, facets and cells are given in
+`bondem.solve.forces_cuda`, and those of breaking, softening and cracks in `breakage_cuda`, `beam_softening_cuda` and
+`cracks_cuda`. 1e8 bonds of 3.2e7 elements take 19 or 23 GB, and 1e7 cells with 7e7 facets 16 GB.
+
+Records are gathered on the device and transferred once per call. The state is transferred at the end of a call: at
+checkpoints, at evaluations of events, and every 10 000 steps.
 """
 
 from typing import Any
@@ -52,10 +52,10 @@ _RECORDED = 64
 
 
 class GpuLoop:
-    """The steps of one run on a device; to `integrate` what the loop of the CPU is.
+    """The steps of one run on a device; `integrate` uses it like the loop of the CPU.
 
     Raises:
-        InputError: there is no device, or the model or plan has what runs on the CPU only.
+        InputError: There is no device, or the model or plan has features that run on the CPU only.
     """
 
     def __init__(self, model: Model, plan: Plan, state: State, dt: float) -> None:
@@ -87,7 +87,7 @@ class GpuLoop:
     def _law(
         self, model: Model, state: State, run: DeviceRun, dt: float
     ) -> tuple[DeviceForces, DeviceBreakage | None]:
-        """What makes the forces, and what breaks at once of what bears them."""
+        """Return the forces of the law, and the breakage of its bonds or facets if they break at once."""
         table = model.breaking
         if model.beam_softening is not None and table is not None:
             return SoftBeamForces(table, model, state, run), None
@@ -100,7 +100,7 @@ class GpuLoop:
         return facets, None if table is None else FacetBreakage(table, model, state, run, self._bodies, facets)
 
     def look(self) -> np.ndarray:
-        """Bring the acceleration up to date and record the present."""
+        """Bring the acceleration up to date and record the present state."""
         self._clock.copy_to_device(np.array([self.state.step]))
         begins = self.state.stale or self._budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
         if self.state.stale:
@@ -119,7 +119,7 @@ class GpuLoop:
         return record
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` would find."""
+        """Carry out steps; see `Loop`."""
         if self.state.stale:
             self.look()
         first, every = self.state.step, self._every
@@ -165,7 +165,7 @@ class GpuLoop:
         launch(open_step, self._count, self._elements, self._rows, self._bodies, self._scheme)
 
     def _step(self, tick: int, *, go_on: bool = False, still: bool = False, stream: Any = 0) -> None:
-        """Forces of all bonds, and the motion of all elements; `still` finds the acceleration only."""
+        """Compute forces of all bonds, and move all elements; `still` computes the acceleration only."""
         scheme = self._still_scheme if still else self._scheme
         breakage = None if still else self._breakage
         if breakage is not None:
@@ -180,7 +180,7 @@ class GpuLoop:
         )  # fmt: skip
 
     def _go_on(self, steps: int) -> None:
-        """Steps between pauses, in graphs of powers of two."""
+        """Carry out the steps between pauses, in graphs of powers of two."""
         if steps > 0 and not self._graphs:  # what a run that goes on has not launched yet is compiled now
             self._inner(1, 0)
             steps -= 1
@@ -203,7 +203,7 @@ class GpuLoop:
         return wide, lost, NOT_FINITE if broken else self._energy_guard()
 
     def _energy_guard(self) -> int:
-        """As `kernels.advance.guard`: whether the kinetic energy is no more than what can have come in."""
+        """Return whether the kinetic energy is at most the energy supplied, as `kernels.advance.guard` does."""
         launch(sample.element_sums, self._parts.shape[1], self._elements, self._rows, self._parts)
         kinetic = float(self._parts.copy_to_host()[: sample.NORMAL].sum())
         work = np.zeros_like(self.state.work)
@@ -225,7 +225,7 @@ class GpuLoop:
         launch(sample.write_record, records.shape[1], fewer, gauges, row, records)
 
     def _finished(self, records: Array, steps: list[int]) -> np.ndarray:
-        """Records of the device as those of a history."""
+        """Convert records of the device to those of a history."""
         raw = records.copy_to_host()[: len(steps)]
         whole = np.zeros((len(steps), FIXED_COLUMNS + 3 * self._gauges.g))
         whole[:, 0] = [self._scheme.origin + step * self._scheme.dt for step in steps]
@@ -234,7 +234,7 @@ class GpuLoop:
         return whole
 
     def _fetch(self) -> None:
-        """Bring the state to what it is on the device."""
+        """Copy the state from the device."""
         state, elements = self.state, self._elements
         for array, target in (
             (elements.pose, state.pose), (elements.motion, state.motion),
@@ -248,10 +248,10 @@ class GpuLoop:
 
 
 def require_runnable(model: Model, plan: Plan) -> None:
-    """Whether this can run on a device, and one is there.
+    """Check that a model can run on a device, and that there is one.
 
     Raises:
-        InputError: something that runs on the CPU only, or no device.
+        InputError: A feature runs on the CPU only, or there is no device.
     """
     held = model.constraints
     lacking = {
@@ -312,5 +312,5 @@ def _gauges(gauges: Gauges, state: State) -> DeviceGauges:
 
 
 def _parts(entries: int) -> int:
-    """How many threads share a sum: it depends on nothing but its entries."""
+    """Return the number of threads that share a sum, which depends on nothing but its entries."""
     return max(1, min(_PARTS, -(-entries // _PART)))

@@ -10,6 +10,8 @@ from scipy.sparse import bsr_array, csc_array, diags_array
 
 from bondem._checks import count as whole_number
 from bondem._checks import instance
+from bondem._names import users_line
+from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError, PrestressWarning
 from bondem.model.boundary import Load
@@ -37,9 +39,9 @@ _UNSTABLE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class ModesResult(Solution):
-    """The lowest natural modes; a motion the supports leave free is no mode.
+    """The lowest natural modes, without rigid motions that the supports leave free.
 
-    The residual is the largest error of ω² that K φ - ω² M φ allows, over the largest ω² asked for.
+    The residual is the largest error of ω² that K φ - ω² M φ allows, over the largest requested ω².
 
     Attributes:
         frequency: ω / 2π, ascending [Hz], shape (count,).
@@ -52,34 +54,35 @@ class ModesResult(Solution):
 
 
 @one_blas_thread
+@staged("modes")
 def solve_modes(
     model: Model, *, count: int = 8, prestress: StaticResult | State | Literal[False] | None = None
 ) -> ModesResult:
-    """Lowest natural frequencies and modes, without damping.
+    """Compute the lowest natural frequencies and modes, without damping.
 
-    What is fixed or driven is held; rigid motions that the supports permit are left out, as are rattlers. Absorbing
-    boundaries take no part, and loads and strains only by the stresses of `prestress`: a string gets its stiffness
-    across from its tension, and a column loses some under pressure.
+    Fixed and driven elements are held. Rigid motions that the supports permit are left out, and so are rattlers.
+    Absorbing boundaries have no effect. Loads and strains act only through the stresses of `prestress`: tension makes
+    a string stiffer across, and pressure makes a column softer.
 
     Args:
-        model: what vibrates.
-        count: how many modes.
-        prestress: the equilibrium to vibrate about, of a specimen that is held: `bd.solve_static(model)`, with
-            nonlinear=True where motions are large, or a state at rest. None for the reference configuration, and
-            False for that without a warning of loads that take no part.
+        model: the vibrating model.
+        count: number of modes.
+        prestress: equilibrium about which the specimen vibrates; the specimen must be held. Give
+            `bd.solve_static(model)`, with nonlinear=True for large motions, or a state at rest. None means the
+            reference configuration; False means the same without a warning about loads that have no effect.
 
     Warns:
-        PrestressWarning: the model has loads or strains, and no `prestress` is given.
+        PrestressWarning: The model has loads or strains, and no `prestress` is given.
 
     Raises:
-        InputError: more modes than the model has, contacts or walls, or a `prestress` that is no equilibrium of the
-            model, or an unstable one.
-        ConvergenceError: the iteration stopped before the tolerance of 1e-6 on frequencies.
+        InputError: The model has fewer modes than `count`, contacts or walls. Or `prestress` is not an equilibrium of
+            the model, or an unstable one.
+        ConvergenceError: The iteration stopped before the tolerance of 1e-6 on frequencies.
     """
     instance("solve_modes", "model", model, Model, "bd.Model(...)")
     count = whole_number("solve_modes", "count", count, least=1)
     if model.non_local is not None:
-        raise InputError("the non-local law has no potential, and so no modes: use bd.CellBond, or solve_explicit")
+        raise InputError("the non-local law has no potential, and so no modes; use bd.CellBond, or solve_explicit")
     system, mass = System.of(model), mass_diagonal(model)
     if prestress is None:
         _warn_of_loads(model)
@@ -87,15 +90,15 @@ def solve_modes(
         system = about_equilibrium(model, system, prestress)
     available = int(system.free.sum()) - system.loose.shape[1]
     if not 1 <= count <= available:
-        raise InputError(f"count = {count}, but the model has {available} modes; ask for at least one, and no more")
+        raise InputError(f"count = {count}, but the model has {available} modes; give a number from 1 to {available}")
     if available <= max(200, 4 * count):
         square, shape, rounds = _dense(system, mass, count)
     elif prefers_elimination(system):
         square, shape, rounds = _inverse_lanczos(system, mass, count)
     else:
         square, shape, rounds = _block_gradients(system, mass, count)
-    if square[0] < -_UNSTABLE * np.abs(square).max():
-        raise InputError("prestress= is an unstable equilibrium: it buckles before its modes have a frequency")
+    if square[0] < -_UNSTABLE * np.abs(square).max() and prestress is not None and prestress is not False:
+        raise InputError("prestress= is an unstable equilibrium that buckles and has no frequencies; lower the loads")
     shape /= np.sqrt((mass[:, None] * shape**2).sum(axis=0))
     shape *= np.sign(shape[np.abs(shape).argmax(axis=0), np.arange(count)])
     frequency = np.sqrt(np.maximum(square, 0.0)) / (2.0 * np.pi)
@@ -109,10 +112,10 @@ def _warn_of_loads(model: Model) -> None:
     loaded = [one for one in model.boundary if isinstance(one, Load | Pressure | BodyForce | Eigenstrain)]
     if loaded:
         warnings.warn(
-            f"solve_modes: {type(loaded[0]).__name__} takes no part in the modes of the reference; give"
+            f"solve_modes: {type(loaded[0]).__name__} does not affect the modes of the reference; give"
             " prestress=bd.solve_static(model) for those of the loaded specimen, or prestress=False",
             PrestressWarning,
-            stacklevel=4,
+            stacklevel=users_line(),
         )
 
 
@@ -157,10 +160,10 @@ def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, 
 
 
 def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
-    """Locally optimal block preconditioned conjugate gradients (Knyazev 2001), begun with the clumps' modes.
+    """Compute modes by locally optimal block preconditioned conjugate gradients (Knyazev 2001).
 
-    Modes of one frequency, of which a ball has up to 2 l + 1, converge slowly where the block ends among them: a
-    block that has not converged in `_PATIENCE` rounds goes on wider.
+    The iteration starts from the modes of the clumps. Equal frequencies, of which a ball has up to 2 l + 1, converge
+    slowly if the block ends among them. A block that has not converged in `_PATIENCE` rounds is therefore widened.
     """
     iteration = Iteration(system)
     n, none = len(iteration.root), system.loose.shape[1]
@@ -189,7 +192,7 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
 def _iterated(
     iteration: Iteration, M: bsr_array, rigid: Floats, S: Floats, *, count: int, width: int
 ) -> tuple[Floats, Floats, int, bool]:
-    """Squares and vectors of a block, how many rounds it took, and whether the first `count` have converged."""
+    """Return squares and vectors of a block, its number of rounds, and True if the first `count` have converged."""
     K, M_rigid = iteration.scaled, M @ rigid
     KS, MS = K @ S, M @ S
     last, square, X = 0, np.zeros(0), S
@@ -215,7 +218,7 @@ def _iterated(
 
 
 def _ritz(K: Floats, M: Floats, count: int) -> tuple[Floats, Floats]:
-    """Lowest eigenvalues and vectors of a small pencil whose vectors may nearly depend on each other."""
+    """Return the lowest eigenvalues and vectors of a small pencil whose vectors may be nearly dependent."""
     scale = 1.0 / np.sqrt(M.diagonal())
     size, vector = np.linalg.eigh(M * scale[:, None] * scale)
     keep = size > 1e-12 * size[-1]

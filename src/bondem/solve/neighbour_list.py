@@ -1,4 +1,4 @@
-"""The list of contacts of a run: made anew whenever elements may have come near that it does not hold."""
+"""The list of contacts of a run, renewed whenever elements that it does not hold may have come near."""
 
 import numpy as np
 
@@ -18,10 +18,10 @@ _LASTING = 100
 
 
 class ContactList:
-    """Contacts of a state, in the form the kernels take.
+    """Contacts of a state, in the form that the kernels require.
 
     Attributes:
-        arrays: the present list; its memory is that of the state only after `keep`.
+        arrays: the present list; the state has its memory only after `keep`.
     """
 
     arrays: ContactTable
@@ -32,10 +32,10 @@ class ContactList:
         """Make the first list.
 
         Args:
-            model: whose elements touch.
-            contacts: how.
-            state: where they are.
-            joints: as `bondem.solve.cracks.joints` has them; kernels write both.
+            model: model of the elements.
+            contacts: contacts of the model.
+            state: state with the pose of the elements.
+            joints: result of `bondem.solve.cracks.joints`; kernels write both arrays.
         """
         self._contacts = contacts
         self._state = state
@@ -51,7 +51,7 @@ class ContactList:
         self.renew(state.step)
 
     def renew(self, step: int) -> bool:
-        """Make the list anew for where the elements are; False where a centre is not a number."""
+        """Make the list for the present places of the elements; return False if a centre is not a number."""
         state, contacts, layout = self._state, self._contacts, self._state.layout
         if not np.isfinite(state.pose[:, :3]).all():
             return False
@@ -106,9 +106,9 @@ class ContactList:
         return True
 
     def _listed(self, position: Floats, skin: float) -> np.ndarray:
-        """Bonds whose pairs belong to a list: those that may break, and broken ones whose ends are near, (m,).
+        """Return a mask of the bonds whose pairs are listed, (m,): breakable ones, and broken ones with near ends.
 
-        Where contacts act beside bonds, all whose ends are near.
+        If contacts act beside bonds, these are all bonds with near ends.
         """
         layout = self._state.layout
         broken = (self._joined[: len(layout.i)] <= 0.0) | self._contacts.law.parallel
@@ -123,7 +123,7 @@ class ContactList:
         return listed.astype(np.uint8)
 
     def keep(self) -> None:
-        """Write the memory of what touches into the state."""
+        """Write the memory of touching pairs into the state."""
         c, state = self.arrays, self._state
         self._depth = float(c.far[2])
         touching = c.touch == TOUCHING

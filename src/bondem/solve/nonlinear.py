@@ -1,9 +1,9 @@
-"""Equilibrium at large rotations: the least energy of bonds and loads, found by Newton's method.
+"""Equilibrium at large rotations: the minimum of the energy of bonds and loads, found by Newton's method.
 
-The tangent is the second derivative of the bond energy in displacements and spins, each bond's by central
-differences of its exact gradient. Loads keep their direction; the forces of a moment turn with its region. Load and
-prescribed motion grow together in steps that turn no element by more than a fraction of a radian, so that the path
-from rest is followed.
+The tangent is the second derivative of the bond energy by displacements and spins, each bond's by central differences
+of its exact gradient. Loads keep their direction; the forces of a moment rotate with its region. Load and prescribed
+motion grow together in steps that rotate no element by more than a fraction of a radian. This follows the path from
+rest.
 """
 
 from copy import copy
@@ -41,11 +41,11 @@ class Bent:
     """An equilibrium at large rotations, internal order.
 
     Attributes:
-        state: the poses.
+        state: state with the poses.
         motion: displacements and rotation vectors [m, rad], shape (n, 6).
-        force: what the bonds oppose to displacements and spins, K u for small ones [N, N·m], (n, 6).
-        walls: what walls that hold facets of cells do to them [N, N·m], (n, 6).
-        rounds: of Newton's method, over all steps of the load.
+        force: resistance of the bonds to displacements and spins, K u for small ones [N, N·m], (n, 6).
+        walls: loads of walls that hold facets of cells on these [N, N·m], (n, 6).
+        rounds: number of iterations of Newton's method, over all steps of the load.
         residual: unbalanced force at the end, over that of loads and supports [-].
     """
 
@@ -58,11 +58,11 @@ class Bent:
 
 
 def follow(model: Model, system: System) -> Bent:
-    """The equilibrium at the end of all schedules, by steps from rest.
+    """Return the equilibrium at the end of all schedules, reached in steps from rest.
 
     Raises:
-        InputError: the supports leave a rigid motion free.
-        ConvergenceError: the load cannot be reached: it buckles or turns bonds beyond their range.
+        InputError: The supports leave a rigid motion free.
+        ConvergenceError: The load cannot be reached, because the body buckles or bonds turn beyond their range.
     """
     if system.loose.shape[1]:
         raise InputError("nonlinear=True needs a specimen that is held; fix all six rigid motions with Fix")
@@ -90,7 +90,7 @@ def follow(model: Model, system: System) -> Bent:
 
 
 def strained(model: Model, share: float) -> Model:
-    """The model with a share of its stress-free strains and of the motion of walls that hold cells, at the end."""
+    """Return the model with a share of its final stress-free strains and of the final motion of holding walls."""
     strain = share * model.constraints.final_strain()
     if not strain.any() and model.cells is None:
         return model
@@ -106,7 +106,7 @@ def strained(model: Model, share: float) -> Model:
 
 @dataclass(frozen=True, eq=False)
 class _Trial:
-    """A step of the load: its equilibrium and what is left unbalanced, or by how much to shorten it."""
+    """A step of the load: its equilibrium and residual, or the factor by which to shorten it."""
 
     rounds: int
     state: State | None = None
@@ -115,7 +115,7 @@ class _Trial:
 
 
 def _advance(model: Model, system: System, start: State, share: float, motion: Floats) -> _Trial:
-    """The equilibrium under a `share` of the loads after a prescribed `motion`."""
+    """Return the equilibrium under a `share` of the loads after a prescribed `motion`."""
     state = start.copy()
     metric = np.repeat([1.0, 1.0 / system.length], 3)
     noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(motion))
@@ -153,9 +153,9 @@ def _advance(model: Model, system: System, start: State, share: float, motion: F
 def _solved(
     tangent: System, right: Floats, couples: list[tuple[Couple, float]], share: float, pose: Floats
 ) -> Floats:
-    """The change by Newton's method, (6 n,), with forces of moments that turn with their regions.
+    """Return the change by Newton's method, (6 n,), with forces of moments that rotate with their regions.
 
-    These add three columns a moment to the tangent, which are not symmetric: K - G B is solved by K (Woodbury).
+    These add three columns per moment to the tangent, which are not symmetric: K - G B is solved by K (Woodbury).
     """
     if not couples:
         return solver(tangent).solve(right, rtol=1e-8)[0]
@@ -173,7 +173,7 @@ def _solved(
 
 
 def _forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
-    """Derivative of the energy by displacements and spins, and what walls do to cells [N, N·m], (n, 6) each."""
+    """Return the derivative of the energy by displacements and spins, and wall loads [N, N·m], (n, 6) each."""
     if model.cells is not None:
         return cell_forces(model, pose)
     layout = model.layout
@@ -187,7 +187,7 @@ def _forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
 
 
 def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
-    """Derivative of each bond's energy by the motion of its two ends, (6, m) each."""
+    """Return the derivative of each bond's energy by the motion of its two ends, (6, m) each."""
     if model.cells is not None:
         return facet_gradient(model, pose, i, j)
     m = len(i)
@@ -200,10 +200,10 @@ def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
 
 
 def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
-    """Second derivative of the bond energy at a pose, (6 n, 6 n); `pattern` is that at rest.
+    """Return the second derivative of the bond energy at a pose, (6 n, 6 n); `pattern` is that at rest.
 
-    Symmetric: its antisymmetric part, the torque on an element, is not a property of the energy but of
-    counting spins one after the other, and vanishes in equilibrium.
+    It is symmetric. The antisymmetric part, the torque on an element, stems from applying spins one after the other,
+    not from the energy, and vanishes in equilibrium.
     """
     layout = model.layout
     m = len(layout.i)
@@ -246,13 +246,16 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
 
 
 def at_pose(model: Model, system: System, pose: Floats) -> Stiffness:
-    """The tangent of a strained model at a pose, in which the stresses of cells are left."""
+    """Return the tangent of a strained model at a pose, where the stresses of cells are stored."""
     _forces(model, pose)
     return tangent_matrix(model, system.matrix.bonds, pose)
 
 
 def unbalanced(model: Model, system: System, pose: Floats) -> float:
-    """Unbalanced force under the final loads over that of loads and supports, torques over the mean radius [-]."""
+    """Return the unbalanced force under the final loads over that of loads and supports [-].
+
+    Torques are divided by the mean radius.
+    """
     metric = np.repeat([1.0, 1.0 / system.length], 3)
     force, walls = _forces(model, pose)
     load = model.constraints.final_load(len(pose), pose)
@@ -262,7 +265,7 @@ def unbalanced(model: Model, system: System, pose: Floats) -> float:
 
 
 def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
-    """Unit quaternions (n, 4), turned further by rotation vectors (n, 3)."""
+    """Return unit quaternions (n, 4), rotated further by rotation vectors (n, 3)."""
     half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
     vector = 0.5 * rotation * np.sinc(half / np.pi)
     w, v = quaternion[:, :1], quaternion[:, 1:]
@@ -272,7 +275,7 @@ def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
 
 
 def rotation_vector(quaternion: Floats) -> Floats:
-    """Rotation vectors of at most π of unit quaternions (n, 4), shape (n, 3)."""
+    """Return rotation vectors of at most π of unit quaternions (n, 4), shape (n, 3)."""
     q = np.where(quaternion[:, :1] < 0.0, -quaternion, quaternion)
     sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
     ratio = np.divide(2.0 * np.arctan2(sine, q[:, :1]), sine, out=np.full_like(sine, 2.0), where=sine > 1e-150)

@@ -1,4 +1,4 @@
-"""What an explicit run is asked to do, and what comes back."""
+"""The plan of an explicit run, and its result."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from bondem._checks import count, instance, number, several, shown
+from bondem._drawing import Plotted
 from bondem.errors import InputError
 from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.model.gauges import AnyGauge, Gauge, WallGauge
@@ -19,7 +20,7 @@ from bondem.solve.schemes import Scheme, VelocityVerlet
 from bondem.solve.solution import Solution, Status
 from bondem.solve.timestep import choose_step
 
-# Called with the state and the record of each output; ends the run by returning True.
+# A function called with the state and the record of each output; it ends the run by returning True.
 Callback = Callable[[State, History], bool | None]
 
 __all__ = ["Callback", "ExplicitResult", "Loop", "Plan", "Status", "settled"]
@@ -30,21 +31,21 @@ _MOST = 10**12
 
 @dataclass(frozen=True, kw_only=True)
 class Plan:
-    """How a model is run.
+    """Parameters of an explicit run.
 
     Attributes:
         duration: physical time [s]; the run takes round(duration / dt) steps.
-        dt: time step [s]; None for `safety` times the critical one.
-        scheme: time integration.
-        damping: of elements or bonds, one kind or several in a tuple, or None.
-        gauges: what to record, by name.
+        dt: time step [s]; None for `safety` times the critical step.
+        scheme: time integration scheme.
+        damping: damping of elements or bonds, one kind or several in a tuple, or None.
+        gauges: quantities to record, by name.
         every: steps between records; 0 for none.
-        save_every: steps between checkpoints; 0 for none but the last.
+        save_every: steps between checkpoints; 0 for the last one only.
         snapshot_every: steps between snapshots for ParaView; 0 for none.
-        until: an event that ends the run, or several.
-        safety: share of the critical time step to use when dt is None [-].
-        imbalance: shares of the largest energy so far, beyond which the balance of the energy ledger gives a warning
-            and stops the run [-]; None for no check.
+        until: one event or several that end the run.
+        safety: share of the critical time step to use if dt is None [-].
+        imbalance: limits of the error of the energy ledger that give a warning and stop the run, as shares of the
+            largest energy so far [-]; None for no check.
     """
 
     duration: float
@@ -79,20 +80,20 @@ class Plan:
         until = several("", "until", self.until, Event, "bd.AtRest(...), or several events")
         object.__setattr__(self, "until", until)
         if self.until and not self.every:
-            raise InputError("events are looked at with each record: give every= at least 1 where there is until=")
+            raise InputError("until= is evaluated with each record, but every = 0; give every= of at least 1")
         DampingTerms.of(self.damping)
 
     @property
     def events(self) -> tuple[Event, ...]:
-        """What ends the run."""
+        """Events that end the run."""
         return (self.until,) if isinstance(self.until, Event) else tuple(self.until)
 
     @property
     def steps(self) -> int:
-        """round(duration / dt), of a plan whose time step is settled.
+        """Number of steps, round(duration / dt); requires a time step.
 
         Raises:
-            InputError: more steps than anyone waits for.
+            InputError: The number of steps is excessive.
         """
         assert self.dt is not None
         if not self.duration <= _MOST * self.dt:
@@ -104,16 +105,17 @@ class Plan:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class ExplicitResult(Solution):
-    """What came back: `iterations` are the steps done since the start of the run, `residual` is what the energy
-    ledger misses at most, over its largest entry (NaN without records).
+class ExplicitResult(Solution, Plotted):
+    """Result of an explicit run.
+
+    `iterations` is the number of steps since the start of the run. `residual` is the largest error of the energy
+    ledger over its largest entry (NaN without records).
 
     Attributes:
-        state: where everything is; after an unstable run, where all was well for the last time, at most 10 000
-            steps before.
-        history: the records.
-        dt: time step used [s].
-        message: one line for people.
+        state: final state; after an unstable run, the last good state, at most 10 000 steps earlier.
+        history: records of the run.
+        dt: time step [s].
+        message: one line about the end of the run.
     """
 
     state: State
@@ -123,34 +125,38 @@ class ExplicitResult(Solution):
 
     @property
     def events(self) -> BrokenBonds:
-        """What broke, in time."""
+        """Broken bonds or facets in the order of breakage."""
         return BrokenBonds.of(self.state)
 
     @property
     def steps(self) -> int:
-        """Steps done since the start of the run."""
+        """Number of steps since the start of the run."""
         return self.iterations
 
 
 class Loop(Protocol):
-    """What carries out the steps of a run, on the CPU or another device."""
+    """A loop over the steps of a run, on the CPU or another device."""
 
     state: State
 
     def look(self) -> np.ndarray:
-        """Bring the acceleration up to date and record the present."""
+        """Bring the acceleration up to date and record the present state."""
         ...
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Go on; the records written, bonds turned wide, bonds lost, and what `kernels.advance.guard` found."""
+        """Carry out steps.
+
+        Returns:
+            The records, the numbers of bonds turned wide and lost, and the result of `kernels.advance.guard`.
+        """
         ...
 
 
 def _limits(given: tuple[float, float] | None) -> tuple[float, float] | None:
-    """Both limits of the imbalance, checked.
+    """Return both limits of the imbalance, checked.
 
     Raises:
-        InputError: no pair of positive shares in ascending order.
+        InputError: The value is not a pair of positive shares in ascending order.
     """
     if given is None:
         return None
@@ -166,10 +172,10 @@ def _limits(given: tuple[float, float] | None) -> tuple[float, float] | None:
 
 
 def settled(model: Model, plan: Plan) -> Plan:
-    """The same plan with its time step chosen, or checked where it is given.
+    """Return the same plan with a time step: chosen, or checked if given.
 
     Raises:
-        UnstableStepError: dt above the critical step of the lattice.
+        UnstableStepError: dt exceeds the critical step of the lattice.
     """
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
     return replace(plan, dt=step.dt)

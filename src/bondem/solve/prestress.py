@@ -1,4 +1,4 @@
-"""The stiffness of a model about an equilibrium that bears loads: what its stresses add to that at rest."""
+"""Stiffness of a model about an equilibrium under load, including that of its stresses."""
 
 from copy import copy
 from dataclasses import replace
@@ -22,16 +22,16 @@ _REST = 1e-2
 
 
 def about_equilibrium(model: Model, system: System, prestress: StaticResult | State) -> System:
-    """The system of a model with the tangent at an equilibrium.
+    """Return the system of a model with the tangent at an equilibrium.
 
     Args:
-        model: what is solved.
-        system: its own at rest.
+        model: model to solve.
+        system: linear system at rest.
         prestress: a static solution of the model, or a state of it at rest.
 
     Raises:
-        InputError: another object, one of another model, no equilibrium, bonds that have broken, or a specimen that
-            its supports leave free.
+        InputError: The value is another object, belongs to another model, is not an equilibrium or has broken bonds,
+            or the supports leave the specimen free.
     """
     instance("solve_modes", "prestress", prestress, (StaticResult, State), "a solution of solve_static, or a state")
     if len(prestress.displacement) != len(model.lattice.particles):
@@ -39,7 +39,7 @@ def about_equilibrium(model: Model, system: System, prestress: StaticResult | St
     if system.loose.shape[1]:
         raise InputError("prestress= needs a specimen that is held; fix all six rigid motions with Fix")
     if model.formulation == "incremental":
-        raise InputError("prestress= needs a potential: use formulation='total'")
+        raise InputError("prestress= needs a potential; use formulation='total'")
     if isinstance(prestress, State):
         loaded, pose = _of_state(model, prestress), prestress.pose.copy()
     else:
@@ -47,7 +47,7 @@ def about_equilibrium(model: Model, system: System, prestress: StaticResult | St
     left = unbalanced(loaded, system, pose) if isinstance(prestress, StaticResult) else 0.0
     if left > _REST:
         raise InputError(
-            f"prestress= is no equilibrium of this model: {left:.2g} of the forces are unbalanced; give what"
+            f"prestress= is not an equilibrium of this model: {left:.2g} of the forces are unbalanced; give what"
             " solve_static returned for it, with nonlinear=True where motions are large"
         )
     return replace(system, matrix=at_pose(loaded, system, pose))
@@ -62,10 +62,10 @@ def _posed(model: Model, result: StaticResult) -> Floats:
 
 
 def _of_state(model: Model, state: State) -> Model:
-    """The model with the strains, walls and tractions of the time of a state."""
+    """Return the model with the strains, walls and tractions of the time of a state."""
     if not np.all(state.integrity == 1.0) or len(state.cracks) or state.plastic.any():
         raise InputError("prestress= is a state with broken bonds or cracks; leave these bonds out of a new lattice")
-    strain, twin = state.stress_free_strain, copy(model)
+    strain, twin = state.rest_strain, copy(model)
     twin.__dict__["bonds"] = model.bonds.stretched(strain)
     if model.cells is not None:
         cells = model.cells.stretched(strain, model.layout)

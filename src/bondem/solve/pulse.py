@@ -1,7 +1,7 @@
-"""How far an explicit run is, told about once a second to who listens: a terminal, a log.
+"""Progress of an explicit run, sent about once a second to a listener such as a terminal or a log.
 
-Runs are deep inside of tests and studies; whoever watches them does so from far above, so that what is told does not
-pass through all the functions between.
+Runs are deep inside of tests and studies. A listener is set for the context, so that progress need not pass through
+all the functions in between.
 """
 
 from collections.abc import Callable, Iterator
@@ -9,19 +9,21 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
+from bondem import _progress
+
 
 @dataclass(frozen=True)
 class Pulse:
-    """A moment of a run.
+    """Progress of a run at one moment.
 
     Attributes:
-        step: steps done.
-        steps: of the whole run.
-        time: simulated [s].
-        rate: steps in a second of wall time.
-        broken: bonds or facets that have broken.
+        step: number of steps done.
+        steps: number of steps of the whole run.
+        time: simulated time [s].
+        rate: steps per second of wall time.
+        broken: number of broken bonds or facets.
         error: largest error of the energy ledger so far [J].
-        energy: its largest entry so far [J].
+        energy: largest entry of the ledger so far [J].
     """
 
     step: int
@@ -34,13 +36,26 @@ class Pulse:
 
     @property
     def balance(self) -> float | None:
-        """Error of the energy ledger [-]; None where there is no energy yet."""
+        """Relative error of the energy ledger [-]; None without any energy yet."""
         return self.error / self.energy if self.energy > 0.0 else None
 
     @property
     def left(self) -> float:
-        """Wall time to the end of the run at this rate [s]; a test that ends by itself may end sooner."""
+        """Wall time to the end of the run at this rate [s]; an event may end a test sooner."""
         return (self.steps - self.step) / self.rate
+
+    @property
+    def words(self) -> str:
+        """Progress of a run as one line of text."""
+        words = [
+            f"step {self.step} of {self.steps}", f"t = {self.time:.4g} s", f"{self.rate:.0f} steps/s",
+            f"at most {_progress.span(self.left)} left",
+        ]  # fmt: skip
+        if self.broken:
+            words.append(f"{self.broken} broken")
+        if self.balance is not None:
+            words.append(f"energy error {self.balance:.0e}")
+        return ", ".join(words)
 
 
 _listener: ContextVar[Callable[[Pulse], None] | None] = ContextVar("listener", default=None)
@@ -48,7 +63,7 @@ _listener: ContextVar[Callable[[Pulse], None] | None] = ContextVar("listener", d
 
 @contextmanager
 def listening(listener: Callable[[Pulse], None]) -> Iterator[None]:
-    """Tell `listener` about the runs of this context."""
+    """Send the progress of the runs of this context to `listener`."""
     token = _listener.set(listener)
     try:
         yield
@@ -57,12 +72,13 @@ def listening(listener: Callable[[Pulse], None]) -> Iterator[None]:
 
 
 def heard() -> bool:
-    """Whether anybody listens."""
-    return _listener.get() is not None
+    """Return True if there is a listener."""
+    return _listener.get() is not None or _progress.noted()
 
 
 def tell(pulse: Pulse) -> None:
-    """Tell who listens."""
+    """Send progress to the listener."""
+    _progress.note(pulse.words if pulse.step < pulse.steps else "")
     listener = _listener.get()
     if listener is not None:
         listener(pulse)

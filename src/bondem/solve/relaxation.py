@@ -1,8 +1,9 @@
-"""Equilibrium by dynamic relaxation: motion damped as its frequency asks, with masses that make it quick."""
+"""Equilibrium by dynamic relaxation, with damping by the present frequency and masses that speed it up."""
 
 import numpy as np
 
 from bondem._checks import count, instance, number
+from bondem._progress import staged
 from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.kernels.dynamic_relaxation import Relaxation, relax_bonds
@@ -25,22 +26,24 @@ _CHUNK = 2_000
 _TURNING = 20
 
 
+@staged("relaxation")
 def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_000) -> StaticResult:
-    """Equilibrium at any rotation under the loads and prescribed motions at the end of their schedules.
+    """Compute the equilibrium at any rotation under the loads and prescribed motions at the end of their schedules.
 
-    Dynamic relaxation needs no matrix and no more memory than an explicit run. Each element gets a mass in proportion
-    to the stiffness that holds it, so that all of it moves about as fast, and the time step is 1; damping is critical
-    for the frequency at which the specimen moves at present. `solve_static` is much faster where K can be stored.
+    Dynamic relaxation needs no matrix and no more memory than an explicit run. The mass of each element is
+    proportional to the stiffness at the element, so that all elements move about as fast. The time step is 1. Damping
+    is critical for the present frequency of the specimen. `solve_static` is much faster if K can be stored.
 
     Args:
-        model: what is solved, of either formulation; a specimen its supports hold.
-        tolerance: unbalanced force over the sum of applied and supporting force (root of squares, torques over the
-            mean radius) at which to stop [-].
-        most: steps after which to give up.
+        model: model to solve, of either formulation; its supports must hold the specimen.
+        tolerance: unbalanced force over the sum of applied and supporting force at which to stop [-]. These are roots
+            of sums of squares, with torques divided by the mean radius.
+        most: largest number of steps.
 
     Raises:
-        InputError: contacts or walls, no supports, a prescribed velocity, or a tolerance outside (0, 1).
-        ConvergenceError: no balance in `most` steps, or bonds turned too far.
+        InputError: The model has contacts or walls, no supports or a prescribed velocity, or the tolerance is outside
+            (0, 1).
+        ConvergenceError: Forces do not balance in `most` steps, or bonds turned too far.
     """
     instance("solve_relaxed", "model", model, Model, "bd.Model(...)")
     number("", "tolerance", tolerance, above=0.0, below=1.0, advice="a share of the force in (0, 1), such as 1e-6")
@@ -50,9 +53,9 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     if model.failure is not None:
         raise InputError("bonds break in explicit runs only; leave failure= out of the model")
     if model.non_local is not None:
-        raise InputError("solve_relaxed follows a potential, which the non-local law has not: use solve_static")
+        raise InputError("solve_relaxed needs a potential, which the non-local law lacks; use solve_static")
     if model.cells is not None:
-        raise InputError("solve_relaxed knows bonds only; use solve_static, also with nonlinear=True, for cells")
+        raise InputError("solve_relaxed does not support cells; use solve_static, also with nonlinear=True")
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
     held = constraints.held(n)
@@ -91,7 +94,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
             )
     if not finished:
         raise ConvergenceError(
-            f"forces do not balance after {done} steps: {ratio:.3g} of them are left; raise tolerance= or most=, or"
+            f"forces do not balance after {done} steps: {ratio:.3g} of them remain; raise tolerance= or most=, or"
             " use solve_static"
         )
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
@@ -104,10 +107,10 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
 
 
 def masses(model: Model) -> tuple[PerElement, PerElement]:
-    """Mass and moment of inertia of each element for relaxation in steps of 1, internal order, (n,) each.
+    """Return masses and moments of inertia of the elements for relaxation in steps of 1, internal order, (n,) each.
 
-    They are as the sums of translational and rotational stiffness at the element, so that by themselves all move at
-    one frequency, and as large as the highest frequency of the lattice demands.
+    They are proportional to the translational and rotational stiffness at the element, so that all elements by
+    themselves move at one frequency. Their size follows from the highest frequency of the lattice.
     """
     layout, bonds = model.layout, model.bonds
     n = len(layout.order)

@@ -1,4 +1,4 @@
-"""What a solver asks of whoever keeps its results; it knows no file format."""
+"""Interface between a solver and the storage of its results, independent of file formats."""
 
 from typing import Protocol
 
@@ -7,12 +7,12 @@ from bondem.solve.history import History
 
 
 class Sink(Protocol):
-    """Takes snapshots."""
+    """A receiver of checkpoints and snapshots."""
 
     def checkpoint(self, state: State, history: History) -> None:
-        """Keep all that is needed to go on from here."""
+        """Store all that is needed to continue from here."""
         ...
 
     def snapshot(self, state: State) -> None:
-        """Keep what is shown of a state."""
+        """Store the visible part of a state."""
         ...

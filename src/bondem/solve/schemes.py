@@ -1,7 +1,7 @@
 """Time integration schemes, as three coefficients of one update.
 
-Both schemes close a step by v += finish · a and open the next by v += begin · a, x += dt v + extra · a; so
-do the angular velocities (ω̇ = τ/I for a sphere) and, through the exponential map, the orientations.
+Both schemes close a step by v += finish · a and open the next by v += begin · a, x += dt v + extra · a. Angular
+velocities follow the same update (ω̇ = τ/I for a sphere), and orientations follow it through the exponential map.
 """
 
 import math
@@ -22,16 +22,16 @@ class Scheme(ABC):
     @property
     @abstractmethod
     def conserves(self) -> bool:
-        """Whether the energy ledger closes, to second order in the step."""
+        """True if the energy ledger closes, to second order in the step."""
 
     @abstractmethod
     def coefficients(self, dt: float) -> tuple[float, float, float]:
-        """finish [s], begin [s] and extra [s²] for a step dt [s]."""
+        """Return finish [s], begin [s] and extra [s²] for a step dt [s]."""
 
 
 @dataclass(frozen=True)
 class VelocityVerlet(Scheme):
-    """Velocity Verlet: second order, symplectic, no dissipation; stable for ω dt < 2.
+    """The velocity Verlet scheme: second order, symplectic, no dissipation; stable for ω dt < 2.
 
     Reference: André et al. (2012) eqs (5), (6), with all positions advanced before any force.
     """
@@ -50,10 +50,11 @@ class VelocityVerlet(Scheme):
 
 @dataclass(frozen=True)
 class TchamwaWielgosz(Scheme):
-    """Tchamwa–Wielgosz: first order, dissipates high frequencies; x⁺ = x + dt v + φ dt² a, v⁺ = v + dt a.
+    """The Tchamwa–Wielgosz scheme: first order, dissipates high frequencies.
 
-    Stable for ω dt < 2 / √(2φ - 1). The decentred scheme printed in André et al. (2012) eqs (17), (18) is
-    another one, and unstable for φ > 1; this is the one of the reference it cites (Mahéo et al. 2009).
+    A step is x⁺ = x + dt v + φ dt² a, v⁺ = v + dt a. It is stable for ω dt < 2 / √(2φ - 1). It is the scheme of the
+    reference (Mahéo et al. 2009) cited by André et al. (2012). The decentred scheme in their eqs (17), (18) is
+    another one, and unstable for φ > 1.
 
     Attributes:
         phi: dissipation φ >= 1 [-]; 1 dissipates nothing.

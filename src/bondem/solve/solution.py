@@ -1,11 +1,11 @@
-"""What every solver gives back beside its solution."""
+"""Common part of the results of all solvers."""
 
 from dataclasses import dataclass
 from enum import Enum
 
 
 class Status(Enum):
-    """How a solution ended. What has not converged is no solution: it raises `ConvergenceError`."""
+    """Outcome of a solution. A solver that does not converge has no outcome: it raises `ConvergenceError`."""
 
     COMPLETED = "completed"
     STOPPED = "stopped by an event"
@@ -14,18 +14,18 @@ class Status(Enum):
 
     @property
     def failed(self) -> bool:
-        """Whether the end of the run is no result: it became unstable, or its energy balance was lost."""
+        """True if the run gives no result, because it became unstable or lost its energy balance."""
         return self in (Status.UNSTABLE, Status.IMBALANCED)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Solution:
-    """What all solutions say of themselves; each adds what was asked for.
+    """Common part of the results of all solvers.
 
     Attributes:
-        status: how it ended.
-        iterations: steps of the method: time steps, Newton's, of conjugate gradients; 1 for an elimination.
-        residual: what is left of the equations, as a share of their terms [-]; each solution says of which.
+        status: outcome of the solution.
+        iterations: number of time steps, or iterations of Newton's method or conjugate gradients; 1 for elimination.
+        residual: residual of the equations, as a share of their terms [-]; each solution defines it.
     """
 
     status: Status = Status.COMPLETED

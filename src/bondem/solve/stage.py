@@ -1,4 +1,4 @@
-"""The start of a run: where it takes up a state, and what its schedules mean there."""
+"""The start of a run from a state, and the meaning of its schedules there."""
 
 import warnings
 from collections.abc import Iterator, Sequence
@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from bondem._checks import shown
+from bondem._names import users_line
 from bondem._types import Floats
 from bondem.errors import InputError, StageWarning
 from bondem.model.boundary import Drive, Load
@@ -30,13 +31,13 @@ _WALL = ("x", "y", "z", "growth")
 
 
 def begin(model: Model, state: State | None) -> State:
-    """A state to run `model` from: a new one at rest, or a copy of `state`, whose time goes on.
+    """Return a state to run `model` from: a new one at rest, or a copy of `state`, whose time continues.
 
     Raises:
-        InputError: the state of a model with other elements, masses or bonds, or displacements that would jump.
+        InputError: The state belongs to a model with other elements, masses or bonds, or displacements would jump.
 
     Warns:
-        StageWarning: a schedule that began before the state's time, and was not in the run that made the state.
+        StageWarning: A schedule began before the time of the state, and was not in the run that made the state.
     """
     own = State(model) if state is None else state.copy()
     before = None if state is None or state.time == 0.0 else state.model
@@ -53,10 +54,10 @@ def begin(model: Model, state: State | None) -> State:
 
 
 def check_gauges(model: Model, plan: Plan) -> None:
-    """Refuse gauges that could only read zero.
+    """Reject gauges that could only read zero.
 
     Raises:
-        InputError: a force gauge where nothing is held, driven or loaded.
+        InputError: A force gauge has a region where nothing is held, driven or loaded.
     """
     row_of = model.constraints.row_of
     for name, gauge in plan.gauges.items():
@@ -64,13 +65,13 @@ def check_gauges(model: Model, plan: Plan) -> None:
             continue
         if (row_of[model.layout.rank[gauge.region.select(model.lattice)]] < 0).all():
             raise InputError(
-                f"gauge '{name}' reads forces of loads and supports, and {shown(gauge.region)} has none; take a"
+                f"gauge '{name}' reads forces of loads and supports, and {shown(gauge.region)} has none; use a"
                 " region that is fixed, driven or loaded"
             )
 
 
 def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
-    """Prescribed displacements must begin where elements and walls are, except those that go on from `before`."""
+    """Reject prescribed displacements that do not begin at their elements, unless they continue from `before`."""
     position = state.pose[:, :3] - state.rest
     shift = np.concatenate([position, rotation_vector(state.pose[:, 4:])], axis=1)
     slack = np.where(shift.any(axis=0), _ROUNDING, 0.0)
@@ -100,7 +101,7 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
 
 
 def _refuse_wall_jumps(grips: Grips, state: State, *, at_rest: bool) -> None:
-    """Nor may walls that hold cells; of a state `at_rest` they are in the reference, wherever the cells are."""
+    """Reject jumps of walls that hold cells; in a state `at_rest` the walls are in the reference."""
     extent = float(np.ptp(state.rest, axis=0).max()) if state.time > 0.0 else 0.0
     for s, (schedule, rate) in enumerate(zip(grips.holds.drives, grips.holds.rate, strict=True)):
         moved = grips.holds.drive == s
@@ -134,7 +135,7 @@ def _warn_of_lost_time(model: Model, before: Origin, time: float) -> None:
                 f" (t = {time:.6g} s): it begins at {value:.6g}, not {first:.6g}; give times from there on, such as"
                 f" begin={time:.6g}",
                 StageWarning,
-                stacklevel=4,
+                stacklevel=users_line(),
             )
 
 

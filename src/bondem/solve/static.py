@@ -1,10 +1,11 @@
-"""Static equilibrium: where a model comes to rest under its final loads."""
+"""Static equilibrium of a model under its final loads."""
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from bondem._checks import instance
+from bondem._progress import staged
 from bondem._types import Floats, PerBond, PerElement, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.model.model import Model
@@ -21,13 +22,13 @@ from bondem.solve.threads import one_blas_thread
 class StaticResult(Solution):
     """An equilibrium, in the user's order; rattlers stay at 0.
 
-    Its residual is the unbalanced force over the sum of applied and supporting force, roots of sums of squares,
-    torques over the mean radius.
+    Its residual is the unbalanced force over the sum of applied and supporting force. These are roots of sums of
+    squares, with torques divided by the mean radius.
 
     Attributes:
-        displacement: of the centres [m], shape (n, 3).
+        displacement: displacements of the centres [m], shape (n, 3).
         rotation: rotation vectors [rad], shape (n, 3).
-        reaction: force and moment of the supports on each element [N, N·m], shape (n, 6); 0 where free.
+        reaction: force and moment of the supports on each element [N, N·m], shape (n, 6); 0 for free elements.
         energy: elastic energy of the bonds.
     """
 
@@ -37,37 +38,38 @@ class StaticResult(Solution):
     energy: EnergyParts
 
     def scaled(self, factor: float) -> "StaticResult":
-        """The same with motions times a factor, as a guess for bonds of another modulus."""
+        """Return the same result with motions times a factor, as a guess for bonds of another modulus."""
         return replace(self, displacement=factor * self.displacement, rotation=factor * self.rotation)
 
 
 @one_blas_thread
+@staged("static solution")
 def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult | None = None) -> StaticResult:
-    """Equilibrium under the loads and prescribed motions at the end of their schedules.
+    """Compute the equilibrium under the loads and prescribed motions at the end of their schedules.
 
-    A specimen that its supports leave free to move rigidly must carry balanced loads; its rigid motion is
-    taken out of the result. Absorbing boundaries take no part. Of the non-local law it is the end of a path from the
-    unloaded state, in rounds (`bondem.solve.lagged`), and the energy that of its springs.
+    A specimen that its supports leave free to move rigidly must carry balanced loads; its rigid motion is removed
+    from the result. Absorbing boundaries have no effect. For the non-local law the result is the end of a path from
+    the unloaded state, found in rounds (`bondem.solve.lagged`). Its energy is that of the springs.
 
     Args:
-        model: what is solved.
-        nonlinear: follow large rotations; else K u = f at the reference.
-        guess: a solution of a similar model, to start from where K u = f is solved by iteration; an elimination needs
-            none, and a nonlinear path begins at rest.
+        model: model to solve.
+        nonlinear: True to follow large rotations; False to solve K u = f at the reference.
+        guess: solution of a similar model, from which an iterative solution of K u = f starts. An elimination ignores
+            it, and a nonlinear path begins at rest.
 
     Raises:
-        InputError: unbalanced loads on a specimen that is free to move, a prescribed velocity, contacts or walls, or
-            a guess for a nonlinear path or of another lattice.
-        ConvergenceError: a load that no bond resists.
+        InputError: Loads are unbalanced on a specimen that is free to move, a velocity is prescribed, or the model
+            has contacts or walls. Or a guess is given for a nonlinear path, or belongs to another lattice.
+        ConvergenceError: No bond resists the load.
     """
     instance("solve_static", "model", model, Model, "bd.Model(...)")
     instance("solve_static", "nonlinear", nonlinear, bool, "True or False")
     if nonlinear and model.non_local is not None:
-        raise InputError("the non-local law has no potential to follow: leave out nonlinear=, or use solve_explicit")
+        raise InputError("the non-local law has no potential to follow; leave out nonlinear=, or use solve_explicit")
     if not nonlinear:
         return Statics(model).equilibrium(guess=guess)
     if guess is not None:
-        raise InputError("solve_static: a nonlinear path begins at rest and takes no guess=; leave it out")
+        raise InputError("solve_static: guess= has no effect on a nonlinear path, which begins at rest; leave it out")
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
     bent = follow(model, System.of(model))
@@ -83,7 +85,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
 
 
 class Statics:
-    """The linear statics of a model: one matrix and one factorisation for any number of loads."""
+    """Linear statics of a model: one matrix and one factorisation for any number of loads."""
 
     @one_blas_thread
     def __init__(self, model: Model) -> None:
@@ -94,7 +96,7 @@ class Statics:
 
     @one_blas_thread
     def equilibrium(self, *, guess: StaticResult | None = None) -> StaticResult:
-        """Where the model rests under its own loads; see `solve_static`."""
+        """Compute the equilibrium of the model under its own loads; see `solve_static`."""
         model, system = self.model, self._system
         layout, constraints = model.layout, model.constraints
         n = len(layout.order)
@@ -136,15 +138,15 @@ class Statics:
         guess: PerElement6 | None = None,
         rtol: float = 1e-10,
     ) -> PerElement6:
-        """Displacements and rotations [m, rad] under other nodal forces and moments [N, N·m], (n, 6) each.
+        """Compute displacements and rotations [m, rad] under other nodal forces and moments [N, N·m], (n, 6) each.
 
         Supports are at rest. Loads on a specimen that is free to move must be balanced.
 
         Args:
-            load: user's order.
-            facets: which of it acts on free facets of a body of cells [N], (k, 3).
-            guess: where an iteration starts.
-            rtol: when it ends, residual over load.
+            load: forces and moments, user's order.
+            facets: part of the load that acts on free facets of a body of cells [N], (k, 3).
+            guess: start of an iteration.
+            rtol: residual over load at which the iteration ends.
         """
         order, rank = self.model.layout.order, self.model.layout.rank
         load = load[order].ravel()
@@ -159,7 +161,7 @@ class Statics:
 
 
 def _of_lagged(model: Model, system: System, statics: LaggedStatics, load: Floats, motion: Floats) -> StaticResult:
-    """The equilibrium of the non-local law under loads and prescribed motions in the kernels' order, (6 n,) each."""
+    """Return the equilibrium of the non-local law under loads and prescribed motions, kernels' order, (6 n,) each."""
     order, rank = model.layout.order, model.layout.rank
     n = len(order)
     found = statics.settle(load.reshape(n, 6)[rank], motion=motion.reshape(n, 6)[rank])
@@ -173,7 +175,7 @@ def _of_lagged(model: Model, system: System, statics: LaggedStatics, load: Float
 
 
 def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
-    """What is unbalanced where elements are free, over loads and what the supports bear [-]."""
+    """Return the unbalanced force of free elements over loads and supporting forces [-]."""
     metric = np.repeat([1.0, 1.0 / system.length], 3)
     rest = float(np.linalg.norm(np.where(system.free, unbalanced, 0.0) * metric))
     scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, 0.0, unbalanced) * metric)
@@ -181,7 +183,7 @@ def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
 
 
 def strain_load(model: Model, strain: PerBond) -> Floats:
-    """Forces of bonds with a stress-free strain, and of walls that move, on elements at rest [N, N·m], (6 n,)."""
+    """Return forces of strained bonds and of moving walls on elements at rest [N, N·m], (6 n,)."""
     layout, bonds = model.layout, model.bonds
     if model.cells is not None:
         body, still = model.lattice, np.zeros((len(layout.order), 3))
@@ -198,7 +200,7 @@ def strain_load(model: Model, strain: PerBond) -> Floats:
 
 
 def _of_swelling(model: Model, pressed: PerElement) -> PerElement6:
-    """Forces of cells at rest that swell by V θ [m³], (n,), on the elements [N, N·m], (n, 6), user's order."""
+    """Return forces of cells at rest that swell by V θ [m³], (n,), on elements [N, N·m], user's order, (n, 6)."""
     still = np.zeros((len(pressed), 3))
     wall = np.zeros_like(model.cell_constants.grips.motion)
     found = CellStrain.of(model.lattice, model.cell_constants, still, still, wall=wall, pressed=pressed)
@@ -206,7 +208,7 @@ def _of_swelling(model: Model, pressed: PerElement) -> PerElement6:
 
 
 def of_walls(model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> PerElement6 | float:
-    """Force and torque of the walls that hold facets on their cells [N, N·m], (n, 6); 0 of beams."""
+    """Return force and torque of holding walls on their cells [N, N·m], (n, 6); 0 for beams."""
     if model.cells is None:
         return 0.0
     constants, slip = model.cell_constants, stress_free_gap(model, strain)
@@ -216,7 +218,7 @@ def of_walls(model: Model, displacement: PerElement3, rotation: PerElement3, str
 
 
 def _check_balance(system: System, load: Floats) -> None:
-    """A load may not drive a rigid motion that the supports permit."""
+    """Reject a load that drives a rigid motion that the supports permit."""
     forces = load.reshape(-1, 6) / np.repeat([1.0, system.length], 3)
     if np.abs(system.loose.T @ load).max(initial=0.0) > 1e-8 * np.linalg.norm(forces):
         raise InputError(

@@ -1,4 +1,4 @@
-"""Walls that hold facets of cells, as a stage takes them over from the state that it goes on from."""
+"""Walls that hold facets of cells, as a stage takes them over from its initial state."""
 
 from typing import cast
 
@@ -15,22 +15,22 @@ from bondem.solve.nonlinear import rotation_vector
 
 
 def goes_on(model: Model, state: State) -> bool:
-    """Whether the walls of a model are those of the model of a state, and move in the same way."""
+    """Return True if the walls of a model are those of the model of a state, and move in the same way."""
     if model.cells is None or state.model.cells is None:
         return model.cells is None
     return model.cell_constants.grips.holds.same(state.model.cell_constants.grips.holds)
 
 
 def taken_walls(model: Model, state: State) -> Floats:
-    """Where walls that hold facets of cells come from (`State.grips`), shape (g, 7).
+    """Return the initial places of walls that hold facets of cells (`State.grips`), shape (g, 7).
 
-    A wall that held a facet along an axis goes on from where it is, also where another condition moves it now. One
-    that did not begins where the facet is, so that the facet bears at first what loads that are no longer there did
-    put on it, or nothing. A cell whose wall holds more of the normal of its facet than before keeps the moment.
+    A wall that held a facet along an axis continues from its place, even if another condition moves it now. A wall
+    that did not begins at the facet. The facet then initially carries the loads on it that have been removed, or
+    nothing. A cell whose wall holds more of the normal of its facet than before keeps the moment.
 
     Args:
-        model: of the stage that begins.
-        state: where it begins, with the model that made it.
+        model: model of the new stage.
+        state: initial state, with the model that made it.
     """
     if model.cells is None:
         return reference_base(0)
@@ -58,13 +58,13 @@ def taken_walls(model: Model, state: State) -> Floats:
 
 
 def _both(grips: Grips, before: Grips) -> tuple[np.ndarray, np.ndarray]:
-    """Places of the facets in both tables that both hold."""
+    """Return the places in both tables of the facets that both hold."""
     _, mine, theirs = np.intersect1d(grips.holds.facet, before.holds.facet, return_indices=True)
     return mine, theirs
 
 
 def _same_motion(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:
-    """Whether facets are moved as before along each axis, shape (k, 3)."""
+    """Return a mask of facets that move as before along each axis, shape (k, 3)."""
     def motions(one: Grips) -> list[object]:
         return [*zip(one.holds.drives, one.holds.rate, strict=True), None]  # -1 is the last: at rest
 
@@ -74,7 +74,7 @@ def _same_motion(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarr
 
 
 def _origins(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray, state: State) -> Floats:
-    """Orientations that rotations of cells count from, of facets that both hold, (k, 4)."""
+    """Return the reference orientations for rotations of cells, of facets that both hold, (k, 4)."""
     now, origin = state.orientation[grips.cell[mine]], state.grips[theirs, 3:]
     was = before.flatness(state.grips[:, 3:])[theirs]
     more = grips.flatness(state.orientation[grips.cell])[mine]
@@ -86,17 +86,23 @@ def _origins(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray, 
 
 
 def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
-    """Displacements of facets that were free, (g, 3): of the rigid cell, and the opening that its stress makes.
+    """Return displacements of facets that were free, (g, 3): that of the rigid cell, and the opening by its stress.
 
-    `fresh` is 1 along the axes along which walls begin to hold them, (g, 3). Loads that go on act there on the cell
-    itself from now on, and do not open the facet: its stress becomes what it is without that.
+    `fresh` is 1 along the axes along which walls begin to hold them, (g, 3). Loads that continue there act on the
+    cell itself from now on, and do not open the facet: its stress becomes that without these loads. A facet that a
+    smooth platen held opened by the shares of that platen, which have no part along it.
     """
     grips, constants, q = model.cell_constants.grips, model.cell_constants, state.orientation
+    shares = grips.way
     facet, area = grips.holds.facet, body_of(model.lattice)[1].free.area[:, None]
     rigid = state.displacement[grips.cell] + held_arms(model, state) - grips.lever
     going_on = loads_on_facets(model, state.time, q)
     force, stress = -going_on, np.zeros(len(q))
-    soft, way = constants.softness[facet, None], turned_rows(q[grips.cell], grips.way)
+    if state.model.cells is not None:
+        mine, theirs = _both(grips, state.model.cell_constants.grips)
+        shares = shares.copy()
+        shares[mine] = state.model.cell_constants.grips.way[theirs]
+    soft, way = constants.softness[facet, None], turned_rows(q[grips.cell], shares)
     if state.model.cells is not None:
         before = cast(Model, state.model)
         force += loads_on_facets(before, state.time, q)
@@ -111,6 +117,6 @@ def _conjugate(q: Floats) -> Floats:
 
 
 def _product(p: Floats, q: Floats) -> Floats:
-    """Products of quaternions, (k, 4)."""
+    """Return products of quaternions, (k, 4)."""
     w = p[:, :1] * q[:, :1] - (p[:, 1:] * q[:, 1:]).sum(axis=1, keepdims=True)
     return np.hstack([w, p[:, :1] * q[:, 1:] + q[:, :1] * p[:, 1:] + np.cross(p[:, 1:], q[:, 1:])])

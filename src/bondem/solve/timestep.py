@@ -9,6 +9,7 @@ from scipy.linalg import eigh_tridiagonal
 from scipy.sparse import diags_array
 from scipy.sparse.linalg import eigsh
 
+from bondem._names import users_line
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import StepWarning, UnstableStepError
 from bondem.kernels.bond_pass import bond_loads
@@ -43,14 +44,14 @@ _PER_CONTACT = 20
 def highest_frequency(
     model: Model, *, integrity: PerBond | None = None, table: BondTable | None = None, slip: LongSlip | None = None
 ) -> float:
-    """ω_max of the unconstrained lattice at rest [rad/s]: a bound for every set of supports.
+    """Return ω_max of the unconstrained lattice at rest [rad/s], a bound for every set of supports.
 
     Args:
-        model: what will move.
-        integrity: of the bonds as they are now (`State.integrity`), internal order, (m,); all intact when None.
+        model: model that will move.
+        integrity: present integrity of the bonds (`State.integrity`), internal order, (m,); None for intact bonds.
             Broken bonds only lower ω_max.
         table: the bonds, if not those of the model.
-        slip: on planes between regions, one of `long_slips`.
+        slip: slip on planes between regions, one of `long_slips`.
     """
     order = model.layout.order
     mass, inertia = model.mass[order], model.inertia[order]
@@ -67,12 +68,13 @@ def stiffest(
     table: BondTable | None = None,
     slip: LongSlip | None = None,
 ) -> float:
-    """The largest eigenvalue of K u = ω² M u [1/s²], from above, for any masses in internal order.
+    """Return an upper bound of the largest eigenvalue of K u = ω² M u [1/s²], for any masses in internal order.
 
-    Lanczos iteration without a matrix: K u is what the bonds answer to small displacements of the lattice at rest.
-    It ends when the residual is below the tolerance, and the residual is added. It starts from a fixed
-    vector, the larger the stiffer an element is held for its mass: the highest mode is one of few elements, and
-    from anywhere else one that is hardly above the others could stay unseen. `slip` is one of `long_slips`.
+    It is found by Lanczos iteration without a matrix: K u is the response of the bonds to small displacements of the
+    lattice at rest. The iteration ends when the residual is below the tolerance, and the residual is added. It starts
+    from a fixed vector that is larger where an element is stiffer for its mass. The highest mode involves few
+    elements, and from another start one that is hardly above the others could stay hidden. `slip` is one of
+    `long_slips`.
     """
     layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
     if m == 0:
@@ -148,18 +150,19 @@ def critical_step(
     *,
     integrity: PerBond | None = None,
 ) -> float:
-    """The largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
+    """Return the largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
-    It holds for contacts before they appear, as each is counted with the most that can touch at once. Local damping
-    raises a force that decelerates by 1 + γ, and with it the effective stiffness; dashpots lower the limit by
-    √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing boundaries do not. Of the
-    non-local law it is the largest share that its own steps bear (`bondem.solve.lagged_step`).
+    It also holds for contacts before they appear, because each is counted with the largest number that can touch at
+    once. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and dashpots.
+    Dashpots lower the limit by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing
+    boundaries do not. For the non-local law it is the largest stable share by its own steps
+    (`bondem.solve.lagged_step`).
 
     Args:
-        model: what will move.
-        scheme: time integration.
-        damping: of elements and bonds.
-        integrity: of the bonds as they are now (`State.integrity`), (m,); all intact when None.
+        model: model that will move.
+        scheme: time integration scheme.
+        damping: damping of elements and bonds.
+        integrity: present integrity of the bonds (`State.integrity`), (m,); None for intact bonds.
     """
     return _limits(model, scheme, DampingTerms.of(damping), integrity)[0]
 
@@ -167,7 +170,7 @@ def critical_step(
 def _limits(
     model: Model, scheme: Scheme, terms: DampingTerms, integrity: PerBond | None = None
 ) -> tuple[float, float]:
-    """`critical_step`, and what it would be without dashpots beside the bonds [s]."""
+    """Return `critical_step`, and its value without dashpots beside the bonds [s]."""
     raised = math.sqrt(1.0 + terms.gamma)
     bonds, decay = highest_frequency(model, integrity=integrity), 0.0
     for slip in long_slips(model):
@@ -191,29 +194,29 @@ def _limits(
     for frequency, delay in motions:
         omega = raised * math.hypot(bonds, frequency)
         if omega > 0.0:
-            lost = decay + delay * frequency**2
-            limit = min(limit, _damped_limit(scheme, omega, lost + damped))
+            lost = raised**2 * (decay + delay * frequency**2)
+            limit = min(limit, _damped_limit(scheme, omega, lost + raised**2 * damped))
             free = min(free, _damped_limit(scheme, omega, lost))
     return limit, free
 
 
 def _damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
-    """Critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
+    """Return the critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
     zeta = 0.5 * decay / omega
     return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
 
 
 def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: float) -> float:
-    """The critical step of the non-local law [s].
+    """Return the critical step of the non-local law [s].
 
-    That of springs and contacts with the dashpots of contacts, and the largest share of that of springs and contacts
-    that lagged steps bear; dashpots of bonds take part in their trials. Dashpots of contacts are bounded by M⁻¹ C,
-    and not by the largest c / k, which would go by the smallest facet.
+    It is the smaller of two: that of springs and contacts with the dashpots of contacts, and the largest share of
+    that of springs and contacts at which lagged steps are stable, with dashpots of bonds in these trials. Dashpots of
+    contacts are bounded by M⁻¹ C, and not by the largest c / k, which the smallest facet would determine.
 
     Args:
-        model: what will move.
-        scheme: time integration.
-        terms: of damping.
+        model: model that will move.
+        scheme: time integration scheme.
+        terms: terms of damping.
         springs: ω_max of all bonds [rad/s].
     """
     raised, decay = math.sqrt(1.0 + terms.gamma), 0.0
@@ -231,7 +234,7 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
     limit = math.inf
     for frequency, delay in motions:
         omega = raised * math.hypot(springs, frequency)
-        zeta = 0.5 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
+        zeta = 0.5 * raised**2 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
         if omega > 0.0:
             limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
     if springs == 0.0:
@@ -239,17 +242,17 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
     share = stable_share(model, scheme.critical / fastest, terms)
     if share == 0.0:
         warnings.warn(
-            "the lagging stress of the non-local law feeds its motions at any time step: give damping=, or lower nu=",
-            StepWarning, stacklevel=4,
+            "the lagged stress of the non-local law is unstable at any time step; give damping=, or lower nu=",
+            StepWarning, stacklevel=users_line(),
         )  # fmt: skip
     return min((share or SHARES[-1]) * scheme.critical / fastest, limit)
 
 
 def _with_broken(model: Model, highest: float) -> tuple[float, float]:
-    """ω_max, and the largest eigenvalue of M⁻¹ C of contacts [1/s] from above, whichever bonds are broken and touch.
+    """Return ω_max, and an upper bound of M⁻¹ C of contacts [1/s], whichever bonds are broken and touch.
 
     A contact of what was bonded is at most as stiff along the normal; across, the stiffer of both counts. Its lever
-    arms are taken to be those of the bond.
+    arms are assumed to be those of the bond.
     """
     contacts = model.contacts
     if contacts is None or contacts.own is None or not len(contacts.own):
@@ -266,11 +269,11 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
 
 
 def _decay_bound(model: Model, kn: PerBond, beta: float, soft: float) -> float:
-    """Bound of M⁻¹ C [1/s], if all bonds were contacts with dashpots instead.
+    """Return a bound of M⁻¹ C [1/s], if all bonds were contacts with dashpots instead.
 
     The square of the velocity of one end against the other at a contact is at most 2 Σ (1/m + b²/I) (m v² + I ω²)
-    over both ends, b their levers. So the sum of 2 c (1/m + b²/I) over the contacts of an element is a bound: no
-    motion loses more over twice its energy. (The largest c / k would go by the smallest facet.)
+    over both ends, with their levers b. The sum of 2 c (1/m + b²/I) over the contacts of an element is therefore a
+    bound: no motion loses more over twice its energy. The smallest facet would determine the largest c / k.
     """
     layout, radius = model.layout, model.contact_radius[model.layout.order]
     mass, inertia = model.mass[layout.order], model.inertia[layout.order]
@@ -285,7 +288,7 @@ def _decay_bound(model: Model, kn: PerBond, beta: float, soft: float) -> float:
 
 
 def _fastest_decay(model: Model, kn: PerBond, beta: float, soft: float) -> float:
-    """Largest eigenvalue of M⁻¹ C from above [1/s], if all bonds were contacts with dashpots instead."""
+    """Return an upper bound of the largest eigenvalue of M⁻¹ C [1/s], if all bonds were contacts with dashpots."""
     constants, layout = model.non_local, model.layout
     if constants is None or beta == 0.0:
         return 0.0
@@ -306,8 +309,8 @@ class Step:
     """A time step that was chosen or checked.
 
     Attributes:
-        dt: the step [s].
-        remark: what to say about it; empty where it is well below the limit.
+        dt: time step [s].
+        remark: remark about it; empty if it is well below the limit.
     """
 
     dt: float
@@ -322,13 +325,13 @@ def choose_step(
     safety: float,
     damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
 ) -> Step:
-    """The time step to use: the given one if it is stable, else `safety` times the critical one.
+    """Return the time step to use: the given one if it is stable, else `safety` times the critical one.
 
     Raises:
-        UnstableStepError: dt is not positive or above the critical step.
+        UnstableStepError: dt is not positive or exceeds the critical step.
 
     Warns:
-        StepWarning: the given dt is above 0.9 of the critical step, or dashpots of bonds make the default step more
+        StepWarning: The given dt is above 0.9 of the critical step, or dashpots of bonds make the default step more
             than ten times smaller.
     """
     critical, free = _limits(model, scheme, DampingTerms.of(damping))
@@ -348,17 +351,17 @@ def choose_step(
         f"dt = {dt:.4g} s is {dt / critical:.3f} of the critical {critical:.4g} s, which large strains may lower;"
         f" pass dt=None or at most {_WARNED * critical:.4g} s"
     )
-    warnings.warn(remark, StepWarning, stacklevel=3)
+    warnings.warn(remark, StepWarning, stacklevel=users_line())
     return Step(dt, remark)
 
 
 def _default_step(model: Model, critical: float, free: float, safety: float) -> Step:
-    """The step of a run without dt=, and what governs it where that is not the stiffness.
+    """Return the step of a run without dt=, and a remark if it is not governed by the stiffness.
 
     Args:
-        model: what will move.
+        model: model that will move.
         critical: critical step [s].
-        free: the same without dashpots of bonds [s].
+        free: critical step without dashpots of bonds [s].
         safety: share of it [-].
     """
     step, remark = safety * critical, ""
@@ -368,7 +371,7 @@ def _default_step(model: Model, critical: float, free: float, safety: float) -> 
             " BondDamping with a smaller eta= or beta= allows a longer one"
         )
         if free > _MUCH * critical:
-            warnings.warn(remark, StepWarning, stacklevel=4)
+            warnings.warn(remark, StepWarning, stacklevel=users_line())
     shortest = _shortest_contact(model)
     if shortest < _PER_CONTACT * step:
         step = shortest / _PER_CONTACT
@@ -380,7 +383,7 @@ def _default_step(model: Model, critical: float, free: float, safety: float) -> 
 
 
 def _shortest_contact(model: Model) -> float:
-    """Least duration of a collision of elements that no bond holds [s]; infinite without any."""
+    """Return the least duration of a collision of elements that no bond holds [s]; infinite without any."""
     contacts, layout = model.contacts, model.layout
     if contacts is None:
         return math.inf

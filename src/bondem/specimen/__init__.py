@@ -1,1 +1,1 @@
-"""What the sample is: material, shape, elements, bonds and regions, all frozen."""
+"""Description of the sample: material, shape, elements, bonds and regions, all frozen."""

@@ -1,4 +1,4 @@
-"""Aggregates in a matrix: balls whose elements are a region."""
+"""Aggregates in a matrix: a region of the elements inside balls."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,16 +16,17 @@ from bondem.specimen.regions import Everything, Region
 
 @dataclass(frozen=True)
 class Aggregates(Region):
-    """The elements within balls: the coarse aggregates of a concrete, inclusions of any other body.
+    """The elements inside balls: coarse aggregates of a concrete, or inclusions in another body.
 
-    `bd.pack(..., around=aggregates)` puts centres of cells on both sides of their surfaces, so that cells end there.
+    `bd.pack(..., around=aggregates)` places centres of cells on both sides of the surfaces of the balls, so that
+    cells end there.
 
     Attributes:
         position: centres of the balls [m], shape (k, 3).
-        radius: of each [m], shape (k,).
+        radius: radius of each ball [m], shape (k,).
 
     Raises:
-        InputError: other shapes, no ball, radii that are not positive, or balls that overlap.
+        InputError: An array has the wrong shape or is empty, a radius is not positive, or balls overlap.
     """
 
     position: Sequence[Sequence[float]] | ArrayLike
@@ -58,17 +59,17 @@ class Aggregates(Region):
 
     @property
     def volume(self) -> float:
-        """Of all balls [m³]."""
+        """Total volume of the balls [m³]."""
         return 4.0 / 3.0 * np.pi * float((self._radii**3).sum())
 
     @property
     def matrix(self) -> Region:
-        """Everything between them."""
+        """Region of all elements outside the balls."""
         return Everything() - self
 
     @property
     def gap(self) -> float:
-        """Smallest distance between the surfaces of two balls [m], inf of a single one."""
+        """Smallest distance between the surfaces of two balls [m]; inf for a single ball."""
         x, R = self._centres, self._radii
         if len(R) == 1:
             return float("inf")
@@ -80,7 +81,7 @@ class Aggregates(Region):
         return float((np.linalg.norm(x[i] - x[j], axis=1) - R[i] - R[j]).min())
 
     def depth(self, points: PerElement3) -> Floats:
-        """Distance of points (n, 3) [m] from the nearest surface, positive inside a ball [m], (n,)."""
+        """Return the distance of points (n, 3) [m] from the nearest surface, positive inside a ball [m], (n,)."""
         x, R = self._centres, self._radii
         # a lifted distance would be quicker for many balls; there are thousands at most
         found = np.full(len(points), -np.inf)
@@ -90,5 +91,5 @@ class Aggregates(Region):
         return found
 
     def mask(self, lattice: Lattice) -> Mask:
-        """See `Region`: elements whose centres of tessellation are within a ball."""
+        """Return a mask of the elements whose centres of tessellation lie inside a ball, shape (n,)."""
         return self.depth(lattice.particles.position) > 0.0

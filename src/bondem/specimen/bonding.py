@@ -1,4 +1,4 @@
-"""Which elements become bonded: by gap, by reach, or over all pairs one names oneself."""
+"""Bonding of elements, by gap, by reach or by the facets of Laguerre cells."""
 
 from collections.abc import Callable
 
@@ -6,12 +6,13 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._checks import choice, instance, number
+from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.specimen.cells.tessellation import tessellate
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
 
-#: What bonds elements.
+#: Methods of bonding elements.
 METHODS = ("distance", "laguerre")
 
 # Contacts of a packing touch to rounding only: what overlaps by less than this share of R̄ still touches.
@@ -21,6 +22,7 @@ _TOUCH = 1e-9
 _FAR, _MOST = 6.0, 500
 
 
+@staged("connecting")
 def connect(
     particles: Particles,
     *,
@@ -29,23 +31,24 @@ def connect(
     method: str = "distance",
     progress: Callable[[float], None] | None = None,
 ) -> Lattice:
-    """Bond neighbouring elements, by distance, or by cutting the shape into cells.
+    """Bond neighbouring elements, either by distance or by cutting the shape into cells.
 
     Args:
         particles: the elements.
-        tolerance: bond where gap <= tolerance · R̄ [-], gap = L - (Ri + Rj); the default, with 0.
+        tolerance: bond where gap <= tolerance · R̄ [-], with gap = L - (Ri + Rj); this is the default, with 0.
         reach: bond where L <= reach · (Ri + Rj) [-], the contact-radius multiplier η_r of Chen et al. (2022).
-
-        method: "distance", or "laguerre": the shape is cut into Laguerre cells, one an element, and those that share
-            a facet are bonded; the lattice has `facets` and `cells` then. Without a shape, the spheres' bounding box.
-        progress: for "laguerre": called now and then with the done share, from 0 to 1.
+        method: "distance" or "laguerre". The latter cuts the shape into Laguerre cells, one per element, and bonds
+            cells that share a facet; the lattice then has `facets` and `cells`. Particles without a shape use the
+            bounding box of the spheres.
+        progress: function called repeatedly with the completed share, 0 … 1; only for "laguerre".
 
     Returns:
-        The lattice, its pairs sorted and with i < j.
+        The lattice; its pairs are sorted and have i < j.
 
     Raises:
-        InputError: both or neither sensible, or no pair is near enough; elements that have no cell, for "laguerre".
-        DisconnectedError: the specimen falls into two large pieces.
+        InputError: Both `tolerance` and `reach` are given, no pair is near enough, or an element has no Laguerre
+            cell.
+        DisconnectedError: The specimen consists of two large pieces.
     """
     choice("connect", "method", method, METHODS)
     if method == "laguerre":
@@ -55,7 +58,7 @@ def connect(
         pairs, facets, cells = tessellate(particles, progress)
         return Lattice(particles, pairs, facets=facets, cells=cells)
     if tolerance is not None and reach is not None:
-        raise InputError("connect takes tolerance= or reach=, not both; leave one out")
+        raise InputError("connect: tolerance= and reach= exclude each other; leave one out")
     instance("connect", "particles", particles, Particles, "bd.Particles")
     if reach is not None:
         value = number("connect", "reach", reach, above=0.0, advice="a positive multiple of the radii [-]")
@@ -70,13 +73,13 @@ def connect(
     if particles.period is not None and 2.0 * farthest >= particles.period.min():
         raise InputError(f"bonds up to {farthest:.3g} m need a periodic cell of more than twice that; enlarge it")
     if farthest <= 0.0:
-        raise InputError(f"connect: tolerance = {tolerance} asks for overlaps that no two spheres have; raise it")
+        raise InputError(f"connect: tolerance = {tolerance} requires overlaps that no two spheres have; raise it")
     tree = KDTree(particles.position, boxsize=particles.period)
     if farthest > _FAR * r.max() and len(r) > _MOST:
         each = (tree.count_neighbors(tree, farthest) - len(r)) / len(r)
         if each > _MOST:
             raise InputError(
-                f"bonds up to {farthest:.3g} m are {each:.0f} an element; lower tolerance= or reach= (in radii)"
+                f"bonds up to {farthest:.3g} m are {each:.0f} per element; lower tolerance= or reach= (in radii)"
             )
     near = tree.query_pairs(farthest, output_type="ndarray")
     near = np.sort(near.astype(np.int64).reshape(-1, 2), axis=1)

@@ -1,4 +1,4 @@
-"""The core of a specimen: what lies away from its walls, and how dense it is there."""
+"""The core of a specimen, away from its walls, and its solid fraction."""
 
 import math
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ _SLOW_MOST = 32
 
 
 def region(particles: Particles) -> Shape:
-    """What the particles fill: their shape, their periodic cell or, without either, their bounding box."""
+    """Return the region of the particles: their shape, their periodic cell or, without either, their bounding box."""
     if particles.period is None:
         return particles.envelope
     a, b, c = map(float, particles.period)
@@ -27,7 +27,7 @@ def region(particles: Particles) -> Shape:
 
 
 def samples(shape: Shape, count: int) -> int:
-    """How many points to take in a shape: `count`, or a quarter where the distance from its walls is slow to find."""
+    """Return the number of sample points in a shape: `count`, or a quarter of it if its depth is slow to compute."""
     return count if _simple(shape) else count // _SLOW_SHARE
 
 
@@ -36,9 +36,10 @@ def _simple(shape: Shape) -> bool:
 
 
 def core_volume(shape: Shape, depth: float) -> float:
-    """Volume of what lies `depth` or more from every wall [m³].
+    """Return the volume of the region `depth` or more from every wall [m³].
 
-    Exact for cylinder, box, ball and cell; for any other shape by 16 384 evenly spread points (± 0.5 % or so).
+    The volume is exact for cylinder, box, ball and cell. For other shapes 16 384 evenly spread points give it to ±
+    0.5 %.
 
     Args:
         shape: the shape.
@@ -60,11 +61,11 @@ def core_volume(shape: Shape, depth: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Solid:
-    """The volume of spheres as points, so that it can be counted in any region.
+    """The volume of spheres represented by points, so that it can be counted in any region.
 
     Attributes:
-        position: points inside the spheres [m], shape (n · k, 3), k to a sphere.
-        volume: what each stands for [m³], shape (n · k,).
+        position: points inside the spheres [m], shape (n · k, 3), k per sphere.
+        volume: volume that each point represents [m³], shape (n · k,).
     """
 
     position: PerElement3
@@ -72,10 +73,10 @@ class Solid:
 
 
 def solid(particles: Particles, shape: Shape) -> Solid:
-    """Spheres as evenly spread points: 256 each (32 in shapes slow to measure), fewer above 2048 spheres, at least 8.
+    """Represent spheres by evenly spread points: 256 each (32 in slow shapes), fewer above 2048 spheres, at least 8.
 
-    A sphere cut by a plane is counted with an error of 1 % (8 points: 8 %) of its volume, of either sign; over the
-    many spheres that a wall of the core cuts, these cancel.
+    The volume of a sphere cut by a plane has an error of 1 % (8 points: 8 %) of either sign. These errors cancel over
+    the many spheres cut by a wall of the core.
     """
     count = _points_each(particles, shape)
     position = _points(particles, count)
@@ -83,7 +84,7 @@ def solid(particles: Particles, shape: Shape) -> Solid:
 
 
 def core_solid(particles: Particles, shape: Shape, depth: float) -> Solid:
-    """The part of spheres `depth` or more from every wall; only those its border cuts are looked at by points."""
+    """Return the part of spheres `depth` or more from every wall; only spheres cut by its border are sampled."""
     count = _points_each(particles, shape)
     position = _points(particles, count)
     far = shape.depth(particles.position)
@@ -101,7 +102,7 @@ def _points_each(particles: Particles, shape: Shape) -> int:
 
 
 def _points(particles: Particles, count: int) -> Floats:
-    """Points in the spheres, shape (n, count, 3)."""
+    """Return points in the spheres, shape (n, count, 3)."""
     # Each sphere turns the points its own way: in a crystal they would add up their errors.
     offset = np.einsum("nij,kj->nki", spread_rotations(len(particles)), ball_points(count), optimize=True)
     position = particles.position[:, None] + particles.radius[:, None, None] * offset
@@ -109,6 +110,6 @@ def _points(particles: Particles, count: int) -> Floats:
 
 
 def solid_fraction(shape: Shape, core: Solid, depth: float) -> float:
-    """Volume fraction of what lies `depth` or more from every wall [-]; NaN where nothing does."""
+    """Return the volume fraction of the region `depth` or more from every wall [-]; NaN for an empty region."""
     volume = core_volume(shape, depth)
     return float(core.volume.sum()) / volume if volume > 0.0 else math.nan

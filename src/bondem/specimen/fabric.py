@@ -1,4 +1,4 @@
-"""How good a lattice is geometrically: density, contacts, overlaps and isotropy, with a verdict."""
+"""Geometric quality of a lattice: density, contacts, overlaps and isotropy, with a verdict."""
 
 from dataclasses import dataclass
 
@@ -43,36 +43,38 @@ class Fabric:
     """Geometric quality of a lattice.
 
     Attributes:
-        volume_fraction: φ, volume of the spheres over that of the shape [-]; what overlaps counts twice.
+        volume_fraction: φ, volume of the spheres over that of the shape [-]; overlaps count twice.
         coordination_number: z = 2 bonds / elements, over all elements [-].
-        coordination_histogram: elements with 0, 1, 2, ... bonds.
+        coordination_histogram: number of elements with 0, 1, 2, ... bonds.
         rattlers: number of elements that are not part of the specimen.
-        core_volume_fraction: φ of what lies three mean radii or more from every wall [-]; NaN where nothing does.
-            The volume of the core is exact for cylinder, box, ball and cell; spheres its border cuts are shared
-            out by evenly spread points, at most 256 each: ± 0.003 at 1000 spheres, ± 0.001 at 10 000.
-        loose: number of elements that fewer than four others and walls hold in place, found again and again
-            without those already found: rattlers in the sense of jamming.
-        backbone_coordination_number: mean number of bonds among the others [-]; NaN without any.
-        backbone_histogram: elements among the others with 0, 1, 2, ... bonds between them.
+        core_volume_fraction: φ of the core, which lies three mean radii or more from every wall [-]; NaN without a
+            core. The volume of the core is exact for cylinder, box, ball and cell. Spheres cut by its border are
+            divided
+            by evenly spread points, at most 256 each: ± 0.003 at 1000 spheres, ± 0.001 at 10 000.
+        loose: number of elements with fewer than four contacts with walls and other elements, counted repeatedly
+            without the elements already found: rattlers in the sense of jamming.
+        backbone_coordination_number: mean number of bonds among the remaining elements [-]; NaN if none remain.
+        backbone_histogram: number of remaining elements with 0, 1, 2, ... bonds between them.
         fineness: edge of the cube with the volume of the shape, over the mean diameter [-]: macro over micro.
-        smallest_extent: of the shape along x, y or z, over the mean diameter [-].
-        strata: differences between slices of the core across x, y and z, and layers: near 0 where there are none.
-        largest_overlap: of two bonded spheres, over R̄ [-]; 0 where none overlap.
+        smallest_extent: smallest extent of the shape along x, y or z, over the mean diameter [-].
+        strata: differences between slices of the core across x, y and z, and layers; near 0 in a homogeneous packing.
+        largest_overlap: largest overlap of two bonded spheres, over R̄ [-]; 0 without overlaps.
         isotropy_error: e of André et al. (2012), eq 11 [-]: mean square difference between the frequencies of bond
             directions on the 320 faces of the geode and 1/320. It is at most 319/320², so the limit of
             0.0032 in the paper excludes nothing.
-        chi2_per_dof: χ² over the 160 pairs of opposite faces, with their true solid angles, per degree of freedom:
-            1 ± 0.11 for a random isotropic fabric, and growing with the sample for any other [-].
+        chi2_per_dof: χ² over the 160 pairs of opposite faces, with their true solid angles, per degree of freedom
+            [-]. It is 1 ± 0.11 for a random isotropic fabric, and grows with the sample for any other.
         rms_excess: √((χ² - dof) / bonds) [-]: relative rms deviation of the directional density from isotropy,
             beyond chance; it does not depend on the size of the sample.
-        face_counts: bond directions, both ways, on each face of `geode()`, shape (320,).
-        face_density: these over what an isotropic fabric would have, shape (320,) [-].
-        core_rms_excess: the same over the bonds of elements whose centres lie two mean radii or more from
-            every wall [-]; NaN without such bonds.
-        core_stretch: largest relative difference of an eigenvalue of their fabric tensor from 1/3 [-]; NaN as above.
-        fabric_tensor: mean of n ⊗ n over the bond directions, shape (3, 3) [-]; trace 1.
-        eigenvalues: of the fabric tensor, in ascending order, (3,); 1/3 each when isotropic.
-        reasons: what is wrong with it, one sentence each; empty for a good one.
+        face_counts: number of bond directions, both ways, on each face of `geode()`, shape (320,).
+        face_density: `face_counts` over the counts of an isotropic fabric, shape (320,) [-].
+        core_rms_excess: `rms_excess` of the core bonds: those of elements whose centres lie two mean radii or more
+            from every wall [-]; NaN without such bonds.
+        core_stretch: largest relative difference of an eigenvalue of the fabric tensor of the core bonds from 1/3
+            [-]; NaN without such bonds.
+        fabric_tensor: mean of n ⊗ n over the bond directions, shape (3, 3) [-]; its trace is 1.
+        eigenvalues: eigenvalues of the fabric tensor, in ascending order, (3,); 1/3 each when isotropic.
+        reasons: defects of the lattice, one sentence each; empty for a good lattice.
     """
 
     volume_fraction: float
@@ -100,7 +102,7 @@ class Fabric:
 
     @property
     def passed(self) -> bool:
-        """Whether the lattice is fit for an isotropic, homogeneous material."""
+        """Verdict: True if the lattice is fit for an isotropic, homogeneous material."""
         return not self.reasons
 
 
@@ -111,10 +113,10 @@ def fabric(lattice: Lattice) -> Fabric:
         lattice: elements and their bonds.
 
     Returns:
-        The measures and the verdict, by effect sizes that do not depend on the number of elements.
+        Measures and a verdict. The verdict rests on effect sizes, which do not depend on the number of elements.
 
     Raises:
-        InputError: no bonds to measure.
+        InputError: The lattice has no bonds.
     """
     instance("fabric", "lattice", lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
     if not len(lattice.pairs):
@@ -171,7 +173,7 @@ def fabric(lattice: Lattice) -> Fabric:
 
 
 def _held(lattice: Lattice, shape: Shape) -> Mask:
-    """Elements that contacts hold in place, once all that are not have been taken out, (n,)."""
+    """Return a mask of the elements held in place by contacts, after all others are removed repeatedly, (n,)."""
     particles = lattice.particles
     walls = np.zeros(len(particles), dtype=np.int64)
     for face in shape.faces:
@@ -215,13 +217,13 @@ def _stretch(found: _Isotropy) -> float:
 def _isotropy_reasons(core: _Isotropy) -> list[str]:
     m = core.bonds
     if m < _CORE_BONDS:
-        return [f"only {m} bonds lie inside, away from the walls: too few to judge isotropy; take more elements"]
+        return [f"only {m} bonds lie inside, away from the walls: too few to judge isotropy; use more elements"]
     found = []
     # Standard deviations for a random isotropic fabric: √(2 dof) of χ², and √(4/5) of 3 n_x² - 1.
     if core.chi2 - _DOF > m * _RMS_EXCESS**2 + _CHANCE * np.sqrt(2.0 * _DOF):
         found.append(
             f"bond directions away from the walls deviate from isotropy by {_rms(core):.0%} rms, more than"
-            f" {_RMS_EXCESS:.0%}: the packing is ordered; spread the radii more or take more elements"
+            f" {_RMS_EXCESS:.0%}: the packing is ordered; spread the radii more or use more elements"
         )
     if _stretch(core) > _STRETCH + _CHANCE * np.sqrt(0.8 / m):
         found.append(

@@ -1,7 +1,7 @@
-"""Whether spheres fill the shape they are said to fill.
+"""Check that spheres fill the shape that is given with them.
 
-Sections, volumes and walls are taken from the shape: spheres that fill another one give wrong stresses, densities and
-moduli without a sign of it.
+Sections, volumes and walls are taken from the shape. If the spheres fill another shape, stresses, densities and
+moduli are wrong without any sign of it.
 """
 
 import math
@@ -9,6 +9,7 @@ import warnings
 
 import numpy as np
 
+from bondem._names import users_line
 from bondem._types import PerElement, PerElement3
 from bondem.errors import FillingWarning, InputError
 from bondem.specimen.geometry import BoundingBox, Shape
@@ -23,10 +24,12 @@ _STRAY, _MANY = 0.01, 0.4
 
 
 def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> None:
-    """Refuse a shape that centres lie outside of; warn of one that spheres stick out of or do not reach the faces of.
+    """Check that spheres fill a shape.
+
+    Centres outside the shape are rejected. A warning is given for spheres that stick out of it or leave faces empty.
 
     Raises:
-        InputError: more than a hundredth of the centres outside the shape.
+        InputError: More than 1 % of the centres lie outside the shape.
     """
     if isinstance(shape, BoundingBox):
         return
@@ -36,7 +39,7 @@ def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> No
         outside = int((depth < -_OUTSIDE * mean).sum())
         if outside > _STRAY * len(radius):
             raise InputError(
-                f"{outside} of {len(radius)} centres lie outside the {type(shape).__name__} they are said to fill, by"
+                f"{outside} of {len(radius)} centres lie outside the given shape, a {type(shape).__name__}, by"
                 f" up to {-depth.min():.3g} m; {_extents(shape, position, radius)}: check its size, place and units"
                 " (metres), or leave out shape="
             )
@@ -44,7 +47,7 @@ def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> No
         sticking = int((out > _OUT * mean).sum())
         if sticking > _MANY * len(radius) ** (2.0 / 3.0):
             _warn(
-                f"{sticking} of {len(radius)} spheres stick out of the {type(shape).__name__} they are said to fill,"
+                f"{sticking} of {len(radius)} spheres stick out of the given shape, a {type(shape).__name__},"
                 f" by up to {out.max():.3g} m, {out.max() / mean:.2g} mean radii; {_extents(shape, position, radius)}"
             )
     empty = unfilled(shape, position, radius)
@@ -54,13 +57,13 @@ def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> No
 
 
 def unfilled(shape: Shape, position: PerElement3, radius: PerElement, *, away: float = _AWAY) -> list[str]:
-    """What of a shape is left empty, one sentence each, the widest first: at faces, or across a periodic cell.
+    """Describe the empty parts of a shape, at faces or across a periodic cell, one sentence each, the widest first.
 
     Args:
-        shape: what is to be filled.
+        shape: shape to be filled.
         position: centres [m], shape (n, 3).
         radius: radii [m], shape (n,).
-        away: how far from a face the nearest sphere may be, in mean radii [-].
+        away: largest distance of a face from the nearest sphere, in mean radii [-].
     """
     mean, found, n = float(radius.mean()), dict[str, float](), len(radius)
     lower, upper = shape.bounds
@@ -70,7 +73,7 @@ def unfilled(shape: Shape, position: PerElement3, radius: PerElement, *, away: f
         if gap > max(away * mean, least):
             found[
                 f"no sphere is nearer to the face '{face}' of the {type(shape).__name__} than {gap:.3g} m,"
-                f" {gap / mean:.2g} mean radii: the shape is larger than what fills it"
+                f" {gap / mean:.2g} mean radii: the shape is larger than the body of spheres"
             ] = gap
     if shape.period is not None:
         for axis, edge in enumerate(shape.period):
@@ -78,8 +81,8 @@ def unfilled(shape: Shape, position: PerElement3, radius: PerElement, *, away: f
             gap = float(np.diff(along, append=along[0] + edge).max())
             if gap > max(_APART * mean, least * (1.0 + math.log(n))):
                 found[
-                    f"nothing lies in {gap:.3g} m along {'xyz'[axis]} of the periodic cell, {gap / mean:.2g} mean"
-                    " radii: the cell is larger than what fills it"
+                    f"{gap:.3g} m of the periodic cell are empty along {'xyz'[axis]}, {gap / mean:.2g} mean"
+                    " radii: the cell is larger than the body of spheres"
                 ] = gap
     return sorted(found, key=lambda reason: -found[reason])
 
@@ -94,4 +97,4 @@ def _extents(shape: Shape, position: PerElement3, radius: PerElement) -> str:
 
 def _warn(text: str) -> None:
     # the caller of Particles
-    warnings.warn(f"{text}; give the shape that they fill", FillingWarning, stacklevel=4)
+    warnings.warn(f"{text}; give the shape that the spheres fill", FillingWarning, stacklevel=users_line())

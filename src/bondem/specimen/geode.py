@@ -1,7 +1,7 @@
-"""The geode: the unit sphere in 320 triangles, to count directions on (André et al. 2012, fig. 4).
+"""The geode: the unit sphere in 320 triangles, on which directions are counted (André et al. 2012, fig. 4).
 
-An icosahedron, each face divided into four, twice, and blown up onto the sphere. Its faces are not equal:
-their solid angles are up to 19 % off the mean.
+It is an icosahedron whose faces are divided into four, twice, and projected onto the sphere. Its faces are not equal:
+their solid angles deviate by up to 19 % from the mean.
 """
 
 from dataclasses import dataclass
@@ -22,8 +22,8 @@ class Geode:
     Attributes:
         vertices: unit vectors, shape (162, 3).
         faces: vertices of each triangle, counter-clockwise seen from outside, shape (320, 3).
-        solid_angle: of each face [sr], shape (320,); together 4π.
-        opposite: the antipodal face of each face, shape (320,).
+        solid_angle: solid angle of each face [sr], shape (320,); their sum is 4π.
+        opposite: antipodal face of each face, shape (320,).
     """
 
     vertices: Floats
@@ -32,7 +32,7 @@ class Geode:
     opposite: Ints
 
     def face_of(self, direction: Floats) -> Ints:
-        """Face that each unit vector (m, 3) points into, shape (m,)."""
+        """Return the face that each unit vector (m, 3) points into, shape (m,)."""
         face = np.argmax(direction @ _corners(0).sum(axis=1).T, axis=1)
         for level in range(_LEVELS):
             outside = np.einsum("mkc,mc->mk", _cuts(level)[face], direction) < 0.0
@@ -46,7 +46,7 @@ def _unit(vector: Floats) -> Floats:
 
 @cache
 def _corners(level: int) -> Floats:
-    """Corners of the faces after `level` divisions, counter-clockwise from outside, (20 · 4^level, 3, 3)."""
+    """Return the corners of the faces after `level` divisions, counter-clockwise seen from outside."""
     if level == 0:
         return _icosahedron()
     a, b, c = np.moveaxis(_corners(level - 1), 1, 0)
@@ -57,7 +57,7 @@ def _corners(level: int) -> Floats:
 
 @cache
 def _cuts(level: int) -> Floats:
-    """Normals of the planes that cut child k = 0, 1, 2 off each face, pointing to the middle child 3."""
+    """Return the normals of the planes that separate child k = 0, 1, 2 of each face from the middle child 3."""
     corner = _corners(level)
     middle = _unit(corner + np.roll(corner, -1, axis=1))
     return np.cross(np.roll(middle, 1, axis=1), middle)
@@ -78,7 +78,7 @@ def _icosahedron() -> Floats:
 
 @cache
 def geode() -> Geode:
-    """The geode; made once."""
+    """Return the geode, which is built once."""
     corner = _corners(_LEVELS)
     rounded = np.round(corner.reshape(-1, 3), 9) + 0.0
     _, first, number = np.unique(rounded, axis=0, return_index=True, return_inverse=True)

@@ -1,4 +1,4 @@
-"""The plain shapes a specimen can have: cylinder, box, periodic cell, ball."""
+"""Elementary shapes of specimens: cylinder, box, periodic cell and ball."""
 
 import math
 from dataclasses import dataclass
@@ -9,6 +9,7 @@ from bondem._checks import array, number, shown
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.specimen.planes import Planes, box_planes
+from bondem.specimen.plausibility import question_size
 from bondem.specimen.shape import Shape
 from bondem.specimen.walled import BOX_FACES
 
@@ -22,7 +23,7 @@ _SMALLEST, _LARGEST = 1e-30, 1e30
 def _length(owner: str, name: str, value: object) -> float:
     length = number(owner, name, value, unit="m", above=0.0, advice="a positive length in metres")
     if not _SMALLEST <= length <= _LARGEST:
-        raise InputError(f"{owner}: {name} = {length:g} m is no length of a specimen; check its unit (metres)")
+        raise InputError(f"{owner}: {name} = {length:g} m is not a plausible length; check its unit (metres)")
     return length
 
 
@@ -55,6 +56,7 @@ class Cylinder(Shape):
     def __post_init__(self) -> None:
         for name in ("radius", "length"):
             object.__setattr__(self, name, _length("Cylinder", name, getattr(self, name)))
+        question_size("Cylinder", max(self.length, 2.0 * self.radius))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -90,7 +92,7 @@ class Cylinder(Shape):
 
 @dataclass(frozen=True)
 class Box(Shape):
-    """A box from (0, 0, 0) to `size`.
+    """A box with one corner at the origin and the opposite corner at `size`.
 
     Attributes:
         size: edge lengths [m], (3,).
@@ -100,6 +102,7 @@ class Box(Shape):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", _edges("Box", self.size))
+        question_size("Box", max(self.size))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -132,7 +135,7 @@ class Box(Shape):
 
 @dataclass(frozen=True)
 class Cell(Shape):
-    """A periodic cell from (0, 0, 0) to `size`: no walls, no faces, the reference for bulk moduli.
+    """A periodic cell from the origin to `size`, without walls and faces; the reference for bulk moduli.
 
     Attributes:
         size: edge lengths [m], (3,).
@@ -142,6 +145,7 @@ class Cell(Shape):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", _edges("Cell", self.size))
+        question_size("Cell", max(self.size))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -173,7 +177,7 @@ class Cell(Shape):
 
 @dataclass(frozen=True)
 class Ball(Shape):
-    """A ball about the origin.
+    """A ball centred at the origin.
 
     Attributes:
         radius: radius [m].
@@ -183,6 +187,7 @@ class Ball(Shape):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "radius", _length("Ball", "radius", self.radius))
+        question_size("Ball", 2.0 * self.radius)
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -210,7 +215,7 @@ class Ball(Shape):
 
 @dataclass(frozen=True)
 class BoundingBox(Shape):
-    """The axis-parallel box around spheres that came without a shape.
+    """The axis-parallel box around particles that have no shape.
 
     Attributes:
         lower: lower corner [m], (3,).
@@ -222,7 +227,7 @@ class BoundingBox(Shape):
 
     @classmethod
     def of(cls, position: PerElement3, radius: PerElement) -> "BoundingBox":
-        """The smallest box around spheres at `position` (n, 3) with `radius` (n,) [m]."""
+        """Return the smallest box around spheres at `position` (n, 3) with `radius` (n,) [m]."""
         lower = (position - radius[:, None]).min(axis=0)
         upper = (position + radius[:, None]).max(axis=0)
         a, b, c = map(float, lower)

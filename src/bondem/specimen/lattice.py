@@ -1,13 +1,16 @@
-"""A lattice: elements and the bonds between them, made once in one reference configuration."""
+"""A lattice: elements and the bonds between them, in one reference configuration."""
 
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from bondem._checks import instance, shown
+from bondem._drawing import draw
 from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3, PerElement3
 from bondem.errors import DisconnectedError, InputError
 from bondem.specimen.cells.tables import Cells, Facets
@@ -20,19 +23,19 @@ from bondem.specimen.particles import Particles, filled, freeze
 class Lattice:
     """Elements and bonds, both in the user's order.
 
-    Pieces of fewer than max(10, 0.1 % of n) elements beside the largest one are rattlers: they stay in
-    `particles`, but take no part in matrices, loads, faces and fits.
+    Small pieces are rattlers: those with fewer than max(10, 0.1 % of n) elements beside the largest piece. Rattlers
+    stay in `particles` but are left out of matrices, loads, faces and fits.
 
     Attributes:
         particles: the elements.
         pairs: elements i, j of each bond, shape (m, 2).
-        facets: the facets that the bonds are, of a body cut into cells; else None.
-        cells: the cells of such a body, else None.
+        facets: facets of a body cut into cells, one per bond; None for other lattices.
+        cells: cells of such a body; None for other lattices.
 
     Raises:
-        InputError: an index out of range, a bond of an element to itself, a bond given twice, or bonded
-            centres that coincide.
-        DisconnectedError: a second large piece.
+        InputError: An index is out of range, a bond joins an element to itself, a bond is given twice, or bonded
+            centres coincide.
+        DisconnectedError: The lattice has a second large piece.
     """
 
     particles: Particles
@@ -59,12 +62,12 @@ class Lattice:
 
     @property
     def bonds(self) -> "Lattice":
-        """The bonds: `lattice.bonds.pairs` is `lattice.pairs`."""
+        """The lattice itself, so that `lattice.bonds.pairs` equals `lattice.pairs`."""
         return self
 
     @property
     def centre(self) -> PerElement3:
-        """Where elements are: centres of the spheres, or of mass of the cells of a body [m], shape (n, 3)."""
+        """Centres of the spheres, or centres of mass of the cells of a body [m], shape (n, 3)."""
         return self.particles.position if self.cells is None else self.cells.centroid
 
     @cached_property
@@ -75,12 +78,12 @@ class Lattice:
 
     @cached_property
     def length(self) -> PerBond:
-        """Distance of the bonded centres [m], shape (m,)."""
+        """Distance between the bonded centres [m], shape (m,)."""
         return freeze(np.linalg.norm(self.branch, axis=1))
 
     @cached_property
     def pieces(self) -> Ints:
-        """Number of the connected piece of each element, shape (n,); piece 0 is the largest."""
+        """Number of the connected piece that each element belongs to, shape (n,); piece 0 is the largest."""
         n = len(self.particles)
         i, j = self.pairs.T
         graph = coo_matrix((np.ones(len(i), dtype=np.int8), (i, j)), shape=(n, n))
@@ -92,21 +95,41 @@ class Lattice:
 
     @cached_property
     def connected(self) -> Mask:
-        """True for the elements of the specimen, False for rattlers, shape (n,)."""
+        """Mask of the connected elements, shape (n,): True for the specimen, False for rattlers."""
         size = np.bincount(self.pieces)
         least = max(10.0, 0.001 * len(self.particles))
         if len(size) > 1 and size[1] >= least:
             raise DisconnectedError(
-                f"the bonded specimen falls into pieces of {size[0]} and {size[1]} elements;"
+                f"the bonded specimen consists of pieces of {size[0]} and {size[1]} elements;"
                 " bond over larger gaps (tolerance=, reach=) or model the pieces one by one"
             )
         return freeze(self.pieces == 0)
 
-    def on_face(self, name: str) -> Ints:
-        """Free facets of a body on a face of its shape, numbers in `cells.free`, ascending.
+    def plot(
+        self, path: str | Path | None = None, *, values: ArrayLike | None = None, label: str = "",
+        view: tuple[float, float] = (28.0, 24.0),
+    ) -> Any:  # fmt: skip
+        """Draw the elements as spheres, or cells as polyhedra, with coordinates.
+
+        Args:
+            path: PNG, PDF or SVG to write; nothing is written when None.
+            values: numbers that colour the elements, shape (n,); their sizes unless given.
+            label: name and unit of the values, for the scale.
+            view: azimuth and elevation of the camera [degree].
+
+        Returns:
+            A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
 
         Raises:
-            InputError: the shape has no such face, or the lattice no cells.
+            InputError: values of another shape, a file that cannot be written, or a view that is not two angles.
+        """
+        return draw("draw_lattice", self, path, values=values, label=label, view=view)
+
+    def on_face(self, name: str) -> Ints:
+        """Return the free facets of a body on a face of its shape, as ascending indices into `cells.free`.
+
+        Raises:
+            InputError: The shape has no such face, or the lattice has no cells.
         """
         if self.cells is None:
             raise InputError("the lattice is not cut into cells; connect its particles with method='laguerre'")
@@ -116,12 +139,12 @@ class Lattice:
 
     @property
     def rattlers(self) -> int:
-        """Number of elements that are not part of the specimen."""
+        """Number of elements that do not belong to the specimen."""
         return int(len(self.particles) - self.connected.sum())
 
     @property
     def coordination_number(self) -> float:
-        """z = 2 m / n over all elements, rattlers included [-]."""
+        """Coordination number z = 2 m / n over all elements, including rattlers [-]."""
         return 2.0 * len(self.pairs) / len(self.particles)
 
 
@@ -153,21 +176,21 @@ def _check_pairs(pairs: Pairs, count: int) -> None:
 
 
 def carve(lattice: Lattice, shape: Shape) -> Lattice:
-    """The part of a lattice whose centres lie inside `shape`, which becomes its shape.
+    """Cut out the part of a lattice whose centres lie inside `shape`, which becomes the shape of the part.
 
-    A body of cells is cut anew: the kept centres get cells that fill the new shape, up to its walls.
+    A body of cells is tessellated again, so that the cells of the kept elements fill the new shape up to its walls.
 
     Args:
-        lattice: what to cut from.
-        shape: what to keep; its faces name the faces of the part.
+        lattice: lattice to cut.
+        shape: region to keep; its faces name the faces of the part.
 
     Returns:
-        A lattice of the kept elements, in their old order, with the bonds between them; of a body with its new facets
-        and cells.
+        A lattice of the kept elements, in their old order, with the bonds between them. The part of a body has new
+        facets and cells.
 
     Raises:
-        InputError: no element lies inside.
-        DisconnectedError: the part falls into two large pieces.
+        InputError: No element lies inside the shape.
+        DisconnectedError: The part consists of two large pieces.
     """
     instance("carve", "lattice", lattice, Lattice, "a lattice, from bd.connect")
     instance("carve", "shape", shape, Shape, "a shape such as bd.Box(...)")

@@ -1,4 +1,4 @@
-"""Layers that walls order spheres into: solid fraction against the distance from each wall."""
+"""Layering of spheres at walls: solid fraction against the distance from each wall."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -21,14 +21,14 @@ _MOST_BINS = 10_000
 
 @dataclass(frozen=True, eq=False)
 class Layering:
-    """What one wall does to the packing before it.
+    """Effect of one wall on the packing in front of it.
 
     Attributes:
-        distance: from the wall, middle of each bin, over the mean diameter 2R̄ [-], shape (b,).
-        volume_fraction: of what lies at that distance [-], shape (b,); NaN where there is none.
-        amplitude: rms deviation of it from its mean, over the mean, from two to four mean diameters from the wall
-            [-]: 0.04 for a random packing, whose layers die out, 0.1 for equal spheres ordered by the wall, and
-            0.1 by chance before a wall that a hundred spheres cover; NaN where there is no room.
+        distance: distance from the wall at the middle of each bin, over the mean diameter 2R̄ [-], shape (b,).
+        volume_fraction: solid fraction at that distance [-], shape (b,); NaN where the bin is empty.
+        amplitude: rms deviation of the solid fraction from its mean, over the mean, from two to four mean diameters
+            from the wall [-]; NaN without room. A random packing, whose layers decay, has 0.04, and equal
+            spheres ordered by the wall have 0.1. At a wall covered by a hundred spheres, chance gives 0.1.
     """
 
     distance: Floats
@@ -37,21 +37,21 @@ class Layering:
 
 
 def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter: int = 20) -> Mapping[str, Layering]:
-    """Solid fraction against the distance from each wall.
+    """Measure the solid fraction against the distance from each wall.
 
-    Only what lies 1.5 mean diameters or more from all other walls counts, where there is such a place. Spheres and
-    space are counted by evenly spread points, the same every time.
+    Only the region 1.5 mean diameters or more from all other walls is evaluated, if there is such a region. Spheres
+    and space are sampled by evenly spread points, so that the result is reproducible.
 
     Args:
-        particles: the spheres; without a shape, the walls are those of their bounding box.
-        reach: how far from the wall, in mean diameters [-].
-        bins_per_diameter: how fine.
+        particles: the spheres; without a shape, the walls are the sides of their bounding box.
+        reach: largest distance from the wall, in mean diameters [-].
+        bins_per_diameter: number of bins per mean diameter.
 
     Returns:
-        Face by face; empty for a periodic cell.
+        A mapping from face to layering; empty for a periodic cell.
 
     Raises:
-        InputError: a reach that is not positive, or too many bins.
+        InputError: The reach is not positive, or there are too many bins.
     """
     instance("wall_layering", "particles", particles, Particles, "bd.Particles")
     reach = number("wall_layering", "reach", reach, above=0.0)
@@ -82,7 +82,7 @@ def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter
 
 
 def _clear(distance: Mapping[str, Floats], face: str, count: int) -> Mask:
-    """Whether points are away from all faces but one, shape (count,)."""
+    """Return a mask of the points away from all faces but one, shape (count,)."""
     far = np.ones(count, dtype=bool)
     for other, away in distance.items():
         far &= (away >= _ASIDE) | (other == face)

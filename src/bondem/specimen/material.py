@@ -1,4 +1,4 @@
-"""A continuum material, as the user knows it."""
+"""Continuum materials, described by their elastic constants and density."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -15,20 +15,21 @@ _RANGES: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True)
 class Material:
-    """An isotropic linear elastic material.
+    """An isotropic, linear elastic material.
 
     Attributes:
-        name: what the reports call it.
+        name: name used in reports and messages.
         E: Young's modulus [Pa].
         nu: Poisson's ratio [-], strictly between -1 and 0.5.
         rho: density [kg/m³].
-        source: where the values are from, in words.
+        source: origin of the values, as text.
 
     Raises:
-        InputError: a value is not finite or outside its physical range.
+        InputError: A value is not finite or is outside its physical range.
 
     Warns:
-        UnitWarning: E or ρ is off by 10³ for what is named, or that of no solid.
+        UnitWarning: E or rho differs by a factor of 10³ from that of the named material, or no solid has such a
+            value.
     """
 
     name: str
@@ -38,8 +39,8 @@ class Material:
     source: str = ""
 
     def __post_init__(self) -> None:
-        instance("Material", "name", self.name, str, "what the reports call it, as text")
-        instance("Material", "source", self.source, str, "where the values are from, as text")
+        instance("Material", "name", self.name, str, "the name used in reports, as text")
+        instance("Material", "source", self.source, str, "the origin of the values, as text")
         for name, options in _RANGES.items():
             value = number(f"material {shown(self.name)}", name, getattr(self, name), **options)
             object.__setattr__(self, name, value)

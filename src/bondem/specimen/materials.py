@@ -1,12 +1,13 @@
-"""Materials to start from, each with its source: `bd.materials.granite`, `bd.materials.get("granite")`.
+"""Library of materials with their sources, such as `bd.materials.granite` or `bd.materials.get("granite")`.
 
-Elastic constants at room temperature. Nominal values: brittle materials scatter, and the source of each says by
-how much; change what is known better with `dataclasses.replace(bd.materials.granite, E=60e9)`.
+The values are nominal elastic constants at room temperature. Brittle materials scatter; the source of each material
+states by how much. Replace values that you know better: `dataclasses.replace(bd.materials.granite, E=60e9)`.
 """
 
-import difflib
+from typing import TYPE_CHECKING
 
 from bondem._checks import instance, shown
+from bondem._names import meant, no_attribute
 from bondem.errors import InputError
 from bondem.specimen.material import Material
 
@@ -50,20 +51,32 @@ _LIBRARY = {key: value for key, value in globals().items() if isinstance(value, 
 
 
 def names() -> tuple[str, ...]:
-    """Names of all materials here, as `get` and the key `preset` in `[material]` of a study take them."""
+    """Names of all materials in the library.
+
+    `get` accepts these names, and so does the key `preset` in the table `[material]` of a study.
+    """
     return tuple(sorted(_LIBRARY))
 
 
 def get(name: str) -> Material:
-    """A material by its name; spaces, hyphens and capitals do not matter.
+    """Return the material of a given name. Spaces, hyphens and capitals do not matter.
 
     Raises:
-        InputError: there is none of this name.
+        InputError: The library has no material of this name.
     """
-    instance("materials.get", "name", name, str, "a name, as text")
+    instance("materials.get", "name", name, str, "the name of a material, as text")
     key = name.strip().lower().replace(" ", "_").replace("-", "_")
     if key not in _LIBRARY:
-        near = difflib.get_close_matches(key, _LIBRARY, n=1)
-        hint = f"did you mean '{near[0]}'?" if near else f"choose from {', '.join(names())}"
-        raise InputError(f"no material {shown(name)} in the library; {hint} (or give your own: bd.Material)")
+        hint = meant(key, _LIBRARY) or f"; choose from {', '.join(names())}"
+        raise InputError(f"no material {shown(name)} in the library{hint} (or give your own: bd.Material)")
     return _LIBRARY[key]
+
+
+if not TYPE_CHECKING:  # checkers of types are to find wrong names themselves
+
+    def __getattr__(name: str) -> None:
+        raise AttributeError(no_attribute("bd.materials", name, __dir__()), name=name)
+
+
+def __dir__() -> list[str]:
+    return [*names(), "get", "names"]

@@ -1,4 +1,4 @@
-"""Moments of a shape: volume, centre and second moments, from which its mass and inertia follow."""
+"""Moments of a shape: volume, centre and second moments, from which mass and inertia follow."""
 
 from dataclasses import dataclass
 
@@ -28,7 +28,7 @@ class Moments:
 
     @property
     def inertia(self) -> Floats:
-        """Inertia tensor about the centre over the density, ∫ (r² 1 - r rᵀ) dV [m⁵], (3, 3)."""
+        """Return the inertia tensor about the centre over the density, ∫ (r² 1 - r rᵀ) dV [m⁵], (3, 3)."""
         return np.trace(self.second) * np.eye(3) - self.second
 
     def __add__(self, other: "Moments") -> "Moments":
@@ -39,19 +39,19 @@ class Moments:
 
 
 def moments(shape: Shape) -> Moments:
-    """Volume, centre and second moments of a shape.
+    """Compute volume, centre and second moments of a shape.
 
-    Exact for cylinder, box, ball and triangulated surface, turned and moved ones included. What shapes have in
-    common is measured by refinement, as their volume is: to about 1e-3.
+    They are exact for cylinder, box, ball and triangulated surface, also if moved or rotated. Intersections of shapes
+    are measured by refinement, to about 1e-3.
 
     Args:
-        shape: any but a periodic cell.
+        shape: any shape but a periodic cell.
 
     Raises:
-        InputError: a periodic cell, which has no centre, or a shape that only knows its depth and has no volume.
+        InputError: The shape is a periodic cell, which has no centre, or it knows only its depth and no volume.
     """
     if shape.period is not None:
-        raise InputError("a periodic cell has no centre and no moments of inertia; take a Box of the same size")
+        raise InputError("a periodic cell has no centre and no moments of inertia; use a Box of the same size")
     match shape:
         case Box() | BoundingBox():
             lower, upper = shape.bounds
@@ -91,7 +91,7 @@ def _meet(first: Shape, second: Shape) -> bool:
 
 
 def _enclosed(surface: Surface) -> Moments:
-    """Sum over the tetrahedra between a point and the triangles, those that face away counted negative."""
+    """Sum over the tetrahedra between a point and the triangles; triangles that face the point count negative."""
     origin = surface.vertices.mean(axis=0)
     corner = surface.vertices[surface.triangles] - origin
     volume = np.linalg.det(corner) / 6.0

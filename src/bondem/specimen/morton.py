@@ -1,4 +1,4 @@
-"""The Z curve of Morton: points near in space are near in order, and so in memory."""
+"""Morton order (Z curve): points near in space are near in order, and so in memory."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ _BITS = 21
 
 
 def morton_code(position: Floats) -> np.ndarray:
-    """Place of each point (n, 3) along the Z-order curve through its bounding cube, uint64, shape (n,)."""
+    """Return the place of each point (n, 3) along the Z-order curve through its bounding cube, uint64, shape (n,)."""
     lower = position.min(axis=0)
     extent = float(np.ptp(position, axis=0).max()) or 1.0
     cells = ((position - lower) / extent * (2**_BITS - 1)).astype(np.uint64)

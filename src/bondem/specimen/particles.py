@@ -1,4 +1,4 @@
-"""The discrete elements: spheres with a centre and a radius."""
+"""Particles: spheres with a centre and a radius."""
 
 from dataclasses import dataclass
 
@@ -9,14 +9,14 @@ from bondem._checks import array, instance, shown
 from bondem._types import ArrayLike, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.specimen.filling import check_filling
-from bondem.specimen.geometry import BoundingBox, Shape
+from bondem.specimen.geometry import BoundingBox, Cell, Shape
 
 # Spheres outside this have a mass or a moment of inertia that is no number any more [m].
 _SMALLEST, _LARGEST = 1e-60, 1e60
 
 
 def freeze(values: np.ndarray) -> np.ndarray:
-    """The same array, read-only."""
+    """Make an array read-only and return it."""
     values.setflags(write=False)
     return values
 
@@ -28,16 +28,16 @@ class Particles:
     Attributes:
         position: centres [m], shape (n, 3).
         radius: radii [m], shape (n,).
-        period: edge lengths of the periodic cell [m], (3,), or None; taken from `shape` where that is a Cell.
-        shape: the shape they fill, or None; faces and sections then use the bounding box of the spheres.
+        period: edge lengths of the periodic cell [m], (3,), or None; taken from `shape` if that is a Cell.
+        shape: shape filled by the spheres; with a period and no shape it is the periodic cell. None is allowed: faces
+            and sections then use the bounding box of the spheres.
 
     Raises:
-        InputError: wrong array shapes, a value that is not finite, a radius that is not positive, or two
-            spheres overlapping by more than half the smaller radius, or centres outside the shape,
-            but for a hundredth.
+        InputError: An array has the wrong shape, a value is not finite, or a radius is not positive. Two spheres
+            overlap by more than half the smaller radius. More than 1 % of the centres lie outside the shape.
 
     Warns:
-        FillingWarning: spheres stick out of the shape, or do not reach all of its faces.
+        FillingWarning: Spheres stick out of the shape or do not reach all of its faces.
     """
 
     position: PerElement3
@@ -69,7 +69,7 @@ class Particles:
             far = np.abs(values)
             if far.max() > _LARGEST or (name == "radius" and far.min() < _SMALLEST):
                 worst = far.max() if far.max() > _LARGEST else far.min()
-                raise InputError(f"{name} {worst:.3g} m is no length of a specimen; check its units (metres)")
+                raise InputError(f"{name} {worst:.3g} m is not a plausible length; check its units (metres)")
         if shape is not None:
             instance("Particles", "shape", shape, Shape, "a shape such as bd.Box(...), or None")
         if period is None and shape is not None:
@@ -85,11 +85,13 @@ class Particles:
             x = np.mod(x, cell)
             x[x >= cell] = 0.0  # from just below 0 it rounds up to the far end, which is 0 again
             object.__setattr__(self, "period", freeze(cell))
+            periodic = Cell((float(cell[0]), float(cell[1]), float(cell[2]))) if shape is None else None
         else:
             object.__setattr__(self, "period", None)
+            periodic = None
         object.__setattr__(self, "position", freeze(x))
         object.__setattr__(self, "radius", freeze(r))
-        object.__setattr__(self, "shape", shape)
+        object.__setattr__(self, "shape", periodic if shape is None else shape)
         self._check_overlap()
         if shape is not None:
             check_filling(shape, x, r)
@@ -119,11 +121,11 @@ class Particles:
             )
 
     def separation(self, i: np.ndarray, j: np.ndarray) -> np.ndarray:
-        """Vectors from centres i to centres j, over the nearest periodic image [m], shape (k, 3)."""
+        """Return vectors from centres i to centres j over the nearest periodic image [m], shape (k, 3)."""
         return self.nearest(self.position[j] - self.position[i])
 
     def nearest(self, branch: np.ndarray) -> np.ndarray:
-        """Vectors (k, 3) over the nearest periodic image [m]."""
+        """Return the vectors (k, 3) reduced to the nearest periodic image [m]."""
         if self.period is None:
             return branch
         return branch - self.period * np.rint(branch / self.period)
@@ -133,22 +135,25 @@ class Particles:
 
     @property
     def mean_radius(self) -> float:
-        """R̄, mean radius of all elements [m]."""
+        """Mean radius R̄ of all elements [m]."""
         return float(self.radius.mean())
 
     @property
     def volume(self) -> PerElement:
-        """Sphere volumes [m³], shape (n,)."""
+        """Volumes of the spheres [m³], shape (n,)."""
         return 4.0 / 3.0 * np.pi * self.radius**3
 
     @property
     def envelope(self) -> Shape:
-        """The shape, or the bounding box of the spheres where none is known."""
+        """The shape of the particles, or the bounding box of the spheres if no shape is given."""
         return self.shape if self.shape is not None else BoundingBox.of(self.position, self.radius)
 
 
 def filled(particles: Particles, shape: Shape | None) -> Particles:
-    """The same particles as what fills `shape`, unchecked: they were packed into it, or cut to it and stick out."""
+    """Return the same particles with `shape` as their shape, unchecked.
+
+    No check is needed for particles packed into the shape; particles cut to it may stick out.
+    """
     same = Particles.__new__(Particles)
     for name, value in (*vars(particles).items(), ("shape", shape)):
         object.__setattr__(same, name, value)

@@ -1,4 +1,4 @@
-"""Faces of shapes in small flat patches: what a pressure acts on and a dashpot stands for."""
+"""Small flat patches of the faces of shapes, on which pressures and dashpots act."""
 
 import math
 from itertools import pairwise
@@ -16,16 +16,16 @@ _NEAR = 1e-6
 
 
 def face_patches(shape: Shape, face: str, size: float) -> tuple[Floats, Floats]:
-    """Patches of about `size` [m] that make up a face.
+    """Cut a face into patches of about `size` [m].
 
-    Plain shapes and surfaces are cut as they are. A combined shape takes the patches of its parts that are still
-    wall: inside on one side and outside on the other.
+    Plain shapes and surfaces are cut directly. For a combined shape the patches of its parts are used where they are
+    still walls: inside on one side and outside on the other.
 
     Returns:
         Centres [m] and areas times outward normals [m²], (k, 3) each.
 
     Raises:
-        InputError: the shape has no such face.
+        InputError: The shape has no such face.
     """
     shape.face_depth(face, np.zeros((1, 3)))  # refuses a face that is not there
     match shape:
@@ -107,7 +107,7 @@ def _sphere(radius: float, size: float) -> tuple[Floats, Floats]:
 
 
 def _facets(surface: Surface, face: str, size: float) -> tuple[Floats, Floats]:
-    """Each triangle in n² equal ones."""
+    """Divide each triangle into n² equal triangles."""
     corner = surface.vertices[surface.triangles[surface.face_triangles(face)]]
     longest = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max(axis=1)
     cuts = np.maximum(1, np.ceil(longest / size)).astype(int)

@@ -1,4 +1,4 @@
-"""Faces of shapes that are planes with the whole shape on one side of them, and turns about an axis."""
+"""Plane faces of shapes with the whole shape on one side, and rotations about an axis."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -12,7 +12,7 @@ Planes = dict[str, tuple[Vector, Vector]]
 
 
 def box_planes(bounds: tuple[Vector, Vector], faces: Sequence[str]) -> Planes:
-    """Faces "x_min" … "z_max" of a box around a shape that are faces of the shape."""
+    """Return the faces "x_min" … "z_max" of the bounding box that are faces of the shape."""
     found = {}
     for face in faces:
         side, out = int(face.endswith("max")), np.zeros(3)
@@ -22,12 +22,12 @@ def box_planes(bounds: tuple[Vector, Vector], faces: Sequence[str]) -> Planes:
 
 
 def placed(planes: Planes, turn: Floats, by: Vector) -> Planes:
-    """The same, turned about the origin and then moved."""
+    """Return the planes rotated about the origin and then moved."""
     return {name: (turn @ point + by, turn @ out) for name, (point, out) in planes.items()}
 
 
 def shared(some: Planes, others: Mapping[str, tuple[Vector, Vector]], tiny: float) -> set[str]:
-    """Names of those that lie in one of the others and look the same way, to a length [m]."""
+    """Return the names of the planes that coincide with one of `others` and have the same normal, to a length [m]."""
     return {
         name for name, (point, out) in some.items()
         if any(out @ other > 1.0 - 1e-12 and abs((point - at) @ other) < tiny for at, other in others.values())
@@ -35,7 +35,7 @@ def shared(some: Planes, others: Mapping[str, tuple[Vector, Vector]], tiny: floa
 
 
 def turn_about(axis: str, angle: float) -> Floats:
-    """Matrix of a right-handed turn by an angle [rad] about "x", "y" or "z"; right angles keep every bit."""
+    """Return the matrix of a right-handed rotation by an angle [rad] about "x", "y" or "z", exact at right angles."""
     c, s = (np.rint(v) if abs(v - np.rint(v)) < 1e-15 else v for v in (math.cos(angle), math.sin(angle)))
     turn = np.eye(3)
     j, k = ((1, 2), (2, 0), (0, 1))["xyz".index(axis)]

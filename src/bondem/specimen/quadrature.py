@@ -1,7 +1,7 @@
-"""Volume and surface of a region known by its depth, by refinement of the cells the surface runs through.
+"""Volume and surface of a region given by its depth, by refinement of the cells that contain the surface.
 
-A depth changes no faster than distance: a cell whose centre is deeper than half its diagonal is all inside,
-and only cells at the surface are halved further. The work grows with the surface, not with the volume.
+A depth changes no faster than the distance. A cell whose centre is deeper than half its diagonal therefore lies
+inside, and only cells at the surface are halved further. The work grows with the surface, not with the volume.
 """
 
 from collections.abc import Callable, Iterator
@@ -18,11 +18,11 @@ _HALVINGS = {1: 7, 2: 7, 3: 4}  # by dimension: to 128 cells along the longest e
 
 @dataclass(frozen=True)
 class Content:
-    """What a region holds.
+    """Volume and surface area of a region.
 
     Attributes:
-        volume: [m³]; of a flat one its area [m²].
-        area: of the surface [m²]; of a flat one its outline [m].
+        volume: volume [m³]; for a flat region its area [m²].
+        area: area of the surface [m²]; for a flat region the length of its outline [m].
     """
 
     volume: float
@@ -33,9 +33,9 @@ def content(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Ve
     """Measure the region where `depth` is positive, within a box.
 
     Args:
-        depth: distance of points (n, 3) to the surface, positive inside [m]; too small a value does no harm.
+        depth: distance of points (n, 3) to the surface, positive inside [m]; a lower bound is sufficient.
         lower: lower corner of the box [m], (3,).
-        upper: upper corner [m], (3,); axes on which both agree are left out (a flat region).
+        upper: upper corner [m], (3,); an axis on which both corners agree is left out (a flat region).
 
     Returns:
         Volume, exact to about 1e-3 for plain shapes, and area, to about 1e-2.
@@ -52,15 +52,15 @@ def content(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Ve
 
 @dataclass(frozen=True, eq=False)
 class GridCells:
-    """Cells of one size that need not be halved further.
+    """Cells of one size that need no further division.
 
     Attributes:
-        centre: [m], (k, 3).
-        edge: [m], (3,).
-        size: volume of each [m³]; of a flat region its area [m²].
-        depth: of the centres [m], (k,).
-        share: of each that lies in the region, 0 … 1, (k,).
-        last: whether these are the smallest, which the surface runs through.
+        centre: centres of the cells [m], (k, 3).
+        edge: edge lengths of a cell [m], (3,).
+        size: volume of a cell [m³]; for a flat region its area [m²].
+        depth: depths of the centres [m], (k,).
+        share: share of each cell that lies in the region, 0 … 1, (k,).
+        last: True for the smallest cells, which contain the surface.
     """
 
     centre: PerElement3
@@ -72,7 +72,7 @@ class GridCells:
 
 
 def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Vector) -> Iterator[GridCells]:
-    """The cells that make up a box, from the largest to the smallest; arguments as of `content`."""
+    """Yield the cells that make up a box, from the largest to the smallest; the arguments are those of `content`."""
     axes = np.flatnonzero(upper > lower)
     count = np.ones(3, dtype=int)
     # Cells a little off a cube are as good; of flat ones at a wall of the box a part would count as outside. The box

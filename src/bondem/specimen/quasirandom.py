@@ -1,4 +1,4 @@
-"""Points spread evenly and without a pattern, the same every time: integrals over shapes and balls."""
+"""Reproducible points, spread evenly and without a pattern, for integrals over shapes and balls."""
 
 from functools import cache
 
@@ -14,13 +14,16 @@ _PLASTIC = 1.3247179572447460
 
 @cache
 def spread_points(count: int) -> Floats:
-    """Points in the unit cube, shape (count, 3) (Hammersley): ± 0.2 % in an eighth of a cylinder, of 65 536."""
+    """Return points in the unit cube, shape (count, 3) (Hammersley).
+
+    With 65 536 points the volume of an eighth of a cylinder is right to ± 0.2 %.
+    """
     first = (np.arange(count) + 0.5) / count
     return freeze(np.column_stack([first, _mirrored_digits(count, 2), _mirrored_digits(count, 3)]))
 
 
 def _mirrored_digits(count: int, base: int) -> Floats:
-    """1, 2, ... `count` with their digits mirrored at the point (van der Corput)."""
+    """Return 1, 2, ... `count` with their digits mirrored at the point (van der Corput)."""
     left, value, place = np.arange(1, count + 1), np.zeros(count), 1.0
     while left.any():
         place /= base
@@ -31,9 +34,9 @@ def _mirrored_digits(count: int, base: int) -> Floats:
 
 @cache
 def ball_points(count: int) -> Floats:
-    """Points in the unit ball, shape (count, 3), `count` even: every point with its mirror image.
+    """Return points in the unit ball, shape (count, 3), `count` even, with the mirror image of each point.
 
-    So the share of them on one side of a plane is that of the ball on average over all planes, and one half
+    The share of points on one side of a plane is then that of the ball, on average over all planes. It is one half
     for a plane through the centre.
     """
     u, v, w = spread_points(count // 2).T
@@ -45,14 +48,14 @@ def ball_points(count: int) -> Floats:
 
 @cache
 def spread_directions(count: int) -> Floats:
-    """Unit vectors, shape (count, 3)."""
+    """Return unit vectors, shape (count, 3)."""
     u, v = np.mod(0.5 + np.arange(1, count + 1)[:, None] * _PLASTIC ** -np.arange(1.0, 3.0), 1.0).T
     across, angle = 2.0 * np.sqrt(u - u**2), 2.0 * np.pi * v
     return freeze(np.column_stack([across * np.cos(angle), across * np.sin(angle), 2.0 * u - 1.0]))
 
 
 def spread_rotations(count: int) -> Floats:
-    """Rotation matrices, shape (count, 3, 3) (Shoemake's quaternions)."""
+    """Return rotation matrices, shape (count, 3, 3) (Shoemake's quaternions)."""
     u, v, w = spread_points(count).T
     a, b = 2.0 * np.pi * v, 2.0 * np.pi * w
     c, s = np.sqrt(1.0 - u), np.sqrt(u)
@@ -66,12 +69,12 @@ def spread_rotations(count: int) -> Floats:
 
 
 def points_inside(shape: Shape, count: int, depth: float) -> tuple[Floats, float]:
-    """Points `depth` or more from every wall of a shape [m], and the volume each stands for [m³].
+    """Return points `depth` or more from every wall of a shape [m], and the volume each represents [m³].
 
     Args:
-        shape: what to fill.
-        count: points in its bounding box.
-        depth: how far from every wall at least [m].
+        shape: shape to sample.
+        count: number of points in its bounding box.
+        depth: smallest distance from every wall [m].
 
     Returns:
         Points, shape (k, 3), and bounding volume / count.

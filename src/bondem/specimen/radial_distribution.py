@@ -1,4 +1,4 @@
-"""How often centres lie at a distance from each other, against spheres without order."""
+"""Radial distribution function of the centres of a packing."""
 
 from dataclasses import dataclass
 
@@ -23,12 +23,12 @@ _SUPPORTS = 21  # distances between which the covariance, a smooth curve, is int
 
 @dataclass(frozen=True, eq=False)
 class RadialDistribution:
-    """The radial distribution function.
+    """A radial distribution function.
 
     Attributes:
         distance: middle of each shell, over the mean diameter 2R̄ [-], shape (b,).
         density: g, number density of centres in the shell around a centre, over the mean number density [-],
-            shape (b,): 1 without order, and towards 1 at large distances in a random packing.
+            shape (b,). It is 1 without order, and approaches 1 at large distances in a random packing.
     """
 
     distance: Floats
@@ -36,24 +36,24 @@ class RadialDistribution:
 
 
 def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int = 80) -> RadialDistribution:
-    """g(r / 2R̄) of the centres three mean radii or more from every wall.
+    """Compute g(r / 2R̄) of the centres that lie three mean radii or more from every wall.
 
-    In a periodic cell every pair counts over its nearest image. Between walls pairs are counted inside the core
-    and divided by what centres without order in the same core would have: its set covariance, found by 32 768 evenly
-    spread points and directions (Ohser's edge correction), right to 1 %. What is left of the layers along walls adds
-    to g at all distances: 7 % in a cylinder of 3000 elements four diameters long, 5 % in one of 10 000. Above
-    20 000 centres, pairs of every k-th one with all.
+    In a periodic cell every pair counts over its nearest image. Between walls the pairs inside the core are counted
+    and divided by the number expected without order. That number follows from the set covariance of the core (Ohser's
+    edge correction), computed with 32 768 evenly spread points and directions to 1 %. Residual layers along walls add
+    to g at all distances: 7 % in a cylinder of 3000 elements four diameters long, 5 % in one of 10 000. Above 20 000
+    centres, only pairs of every k-th centre with all others are counted.
 
     Args:
         particles: the spheres.
-        reach: largest distance, in mean diameters [-]; less where the specimen is smaller.
+        reach: largest distance, in mean diameters [-]; less if the specimen is smaller.
         bins: number of shells.
 
     Returns:
         Distances and g.
 
     Raises:
-        InputError: no room for it away from the walls.
+        InputError: The region away from the walls has too few centres.
     """
     instance("radial_distribution", "particles", particles, Particles, "bd.Particles")
     reach = number("radial_distribution", "reach", reach, above=0.0)
@@ -71,8 +71,8 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
     farthest = min(reach * diameter, farthest)
     if len(centre) < 2 or farthest <= diameter:
         raise InputError(
-            f"{len(centre)} centres lie three mean radii from every wall: too few for a radial distribution;"
-            " take more elements"
+            f"{len(centre)} centres lie three mean radii from every wall: too few for a radial distribution function;"
+            " use more elements"
         )
     edge = np.linspace(0.0, farthest, bins + 1)
     some = centre[:: -(-len(centre) // _CENTRES)]
@@ -88,7 +88,7 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
 
 
 def _covariance(shape: Shape, depth: float, distance: Floats) -> Floats:
-    """Chance that a point at each distance from a point of the core, in any direction, lies in the core too."""
+    """Return the chance that a point at each distance from a point of the core lies in the core too."""
     if not shape.faces:
         return np.ones(len(distance))
     points, _ = points_inside(shape, samples(shape, _SAMPLES), depth)

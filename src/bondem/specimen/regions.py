@@ -1,4 +1,4 @@
-"""Regions: who is meant. A region selects connected elements of a lattice and is combined by & | -."""
+"""Regions: rules that select connected elements of a lattice, combined by `&`, `|` and `-`."""
 
 import warnings
 from abc import ABC, abstractmethod
@@ -7,13 +7,14 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from bondem._checks import count, instance, number, shown, vector
+from bondem._names import users_line
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3, Vector
 from bondem.errors import EmptyRegionError, FaceWarning, InputError
 from bondem.specimen.geometry import Shape
 from bondem.specimen.lattice import Lattice
 
-# Without a shape a face is the plane of the outermost sphere. It is warned of where it has less than this share
-# of the elements within one mean radius of it, and those are at least so many.
+# Without a shape a face is the plane of the outermost sphere. A warning is given if it has less than this share
+# of the elements within one mean radius of it, and if there are at least so many of them.
 _SPARSE, _LAYER = 0.25, 10
 
 
@@ -22,13 +23,15 @@ class Region(ABC):
 
     @abstractmethod
     def mask(self, lattice: Lattice) -> Mask:
-        """Which elements match, rattlers not excluded, shape (n,)."""
+        """Return a mask of the matching elements, shape (n,). Rattlers are not excluded."""
 
     def select(self, lattice: Lattice) -> Ints:
-        """Indices of the connected elements of the region, ascending, in the user's order; all where none is bonded.
+        """Return the indices of the connected elements of the region, ascending and in the user's order.
+
+        If the lattice has no bonds, all matching elements are selected.
 
         Raises:
-            EmptyRegionError: no connected element matches.
+            EmptyRegionError: No connected element matches.
         """
         # grains without any bond are no rattlers of a specimen: they are what is simulated
         chosen = np.flatnonzero(self.mask(lattice) & lattice.connected if len(lattice.pairs) else self.mask(lattice))
@@ -39,7 +42,7 @@ class Region(ABC):
         return chosen
 
     def anchor(self, lattice: Lattice) -> Vector:
-        """The point a load on the region acts through: the centroid of its elements [m], (3,)."""
+        """Return the point through which a load on the region acts: the centroid of its elements [m], (3,)."""
         return lattice.centre[self.select(lattice)].mean(axis=0)
 
     def __and__(self, other: "Region") -> "Region":
@@ -62,14 +65,14 @@ class Everything(Region):
 
 @dataclass(frozen=True)
 class Face(Region):
-    """Elements whose surface lies at a named face of the shape; cells of a body that have a facet on it.
+    """Elements whose surface lies at a named face of the shape; in a body, cells with a facet on that face.
 
-    Without a shape the face is that of the bounding box of the spheres, which in a loose or cut packing few of them
-    reach: a layer is then what `depth=1.0` selects, and a face of far fewer is warned of (`FaceWarning`).
+    Without a shape the face is a side of the bounding box of the spheres. In a loose or cut packing few spheres reach
+    it; `depth=1.0` then selects a layer. A `FaceWarning` reports a face with far fewer elements than lie near it.
 
     Attributes:
-        name: "x_min", "x_max", ... or "side".
-        depth: how far from the face their surface may lie, in mean radii [-]; of no account for cells.
+        name: name of the face, such as "x_min", "x_max" or "side".
+        depth: largest distance of the surface of an element from the face, in mean radii [-]; ignored for cells.
     """
 
     name: str
@@ -91,15 +94,15 @@ class Face(Region):
         layer = int((gap <= particles.mean_radius).sum())
         if particles.shape is None and layer >= _LAYER and chosen.sum() < _SPARSE * layer:
             warnings.warn(
-                f"{self} is {chosen.sum()} of the {layer} elements within a mean radius of the bounding box, as the"
+                f"{self} selects {chosen.sum()} of the {layer} elements within R̄ of the bounding box, as the"
                 " particles have no shape; give bd.Particles shape=, or the face depth=1.0",
                 FaceWarning,
-                stacklevel=2,
+                stacklevel=users_line(),
             )
         return chosen
 
     def anchor(self, lattice: Lattice) -> Vector:
-        """The centroid of the face [m], (3,): on a body of cells, that of the facets on it."""
+        """Return the centroid of the face [m], (3,); on a body of cells, the centroid of the facets on the face."""
         if lattice.cells is None:
             return lattice.particles.envelope.face_centre(self.name)
         free, on = lattice.cells.free, lattice.on_face(self.name)
@@ -108,15 +111,15 @@ class Face(Region):
 
 @dataclass(frozen=True)
 class Index(Region):
-    """Elements by number, or by a mask, in the user's order.
+    """Elements given by their indices or by a mask, in the user's order.
 
     Attributes:
-        elements: indices.
-        size: number of elements where a mask was given, else None.
+        elements: indices of the elements.
+        size: number of elements in the mask that was given; None for indices.
 
     Args:
         elements: one index, indices (k,), or truth values (n,).
-        size: number of elements that there must be; None for any.
+        size: number of elements that the lattice must have; None for any number.
     """
 
     elements: tuple[int, ...]
@@ -129,7 +132,7 @@ class Index(Region):
         if found.dtype == bool:
             size, found = len(found), np.flatnonzero(found)
         if found.size and found.min() < 0:
-            raise InputError(f"Index names element {found.min()}, but element indices start at 0")
+            raise InputError(f"Index: element {found.min()} does not exist; give element indices from 0")
         object.__setattr__(self, "elements", tuple(found.tolist()))
         object.__setattr__(self, "size", size)
 
@@ -139,10 +142,10 @@ class Index(Region):
     def mask(self, lattice: Lattice) -> Mask:
         n = len(lattice.particles)
         if self.size is not None and self.size != n:
-            raise InputError(f"Index was given a mask of {self.size} elements, but there are {n}")
+            raise InputError(f"Index: the mask has {self.size} elements, but the lattice has {n}; give a mask of {n}")
         wrong = [k for k in self.elements if not 0 <= k < n]
         if wrong:
-            raise InputError(f"Index names element {wrong[0]}, but element indices run from 0 to {n - 1}")
+            raise InputError(f"Index: element {wrong[0]} does not exist; give element indices from 0 to {n - 1}")
         chosen = np.zeros(n, dtype=bool)
         chosen[list(self.elements)] = True
         return chosen
@@ -167,16 +170,16 @@ class Within(Region):
 
 @dataclass(frozen=True, kw_only=True)
 class Plane(Region):
-    """Elements on the side of a plane that its normal points to: one of two layers.
+    """Elements on the side of a plane that its normal points to, for example one of two layers.
 
     `bd.pack(..., around=plane)` makes cells end on the plane.
 
     Attributes:
         point: any point of the plane [m], (3,).
-        normal: to the side that is meant, of any length, (3,).
+        normal: vector of any length that points to the selected side, (3,).
 
     Raises:
-        InputError: values that are not finite, or a normal of no length.
+        InputError: A value is not finite, or the normal has zero length.
     """
 
     point: tuple[float, float, float]
@@ -191,7 +194,7 @@ class Plane(Region):
         object.__setattr__(self, "normal", tuple(float(v) / length for v in normal))
 
     def depth(self, points: PerElement3) -> Floats:
-        """Distance of points (n, 3) [m] from the plane, positive on the side of the normal [m], (n,)."""
+        """Return the distance of points (n, 3) [m] from the plane, positive on the side of the normal [m], (n,)."""
         return (np.atleast_2d(points) - self.point) @ np.array(self.normal)
 
     def mask(self, lattice: Lattice) -> Mask:
@@ -200,7 +203,7 @@ class Plane(Region):
 
 @dataclass(frozen=True)
 class Intersection(Region):
-    """Elements of both regions."""
+    """Elements that belong to both regions."""
 
     first: Region
     second: Region
@@ -211,7 +214,7 @@ class Intersection(Region):
 
 @dataclass(frozen=True)
 class Union(Region):
-    """Elements of either region."""
+    """Elements that belong to at least one of two regions."""
 
     first: Region
     second: Region
@@ -222,7 +225,7 @@ class Union(Region):
 
 @dataclass(frozen=True)
 class Difference(Region):
-    """Elements of the first region that are not in the second."""
+    """Elements that belong to the first region but not to the second."""
 
     first: Region
     second: Region
@@ -232,15 +235,15 @@ class Difference(Region):
 
 
 def as_region(owner: str, value: object) -> Region:
-    """A region, as it is.
+    """Return a region unchanged and reject anything else.
 
     Raises:
-        InputError: something else, such as the name of a face.
+        InputError: The value is not a region, for example the name of a face.
     """
     if isinstance(value, Region):
         return value
     meant = f"bd.Face({value!r})" if isinstance(value, str) else 'bd.Face("x_min"), bd.Index(...) or bd.Within(...)'
-    raise InputError(f"{owner}: {shown(value)} is no region; give {meant}")
+    raise InputError(f"{owner}: {shown(value)} is not a region; give {meant}")
 
 
 def _indices(elements: ArrayLike) -> np.ndarray:

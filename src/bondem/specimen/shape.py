@@ -1,4 +1,4 @@
-"""The algebra of shapes: moved, turned, joined, cut."""
+"""The algebra of shapes: moved, rotated, joined and cut shapes."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,25 +17,25 @@ _Rows = tuple[tuple[float, float, float], tuple[float, float, float], tuple[floa
 
 
 class Shape(Walled):
-    """A region of space with named faces (`bondem.specimen.walled`).
+    """A region of space with named faces.
 
-    `a & b` is what both have in common, `a | b` both joined, `a - b` the first without the second; `moved`
-    and `rotated` bring a shape into place.
+    Combine shapes with operators: `a & b` is the intersection, `a | b` the union, and `a - b` the first shape without
+    the second. Place them with `moved` and `rotated`.
     """
 
     def moved(self, by: Sequence[float]) -> "Shape":
-        """The shape moved by `by` [m], (3,)."""
+        """Return the shape moved by the vector `by` [m], (3,)."""
         x, y, z = vector(type(self).__name__, "by", by, unit="m")
         return _place(self, np.eye(3), np.array([x, y, z]))
 
     def rotated(self, axis: str, angle: float) -> "Shape":
-        """The shape turned by `angle` [rad], right-handed, about the axis "x", "y" or "z" through the origin."""
+        """Return the shape rotated right-handed by `angle` [rad] about "x", "y" or "z" through the origin."""
         choice(f"{type(self).__name__}.rotated", "axis", axis, ("x", "y", "z"))
         angle = number(f"{type(self).__name__}.rotated", "angle", angle, unit="rad")
         return _place(self, turn_about(axis, angle), np.zeros(3))
 
     def cut(self, tool: "Shape", *, name: str = "cut") -> "Shape":
-        """The shape without `tool`: a notch, a hole, a boring; the new walls are the face `name`."""
+        """Return the shape without `tool`, for example with a notch or a hole. The new walls form the face `name`."""
         return Cut(self, tool, name)
 
     def __and__(self, other: "Shape") -> "Shape":
@@ -58,19 +58,19 @@ def _place(shape: Shape, turn: Floats, by: Vector) -> "Placed":
 
 def _refuse_periodic(*shapes: Shape) -> None:
     for shape in shapes:
-        instance("", "what is combined with a shape", shape, Shape, "a shape such as bd.Box(...)")
+        instance("", "the other operand of a shape", shape, Shape, "a shape such as bd.Box(...)")
         if shape.period is not None:
             raise InputError(f"{shape} is periodic and has no walls to move or cut; take a Box of the same size")
 
 
 @dataclass(frozen=True)
 class Placed(Shape):
-    """A shape turned about the origin and then moved; its faces keep their names.
+    """A shape rotated about the origin and then moved; its faces keep their names.
 
     Attributes:
-        shape: what is placed.
+        shape: shape to place.
         turn: rotation matrix, by rows [-].
-        by: shift [m], (3,).
+        by: displacement [m], (3,).
     """
 
     shape: Shape
@@ -98,6 +98,10 @@ class Placed(Shape):
     @property
     def faces(self) -> tuple[str, ...]:
         return self.shape.faces
+
+    def place(self, points: PerElement3) -> PerElement3:
+        """Points (n, 3) of `shape`, moved along with it [m]."""
+        return points @ np.array(self.turn).T + self.by
 
     def _back(self, points: PerElement3) -> PerElement3:
         return (np.atleast_2d(points) - self.by) @ np.array(self.turn)
@@ -131,7 +135,7 @@ def _section(shape: Shape) -> float:
 
 
 class _Pair(Shape):
-    """Two shapes combined; what has no closed form is measured by refinement, to about 1e-3, areas to 1e-2."""
+    """Two shapes combined. Measures without a closed form are found by refinement, to about 1e-3, areas to 1e-2."""
 
     first: Shape
     second: Shape
@@ -167,12 +171,12 @@ def _common_bounds(first: Shape, second: Shape) -> tuple[Vector, Vector]:
 
 @dataclass(frozen=True)
 class Overlap(_Pair):
-    """What two shapes have in common. Faces of the first keep their names; those of the second are `name`.
+    """The intersection of two shapes. Faces of the first shape keep their names; those of the second become `name`.
 
     Attributes:
-        first: one shape.
-        second: the other.
-        name: of the walls that come from the second; they join a face of the first that has this name.
+        first: first shape.
+        second: second shape.
+        name: name of the walls of the second shape; they join a face of the first shape that has this name.
     """
 
     first: Shape
@@ -184,7 +188,7 @@ class Overlap(_Pair):
         instance("Overlap", "name", self.name, str, "a text")
         lower, upper = self.bounds
         if (lower >= upper).any():
-            raise InputError(f"{self.first} and {self.second} have nothing in common; check positions (metres)")
+            raise InputError(f"{self.first} and {self.second} do not intersect; check their positions (metres)")
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -214,12 +218,12 @@ class Overlap(_Pair):
 
 @dataclass(frozen=True)
 class Cut(_Pair):
-    """A shape without another: notches, holes, borings. Faces of the first keep their names.
+    """A shape without another one, for example a specimen with a notch. Faces of the first shape keep their names.
 
     Attributes:
-        first: what is cut.
-        second: what is taken away.
-        name: of the new walls; they join a face of the first that has this name.
+        first: shape to cut.
+        second: shape to remove.
+        name: name of the new walls; they join a face of the first shape that has this name.
     """
 
     first: Shape
@@ -248,24 +252,24 @@ class Cut(_Pair):
 
     @cached_property
     def _new(self) -> tuple[str, ...]:
-        """Faces of the second that are walls: not those in planes of the first, beyond which nothing is."""
+        """Faces of the second shape that become walls. Faces that lie in a plane of the first shape cut nothing."""
         tiny = 1e-9 * float(np.subtract(*self.first.bounds[::-1]).max())
         same = shared(self.second.planes, self.first.planes, tiny)
         return tuple(face for face in self.second.faces if face not in same) or self.second.faces
 
-    def _beside(self, points: PerElement3) -> PerElement:
-        """Distance from what is taken away [m], positive outside of it, (n,)."""
+    def beside(self, points: PerElement3) -> PerElement:
+        """Distance from the removed shape [m], positive outside of it, (n,)."""
         return -self.second.depth_of(self._new, points)
 
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
-        walls = [self._beside(points)] if face == self.name else []
+        walls = [self.beside(points)] if face == self.name else []
         if face in self.first.faces:
             walls.append(self.first.face_depth(face, points))
         return np.min(walls, axis=0)
 
     def depth(self, points: PerElement3) -> PerElement:
-        return np.minimum(self.first.depth(points), self._beside(points))
+        return np.minimum(self.first.depth(points), self.beside(points))
 
     def face_centre(self, face: str) -> Vector:
         if face in self.first.faces:
@@ -277,14 +281,15 @@ class Cut(_Pair):
 
 @dataclass(frozen=True)
 class Joined(_Pair):
-    """Two shapes in one. Parts should reach two diameters of the elements into each other: see `depth`.
+    """The union of two shapes.
 
-    The faces "x_min" … "z_max" are those that lie in a side of the box around both; all other faces keep
-    their names, and a name both parts have is one face.
+    Let the parts overlap by two element diameters, because depths are approximate where the parts meet.
+    The faces "x_min" … "z_max" are the faces in the sides of the box around both parts. All other faces keep their
+    names, and faces of both parts with the same name form one face.
 
     Attributes:
-        first: one shape.
-        second: the other.
+        first: first part.
+        second: second part.
     """
 
     first: Shape
@@ -309,7 +314,7 @@ class Joined(_Pair):
 
     @cached_property
     def _parts(self) -> dict[str, list[Shape]]:
-        """The parts that carry each face."""
+        """Parts that contribute to each face."""
         carried: dict[str, list[Shape]] = {}
         tiny = 1e-9 * float(np.subtract(*self._bounds[::-1]).max())
         for part in (self.first, self.second):
@@ -334,7 +339,10 @@ class Joined(_Pair):
         return depth
 
     def depth(self, points: PerElement3) -> PerElement:
-        """Distance to the nearest wall [m], (n,); where the parts meet, at least that in the deeper one."""
+        """Return the distance to the nearest wall [m], (n,).
+
+        Where the parts meet it is a lower bound: the larger of their depths.
+        """
         return np.maximum(self.first.depth(points), self.second.depth(points))
 
     def face_centre(self, face: str) -> Vector:

@@ -1,7 +1,7 @@
-"""Whether a packing is the same everywhere: strata, gradients and layers along x, y and z, away from the walls.
+"""Homogeneity of a packing: strata, gradients and layers along x, y and z, away from the walls.
 
-Gravity leaves three traces: density and contacts that change with height, sizes that part, and centres in
-horizontal layers. All are given as effect sizes beyond chance, which do not depend on the number of elements.
+Gravity has three effects: density and contacts that vary with height, segregated sizes, and centres in horizontal
+layers. All are measured as effect sizes beyond chance, which do not depend on the number of elements.
 """
 
 from dataclasses import dataclass
@@ -28,16 +28,18 @@ _LISTENED = 20_000
 
 @dataclass(frozen=True, eq=False)
 class Strata:
-    """Differences between slices of the core, across x, y and z. NaN along an axis too short: two slices of two mean
-    diameters, and four diameters for layers. What chance does with probability 0.98 has been taken off.
+    """Differences between slices of the core across x, y and z, beyond those of chance.
+
+    A value is NaN along an axis that is too short: below two slices of two mean diameters, or four diameters for
+    layers. Differences that chance produces with probability 0.98 are subtracted.
 
     Attributes:
         density: relative rms deviation of the solid fraction of slices from their mean [-], (3,).
-        coordination: relative rms deviation of the mean number of bonds of their elements [-], (3,).
-        size: rms deviation of their mean radius, over the standard deviation of all radii [-], (3,): the
-            correlation ratio, 1 where elements are sorted by size; 0 where all radii are equal.
+        coordination: relative rms deviation of the mean number of bonds per element in slices [-], (3,).
+        size: rms deviation of the mean radius in slices, over the standard deviation of all radii [-], (3,). This
+            correlation ratio is 1 if elements are sorted by size, and 0 if all radii are equal.
         density_gradient: change of the solid fraction from end to end by a straight line, over its mean [-], (3,).
-        coordination_gradient: the same of bonds per element [-], (3,).
+        coordination_gradient: change of the bonds per element from end to end, likewise, over their mean [-], (3,).
         layers: amplitude of the density of centres as a wave of 0.65 to 1.25 mean diameters, over its
             mean [-], (3,): 0 in a random packing, up to 2 in plane layers.
     """
@@ -56,11 +58,11 @@ def strata(
     """Compare slices of the core.
 
     Args:
-        shape: what the elements fill.
+        shape: shape filled by the elements.
         position: centres [m], shape (n, 3).
         radius: radii [m], shape (n,).
-        bonds: bonds of each element, shape (n,).
-        core: the part of the elements in the core.
+        bonds: number of bonds of each element, shape (n,).
+        core: solid of the elements in the core.
         depth: distance of the core from the walls [m].
 
     Returns:
@@ -105,7 +107,7 @@ def strata(
 
 
 def _spread(value: Floats, weight: Floats, chance: Floats, place: Floats) -> tuple[float, float]:
-    """Relative rms deviation beyond chance, and relative change from end to end of a straight line."""
+    """Return the relative rms deviation beyond chance, and the relative change of a straight line from end to end."""
     share = weight / weight.sum()
     mean = max(float(share @ value), 1e-300)
     deviation = value / mean - 1.0

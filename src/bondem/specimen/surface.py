@@ -10,8 +10,10 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import array, place
+from bondem._names import users_line
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
 from bondem.errors import InputError, UnitWarning
+from bondem.specimen.closed_surface import closed_surface
 from bondem.specimen.shape import Shape
 from bondem.specimen.triangles import Triangles
 from bondem.specimen.units import length_unit
@@ -22,8 +24,6 @@ _SUFFIXES = (".stl", ".ply")
 # Longest specimen taken for metres without being told so, with a warning and without [m].
 _PLAUSIBLE, _USUAL = 10.0, 1.0
 
-_FARTHEST = 1e30  # of a vertex [m]: beyond, volumes are no numbers any more
-
 # How far from a side of the bounding box a facet may lie to be part of that face, over the size of the box;
 # STL files keep seven digits.
 _FLUSH = 1e-6
@@ -31,19 +31,22 @@ _FLUSH = 1e-6
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Surface(Shape):
-    """What a closed triangulated surface encloses: `Surface("part.stl", unit="mm")`.
+    """The solid enclosed by a triangulated surface, for example `Surface("part.stl", unit="mm")`.
 
-    Facets in a side of the bounding box are the faces "x_min" … "z_max", all others "side".
+    Facets in a side of the bounding box form the faces "x_min" … "z_max"; all other facets form the face "side".
+    Equal corners of several solids of a file, and doubled triangles, are merged. Solids must not touch: those that
+    overlap are joined as two surfaces, `bd.Surface(…) | bd.Surface(…)`. A cavity faces inwards.
 
     Attributes:
         vertices: corners [m], (v, 3).
-        triangles: the corners of each triangle, counter-clockwise seen from outside, (t, 3).
+        triangles: corner indices of each triangle, counter-clockwise seen from outside, (t, 3).
 
     Raises:
-        InputError: no such file, another format, a size that cannot be metres, or a surface that is not closed.
+        InputError: The file does not exist or has another format, its size cannot be in metres, the surface is not
+            closed, or solids overlap.
 
     Warns:
-        UnitWarning: a file of more than a metre without a unit.
+        UnitWarning: The part of a file without a unit is longer than one metre.
     """
 
     vertices: Floats
@@ -57,13 +60,13 @@ class Surface(Shape):
         vertices: ArrayLike | None = None,
         triangles: ArrayLike | None = None,
     ) -> None:
-        """Read a file, or take arrays.
+        """Read a surface from a file, or make it from arrays.
 
         Args:
-            file: STL or PLY.
-            unit: of its numbers, by name ("mm") or in metres (1e-3); None takes metres if that is plausible.
-            vertices: instead of a file, corners (v, 3) in `unit`.
-            triangles: and the triangles, (t, 3).
+            file: STL or PLY file.
+            unit: unit of length, by name ("mm") or in metres (1e-3); None for metres, if the size is plausible.
+            vertices: corners (v, 3) in `unit`, instead of a file.
+            triangles: corner indices (t, 3), together with `vertices`.
         """
         scale = None if unit is None else length_unit("Surface", unit)
         if file is not None:
@@ -74,18 +77,18 @@ class Surface(Shape):
             x, t = _arrays(vertices, triangles)
         else:
             raise InputError("Surface needs a file, or both vertices= and triangles=")
-        t = _checked(name, x, t)
+        x, t = closed_surface(name, x, t)
         size = float(np.ptp(x, axis=0).max())
         if file is not None and scale is None and size > _PLAUSIBLE:
             raise InputError(
-                f"{name} is {size:.4g} long, and its unit is not known; give unit='mm', or unit='m' if it is metres"
+                f"{name} is {size:.4g} long and has no unit; give unit='mm', or unit='m' if its numbers are metres"
             )
         if file is not None and scale is None and size > _USUAL:
             warnings.warn(
-                f"{name} is taken to be {size:.4g} m long; give unit='m' if it is, or unit='mm' if it is millimetres",
-                UnitWarning, stacklevel=2,
+                f"{name} is assumed to be {size:.4g} m long; give unit='m' to confirm, or unit='mm' for millimetres",
+                UnitWarning, stacklevel=users_line(),
             )  # fmt: skip
-        x *= 1.0 if scale is None else scale
+        x = x * (1.0 if scale is None else scale)
         for key, values in (("vertices", x), ("triangles", t)):
             values.setflags(write=False)
             object.__setattr__(self, key, values)
@@ -110,7 +113,7 @@ class Surface(Shape):
 
     @cached_property
     def _on_face(self) -> dict[str, Ints]:
-        """The triangles of each face."""
+        """Triangle numbers of each face."""
         lower, upper = self.bounds
         flush = _FLUSH * float((upper - lower).max())
         on_face, rest = {}, np.ones(len(self.triangles), dtype=bool)
@@ -129,7 +132,7 @@ class Surface(Shape):
         return Triangles(self.vertices, self.triangles[self._on_face["side"]])
 
     def face_triangles(self, face: str) -> Ints:
-        """Numbers of the triangles of a face."""
+        """Return the triangles of a face, as indices into `triangles`."""
         self._check_face(face)
         return self._on_face[face]
 
@@ -176,7 +179,7 @@ class Surface(Shape):
 
 
 def _section(corner: Floats, x: float) -> float:
-    """Area of the section of a closed surface at x [m²]: its outline is where triangles cross the plane."""
+    """Return the area of the section of a closed surface at x [m²], whose outline is where triangles cross it."""
     above = corner[:, :, 0] >= x
     area = 0.0
     for lone in range(3):
@@ -194,7 +197,7 @@ def _arrays(vertices: ArrayLike, triangles: ArrayLike) -> tuple[Floats, Ints]:
     x = array("Surface", "vertices", vertices, wanted="corners, shape (v, 3)")
     numbers = array("Surface", "triangles", triangles, wanted="numbers of corners, shape (t, 3)")
     if not ((np.rint(numbers) == numbers) & (np.abs(numbers) < 2.0**31)).all():
-        raise InputError("Surface: triangles hold numbers that are not whole; give those of their corners, from 0")
+        raise InputError("Surface: triangles contain fractional numbers; give indices of their corners, from 0")
     return x, numbers.astype(np.int64)
 
 
@@ -210,30 +213,3 @@ def _read(file: Path) -> tuple[Floats, Ints]:
         return np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)
     except Exception as error:  # whatever a parser trips over
         raise InputError(f"{file} cannot be read as {file.suffix[1:].upper()} ({error}); export it again") from error
-
-
-def _checked(name: str, vertices: Floats, triangles: Ints) -> Ints:
-    """The triangles, without those that have no area, all facing outwards."""
-    if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
-        raise InputError(f"{name}: vertices {vertices.shape} and triangles {triangles.shape} are no (v, 3), (t, 3)")
-    if not np.isfinite(vertices).all() or np.abs(vertices).max(initial=0.0) > _FARTHEST:
-        raise InputError(f"{name} has a vertex that is not finite, or beyond all measure; export it again")
-    if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
-        raise InputError(f"{name}: triangles name vertices that are not there; count them from 0")
-    triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
-    if len(triangles) < 4:
-        raise InputError(f"{name} has {len(triangles)} triangles; a closed surface has at least four")
-    edge = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
-    there = np.unique(edge, axis=0, return_counts=True)
-    back = np.unique(edge[:, ::-1], axis=0)
-    if there[1].max() > 1 or not np.array_equal(there[0], back):
-        ends = np.unique(np.sort(edge, axis=1), axis=0, return_counts=True)[1]
-        wrong = int((ends % 2 == 1).sum())
-        if wrong:
-            raise InputError(f"{name} is not watertight: {wrong} edges have one triangle only; close the surface")
-        raise InputError(f"{name}: its triangles do not all face the same way; repair the normals and export again")
-    a, b, c = np.moveaxis(vertices[triangles] - vertices.mean(axis=0), 1, 0)
-    volume = float(np.einsum("ni,ni->", a, np.cross(b, c))) / 6.0
-    if abs(volume) <= 1e-12 * float(np.ptp(vertices, axis=0).max()) ** 3:
-        raise InputError(f"{name} encloses no volume; close the surface")
-    return triangles if volume > 0.0 else np.ascontiguousarray(triangles[:, ::-1])

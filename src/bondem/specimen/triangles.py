@@ -1,9 +1,9 @@
-"""Exact signed distance of points to a closed set of triangles.
+"""Exact signed distance of points from a closed set of triangles.
 
-Triangles are cut into pieces of even size, and the pieces put into a tree of boxes; each point walks down the
-tree, the nearer branch first, and leaves out what is farther than the nearest triangle so far. Inside and
-outside follow from the normal at the nearest point; at edges and corners from the mean of the adjacent
-normals, weighted by angle (Bærentzen & Aanæs, IEEE Trans. Vis. Comput. Graph. 11, 2005), which is never wrong.
+Triangles are cut into pieces of even size, which form a tree of boxes. Each point searches the nearer branch first
+and skips boxes farther away than the nearest triangle so far. The sign follows from the normal at the nearest point.
+At edges and corners it is the mean of the adjacent normals, weighted by angle, which gives the right sign everywhere
+(Bærentzen & Aanæs, IEEE Trans. Vis. Comput. Graph. 11, 2005).
 """
 
 from typing import NamedTuple
@@ -42,14 +42,14 @@ _find_nearest = Pass("find_nearest_triangles", TriangleTree, Nearest)
 
 
 class Triangles:
-    """Triangles one can ask for distances."""
+    """A set of triangles with a search tree for distances."""
 
     def __init__(self, vertices: Floats, triangles: Ints) -> None:
-        """Prepare the search.
+        """Build the search tree.
 
         Args:
             vertices: corners [m], (v, 3).
-            triangles: three corners each, counter-clockwise seen from outside, (t, 3).
+            triangles: three corner indices each, counter-clockwise seen from outside, (t, 3).
         """
         self._corner = vertices[triangles]
         self._side = np.roll(self._corner, -1, axis=1) - self._corner
@@ -62,7 +62,7 @@ class Triangles:
         self._tree = TriangleTree(*_boxes(piece), owner, self._corner, self._side, self._normal)
 
     def _outward_normals(self, triangles: Ints, vertices: int) -> Floats:
-        """Normals on the inside of each triangle, its three sides and its three corners, (t, 7, 3)."""
+        """Return outward normals on the inside of each triangle, its three sides and its three corners, (t, 7, 3)."""
         before = -np.roll(self._side, 1, axis=1)
         cosine = (before * self._side).sum(axis=2) / np.sqrt(self._length2 * np.roll(self._length2, 1, axis=1))
         angle = np.arccos(np.clip(cosine, -1.0, 1.0))
@@ -76,11 +76,11 @@ class Triangles:
         return np.concatenate([self._normal[:, None], side[edge], corner[triangles]], axis=1)
 
     def distance(self, points: PerElement3) -> PerElement:
-        """Distance to the nearest triangle [m], without sign, (n,)."""
+        """Return the unsigned distance to the nearest triangle [m], (n,)."""
         return self._closest(points, self._nearest(points))[0]
 
     def signed_distance(self, points: PerElement3) -> PerElement:
-        """Distance to the nearest triangle [m], positive inside the surface and negative outside, (n,)."""
+        """Return the distance to the nearest triangle [m], positive inside the surface and negative outside, (n,)."""
         triangle = self._nearest(points)
         distance, feature, offset = self._closest(points, triangle)
         outward = self._outward[triangle, feature]
@@ -93,7 +93,7 @@ class Triangles:
         return triangle
 
     def _closest(self, points: PerElement3, triangle: Ints) -> tuple[PerElement, Ints, PerElement3]:
-        """Nearest point of one triangle per point: distance, where on it (inside, side, corner), and the offset."""
+        """Return distance, location (inside, side, corner) and offset of the nearest point of each triangle."""
         from_corner = points[:, None] - self._corner[triangle]
         side, normal = self._side[triangle], self._normal[triangle]
         along = np.einsum("nij,nij->ni", from_corner, side) / self._length2[triangle]
@@ -112,7 +112,7 @@ class Triangles:
 
 
 def _pieces(corner: Floats, area: float) -> tuple[Floats, Ints]:
-    """Triangles (t, 3, 3) halved until none is long, and which triangle each is of."""
+    """Halve triangles (t, 3, 3) until none is long; return the pieces and the triangle of each."""
     longest = 1.5 * (area / _PIECES) ** 0.5
     piece, owner = corner, np.arange(len(corner))
     while True:
@@ -130,7 +130,7 @@ def _pieces(corner: Floats, area: float) -> tuple[Floats, Ints]:
 
 
 def _in_order(piece: Floats, owner: Ints) -> tuple[Floats, Ints]:
-    """The pieces, filled up to a power of two, so that each half, quarter, ... of them is a compact part of space."""
+    """Sort the pieces and pad them to a power of two, so that each half, quarter, ... is a compact part of space."""
     fill = np.resize(np.arange(len(piece)), 1 << (len(piece) - 1).bit_length())
     centre = piece.mean(axis=1)[fill]
     order = np.arange(len(fill))[None]
@@ -145,7 +145,7 @@ def _in_order(piece: Floats, owner: Ints) -> tuple[Floats, Ints]:
 
 
 def _boxes(piece: Floats) -> tuple[Floats, Floats]:
-    """Lower and upper corners of the boxes of the tree, as `TriangleTree` has them."""
+    """Return the lower and upper corners of the boxes of the tree, as `TriangleTree` stores them."""
     lower, upper = [piece.min(axis=1)], [piece.max(axis=1)]
     while len(lower[0]) > 1:
         lower.insert(0, np.minimum(lower[0][::2], lower[0][1::2]))

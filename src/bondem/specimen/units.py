@@ -1,6 +1,6 @@
-"""Quantities as people write them: "72.5 GPa", "5 mm", "2.2 g/cm^3", "35 deg", "25 %".
+"""Quantities with units as text, such as "72.5 GPa", "5 mm", "2.2 g/cm^3", "35 deg" or "25 %".
 
-Read exactly, as fractions, and rounded once: "72.5 GPa" is the float 72.5e9 and "5 mm" the float 5e-3, to the bit.
+They are read exactly, as fractions, and rounded once: "72.5 GPa" is the float 72.5e9, "5 mm" the float 5e-3.
 """
 
 import math
@@ -63,20 +63,19 @@ class _Unit:
 
 
 def quantity(name: str, text: str, unit: str) -> float:
-    """A number with a unit, in SI.
+    """Convert a number with a unit to SI.
 
     Args:
-        name: of what is read, for the message.
+        name: name of the quantity, for messages.
         text: a number and a unit: SI units with prefixes, t, in, ft, bar, min, deg, °, %; products (·, * or a blank),
             quotients (/) and powers (^2, ², 2).
-        unit: the SI unit wanted, which also tells the dimension; "-" for a plain number, of which text may be a
-            percentage.
+        unit: the SI unit of the result, which also defines the dimension; "-" for a plain number or a percentage.
 
     Returns:
-        The float nearest to the exact value, infinite where there is none so large; angles in rad.
+        The float nearest to the exact value, infinite if it exceeds all floats; angles in rad.
 
     Raises:
-        InputError: no number, no unit, an unknown one, or one of another dimension.
+        InputError: The text has no number or no unit, or its unit is unknown or of another dimension.
     """
     wanted = _unit(unit)
     assert wanted is not None
@@ -84,16 +83,18 @@ def quantity(name: str, text: str, unit: str) -> float:
     written = text.strip()
     found = _NUMBER.match(written)
     if found is None or len(written) > _LONGEST:
-        raise InputError(f"{name} = {shown(text)} is no number with a unit; give one such as {example}")
+        raise InputError(f"{name} = {shown(text)} is not a number with a unit; give one such as {example}")
     rest = written[found.end() :].strip()
     if not rest:
         raise InputError(f"{name} = {shown(text)} is text without a unit; leave out the quotes, or write {example}")
     given = _unit(rest)
+    if given is None and rest[0] == "," and rest[1:2].isdigit():
+        raise InputError(f"{name} = {shown(text)} has a comma; write decimals with a point, such as {example}")
     if given is None:
         raise InputError(f"{name} = {shown(text)}: unit '{rest}' is not known; give {_kind(unit)} such as {example}")
     if given.dimension != wanted.dimension:
         raise InputError(
-            f"{name} = {shown(text)}: {rest} is no unit of [{unit}]; give {_kind(unit)} such as {example}"
+            f"{name} = {shown(text)}: {rest} is not a unit of [{unit}]; give {_kind(unit)} such as {example}"
         )
     try:
         value = float(Fraction(found.group().replace("_", "")) * given.size / wanted.size)
@@ -103,10 +104,10 @@ def quantity(name: str, text: str, unit: str) -> float:
 
 
 def length_unit(owner: str, unit: str | float) -> float:
-    """A unit of length in metres, named or as a number: "mm" and 1e-3 are the same.
+    """Return a unit of length in metres, given by name or as a number; "mm" and 1e-3 are equivalent.
 
     Raises:
-        InputError: neither.
+        InputError: The value is neither a unit of length nor a positive number.
     """
     advice = "the unit of length: 'm', 'cm', 'mm', 'um', 'in' ..., or its size in metres, 1e-3 for millimetres"
     if not isinstance(unit, str):
@@ -122,7 +123,7 @@ def _kind(unit: str) -> str:
 
 
 def _unit(text: str) -> _Unit | None:
-    """What a unit is worth, or None where it is not known."""
+    """Return the size and dimension of a unit, or None if it is unknown."""
     whole = _Unit(Fraction(1), _NONE)
     for place, quotient in enumerate(text.translate(_RAISED).split("/")):
         factors = [part for part in re.split(r"[·*\s]+", quotient.replace("**", "^").strip()) if part]

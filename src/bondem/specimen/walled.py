@@ -1,4 +1,4 @@
-"""What a shape knows of its walls: how far points are from them, and all that follows."""
+"""Walls of a shape: distances of points from its faces, and the quantities that follow from them."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -16,20 +16,20 @@ BOX_FACES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
 class Walled(ABC):
     """A region of space with named faces.
 
-    A shape knows its walls: `face_depth(name, points)` is the distance of points from a named face, measured inwards
-    [m], and everything else (containment, packing walls, face regions) follows from it. Depths never change faster
-    than distance, whatever shapes are made of; volumes and packing walls rely on that.
+    `face_depth(name, points)` is the distance of points from a named face, measured inwards [m]. Containment, packing
+    walls and face regions follow from it. The gradient of a depth never exceeds 1, also for combined shapes; volumes
+    and packing walls rely on this.
     """
 
     @property
     @abstractmethod
     def bounds(self) -> tuple[Vector, Vector]:
-        """Lower and upper corner of a box around it [m], each (3,)."""
+        """Lower and upper corner of a box around the shape [m], each (3,)."""
 
     @property
     @abstractmethod
     def volume(self) -> float:
-        """Volume [m³]."""
+        """Volume of the shape [m³]."""
 
     @property
     @abstractmethod
@@ -43,25 +43,25 @@ class Walled(ABC):
 
     @abstractmethod
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
-        """Distance of `points` (n, 3) from a face, positive inside [m], shape (n,)."""
+        """Return the distance of `points` (n, 3) from a face, positive inside [m], shape (n,)."""
 
     @abstractmethod
     def section(self) -> float:
-        """Area of the cross-section normal to x [m²] (at mid-length)."""
+        """Return the area of the cross-section normal to x at mid-length [m²]."""
 
     @property
     def period(self) -> Vector | None:
-        """Edge lengths of the periodic cell [m], (3,), or None."""
+        """Edge lengths of the periodic cell [m], (3,); None for other shapes."""
         return None
 
     @property
     def extent(self) -> float:
-        """Extent along x [m]."""
+        """Extent of the shape along x [m]."""
         lower, upper = self.bounds
         return float(upper[0] - lower[0])
 
     def face_centre(self, face: str) -> Vector:
-        """Centroid of a face [m], (3,): the point through which a load on the face acts."""
+        """Return the centroid of a face [m], (3,). A load on the face acts through this point."""
         lower, upper = self.bounds
         centre = 0.5 * (lower + upper)
         if face in BOX_FACES:
@@ -71,15 +71,18 @@ class Walled(ABC):
 
     @property
     def planes(self) -> Planes:
-        """Faces that are planes with the whole shape on one side of them."""
+        """Planes of the faces that have the whole shape on one side, by the names of the faces."""
         return {}
 
     def depth(self, points: PerElement3) -> PerElement:
-        """Distance to the nearest wall [m], positive inside, negative outside, (n,); infinite without walls."""
+        """Return the distance to the nearest wall [m], (n,): positive inside, negative outside, inf without walls."""
         return self.depth_of(self.faces, points)
 
     def depth_of(self, faces: Sequence[str], points: PerElement3) -> PerElement:
-        """The same as if these were its only faces; shapes that are no intersection of faces have all of them."""
+        """Return the depth of points (n, 3) with respect to some faces only [m], (n,).
+
+        Shapes that are not an intersection of their faces use all faces.
+        """
         points = np.atleast_2d(points)
         if not faces:
             return np.full(len(points), np.inf)
@@ -89,7 +92,7 @@ class Walled(ABC):
         return np.where(beyond > 0.0, -beyond, depths.min(axis=0))
 
     def contains(self, points: PerElement3) -> np.ndarray:
-        """Whether points lie inside or on the wall, shape (n,)."""
+        """Return a mask of the points that lie inside the shape or on its wall, shape (n,)."""
         at = np.atleast_2d(array("contains", "points", points, wanted="points as an array of shape (n, 3) [m]"))
         if at.shape[1:] != (3,):
             raise InputError(f"contains: points has shape {at.shape}; give points as an array of shape (n, 3) [m]")

@@ -1,1 +1,1 @@
-"""A study: what to pack, calibrate and test, as a TOML file, and the pipeline that carries it out."""
+"""Studies: TOML files that state what to pack, calibrate and test, and the pipeline that runs them."""

@@ -1,4 +1,6 @@
-"""The table [aggregates] of a study: coarse aggregates in the material, which is their matrix, and the interface."""
+"""Table [aggregates] of a study: coarse aggregates in a matrix, which is the material of the study, and their
+interface.
+"""
 
 import math
 from dataclasses import dataclass, replace
@@ -22,15 +24,15 @@ _GAP = 1.2
 
 @dataclass(frozen=True, kw_only=True)
 class AggregatePlan:
-    """Coarse aggregates in a matrix that is the material of the study.
+    """Coarse aggregates in a matrix, which is the material of the study.
 
     Attributes:
-        sieve: their grading curve, with diameters in metres.
-        fraction: of the volume [-].
+        sieve: grading curve with diameters [m].
+        fraction: volume fraction of the aggregates [-].
         E, nu: Young's modulus [Pa] and Poisson's ratio [-] of the aggregates.
-        gap: between their surfaces at least [m]; None for 1.2 sizes of a cell.
-        failure: of the aggregates; None for that of the matrix.
-        interface: of what joins them to the matrix; None likewise.
+        gap: smallest distance between surfaces of aggregates [m]; None for 1.2 cell sizes.
+        failure: failure criterion of the aggregates; None for that of the matrix.
+        interface: failure criterion of the interface of aggregates and matrix; None for that of the matrix.
     """
 
     sieve: Sieve
@@ -42,17 +44,18 @@ class AggregatePlan:
     interface: Criterion | None = None
 
     def require_room(self, shape: Shape, count: int) -> None:
-        """Make sure that cells are small enough to make up the smallest aggregates, and that all of these go in.
+        """Check that cells resolve the smallest aggregates, and that all aggregates fit into the shape.
 
         Raises:
-            StudyError: they are not, or do not.
+            StudyError: the cells are too large, or the aggregates do not fit.
         """
         smallest = self.sieve.diameters[0]
         least = least_count(shape, 0.5 * smallest)
         if count < least:
             raise StudyError(
-                f"'specimen.count' = {count}: the smallest aggregates, of {smallest:g} m, want {least} cells or more;"
-                " raise it, or leave out smaller aggregates in 'aggregates.diameters'"
+                f"'specimen.count' = {count}: the smallest aggregates, of {smallest:g} m, need at least {least}"
+                " cells;"
+                " give a larger count, or leave out smaller aggregates in 'aggregates.diameters'"
             )
         try:
             radii_with_room(shape, self.sieve, self.fraction, self._gap(shape, count))
@@ -63,34 +66,36 @@ class AggregatePlan:
         return _GAP * math.cbrt(shape.volume / count) if self.gap is None else self.gap
 
     def placed(self, shape: Shape, count: int, seed: int) -> Aggregates:
-        """The aggregates of a packing.
+        """Place the aggregates of a packing.
 
         Raises:
-            InputError, PackingError: there is no room for them.
+            InputError, PackingError: there is no room for the aggregates.
         """
         return aggregates(shape, self.sieve, fraction=self.fraction, gap=self._gap(shape, count), seed=seed)
 
     def laws(self, matrix: CellBond, balls: Aggregates) -> AnyLaw:
-        """Of a body with these aggregates, by region, the matrix first."""
+        """Cell laws of a body with these aggregates, by region, the matrix first."""
         return {Everything(): matrix, balls: replace(matrix, E=self.E, nu=self.nu)}
 
     def criteria(self, matrix: Criterion, balls: Aggregates) -> FailureAssignment:
-        """Of a body with these aggregates, by region, the matrix first."""
+        """Failure criteria of a body with these aggregates, by region, the matrix first."""
         own, between = self.failure or matrix, self.interface or matrix
         return {Everything(): matrix, balls: own, (balls, balls.matrix): between}
 
     def require_criteria(self, matrix: Criterion | None) -> None:
-        """Make sure that matrix, aggregates and interface can fail beside each other.
+        """Check that the criteria of matrix, aggregates and interface are compatible.
 
         Raises:
-            StudyError: criteria of different kinds, or some without [failure].
+            StudyError: criteria of different kinds, or criteria without [failure].
         """
         given = {"aggregates.failure": self.failure, "aggregates.interface": self.interface}
         for key, criterion in given.items():
             if criterion is None:
                 continue
             if matrix is None:
-                raise StudyError(f"'{key}' is given, but no [failure] of the matrix; give it, or leave '{key}' out")
+                raise StudyError(
+                    f"'{key}' is given without [failure] of the matrix; give [failure], or leave out '{key}'"
+                )
             try:
                 criteria_of({"matrix": matrix, key: criterion})
             except InputError as error:
@@ -98,7 +103,7 @@ class AggregatePlan:
 
 
 def read_aggregates(table: TomlTable) -> AggregatePlan:
-    """The aggregates that a table describes.
+    """Read the aggregates of a table.
 
     Raises:
         StudyError: a key that is unknown, missing or out of range.

@@ -1,4 +1,4 @@
-"""Commented studies to begin from."""
+"""Commented study templates."""
 
 from importlib.resources import files
 
@@ -11,6 +11,6 @@ TEMPLATES = {
 
 
 def template(name: str, file: str) -> str:
-    """The text of a study, which names the file it is to be written to."""
+    """Text of a study template, which contains the name of its file."""
     text = (files("bondem.study") / "templates" / TEMPLATES[name]).read_text(encoding="utf-8")
     return text.replace(f"examples/{TEMPLATES[name]}", file)

@@ -1,4 +1,4 @@
-"""What `bondem calibrate` does: pack, bond, calibrate, and say how sure one can be."""
+"""Pipeline of `bondem calibrate`: pack, bond, calibrate and state the uncertainty."""
 
 import json
 import time
@@ -29,17 +29,17 @@ SHAPES: dict[str, Shape] = {"cell": Cell((10e-3, 10e-3, 10e-3)), "cylinder": Cyl
 
 @dataclass(frozen=True, kw_only=True)
 class CalibrationPlan:
-    """A calibration from nothing.
+    """Plan of a calibration from packing to bond parameters.
 
     Attributes:
-        material: the target.
+        material: target material.
         law: family of bond laws; None for the recommended one.
-        count: elements of a packing.
-        packings: how many, with seeds seed, seed + 1, …
-        shape: one of `SHAPES`: the periodic cell, without surfaces, or the paper's cylinder.
-        spread: κ, full range of the radii over their mean [-].
+        count: number of elements per packing.
+        packings: number of packings, with seeds seed, seed + 1, …
+        shape: name in `SHAPES`: the periodic cell, without surfaces, or the paper's cylinder.
+        spread: full range of the radii over their mean, κ [-].
         nu_mu: Poisson's ratio of the bonds [-].
-        seed: of the first packing.
+        seed: seed of the first packing.
     """
 
     material: Material
@@ -53,7 +53,7 @@ class CalibrationPlan:
 
     def __post_init__(self) -> None:
         if self.shape not in SHAPES:
-            raise InputError(f"shape = '{self.shape}'; choose from {', '.join(SHAPES)}")
+            raise InputError(f"shape = '{self.shape}': unknown shape; choose from {', '.join(SHAPES)}")
         instance("calibrate", "material", self.material, Material, "a material such as bd.materials.granite")
         for name, least in (("count", 1), ("packings", 1), ("seed", 0)):
             whole("", name, getattr(self, name), least=least)
@@ -68,19 +68,19 @@ def run_calibration(
     cache: bool = True,
     progress: Callable[[str, float], None] | None = None,
 ) -> tuple[Calibration, dict[str, Any]]:
-    """Pack and calibrate; with a folder, leave `calibration.json` and `calibration.png` there.
+    """Pack and calibrate; with a folder, write `calibration.json` and `calibration.png`.
 
     Args:
-        plan: what to do.
+        plan: plan of the calibration.
         out: folder for the results, or None.
-        cache: of `bd.pack`.
-        progress: told the stage and the share of it that is done.
+        cache: packing cache, as for `bd.pack`.
+        progress: callback, called with the stage and its completed share [-].
 
     Returns:
-        The calibration, and what `calibration.json` holds.
+        The calibration, and the contents of `calibration.json`.
 
     Raises:
-        InputError: the folder cannot be written to, or the plan asks for something impossible.
+        InputError: the folder cannot be written to, or the plan is not feasible.
         UnreachableTargetError: the law cannot give the material's Poisson's ratio.
     """
     if out is not None:
@@ -112,7 +112,7 @@ def run_calibration(
 
 
 def _summary(plan: CalibrationPlan, fit: Calibration, lattices: list[Lattice]) -> dict[str, Any]:
-    """A calibration as finite numbers, SI; intervals are null for one packing."""
+    """Calibration as finite numbers in SI; intervals are null for a single packing."""
     several = len(fit.responses) > 1
     quantities: dict[str, Any] = {}
     for name in ("E", "nu", "E_mu", "value"):

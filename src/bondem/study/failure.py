@@ -1,4 +1,4 @@
-"""The table [failure] of a study: how the material fails."""
+"""Table [failure] of a study: failure criterion of the material."""
 
 from typing import Any
 
@@ -17,7 +17,7 @@ CRITERIA = (Rankine, Hydrostatic, DruckerPrager, MohrCoulomb)
 
 
 def read_failure(table: TomlTable) -> Criterion:
-    """The criterion that a table describes.
+    """Read the failure criterion of a table.
 
     Raises:
         StudyError: a key that is unknown, missing or out of range.
@@ -43,7 +43,7 @@ def read_failure(table: TomlTable) -> Criterion:
 
 
 def _cracks(table: TomlTable) -> dict[str, Any]:
-    """What is asked of facets that crack by the stress of the material."""
+    """Options of facets that crack under the stress of the material."""
     return {
         "fracture_energy": table.number("fracture_energy", "J/m²", default=None, above=0.0),
         "friction": table.number("friction", "-", default=0.0, above=-1e-300),
@@ -52,7 +52,7 @@ def _cracks(table: TomlTable) -> dict[str, Any]:
 
 
 def _curve(table: TomlTable) -> Bilinear | None:
-    """How cracks soften: along a straight line, or along two, whose kink is Petersson's where it is not given."""
+    """Softening curve of cracks: linear, or bilinear with Petersson's kink by default."""
     if table.text("curve", default="straight", choices=("straight", "bilinear")) == "straight":
         return None
     usual = Bilinear()
@@ -71,7 +71,7 @@ def _made(table: TomlTable, kind: type[Criterion], given: dict[str, Any]) -> Cri
 
 
 def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: bool) -> None:
-    """Make sure that tests to failure have a criterion, and that a criterion has a test.
+    """Check that tests to failure have a criterion, and that a criterion has a test.
 
     Raises:
         StudyError: one without the other, bonds between spheres, or a criterion without shear strength for "ucs" or
@@ -80,18 +80,18 @@ def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: b
     asked = [name for name in tests if name in STRENGTH_TESTS]
     if failure is None:
         if asked:
-            raise StudyError(f"'tests' asks for {asked[0]}; give [failure], or leave it out")
+            raise StudyError(f"'tests' contains {asked[0]}, which needs [failure]; give it, or leave out the test")
         return
     if not asked:
         raise StudyError(
             f"[failure] is given, but no test needs it; add one of {', '.join(STRENGTH_TESTS)} to 'tests'"
         )
     if not cells:
-        raise StudyError('[failure] is for bodies of cells: set law = "CellBond" in [bond]')
+        raise StudyError('[failure] is an option of bodies of cells; set law = "CellBond" in [bond]')
     softening = failure.softening
     slipping = [name for name in asked if needs_slip(name)]
     if slipping and (softening is None or softening.slip is None):
         raise StudyError(
-            f"'tests' asks for {slipping[0]}, which needs a shear strength; set criterion = \"MohrCoulomb\", or"
+            f"'tests' contains {slipping[0]}, which needs a shear strength; set criterion = \"MohrCoulomb\", or"
             ' "DruckerPrager" with a fracture_energy'
         )

@@ -1,4 +1,4 @@
-"""What a study will do, told beforehand."""
+"""Forecast of the computations of a study."""
 
 import math
 
@@ -17,10 +17,10 @@ _STEP = 0.25
 
 
 def forecast(study: Study) -> list[tuple[str, str]]:
-    """Lines of name and words.
+    """List the planned computations of a study as pairs of a name and a text.
 
     Args:
-        study: as it was read.
+        study: the study.
     """
     plan, cells = study.specimen, study.bond.cells is not None
     lines: list[tuple[str, str]] = []

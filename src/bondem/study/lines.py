@@ -1,4 +1,4 @@
-"""Where in a study file a key stands, for messages."""
+"""Line numbers of keys in study files, for messages."""
 
 import re
 
@@ -10,9 +10,9 @@ _NAMED = re.compile(r"'([A-Za-z_][\w.\[\]-]*)'|\[([A-Za-z_][\w.]*)\]")
 
 
 def line_of(text: str, key: str) -> int | None:
-    """The line, from 1 on, of a dotted key such as "specimens[1].radius"; of its table where the key is not there.
+    """Line of a dotted key such as "specimens[1].radius", counted from 1.
 
-    None where neither is.
+    A missing key gets the line of its table; the result is None if neither exists.
     """
     places = _places(text)
     while key:
@@ -24,7 +24,7 @@ def line_of(text: str, key: str) -> int | None:
 
 
 def located(error: StudyError, text: str, file: str) -> StudyError:
-    """The same error with the file and the line of the key that it names first."""
+    """Copy of an error with the file and the line of the first key in its message."""
     own, places = _specimen_of(str(error), text), _places(text)
     named = [found.group(1) or found.group(2) for found in _NAMED.finditer(str(error))]
     within = [
@@ -38,7 +38,7 @@ def located(error: StudyError, text: str, file: str) -> StudyError:
 
 
 def _specimen_of(message: str, text: str) -> str:
-    """"specimens[k]" where a message is of the specimen of that name in a test programme, else ""."""
+    """Key "specimens[k]" of the specimen named in a message on a test programme, or ""."""
     of = re.match(r"specimen '(.+?)': ", message)
     lines = text.splitlines()
     for place, number in _places(text).items():

@@ -1,4 +1,4 @@
-"""The pipeline behind `bondem run`: pack → check → connect → calibrate → test → report."""
+"""Pipeline of `bondem run`: pack → check → connect → calibrate → test → report."""
 
 import json
 import time
@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
+from bondem._progress import reported
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.reach import recommend
 from bondem.io.atomic import write_text
@@ -30,6 +31,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import dilatation, mean_stress
+from bondem.report.curve_files import write_curves
 from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
 from bondem.solve.history import History
@@ -56,28 +58,27 @@ _VIBRATION = {
 
 
 def run_study(study: Study, out: str | Path, *, progress: Progress | None = None) -> dict[str, Any]:
-    """Carry out a study and leave `results.json`, `report.html` and `figures/` in a folder.
+    """Run a study and write `results.json`, `report.html` and `figures/` into a folder.
 
     Args:
-        study: what to do.
-        out: folder for the results; made when there is something to put in it.
-        progress: told the stage and the share of it that is done.
+        study: the study.
+        out: folder for the results, created with the first result.
+        progress: callback, called with the stage and its completed share [-].
 
     Returns:
-        What `results.json` holds.
+        Contents of `results.json`.
 
     Raises:
-        InputError: the folder cannot be written to, or another process writes to it (found out before any work), or
-            the study asks for something impossible.
+        InputError: the folder cannot be written to, or another process writes to it (both are checked before any
+            work), or the study is not feasible.
         PackingError: a packing did not reach its target.
-        UnreachableTargetError: the bond law, or none that could be recommended, gives the material's Poisson's ratio.
+        UnreachableTargetError: neither the bond law nor any recommended law gives the material's Poisson's ratio.
     """
-    with only_writer(Path(out), "output folder"):
-        return _carry_out(study, Path(out), progress)
+    with only_writer(Path(out), "output folder"), reported(progress) as tell:
+        return _carry_out(study, Path(out), tell)
 
 
-def _carry_out(study: Study, out: Path, progress: Progress | None) -> dict[str, Any]:
-    tell = progress or (lambda stage, share: None)
+def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
     if study.material is not None and study.bond.law is None and study.bond.cells is None:
         recommend(study.material.nu)  # raises before any work
     watch = _Watch()
@@ -101,8 +102,10 @@ def _carry_out(study: Study, out: Path, progress: Progress | None) -> dict[str, 
         citation=study.reference.citation if study.reference else "",
         published=study.reference.errors if study.reference else {},
         failures=study.failures,
+        source=study.source,
     )
     out.mkdir(parents=True, exist_ok=True)
+    results["curves"] = write_curves(findings, out)
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:
@@ -119,14 +122,14 @@ def _carry_out(study: Study, out: Path, progress: Progress | None) -> dict[str, 
 
 @dataclass(frozen=True, eq=False)
 class _Body:
-    """A packing with its bonds, and the aggregates that it was packed around."""
+    """Packing with its bonds, and the aggregates in it."""
 
     lattice: Lattice
     aggregates: Aggregates | None
 
 
 def packed(study: Study, k: int, tell: Progress) -> _Body:
-    """Packing k, bonded; a specimen in two pieces is refused here."""
+    """Create packing k with its bonds; a specimen in two pieces raises an error."""
     stage, seed = f"pack {k + 1} of {study.packings}", study.seed + k
     balls = None
     if study.aggregates is not None and isinstance(study.specimen, SpecimenPlan):
@@ -140,7 +143,7 @@ def packed(study: Study, k: int, tell: Progress) -> _Body:
 
 
 def bonds_of(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Bonding:
-    """The bonds of a material: the law calibrated, or that of its cells as it is."""
+    """Bonds of a material: the calibrated law, or the uncalibrated cell law."""
     if study.bond.cells is not None:
         law = study.bond.cells(E=material.E, nu=material.nu, facet_rotation=study.bond.facet_rotation)
         return Bonding(law=law, density=material.rho)
@@ -149,7 +152,7 @@ def bonds_of(study: Study, material: Material, lattices: tuple[Lattice, ...], te
 
 
 def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Calibration:
-    """The law with which the first packings have the material's E, ν and ρ."""
+    """Calibrate the law to E, ν and ρ of the material on the first packings."""
     tell("calibrate", 0.0)
     fit = calibrate(
         lattices[: study.calibrating],
@@ -163,7 +166,7 @@ def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], 
 
 
 def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Progress) -> Examined:
-    """Packing k: its fabric and, under the law of the study, its own moduli and its tests."""
+    """Evaluate packing k: its fabric and, under the law of the study, its moduli and tests."""
     lattice = body.lattice
     stage = f"test {k + 1} of {study.packings}"
     tell(stage, 0.0)
@@ -215,7 +218,7 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
 
 
 def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:
-    """What holds a body together, by region where there are aggregates in it."""
+    """Law of a body, by region if it has aggregates."""
     if study.aggregates is None or body.aggregates is None:
         return bonds.law
     return study.aggregates.laws(cast(CellBond, bonds.law), body.aggregates)
@@ -224,7 +227,7 @@ def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:
 def _to_failure(
     name: str, study: Study, body: _Body, bonds: Bonding, progress: Callable[[float], None]
 ) -> Outcome:
-    """A test to failure of a body of cells, which the study has made sure of."""
+    """Run a test to failure of a body of cells, after the checks of the study."""
     assert study.failure is not None
     law, failure = cast(CellAssignment, _law(study, bonds, body)), study.failure
     if study.aggregates is not None and body.aggregates is not None:
@@ -236,7 +239,7 @@ def _to_failure(
 
 
 def pulled(specimen: Examined) -> dict[str, Any]:
-    """What the cells of a body do in the tension test, and which are aggregates; nothing of other lattices."""
+    """Motion of the cells of a body in the tension test and a mask of its aggregates; empty for other lattices."""
     tension, lattice, balls = specimen.tension, specimen.lattice, specimen.aggregates
     parts = {} if balls is None else {"aggregate": balls.mask(lattice).astype(float)}
     if specimen.law is None or tension is None or lattice.cells is None:
@@ -251,7 +254,7 @@ def pulled(specimen: Examined) -> dict[str, Any]:
 
 
 def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
-    """E / E_μ and ν over the free parameter of the law on one packing, for the calibration curve."""
+    """Compute E / E_μ and ν over the free parameter of the law on one packing, for the calibration curve."""
     chosen = getattr(fit.law, fit.parameter)
     trials = []
     for share in (0.6, 0.8, 1.0, 1.2, 1.4):
@@ -262,14 +265,14 @@ def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
 
 
 def keep_specimen(path: Path, lattice: Lattice, law: AnyLaw | None, density: float) -> None:
-    """Write a specimen, free and at rest, as a run file: model and state to go on from."""
+    """Write a free specimen at rest as a run file, with model and state for later runs."""
     model = Model(lattice, law, density=density)
     with RunFile(path, model, settled(model, Plan(duration=0.0))) as file:
         file.checkpoint(State(model), History.empty(()))
 
 
 class _Watch:
-    """Wall time between laps [s]."""
+    """Stopwatch of the wall time between laps [s]."""
 
     def __init__(self) -> None:
         self.laps: dict[str, float] = {}

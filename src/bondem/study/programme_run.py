@@ -1,4 +1,4 @@
-"""The pipeline behind `bondem run` of a test programme: each specimen in a folder of its own, and one report."""
+"""Pipeline of `bondem run` for a test programme: a folder for each specimen and one report."""
 
 import hashlib
 import json
@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import bondem
+from bondem._progress import reported
 from bondem.io.atomic import write_text
+from bondem.io.commit import commit
 from bondem.io.folder import only_writer
 from bondem.report.numbers import measures, with_unit
 from bondem.report.programme_page import Chapter, write_programme
@@ -23,44 +25,45 @@ _FINISHED = "finished.json"
 def run_programme(
     programme: Programme, out: str | Path, *, fresh: bool = False, progress: Progress | None = None
 ) -> dict[str, Any]:
-    """Carry out a test programme and leave `results.json`, `report.html` and a folder for each specimen.
+    """Run a test programme and write `results.json`, `report.html` and a folder for each specimen.
 
-    A specimen that was finished in `out` before, by the same file, options and code of bondem, is not run again.
+    Specimens finished in `out` with equal file, options and code of bondem are not run again.
 
     Args:
-        programme: what to do.
-        out: folder for the results; made when there is something to put in it.
-        fresh: run all specimens again.
-        progress: told the specimen with its stage, and the share of it that is done.
+        programme: the test programme.
+        out: folder for the results, created with the first result.
+        fresh: True to run all specimens again.
+        progress: callback, called with the specimen and its stage, and the completed share of the stage [-].
 
     Returns:
-        What `results.json` holds: "rows" of the table, and of each specimen its own under "specimens".
+        Contents of `results.json`: "rows" of the table, and the results of each specimen under "specimens".
 
     Raises:
-        InputError: the folder cannot be written to, another process writes to it, or a study asks for something
-            impossible.
-        UnstableRunError: a run became unstable. Specimens that were finished before are kept.
+        InputError: the folder cannot be written to, another process writes to it, or a study is not feasible.
+        UnstableRunError: a run became unstable. Results of finished specimens are kept.
     """
-    with only_writer(Path(out), "output folder"):
-        return _carry_out(programme, Path(out), fresh, progress)
+    with only_writer(Path(out), "output folder"), reported(progress) as tell:
+        return _carry_out(programme, Path(out), fresh, tell)
 
 
-def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress | None) -> dict[str, Any]:
+def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress) -> dict[str, Any]:
     found = {one.name: _results(one, out / one.folder, fresh, progress) for one in programme.series}
     rows = [row for one in programme.series for row in _rows(one, found[one.name])]
     study = programme.series[0].study
     assert study.material is not None
     failing = [one.study for one in programme.series if one.study.failure is not None]
     chapters = [_chapter(one, found[one.name]) for one in programme.series]
-    results = {"programme": programme.name, "rows": rows, "specimens": found, "version": bondem.__version__}
+    results = {"programme": programme.name, "rows": rows, "specimens": found, "version": bondem.__version__,
+               "commit": commit()}  # fmt: skip
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     failures = failing[0].failures if failing else {}
-    write_programme(programme.name, study.material, failures, rows, chapters, out, figures=study.figures)
+    write_programme(programme.name, study.material, failures, rows, chapters, out, figures=study.figures,
+                    source=programme.source)  # fmt: skip
     return results
 
 
-def _results(series: Series, folder: Path, fresh: bool, progress: Progress | None) -> dict[str, Any]:
-    """Results of a specimen: those that are there, where they are of the same inputs and code, or new ones."""
+def _results(series: Series, folder: Path, fresh: bool, progress: Progress) -> dict[str, Any]:
+    """Results of a specimen: stored ones with equal inputs and code, or new ones."""
     inputs = _inputs(series)
     if not fresh and _read(folder / _FINISHED) == {"inputs": inputs}:
         known = _read(folder / "results.json")
@@ -69,8 +72,7 @@ def _results(series: Series, folder: Path, fresh: bool, progress: Progress | Non
     (folder / _FINISHED).unlink(missing_ok=True)
 
     def tell(stage: str, share: float) -> None:
-        if progress is not None:
-            progress(f"{series.name}: {stage}", share)
+        progress(f"{series.name}: {stage}", share)
 
     run_study(series.study, folder, progress=tell)
     write_text(folder / _FINISHED, json.dumps({"inputs": inputs}) + "\n")
@@ -79,14 +81,14 @@ def _results(series: Series, folder: Path, fresh: bool, progress: Progress | Non
 
 
 def _inputs(series: Series) -> str:
-    """A hash of all that decides what a specimen leaves: the file, the command line and the code."""
+    """Hash of all inputs of a specimen: the file, the command line and the code."""
     digest = hashlib.sha256(f"{series.inputs} {series.study.packings} {series.study.seed}".encode())
     digest.update(code_hash().encode())
     return digest.hexdigest()
 
 
 def code_hash() -> str:
-    """Of all of bondem: results of other code are not taken for those of this one."""
+    """Hash of the source code of bondem, by which results of other versions are recognised."""
     digest = hashlib.sha256()
     for source in sorted(Path(bondem.__file__).parent.rglob("*.py")):
         digest.update(source.read_bytes())
@@ -94,7 +96,7 @@ def code_hash() -> str:
 
 
 def _read(path: Path) -> dict[str, Any] | None:
-    """A JSON file; None where there is none, or a damaged one."""
+    """Contents of a JSON file; None if it is missing or damaged."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -113,7 +115,7 @@ def _chapter(series: Series, results: Mapping[str, Any]) -> Chapter:
 
 
 def _rows(series: Series, results: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Rows of the table: E and ν where they were measured, and every test."""
+    """Rows of the table: measured E and ν, and every test."""
     macro, material = results["macro"], series.study.material
     assert material is not None
     shared = {
@@ -141,7 +143,7 @@ def _against(measured: float, target: float | None, theory: float | None) -> dic
 
 
 def _label(study: Study, test: str) -> str:
-    """A test with the option that makes it what it is."""
+    """Name of a test with its distinctive option."""
     title = DRAWN[test].title if test in DRAWN else test.replace("_", " ").capitalize()
     pressure = study.options.get(test, {}).get("pressure")
     return title if pressure is None else f"{title}, {with_unit(pressure, 'Pa', 3)}"

@@ -1,4 +1,4 @@
-"""What a study leaves in `results.json`: SI, finite numbers or null."""
+"""Contents of `results.json` of a study: finite numbers in SI, or null."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -11,10 +11,11 @@ from bondem import __version__
 from bondem.fracture.cracks import cracks
 from bondem.fracture.fragments import fragments
 from bondem.fracture.lost_area import lost_area
+from bondem.io.commit import commit
 from bondem.labtests.outcome import Outcome
 from bondem.laws.bond import BondLaw
-from bondem.report.breakage_figures import CRACKED
 from bondem.report.findings import Bonding, Examined
+from bondem.report.strength_figures import CRACKED
 from bondem.study.study import Study
 
 _COMMON = {item.name for item in fields(BondLaw)}
@@ -23,9 +24,9 @@ _COMMON = {item.name for item in fields(BondLaw)}
 def collect(
     study: Study, bonds: Bonding | None, specimens: Sequence[Examined], timing: dict[str, float]
 ) -> dict[str, Any]:
-    """All numbers of a study, in the pinned layout, and those of every packing under "packings".
+    """Collect the numbers of a study in the pinned layout, and those of each packing under "packings".
 
-    A scatter over a single packing is null, and so are "micro" and "macro" of a study without a material.
+    The scatter over a single packing is null, and so are "micro" and "macro" of a study without a material.
     """
     calibrating = study.calibrating if bonds is not None and bonds.fit is not None else 0
     return _finite({
@@ -35,6 +36,7 @@ def collect(
         "tests": {name: _test(name, specimens) for name in study.tests},
         "timing": timing,
         "version": __version__,
+        "commit": commit(),
         "seed": study.seed,
         "packings": [_packing(one, k < calibrating) for k, one in enumerate(specimens)],
     })  # fmt: skip
@@ -53,9 +55,9 @@ def _micro(bonds: Bonding) -> dict[str, Any]:
 
 
 def _macro(bonds: Bonding, specimens: Sequence[Examined]) -> dict[str, Any]:
-    """What was calibrated; of cells, which need no calibration, what the first packing was measured to have.
+    """Calibrated moduli or, for cells, the measured moduli of the first packing.
 
-    Null of a ball, and of a specimen with a notch or borings, which are no bars to pull.
+    The result is null for balls and for specimens with a notch or borings, which have no tension test.
     """
     tensions = [one.tension for one in specimens if one.tension is not None]
     found = bonds.fit if bonds.fit is not None else tensions[0] if tensions else None
@@ -69,7 +71,7 @@ def _macro(bonds: Bonding, specimens: Sequence[Examined]) -> dict[str, Any]:
 
 
 def deviation(values: Sequence[float]) -> float | None:
-    """Standard deviation of a sample, None for a single value."""
+    """Standard deviation of a sample; None for a single value."""
     return float(np.std(values, ddof=1)) if len(values) > 1 else None
 
 
@@ -85,7 +87,7 @@ def _specimen(one: Examined) -> dict[str, Any]:
 
 
 def _aggregates(one: Examined) -> dict[str, Any]:
-    """Of a body that has some: how many, their share of the volume, and the cells that make them up."""
+    """Number, volume fraction and cells of the aggregates of a body with aggregates."""
     if one.aggregates is None:
         return {}
     share = one.aggregates.volume / one.lattice.particles.envelope.volume
@@ -156,7 +158,7 @@ def _packing(one: Examined, calibrating: bool) -> dict[str, Any]:
 
 
 def _failure(one: Examined, outcome: Outcome) -> dict[str, Any] | None:
-    """What a test to failure left, and where its work has gone until the end; None of other tests."""
+    """Fragments and final energy balance of a test to failure; None for other tests."""
     if outcome.state is None:
         return None
     body = one.lattice

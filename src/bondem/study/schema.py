@@ -1,7 +1,7 @@
-"""JSON schema of study files, for editors: which keys there are, of what kind, in which unit.
+"""JSON schema of study files for editors: keys, types and units.
 
-It says less than the reader (`bondem check`), which also knows what goes with what; a test holds both to the same
-keys.
+The schema is less strict than `bondem check`, which also knows the dependencies between keys. A test ensures that
+both have equal keys.
 """
 
 from collections.abc import Iterable, Mapping
@@ -22,7 +22,7 @@ _DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
 def schema() -> Schema:
-    """The schema of a study, a test programme or a campaign, as JSON has it."""
+    """JSON schema of a study, a test programme or a campaign."""
     shared = {
         "name": _text("title of the report"), "seed": _count("of the first packing", least=0),
         "packings": _count("number of packings; packing k has seed + k"), "material": _material(),

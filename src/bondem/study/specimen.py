@@ -1,4 +1,4 @@
-"""The table [specimen] of a study: what to pack, or which particles to read."""
+"""Table [specimen] of a study: a packing to make, or a file of particles."""
 
 import warnings
 from collections.abc import Callable, Mapping
@@ -28,14 +28,14 @@ _Made = TypeVar("_Made")
 
 @dataclass(frozen=True, kw_only=True)
 class SpecimenPlan:
-    """What to pack.
+    """Plan of a packing.
 
     Attributes:
-        shape: what the elements fill.
+        shape: shape that the elements fill.
         count: number of elements.
-        sizes: law of the radii; None for the method that makes equal spheres.
-        method: of packing.
-        target: at most one of coordination_number, volume_fraction and jamming, by name, as `bd.pack` takes it.
+        sizes: law of the radii; None for the method of equal spheres.
+        method: packing method.
+        target: one or none of coordination_number, volume_fraction and jamming, by name, as for `bd.pack`.
     """
 
     shape: Shape
@@ -47,7 +47,7 @@ class SpecimenPlan:
     def particles(
         self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None
     ) -> Particles:
-        """The packing of this seed; with aggregates cells end on their surfaces."""
+        """Packing of a seed; with aggregates, cells end on their surfaces."""
         return pack(
             self.shape, count=self.count, sizes=self.sizes, method=self.method, seed=seed, progress=progress,
             around=around, **self.target,
@@ -56,12 +56,12 @@ class SpecimenPlan:
 
 @dataclass(frozen=True, kw_only=True)
 class ImportPlan:
-    """Which particles to read.
+    """Plan of a specimen from a file of particles.
 
     Attributes:
-        file: any that `bd.read_particles` knows.
-        unit: the file's unit of length [m]; None for metres, with a warning where that is not likely.
-        shape: what the particles fill, where the file does not say; None for its own, or their bounding box.
+        file: path of a file that `bd.read_particles` can read.
+        unit: unit of length of the file [m]; None for metres, with a warning if that is improbable.
+        shape: shape that the particles fill, for files without one; None for that of the file, or their bounding box.
     """
 
     file: Path
@@ -71,17 +71,17 @@ class ImportPlan:
     def particles(
         self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None
     ) -> Particles:
-        """The particles of the file, whatever the seed; aggregates are refused before (`Study`)."""
+        """Particles of the file, for any seed; `Study` rejects aggregates before."""
         particles = _made("specimen.particles", lambda: read_particles(self.file, unit=self.unit, shape=self.shape))
         progress(1.0)
         return particles
 
 
 def read_specimen(table: TomlTable, folder: Path) -> SpecimenPlan | ImportPlan:
-    """What the table says; files are looked for from `folder`.
+    """Read the table; paths of files are relative to `folder`.
 
     Raises:
-        StudyError: a key that is unknown, missing, out of range or at odds with another.
+        StudyError: a key that is unknown, missing, out of range or in conflict with another.
     """
     with table:
         if table.has("particles"):
@@ -104,7 +104,8 @@ def _refuse_sizes(table: TomlTable) -> None:
     for key in ("spread", "sizes", *TARGETS):
         if table.has(key):
             raise StudyError(
-                f"'{table.name(key)}' goes with other methods: '{EVEN}' makes equal spheres that hardly touch;"
+                f"'{table.name(key)}' is an option of other methods, as '{EVEN}' makes equal spheres that hardly"
+                " touch;"
                 " leave it out"
             )
 
@@ -114,7 +115,9 @@ def _shape(table: TomlTable, folder: Path) -> Shape:
     if kind == "surface":
         file, unit = table.file("file", folder), table.unit("unit")
         return _made(table.name("file"), lambda: Surface(file, unit=unit))
-    shape = _plain(kind, table)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UnitWarning)  # the one below names the key
+        shape = _plain(kind, table)
     lower, upper = shape.bounds
     longest = float((upper - lower).max())
     if longest > _PLAUSIBLE and not table.has_text("radius", "length", "size"):
@@ -146,7 +149,7 @@ def _plain(kind: str, table: TomlTable) -> Shape:
 
 
 def _notched(table: TomlTable, size: tuple[float, float, float]) -> Shape:
-    """A box along x with a notch from below, across its middle."""
+    """Box along x with a notch from below across its middle."""
     length, height, thick = size
     with table.section("notch") as notch:
         width = notch.number("width", "m", above=0.0, below=length)
@@ -159,7 +162,9 @@ def _sizes(table: TomlTable) -> SizeLaw:
     if not table.has("sizes"):
         return Uniform(table.number("spread", "-", default=SPREAD, above=-1e-12, below=2.0))
     if table.has("spread"):
-        raise StudyError(f"give '{table.name('spread')}' or [{table.name('sizes')}], not both")
+        raise StudyError(
+            f"'{table.name('spread')}' and [{table.name('sizes')}] are both given; give one of them, not both"
+        )
     with table.section("sizes") as sizes:
         match sizes.text("law", choices=SIZE_LAWS):
             case "uniform":
@@ -178,12 +183,14 @@ def _target(table: TomlTable) -> dict[str, Any]:
     values = zip(TARGETS, (z, fraction, jamming), strict=True)
     given = {name: value for name, value in values if value is not None}
     if len(given) > 1:
-        raise StudyError(f"give one target of {' and '.join(repr(table.name(name)) for name in given)}, not several")
+        raise StudyError(
+            f"several targets are given: {' and '.join(repr(table.name(name)) for name in given)}; give only one"
+        )
     return given
 
 
 def _made(key: str, make: Callable[[], _Made]) -> _Made:
-    """What `make` returns; where it refuses, the message names the key."""
+    """Result of `make`, whose errors get the name of the key."""
     try:
         return make()
     except InputError as error:

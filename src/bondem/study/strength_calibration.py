@@ -1,4 +1,4 @@
-"""What `bondem strength` does: cells whose f_t and c give a cylinder its UCS and its Brazilian strength."""
+"""Pipeline of `bondem strength`: calibrate f_t and c of cells to UCS and Brazilian strength of a cylinder."""
 
 import math
 from collections.abc import Callable
@@ -20,21 +20,21 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, kw_only=True)
 class StrengthPlan:
-    """A calibration of the strengths of cells on cylinders of the laboratory.
+    """Plan of a calibration of strengths of cells on laboratory cylinders.
 
     Attributes:
         E: Young's modulus [Pa].
         nu: Poisson's ratio [-].
-        ucs: uniaxial compressive strength that is asked for [Pa].
-        brazilian: 2 P / (π D t) that is asked for [Pa].
-        ucs_within, brazilian_within: tolerances [Pa]; 4 and 7.5 % unless given.
-        friction_angle: φ [rad].
-        fracture_energy: G_f [J/m²].
-        diameter, length: of the cylinders [m].
-        count: cells of a packing.
-        packings: how many, with seeds seed, seed + 1, …; their mean is calibrated.
-        seed: of the first packing.
-        most: runs.
+        ucs: target uniaxial compressive strength [Pa].
+        brazilian: target Brazilian strength 2 P / (π D t) [Pa].
+        ucs_within, brazilian_within: tolerances [Pa]; None for 4 % and 7.5 %.
+        friction_angle: friction angle φ [rad].
+        fracture_energy: fracture energy G_f [J/m²].
+        diameter, length: dimensions of the cylinders [m].
+        count: number of cells per packing.
+        packings: number of packings, with seeds seed, seed + 1, …; their mean is calibrated.
+        seed: seed of the first packing.
+        most: largest number of runs.
     """
 
     E: float
@@ -62,7 +62,7 @@ class StrengthPlan:
         CellBond(E=self.E, nu=self.nu)
 
     def failure(self, tension: float, cohesion: float) -> MohrCoulomb:
-        """The criterion with these strengths [Pa]."""
+        """Failure criterion with given tensile strength and cohesion [Pa]."""
         return MohrCoulomb(
             tension=tension, cohesion=cohesion, friction_angle=self.friction_angle,
             fracture_energy=self.fracture_energy,
@@ -70,7 +70,7 @@ class StrengthPlan:
 
     @property
     def start(self) -> dict[str, float]:
-        """f_t and c with which a continuum would have both strengths [Pa]."""
+        """Tensile strength and cohesion of a continuum with both target strengths [Pa]."""
         sine, cosine = math.sin(self.friction_angle), math.cos(self.friction_angle)
         return {"tension": self.brazilian, "cohesion": 0.5 * self.ucs * (1.0 - sine) / cosine}
 
@@ -78,10 +78,10 @@ class StrengthPlan:
 def run_strength(
     plan: StrengthPlan, out: str | Path | None = None, *, progress: Callable[[str], None] | None = None
 ) -> StrengthCalibration:
-    """Pack, test and calibrate; with a folder, keep every test there and go on from those that are kept.
+    """Pack, test and calibrate; with a folder, store every test and continue from stored tests.
 
     Raises:
-        InputError: the folder cannot be written to, or holds runs of another plan.
+        InputError: the folder cannot be written to, or has runs of another plan.
         UnstableRunError: a test failed at the start.
     """
     bodies: list[Lattice] = []

@@ -1,4 +1,4 @@
-"""What a study says of its tests to failure: a table for each that has options, and which specimen each needs."""
+"""Tests to failure of a study: tables of their options, and the specimen that each needs."""
 
 from collections.abc import Mapping
 
@@ -13,10 +13,10 @@ NOTCH, BORING, BALL = "notch", "boring", "ball"
 
 
 def read_options(top: TomlTable, tests: tuple[str, ...]) -> dict[str, dict[str, float]]:
-    """Options of the tests to failure that are asked for, by test and name.
+    """Read the options of the requested tests to failure, by test and name.
 
     Raises:
-        StudyError: a table of a test that is not asked for, or a key that is unknown, missing or out of range.
+        StudyError: a table of a test that is not requested, or a key that is unknown, missing or out of range.
     """
     found: dict[str, dict[str, float]] = {}
     for name, options in STRENGTH_TESTS.items():
@@ -24,7 +24,9 @@ def read_options(top: TomlTable, tests: tuple[str, ...]) -> dict[str, dict[str, 
             continue
         given = top.has(name)
         if given and name not in tests:
-            raise StudyError(f"[{name}] is given, but 'tests' does not ask for {name}; add it there, or leave it out")
+            raise StudyError(
+                f"[{name}] is given, but 'tests' does not contain {name}; add it there, or leave out [{name}]"
+            )
         if name not in tests:
             continue
         with top.section(name) as table:
@@ -40,20 +42,20 @@ def _option(table: TomlTable, name: str, key: str, unit: str) -> float | None:
 
 
 def broken_only(shape: Shape) -> str | None:
-    """Why a specimen is no bar to pull: `NOTCH`, `BORING` or `BALL`; None of others."""
+    """Reason why a specimen has no tension test: `NOTCH`, `BORING` or `BALL`; None for others."""
     return BALL if isinstance(shape, Ball) else cut_as(shape)
 
 
 def cut_as(shape: Shape) -> str | None:
-    """What was cut out of a specimen, `NOTCH` or `BORING`; None of one that is whole, or cut otherwise."""
+    """Cut of a specimen, `NOTCH` or `BORING`; None for an uncut specimen or other cuts."""
     return shape.name if isinstance(shape, Cut) and shape.name in (NOTCH, BORING) else None
 
 
 def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
-    """Make sure that a specimen suits tests to failure.
+    """Check that a specimen suits its tests to failure.
 
     Raises:
-        StudyError: it does not.
+        StudyError: the specimen does not suit a test.
     """
     cut = cut_as(shape)
     suits: Mapping[str, tuple[bool, str]] = {
@@ -65,10 +67,10 @@ def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
     } | {name: (isinstance(shape, Ball), 'specimen.shape = "ball"') for name in OF_BALLS}
     for name in tests:
         if name in suits and not suits[name][0]:
-            raise StudyError(f"'tests' asks for {name}, which is not of this specimen; take {suits[name][1]}")
+            raise StudyError(f"'tests' contains {name}, which does not suit this specimen; use {suits[name][1]}")
         if cut is not None and name not in suits:
             raise StudyError(
-                f"'tests' asks for {name}, but the specimen has a {cut}; make a study of each"
+                f"'tests' contains {name}, but the specimen has a {cut}; write a study for each"
             )
         if isinstance(shape, Ball) and name not in OF_BALLS:
-            raise StudyError(f"'tests' asks for {name}, which is of a bar; of a ball there are {', '.join(OF_BALLS)}")
+            raise StudyError(f"'tests' contains {name}, which needs a bar; tests of a ball are {', '.join(OF_BALLS)}")

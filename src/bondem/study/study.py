@@ -1,4 +1,4 @@
-"""What a study file says, as frozen data."""
+"""Contents of a study file as frozen data."""
 
 import dataclasses
 import math
@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from bondem.errors import StudyError
+from bondem.io.text_file import read_text
 from bondem.labtests.strengths import STRENGTH_TESTS
 from bondem.laws.bond import RADIUS_RULES, BondLaw
 from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
@@ -27,21 +28,23 @@ from bondem.study.toml_table import TomlTable
 
 STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
 Read = TypeVar("Read")
+# Quotation marks that word processors put in place of the straight ones.
+_CURLY = {*"\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}"}
 DYNAMIC_TESTS = ("dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact")
 TESTS = STATIC_TESTS + DYNAMIC_TESTS
 
 
 @dataclass(frozen=True, kw_only=True)
 class BondPlan:
-    """Which bonds to make, and by which law.
+    """Plan of the bonds and their law.
 
     Attributes:
         law: class of the bond law to calibrate; None for the one recommended for the material, as in `bd.calibrate`.
-        cells: class of the law of a body cut into cells, which takes the place of the others and of calibration.
-        facet_rotation: of that law.
-        nu_mu: Poisson's ratio of the bond [-].
-        tolerance: bond where gap <= tolerance · R̄ [-]; None when `reach` is given.
-        reach: bond where L <= reach (Ri + Rj) [-], or None.
+        cells: class of the cell law of a body of cells, which replaces the bond law and its calibration.
+        facet_rotation: option of the cell law.
+        nu_mu: Poisson's ratio of the bonds [-].
+        tolerance: largest gap of a bond, over R̄ [-]; None if `reach` is given.
+        reach: largest length of a bond, over Ri + Rj [-], or None.
     """
 
     law: type[BondLaw] | None = None
@@ -55,12 +58,12 @@ class BondPlan:
 
 @dataclass(frozen=True, kw_only=True)
 class Reference:
-    """Published values to print beside ours.
+    """Published values, to print beside the results.
 
     Attributes:
-        citation: where they are from.
+        citation: source of the values.
         E_mu, r_mu_ratio: bond modulus [Pa] and radius ratio [-], or None.
-        errors: of each test, measured / theory - 1 [-].
+        errors: error of each test, measured / theory - 1 [-].
     """
 
     citation: str
@@ -71,25 +74,26 @@ class Reference:
 
 @dataclass(frozen=True, kw_only=True)
 class Study:
-    """Everything `bondem run` needs to know.
+    """Contents of a study file, the input of `bondem run`.
 
     Attributes:
         name: title of the report.
-        material: the continuum to reproduce, or None to pack and check only.
-        specimen: what to pack, or which particles to read.
-        bond: which bonds and law.
-        failure: how the material fails, in tests to failure; or None.
+        material: continuum to reproduce; None to pack and check only.
+        specimen: packing to make, or particles to read.
+        bond: bonds and their law.
+        failure: failure criterion of the material in tests to failure, or None.
         packings: number of specimens; packing k uses seed + k.
-        calibrating: how many of them, the first ones, the calibration uses.
-        tests: names of the tests each packing goes through.
-        options: of tests to failure, by test and name, SI.
-        seed: of the first packing.
-        figures: whether to draw figures.
-        vtk: whether to write the first packing for ParaView.
-        run_files: whether to write every calibrated specimen, at rest, as a run file to go on from.
-        packing_files: whether to write every packing with its bonds as a particle file.
+        calibrating: number of packings for the calibration, the first ones.
+        tests: names of the tests of each packing.
+        options: options of tests to failure by test and name, in SI.
+        seed: seed of the first packing.
+        figures: True to draw figures.
+        vtk: True to write the first packing for ParaView.
+        run_files: True to write every calibrated specimen, at rest, as a run file for later runs.
+        packing_files: True to write every packing with its bonds as a particle file.
         reference: published values, or None.
-        aggregates: in the material, which is their matrix; or None.
+        aggregates: aggregates in the material, which is their matrix, or None.
+        source: name and text of the study file, or None.
     """
 
     name: str
@@ -108,12 +112,13 @@ class Study:
     packing_files: bool = False
     reference: Reference | None = None
     aggregates: AggregatePlan | None = None
+    source: tuple[str, str] | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= self.calibrating <= self.packings:
             raise StudyError(
-                f"'calibration.packings' = {self.calibrating}, but there are {self.packings} packings;"
-                " calibrate on fewer, or raise 'packings'"
+                f"'calibration.packings' = {self.calibrating}: more than the {self.packings} packings of the study;"
+                " calibrate on fewer, or increase 'packings'"
             )
         if isinstance(self.specimen, ImportPlan) and self.packings > 1:
             raise StudyError(
@@ -122,7 +127,7 @@ class Study:
         if self.material is None:
             for key, asked in (("tests", bool(self.tests)), ("output.run_files", self.run_files)):
                 if asked:
-                    raise StudyError(f"'{key}' asks for calibrated bonds; give [material], or leave '{key}' out")
+                    raise StudyError(f"'{key}' needs calibrated bonds; give [material], or leave out '{key}'")
         require_strength(self.tests, self.failure, self.bond.cells is not None)
         if self.aggregates is not None:
             self._require_matrix(self.aggregates)
@@ -130,22 +135,22 @@ class Study:
             self.require_testable(self.specimen.shape)
 
     def _require_matrix(self, plan: AggregatePlan) -> None:
-        """Make sure that a body can be cut along aggregates, and its parts fail beside each other."""
+        """Check that a body can be cut along aggregates, and that its criteria are compatible."""
         if self.bond.cells is None or isinstance(self.specimen, ImportPlan) or self.specimen.method != EVEN:
             raise StudyError(
-                f'[aggregates] are for bodies of cells: set law = "CellBond" in [bond], and method = "{EVEN}" in'
-                " [specimen]"
+                f'[aggregates] is an option of bodies of cells; set law = "CellBond" in [bond], and method = "{EVEN}"'
+                " in [specimen]"
             )
         if "spall" in self.tests:
-            raise StudyError("'tests' asks for spall, which is of one material; leave it out, or [aggregates]")
+            raise StudyError("'tests' contains spall, which needs a single material; leave out spall or [aggregates]")
         plan.require_room(self.specimen.shape, self.specimen.count)
         plan.require_criteria(self.failure)
 
     def require_testable(self, shape: Shape) -> None:
-        """Make sure that what is asked for can be done with a shape.
+        """Check that the requested tests are possible with a shape.
 
         Raises:
-            StudyError: it is no bar along x, or not the specimen of a test to failure.
+            StudyError: the shape is not a bar along x, or not suitable for a test to failure.
         """
         if broken_only(shape) is not None and self.bond.cells is not None and self.tests:
             require_specimen(self.tests, shape)
@@ -154,18 +159,19 @@ class Study:
             raise StudyError(
                 f"'specimen.shape': a {type(shape).__name__} without flat ends x_min and x_max, or without one"
                 " section from end to end, cannot be calibrated; leave out [material] and 'tests' to pack and check"
-                " only, or take a cylinder or a box"
+                " only, or use a cylinder or a box"
             )
         if self.tests and not _is_bar(shape):
             raise StudyError(
-                f"'tests' asks for {self.tests[0]}, but a {type(shape).__name__} is no bar along x; set tests = [],"
-                " or take a 'specimen.shape' of cylinder or box"
+                f"'tests' contains {self.tests[0]}, but a {type(shape).__name__} is not a bar along x; set tests ="
+                " [],"
+                " or use a cylinder or box as 'specimen.shape'"
             )
         require_specimen(self.tests, shape)
 
     @property
     def failures(self) -> dict[str, Criterion]:
-        """How its parts fail, by name; nothing where nothing does."""
+        """Failure criteria of the parts of the material, by name; empty without failure."""
         if self.failure is None:
             return {}
         if self.aggregates is None:
@@ -174,20 +180,20 @@ class Study:
         return {"Matrix": self.failure, "Aggregates": own or self.failure, "Interface": between or self.failure}
 
     def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Study":
-        """The same study with what the command line overrules."""
+        """Copy of the study with the options of the command line."""
         given = {"packings": packings, "seed": seed}
         return dataclasses.replace(self, **{key: value for key, value in given.items() if value is not None})
 
 
 def _is_prism(shape: Shape) -> bool:
-    """Whether force over section is the same all along x: E is read from the section at mid-length."""
+    """True for a constant section along x, as E is read from the section at mid-length."""
     # Volumes of shapes put together are measured, to 1e-3 or so.
     prism = {"x_min", "x_max"} <= set(shape.faces)
     return prism and math.isclose(shape.volume, shape.section() * shape.extent, rel_tol=0.01)
 
 
 def _is_bar(shape: Shape) -> bool:
-    """Whether strength of materials has formulas for its section."""
+    """True for a section with formulas of beam theory."""
     return isinstance(shape, Cylinder | Box | BoundingBox)
 
 
@@ -201,25 +207,35 @@ def read_study(path: str | Path) -> Study:
 
     def one(data: dict[str, Any]) -> Study:
         if "specimens" in data:
-            raise StudyError(f"'{path}' has [[specimens]]: it is a test programme; give a file with one [specimen]")
+            raise StudyError(f"'{path}' has [[specimens]] and is a test programme; give a file with one [specimen]")
         return parse_study(data, folder=path.parent)
 
-    return read_toml(path, one)
+    return dataclasses.replace(read_toml(path, one), source=source_of(path))
+
+
+def source_of(path: Path) -> tuple[str, str]:
+    """Name and text of a study file, for its report."""
+    return path.name, path.read_text(encoding="utf-8-sig", errors="replace")
 
 
 def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
-    """What a function makes of the document in a file; its errors get the line of the key that they name.
+    """Apply a function to the TOML document of a file; errors get the line of their key.
 
     Raises:
         StudyError: no such file, not TOML, or what the function raises.
     """
+    text = ""
     try:
-        text = path.read_bytes().decode()
+        text = read_text(path)
         data = tomllib.loads(text)
     except OSError as error:
         raise StudyError(f"study '{path}' cannot be read ({error.strerror}); check the path") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise StudyError(f"study '{path}' is not valid TOML: {error}; mend it there") from None
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        raise StudyError(f"study '{path}', line {line}: the text is not UTF-8; save it with that encoding") from None
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        advice = 'texts need straight quotes: "granite"' if _CURLY & {*text} else "correct it there"
+        raise StudyError(f"study '{path}' is not valid TOML ({error}); {advice}") from None
     try:
         return parse(data)
     except StudyError as error:
@@ -227,11 +243,11 @@ def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
 
 
 def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
-    """The study a TOML document describes.
+    """Create the study of a TOML document.
 
     Args:
         data: the document.
-        folder: where the files it names are looked for.
+        folder: folder of the files that it names.
 
     Raises:
         StudyError: a key that is unknown, missing or out of range.
@@ -263,7 +279,7 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
 
 
 def _material(table: TomlTable) -> Material:
-    """One's own, or one of the library, of which single values may be overruled."""
+    """Material of the file, or of the library with overridden values."""
     with table:
         if not table.has("preset"):
             return Material(
@@ -293,7 +309,9 @@ def _bond(table: TomlTable) -> BondPlan:
             return _cells(table, law)
         reach = table.number("reach", "-", default=None, above=0.0)
         if reach is not None and table.has("tolerance"):
-            raise StudyError(f"give '{table.name('tolerance')}' or '{table.name('reach')}', not both")
+            raise StudyError(
+                f"'{table.name('tolerance')}' and '{table.name('reach')}' are both given; give one of them, not both"
+            )
         return BondPlan(
             law=CALIBRATED[law] if law is not None else BondPlan.law,
             nu_mu=table.number("nu_mu", "-", default=BondPlan.nu_mu, above=-1.0, below=0.5),
@@ -304,12 +322,12 @@ def _bond(table: TomlTable) -> BondPlan:
 
 
 def _cells(table: TomlTable, law: str) -> BondPlan:
-    """Of a law of cells, which has no bonds to choose."""
+    """Plan of a cell law, which has no choice of bonds."""
     for key in ("nu_mu", "radius_rule", "tolerance", "reach"):
         if table.has(key):
             raise StudyError(
-                f"'{table.name(key)}' is of bonds between spheres; with law = \"{law}\" cells are joined at their"
-                " facets by the material's own E and nu: leave it out"
+                f"'{table.name(key)}' is an option of bonds between spheres; with law = \"{law}\" cells are joined at"
+                " their facets with E and nu of the material; leave it out"
             )
     rotation = table.text("facet_rotation", default=BondPlan.facet_rotation, choices=FACET_ROTATIONS)
     return BondPlan(cells=CELL_LAWS[law], facet_rotation=rotation)
@@ -318,8 +336,8 @@ def _cells(table: TomlTable, law: str) -> BondPlan:
 def _calibrating(top: TomlTable, bond: BondPlan) -> int:
     if bond.cells is not None and top.has("calibration"):
         raise StudyError(
-            f"'calibration': law = \"{bond.cells.__name__}\" takes the material's own E and nu, and nothing is"
-            " calibrated; leave [calibration] out"
+            f"'calibration': law = \"{bond.cells.__name__}\" uses E and nu of the material without"
+            " calibration; leave out [calibration]"
         )
     with top.section("calibration") as table:
         return table.count("packings", default=Study.calibrating)

@@ -1,6 +1,6 @@
-"""Strict reading of TOML: every value is asked for by name, checked, and what nobody asked for is an error.
+"""Strict reading of TOML: every value is requested by name and checked, and an unrequested key is an error.
 
-A number is taken as SI; a text brings its unit along: "72.5 GPa".
+A number is in SI units; a text includes its unit: "72.5 GPa".
 """
 
 import difflib
@@ -20,13 +20,13 @@ _LARGEST = 1e60
 
 
 class TomlTable:
-    """One table of a study file.
+    """Table of a study file.
+
+    Use the table as a context manager: at its end, a key that was not requested raises an error.
 
     Args:
         data: the table.
-        path: its dotted name, "" for the file itself.
-
-    Use as a context: on leaving, a key that was not asked for raises.
+        path: dotted name of the table, "" for the file itself.
     """
 
     def __init__(self, data: Mapping[str, Any], path: str = "") -> None:
@@ -60,21 +60,23 @@ class TomlTable:
         return default
 
     def has(self, key: str) -> bool:
-        """Whether the key is given (asking makes it known)."""
+        """True if the key is given; the request makes the key known."""
         self._asked.append(key)
         return key in self._data
 
     def section(self, key: str) -> "TomlTable":
-        """A table within; an empty one where it is not given."""
+        """Subtable; empty if it is not given."""
         value = self._get(key, {}, "a table")
         if not isinstance(value, Mapping):
-            raise StudyError(f"'{self.name(key)}' is {shown(value)}; make it a table [{self.name(key)}]")
+            raise StudyError(
+                f"'{self.name(key)}' = {shown(value)}: not a table; write it as a table [{self.name(key)}]"
+            )
         return TomlTable(value, self.name(key))
 
     def number(
         self, key: str, unit: str, *, default: Any = _NEEDED, above: float = -math.inf, below: float = math.inf
     ) -> Any:
-        """A finite number strictly between `above` and `below`, or a text with its unit."""
+        """Finite number strictly between `above` and `below`, or a text with its unit."""
         wanted = f"a number {_range(above, below)}[{unit}]"
         value = self._get(key, default, wanted)
         if value is default:
@@ -91,18 +93,18 @@ class TomlTable:
             except InputError as error:
                 raise StudyError(str(error)) from None
         if isinstance(found, bool) or not isinstance(found, int | float):
-            raise StudyError(f"'{name}' is {shown(value)}; give {wanted}, or with a unit")
+            raise StudyError(f"'{name}' = {shown(value)}; give {wanted}, or a text with a unit")
         if not (above < found < below and abs(found) <= _LARGEST and (found == 0 or abs(found) >= 1.0 / _LARGEST)):
             raise StudyError(f"'{name}' = {shown(value)}; give {wanted}")
         return float(found)
 
     def has_text(self, *keys: str) -> bool:
-        """Whether one of these keys is a text, or a list with a text in it: a unit is given."""
+        """True if one of the keys is a text, or a list with a text, so that a unit is given."""
         given = [self._data.get(key) for key in keys]
         return any(isinstance(one, str) for item in given for one in (item if isinstance(item, list) else [item]))
 
     def count(self, key: str, *, default: Any = _NEEDED, least: int = 1, most: int = 1 << 62) -> int:
-        """A whole number, at least `least` and at most `most`."""
+        """Whole number from `least` to `most`."""
         wanted = f"a whole number of at least {least}" + (f" and at most {most}" if most < 1 << 62 else "")
         value = self._get(key, default, wanted)
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
@@ -110,7 +112,7 @@ class TomlTable:
         return value
 
     def text(self, key: str, *, default: Any = _NEEDED, choices: Sequence[str] = ()) -> str:
-        """A text, one of `choices` where there are any."""
+        """Text, one of `choices` if there are any."""
         wanted = f"one of {', '.join(choices)}" if choices else "a text"
         value = self._get(key, default, wanted)
         if not isinstance(value, str) or (choices and value not in choices):
@@ -120,22 +122,22 @@ class TomlTable:
         return value
 
     def file(self, key: str, folder: Path) -> Path:
-        """A file that is there, looked for from `folder`."""
+        """Path of an existing file, relative to `folder`."""
         name = self.text(key)
         file = folder / name
         if not name.isprintable() or not os.path.isfile(file):
-            raise StudyError(f"'{self.name(key)}': there is no file {shown(str(file))}; check the path")
+            raise StudyError(f"'{self.name(key)}': the file {shown(str(file))} does not exist; check the path")
         return file
 
     def flag(self, key: str, *, default: bool) -> bool:
-        """True or false."""
+        """Boolean value."""
         value = self._get(key, default, "true or false")
         if not isinstance(value, bool):
             raise StudyError(f"'{self.name(key)}' = {shown(value)}; give true or false")
         return value
 
     def texts(self, key: str, *, choices: Sequence[str], default: tuple[str, ...]) -> tuple[str, ...]:
-        """A list of different choices."""
+        """List of different choices."""
         values = self._get(key, default, "a list")
         if not isinstance(values, list | tuple):
             raise StudyError(f"'{self.name(key)}' = {shown(values)}; give a list of {', '.join(choices)}")
@@ -143,13 +145,13 @@ class TomlTable:
             if value not in choices:
                 near = difflib.get_close_matches(str(value), choices, n=1)
                 hint = f"did you mean '{near[0]}'?" if near else f"choose from {', '.join(choices)}"
-                raise StudyError(f"'{self.name(key)}' names {shown(value)}; {hint}")
+                raise StudyError(f"'{self.name(key)}' contains {shown(value)}; {hint}")
         if len(set(values)) < len(values):
-            raise StudyError(f"'{self.name(key)}' names one thing twice; take one out")
+            raise StudyError(f"'{self.name(key)}' contains an entry twice; remove one")
         return tuple(values)
 
     def numbers(self, key: str, unit: str) -> tuple[float, ...]:
-        """A list of finite numbers, each of which may be a text with its unit."""
+        """List of finite numbers, each of which may be a text with its unit."""
         wanted = f"a list of numbers [{unit}]"
         values = self._get(key, _NEEDED, wanted)
         if not isinstance(values, list | tuple):
@@ -159,7 +161,7 @@ class TomlTable:
         )
 
     def whole_numbers(self, key: str) -> int | tuple[int, ...]:
-        """How many, or a list of whole numbers of zero or more."""
+        """Count, or list of whole numbers of zero or more."""
         wanted = "how many, or a list of whole numbers of zero or more"
         value = self._get(key, _NEEDED, wanted)
         values = value if isinstance(value, list) else [value]
@@ -170,14 +172,14 @@ class TomlTable:
         return tuple(values) if isinstance(value, list) else value
 
     def lines(self, key: str) -> tuple[str, ...]:
-        """A list of texts of one line each; empty where it is not given."""
+        """List of texts of one line each; empty if it is not given."""
         values = self._get(key, [], "a list of texts")
         if not isinstance(values, list) or not all(isinstance(one, str) and one.isprintable() for one in values):
             raise StudyError(f"'{self.name(key)}' = {shown(values)}; give a list of texts of one line each")
         return tuple(values)
 
     def all(self) -> Mapping[str, Any]:
-        """Everything in it, whatever its names."""
+        """Contents of the table with arbitrary keys."""
         self._asked.extend(self._data)
         return self._data
 
@@ -193,7 +195,7 @@ class TomlTable:
         return a, b, c
 
     def unit(self, key: str) -> float | None:
-        """A unit of length in metres, by name or as a number; None where it is not given."""
+        """Unit of length in metres, by name or as a number; None if it is not given."""
         value = self._get(key, None, "a unit of length")
         if value is None:
             return None

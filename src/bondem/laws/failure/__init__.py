@@ -1,1 +1,1 @@
-"""Criteria of failure, one a file: parameters, and the scalar function that judges one bond."""
+"""Failure criteria, one per file: parameters, and the scalar function that evaluates one bond."""

@@ -1,4 +1,4 @@
-"""Softening along two lines: what bears little has a long tail, as in concrete."""
+"""Softening along two lines, with a long tail at low stress, as in concrete."""
 
 from dataclasses import dataclass
 
@@ -8,17 +8,17 @@ from bondem.errors import InputError
 
 @dataclass(frozen=True, kw_only=True)
 class Bilinear:
-    """A crack softens from f_t to `stress` f_t at the opening `opening` G_f / f_t, and from there to nothing.
+    """Softening of a crack from f_t to `stress` f_t at the opening `opening` G_f / f_t, and from there to zero.
 
-    Nothing is left at the opening (2 - `opening`) / `stress` G_f / f_t, so that the curve holds G_f. As it is given,
-    the curve is Petersson's for concrete: a third of the strength at 0.8 G_f / f_t, nothing at 3.6 G_f / f_t.
+    The stress is zero at the opening (2 - `opening`) / `stress` G_f / f_t, so that the area under the curve is G_f.
+    The default is Petersson's curve for concrete: a third of the strength at 0.8 G_f / f_t, zero at 3.6 G_f / f_t.
 
     Attributes:
-        stress: at the kink, over f_t [-], in (0, 1).
-        opening: at the kink, over G_f / f_t [-], above 0, at most 2 - 2 `stress`: there both lines are one.
+        stress: stress at the kink, over f_t [-], in (0, 1).
+        opening: opening at the kink, over G_f / f_t [-], above 0, at most 2 - 2 `stress`, where both lines are one.
 
     Raises:
-        InputError: a kink that is not below the straight line.
+        InputError: The kink is not below the straight line.
 
     Reference: Petersson (1981), "Crack growth and development of fracture zones in plain concrete and similar
     materials", report TVBM-1006, Lund.
@@ -38,10 +38,10 @@ class Bilinear:
 
     @property
     def last(self) -> float:
-        """Opening where nothing is left, over G_f / f_t [-]."""
+        """Opening at zero stress, over G_f / f_t [-]."""
         return (2.0 - self.opening) / self.stress
 
     @property
     def steep(self) -> float:
-        """Where the first line would reach nothing, over `last` [-]."""
+        """Opening where the first line would reach zero, over `last` [-]."""
         return self.opening / ((1.0 - self.stress) * self.last)

@@ -1,4 +1,4 @@
-"""Every criterion of failure, once, by the name of its class."""
+"""Catalogue of the failure criteria, by the names of their classes."""
 
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.drucker_prager import DruckerPrager

@@ -1,10 +1,10 @@
-"""A normal field whose values at places near each other are alike: a sum of waves, drawn by the counter of a seed.
+"""A normal field with similar values at near places: a sum of waves, drawn by the counter of a seed.
 
     z(x) = √(2/N) Σ cos(k_n·x + φ_n),     k_n normal with deviation √2 / l along each axis,  φ_n uniform
 
-so that the covariance of z(x) and z(x + r) is exp(-(r / l)²), as the cosines of normal wave vectors have it. N waves
-are a normal variable up to an excess kurtosis of -1.5 / N. A value depends on its place and the seed only. In a
-periodic cell wave vectors are those of whole periods next to these.
+The covariance of z(x) and z(x + r) is then exp(-(r / l)²), because wave vectors are normal. N waves are a normal
+variable up to an excess kurtosis of -1.5 / N. A value depends on its place and the seed only. In a periodic cell wave
+vectors are rounded to whole periods.
 
 Reference: Shinozuka and Deodatis (1996), with random wave vectors.
 """
@@ -23,12 +23,12 @@ _PORTION = 2000
 
 
 def normal_field(seed: int, length: float, place: PerBond3, period: Floats | None) -> PerBond:
-    """z at some places [-], (m,).
+    """Return z at some places [-], (m,).
 
     Args:
-        seed: of the random numbers.
+        seed: seed of the random numbers.
         length: l [m].
-        place: [m], (m, 3).
+        place: places [m], (m, 3).
         period: edges of a periodic cell [m], (3,), or None.
     """
     drawn = uniform_by_counter(seed, 4 * _WAVES).reshape(4, _WAVES)

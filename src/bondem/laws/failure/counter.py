@@ -1,4 +1,4 @@
-"""Random numbers by a counter: the number of a value, not a stream, decides what it is."""
+"""Random numbers by a counter: the index of a value, not a stream, determines it."""
 
 import numpy as np
 
@@ -8,7 +8,10 @@ _GOLDEN = np.uint64(0x9E3779B97F4A7C15)
 
 
 def uniform_by_counter(seed: int, many: int) -> Floats:
-    """Numbers in (0, 1) of the counters 0 … many, by the hash of splitmix64 (Steele, Lea and Flood 2014), (many,)."""
+    """Return numbers in (0, 1) for the counters 0 … many, (many,).
+
+    They are made by the hash of splitmix64 (Steele, Lea and Flood 2014).
+    """
     with np.errstate(over="ignore"):
         start = _mixed(np.array([seed % 2**64], dtype=np.uint64) + _GOLDEN)
         bits = _mixed(start + (np.arange(many, dtype=np.uint64) + np.uint64(1)) * _GOLDEN)

@@ -1,4 +1,4 @@
-"""The cone of Drucker and Prager: shear strength that grows with pressure, through two strengths of the material."""
+"""The cone of Drucker and Prager: shear strength that grows with pressure, defined by two material strengths."""
 
 import math
 from dataclasses import dataclass
@@ -16,37 +16,37 @@ _NAME = "DruckerPrager"
 
 @dataclass(frozen=True, kw_only=True)
 class DruckerPrager(Criterion):
-    """Bodies of cells fail where the shear of their stress reaches a cohesion that grows with pressure.
+    """Failure of cells where the shear of their stress reaches a cohesion that grows with pressure.
 
         √J2 + α I1 ≥ k     J2 = s:s/2 of the deviator s,  I1 = σ1 + σ2 + σ3,  tension positive
 
-    Two strengths are given, and the third follows, where f_t and f_c are uniaxial and f_h is equal tension from all
-    sides:
+    Two of three strengths are given, and the third follows. f_t and f_c are uniaxial strengths, and f_h is that in
+    equal tension from all sides:
 
         α = (f_c - f_t) / √3 (f_c + f_t)      k = 2 f_c f_t / √3 (f_c + f_t) = 3 α f_h
 
-    Without a fracture energy facets that are pulled (t·n > 0) break at once where σ* of `bd.Rankine` reaches the
-    cone, in tension and under pressure: a body splits along the load, as facets that press cannot open.
+    Without a fracture energy, facets in tension (t·n > 0) break at once where σ* of `bd.Rankine` reaches the cone,
+    also if the cells are under pressure. A body splits along the load, because facets in compression cannot open.
 
-    With a fracture energy the cone has two sides. Where I1 > 0 facets that are pulled crack, as of `bd.Rankine`, to
-    the opening 2 G_f / f_t. Where I1 ≤ 0 cells yield on their mean stress, √J2 + α I1 ≥ r k; r falls from 1 to 0 as
-    slip dissipates the fracture energy of shear, and friction (α) stays. Facets of a cell without cohesion break.
+    With a fracture energy the cone has two sides. For I1 > 0 facets in tension crack as for `bd.Rankine`, up to the
+    opening 2 G_f / f_t. For I1 ≤ 0 cells yield on their mean stress, √J2 + α I1 ≥ r k. r falls from 1 to 0 as slip
+    dissipates the fracture energy of shear, while friction (α) remains. Facets of a cell without cohesion break.
 
     Attributes:
         tension: f_t [Pa].
         compression: f_c [Pa], positive, f_t or more.
         hydrostatic: f_h [Pa], above 2/3 f_t.
-        fracture_energy: G_f of tension [J/m²]; None is brittle.
-        fracture_energy_shear: G_II of slip [J/m²], inf for a cohesion that stays; 10 G_f unless given.
+        fracture_energy: G_f of tension [J/m²]; None for brittle facets.
+        fracture_energy_shear: G_II of slip [J/m²], inf for a constant cohesion; 10 G_f by default.
         dilatancy: β of the flow potential √J2 + β I1 [-], in [0, α]; the volume grows by 3 β of the slip.
         friction: μ on the faces of closed cracks [-].
-        curve: how cracks soften; None is a straight line.
+        curve: softening curve of cracks; None for a straight line.
 
     Reference: Drucker and Prager (1952).
 
     Raises:
-        InputError: strengths that are not two, not positive or that no cone goes through, a fracture energy that is
-            not positive, or one of shear or a dilatancy without that of tension.
+        InputError: The strengths are not two, a strength is not positive, or no cone passes through them. A fracture
+            energy is not positive, or that of shear or a dilatancy is given without that of tension.
     """
 
     tension: float | None = None
@@ -87,7 +87,7 @@ class DruckerPrager(Criterion):
 
     @property
     def slope(self) -> float:
-        """α [-]."""
+        """Slope α of the cone [-]."""
         ft, fc, fh = self.tension, self.compression, self.hydrostatic
         if ft is None:
             assert fc is not None
@@ -100,7 +100,7 @@ class DruckerPrager(Criterion):
 
     @property
     def strength(self) -> float:
-        """k: strength in pure shear [Pa]."""
+        """Strength k in pure shear [Pa]."""
         if self.hydrostatic is not None:
             return 3.0 * self.slope * self.hydrostatic
         assert self.tension is not None
@@ -124,7 +124,7 @@ class DruckerPrager(Criterion):
 
 
 def cone_index(stress: Any, slope: float, strength: float, pulled: float) -> float:
-    """(√J2 + α I1) / k of a stress (3, 3); 0 under pressure, where `pulled` is not 0."""
+    """Return (√J2 + α I1) / k of a stress (3, 3); 0 under pressure if `pulled` is not 0."""
     trace = stress[0, 0] + stress[1, 1] + stress[2, 2]
     if pulled != 0.0 and trace <= 0.0:
         return 0.0

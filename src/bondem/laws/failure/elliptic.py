@@ -1,4 +1,4 @@
-"""Elongation and bending of a beam, joined in an ellipse of elongation and angle."""
+"""Elongation and bending of a beam, combined in an ellipse of elongation and angle."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -17,24 +17,24 @@ _MARGIN = 0.5
 
 @dataclass(frozen=True, kw_only=True)
 class Elliptic(BondCriterion):
-    """A beam breaks where elongation and bending together reach their limits.
+    """Breakage of a beam where elongation and bending together reach their limits.
 
         (ε⁺ / elongation)² + max(|θ_i|, |θ_j|) / rotation ≥ 1
 
-    with ε = (ℓ - L) / L, only where positive, and θ the angle between the beam's axis and that of its end; in ε and θ
-    the limit is a parabola, the name is the literature's. Bonds without bending stiffness are judged in every step,
-    as no force tells how far they have turned.
+    with ε = (ℓ - L) / L, only where positive, and θ the angle between the beam's axis and that of its end. In ε and θ
+    the limit is a parabola; the name is that of the literature. Bonds without bending stiffness are evaluated in
+    every step, because no force indicates how far they have turned.
 
     Attributes:
         elongation: ε at which a straight beam breaks [-].
-        rotation: θ at which a beam that keeps its length breaks [rad].
+        rotation: θ at which a beam of constant length breaks [rad].
 
-    Reference: Carmona, Wittel, Kun and Herrmann (2008), eq. (5) of the preprint arXiv:0711.2993. There ε² counts in
-    pressure too, and each of the two limits scatters by a Weibull distribution of its own; here pressure breaks
+    Reference: Carmona, Wittel, Kun and Herrmann (2008), eq. (5) of the preprint arXiv:0711.2993. There ε² also counts
+    in compression, and each of the two limits scatters by a Weibull distribution of its own. Here compression breaks
     nothing, and both limits of a bond share one factor.
 
     Raises:
-        InputError: a limit that is not positive.
+        InputError: A limit is not positive.
     """
 
     kind: ClassVar[int] = 3
@@ -64,7 +64,7 @@ class Elliptic(BondCriterion):
 
 @device
 def elliptic_index(load, s):
-    """Index and mode of a beam of strain load[4] and largest angle load[5]."""
+    """Return index and mode of a beam of strain load[4] and largest angle load[5]."""
     stretch = max(load[4], 0.0) * s[0]
     along, about = stretch * stretch, load[5] * s[1]
     return along + about, TENSION if along >= about else BENDING

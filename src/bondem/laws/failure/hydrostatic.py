@@ -11,21 +11,21 @@ from bondem.laws.failure.softening import Softening, StressIndex, check_crack
 
 @dataclass(frozen=True, kw_only=True)
 class Hydrostatic(Criterion):
-    """Facets of cells crack where the mean stress reaches the strength.
+    """Cracking of facets of cells where the mean stress reaches the strength.
 
-        (σ1 + σ2 + σ3) / 3 ≥ tension     of σ* of `bd.Rankine`, where the facet is pulled
+        (σ1 + σ2 + σ3) / 3 ≥ tension     of σ* of `bd.Rankine`, for facets in tension
 
-    A bar breaks at three times this stress. A crack softens to the opening 2 G_f / f_t, f_t = 3 `tension`, as of
-    `bd.Rankine`; without a fracture energy it breaks at once. Bodies of cells only.
+    A bar breaks at three times this stress. With a fracture energy a crack softens as for `bd.Rankine`, up to the
+    opening 2 G_f / f_t with f_t = 3 `tension`; without one it breaks at once. For bodies of cells only.
 
     Attributes:
         tension: largest mean stress [Pa].
-        fracture_energy: G_f, of a bar that is torn apart [J/m²]; None is brittle.
+        fracture_energy: G_f of a bar that is torn apart [J/m²]; None for brittle facets.
         friction: μ on the faces of closed cracks [-].
-        curve: how cracks soften; None is a straight line.
+        curve: softening curve of cracks; None for a straight line.
 
     Raises:
-        InputError: a strength or energy that is not positive, or a negative friction.
+        InputError: A strength or energy is not positive, or the friction is negative.
     """
 
     tension: float
@@ -48,5 +48,5 @@ class Hydrostatic(Criterion):
 
 
 def mean_index(stress: Any, tension: float) -> float:
-    """Mean of a stress (3, 3) over the strength."""
+    """Return the mean of a stress (3, 3) over the strength."""
     return (stress[0, 0] + stress[1, 1] + stress[2, 2]) / (3.0 * tension)

@@ -1,4 +1,4 @@
-"""The linear sum of what a bond bears over what it can bear, as LAMMPS has it."""
+"""The linear sum of the loads of a bond over its strengths, as in LAMMPS."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -13,12 +13,12 @@ from bondem.laws.failure.criterion import BENDING, SHEAR, TENSION, TWISTING, Bon
 
 @dataclass(frozen=True, kw_only=True)
 class LinearSum(BondCriterion):
-    """A bond breaks where the shares of its strengths sum up to one.
+    """Breakage of a bond where the shares of its strengths sum up to one.
 
         N / force + |Q| / shear + |M| / bending + |T| / twisting ≥ 1
 
-    Tension positive, and N counts with its sign: pressure strengthens. M is the larger of the moments at both ends
-    for beams, that at the contact point for parallel and contact bonds.
+    Tension is positive, and N counts with its sign, so that compression strengthens. M is the larger of the moments
+    at both ends for beams, and that at the contact point for parallel and contact bonds.
 
     Attributes:
         force: largest tensile force alone [N].
@@ -28,13 +28,13 @@ class LinearSum(BondCriterion):
 
     Reference: `bond_style bpm/rotational` of LAMMPS, after Wang (2009). Its manual and its source sum the same four
     shares, N with its sign, and cut off the sum at 0. Its moments are k_b times the angle of bending and k_t times
-    that of twisting, without what the shear force adds towards the ends: those at the contact point, as here for
-    parallel and contact bonds. Three things differ: it weakens bonds by 1 - index⁴ before they break (unless told
-    `smooth no`), its source reads the limit of twisting before that of bending (its manual lists them the other way
-    round), and its moments grow with the angle, not with its sine.
+    that of twisting, without the contribution of the shear force towards the ends. They are those at the contact
+    point, as here for parallel and contact bonds. Three things differ. LAMMPS weakens bonds by 1 - index⁴ before they
+    break (unless `smooth no` is set). Its source reads the limit of twisting before that of bending, while its manual
+    lists them the other way round. Its moments grow with the angle, not with its sine.
 
     Raises:
-        InputError: a strength that is not positive.
+        InputError: A strength is not positive.
     """
 
     kind: ClassVar[int] = 2
@@ -59,7 +59,7 @@ class LinearSum(BondCriterion):
 
 @device
 def linear_index(load, s):
-    """Index and mode of a bond that bears N, Q, M, T."""
+    """Return index and mode of a bond under the loads N, Q, M, T."""
     n, q, m, t = load[0] * s[0], load[1] * s[1], load[2] * s[2], load[3] * s[3]
     mode, most = TENSION, n
     if q > most:

@@ -16,44 +16,45 @@ from bondem.laws.failure.softening import Slip, Softening, check_crack, check_sl
 
 @dataclass(frozen=True, kw_only=True)
 class MohrCoulomb(BondCriterion):
-    """A bond or facet breaks where its traction reaches the tensile strength or slips against cohesion and friction.
+    """Breakage of bonds or facets whose traction reaches the tensile strength, or exceeds cohesion and friction.
 
         t_n ≥ tension        |t_s| + t_n tan φ ≥ c
 
-    The traction is force over area, of a beam N/A and Q/A; moments do not count. Tension positive, so that pressure
-    (t_n < 0) strengthens. Where tension > c / tan φ, the cohesion alone limits the traction.
+    The traction is force over area, for a beam N/A and Q/A; moments do not count. Tension is positive, so that
+    compression (t_n < 0) strengthens. If tension > c / tan φ, the cohesion alone limits the traction.
 
-    With a fracture energy beams soften from there on (`bondem.laws.beam_softening`), and have taken up G_f for their
-    section when they are torn, G_II when they are sheared; G_II is finite and ψ = 0 for them. In bodies of cells the
-    criterion is then that of the material: facets crack where the largest principal
-    stress reaches the tensile strength, as of `bd.Rankine`, and cells yield where
+    With a fracture energy beams soften from there on (`bondem.laws.beam_softening`). They absorb G_f times their
+    section in tension and G_II times it in shear; G_II is finite and ψ = 0 for them. In bodies of cells the criterion
+    is then that of the material. Facets crack where the largest principal stress reaches the tensile strength, as for
+    `bd.Rankine`, and cells yield where
 
         (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ r c cos φ
 
-    on their mean stress; the cohesion falls (r from 1 to 0) as slip dissipates the fracture energy of shear, and
-    friction stays. Facets of a cell without cohesion break.
-    Between two regions with an entry of their own the criterion is that of a plane, on the traction of the facet: it
-    opens from t_n = tension on and slips from |t_s| + t_n tan φ = c on, with G_f and G_II per facet area.
+    on their mean stress. The cohesion falls (r from 1 to 0) as slip dissipates the fracture energy of shear, while
+    friction remains. Facets of a cell without cohesion break.
 
-    Bonds of `bd.NonLocal` break at once where the mean stress of their two elements reaches it, whatever their own
+    Between two regions with an entry of their own the criterion is that of a plane, on the traction of the facet. The
+    facet opens from t_n = tension on and slips from |t_s| + t_n tan φ = c on, with G_f and G_II per facet area.
+
+    Bonds of `bd.NonLocal` break at once where the mean stress of their two elements reaches the criterion in any
     direction, after Celigueta et al. (2020), eq (9):
 
         σ1 ≥ tension        (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ c cos φ
 
-    Their paper has no tensile strength beside: with tension = c / tan φ, the tip of the cone, it has no effect.
+    Their paper has no separate tensile strength: with tension = c / tan φ, the tip of the cone, it has no effect.
 
     Attributes:
         tension: tensile strength [Pa].
         cohesion: c [Pa].
         friction_angle: φ [rad], in [0, π/2).
         fracture_energy: G_f of tension [J/m²]; None for bonds or facets that break at once, by their traction.
-        fracture_energy_shear: G_II of slip [J/m²], of cells inf for a cohesion that stays; 10 G_f unless given.
+        fracture_energy_shear: G_II of slip [J/m²], for cells inf for a constant cohesion; 10 G_f by default.
         dilatancy: ψ of cells [rad], in [0, φ].
-        curve: how cracks between cells soften; None is a straight line, and beams have no other.
+        curve: softening curve of cracks between cells; None for a straight line, the only one for beams.
 
     Raises:
-        InputError: a strength that is not positive, or an angle outside [0, π/2),
-            a fracture energy that is not positive, or one of shear or a dilatancy without that of tension.
+        InputError: A strength or fracture energy is not positive, or an angle is outside [0, π/2). Or a fracture
+            energy of shear or a dilatancy is given without the fracture energy of tension.
     """
 
     kind: ClassVar[int] = 1
@@ -120,6 +121,6 @@ class MohrCoulomb(BondCriterion):
 
 @device
 def mohr_coulomb_index(load, s):
-    """Index and mode of a bond or facet that bears N, Q."""
+    """Return index and mode of a bond or facet under the loads N, Q."""
     along, across = load[0] * s[0], (load[1] + load[0] * s[2]) * s[1]
     return (along, TENSION) if along >= across else (across, SHEAR)

@@ -14,27 +14,27 @@ from bondem.laws.failure.softening import check_energies
 
 @dataclass(frozen=True, kw_only=True)
 class PeripheralStress(BondCriterion):
-    """A beam breaks where its outermost fibre reaches the tensile, or its section the shear strength.
+    """Breakage of a beam whose outermost fibre reaches the tensile strength, or whose section the shear strength.
 
         σ = N / A + β |M| r / I ≥ tension        τ = |Q| / A + |T| r / J ≥ shear
 
-    with A = πr², I = πr⁴/4, J = 2I; M is the larger of the moments at both ends for beams, that at the contact point
-    for parallel and contact bonds. Tension positive. Compression alone breaks nothing.
+    with A = πr², I = πr⁴/4, J = 2I. M is the larger of the moments at both ends for beams, and that at the contact
+    point for parallel and contact bonds. Tension is positive. Compression alone breaks nothing.
 
-    With a fracture energy a bond that reaches its strength softens (`bondem.laws.beam_softening`) and has taken up
-    G_f for its section when it is torn, G_II when it is sheared.
+    With a fracture energy a bond that reaches its strength softens (`bondem.laws.beam_softening`). It absorbs G_f
+    times its section in tension, and G_II times it in shear.
 
     Attributes:
         tension: tensile strength [Pa].
         shear: shear strength [Pa].
-        beta: how much of the bending moment counts, β [-] in [0, 1].
-        fracture_energy: G_f of opening [J/m²]; None for bonds that break at once.
-        fracture_energy_shear: G_II of slip and twist [J/m²]; 10 G_f unless given.
+        beta: share of the bending moment that counts, β [-] in [0, 1].
+        fracture_energy: G_f of opening [J/m²]; None for brittle bonds.
+        fracture_energy_shear: G_II of slip and twist [J/m²]; 10 G_f by default.
 
     Reference: Potyondy and Cundall (2004) eq. (19); β is the moment-contribution factor of Potyondy (2011).
 
     Raises:
-        InputError: a strength or energy that is not positive, β outside [0, 1], or the energy of shear alone.
+        InputError: A strength or energy is not positive, β is outside [0, 1], or only the energy of shear is given.
     """
 
     kind: ClassVar[int] = 0
@@ -77,7 +77,7 @@ class PeripheralStress(BondCriterion):
 
 @device
 def peripheral_index(load, s):
-    """Index and mode of a beam that bears N, Q, M, T."""
+    """Return index and mode of a beam under the loads N, Q, M, T."""
     along = load[0] * s[0] + load[2] * s[1]
     across = load[1] * s[2] + load[3] * s[3]
     return (along, TENSION) if along >= across else (across, SHEAR)

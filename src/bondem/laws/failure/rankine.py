@@ -1,4 +1,4 @@
-"""The largest principal stress of the material, whatever the direction of facets."""
+"""The largest principal stress of the material, for facets of any direction."""
 
 from dataclasses import dataclass
 
@@ -10,29 +10,32 @@ from bondem.laws.failure.softening import Softening, check_crack
 
 @dataclass(frozen=True, kw_only=True)
 class Rankine(Criterion):
-    """Facets of cells crack in tension where the largest principal stress reaches the strength.
+    """Cracking of facets of cells in tension, where the largest principal stress reaches the strength.
 
         σ1(σ*) ≥ tension,     σ* = σ̄ + Δ⊗n + n⊗Δ - (Δ·n) n⊗n,     Δ = t - σ̄ n
 
-    with σ̄ the mean stress of the two cells and t the traction of the facet: σ* is the mean tensor made to agree with
-    that traction. A facet that is pressed cracks where its traction alone has such a principal stress, too:
-    t_s² ≥ tension (tension - t_n). From then on the facet softens by what it bears along the three present principal
-    directions e_a of that stress: t·e_a follows a straight line from f_t |n·e_a| to the opening 2 G_f / f_t, or the
-    two lines of a `bd.Bilinear`, as concrete. A crack so dissipates G_f per area of the crack whatever way its facets
-    zigzag, and a load in another direction finds the strength of that direction (`bondem.laws.softening`). Without a
-    fracture energy it breaks at once. Between two regions with an entry of their own the traction of the facet alone
-    decides: t_n ≥ tension, and G_f per facet area. Bonds of `bd.NonLocal` break at once where σ1 of the mean stress σ̄
-    itself reaches the strength;
-    the friction of their faces is that of the contact law. No beams.
+    with σ̄ the mean stress of the two cells and t the traction of the facet: σ* is the mean tensor modified to agree
+    with that traction. A facet in compression cracks where its traction alone has such a principal stress, too:
+    t_s² ≥ tension (tension - t_n).
+
+    From then on the facet softens by its traction along the three present principal directions e_a of that stress.
+    t·e_a follows a straight line from f_t |n·e_a| to the opening 2 G_f / f_t. With a `bd.Bilinear` it follows two
+    lines, as for concrete. A crack therefore dissipates G_f per area of the crack however its facets zigzag. A load
+    in another direction finds the strength of that direction (`bondem.laws.softening`). Without a fracture energy the
+    facet breaks at once.
+
+    Between two regions with an entry of their own the traction of the facet alone decides: t_n ≥ tension, and G_f per
+    facet area. Bonds of `bd.NonLocal` break at once where σ1 of the mean stress σ̄ itself reaches the strength; the
+    friction of their faces is that of the contact law. The criterion does not apply to beams.
 
     Attributes:
         tension: f_t [Pa].
-        fracture_energy: G_f [J/m²]; None is brittle.
+        fracture_energy: G_f [J/m²]; None for brittle facets.
         friction: μ on the faces of closed cracks [-].
-        curve: how cracks soften; None is a straight line.
+        curve: softening curve of cracks; None for a straight line.
 
     Raises:
-        InputError: a strength or energy that is not positive, or a negative friction.
+        InputError: A strength or energy is not positive, or the friction is negative.
     """
 
     tension: float

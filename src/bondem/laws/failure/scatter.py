@@ -1,7 +1,7 @@
-"""Strengths that differ from bond to bond, by a counter: the number of a bond, not a stream, decides what it gets.
+"""Scatter of strengths from bond to bond, by a counter: the number of a bond determines its random number.
 
-So the strength of a bond depends on neither threads nor the order in which anything is computed. Strengths that are
-correlated depend on the place of a bond, not on its number (`bondem.laws.failure.correlated`).
+The strength of a bond therefore depends on neither threads nor the order of computation. Correlated strengths depend
+on the place of a bond, not on its number (`bondem.laws.failure.correlated`).
 """
 
 import math
@@ -24,21 +24,21 @@ _EDGE = 2.0**-54
 class Weibull:
     """Strengths of a weakest link: s = s₀ (V / V₀)^(-1/m) (-ln u)^(1/m), u uniform in (0, 1).
 
-    s₀ is the parameter of the criterion: what a bond of volume V₀ survives with probability 1/e. The mean strength of
-    such bonds is Γ(1 + 1/m) s₀. All strengths of a bond share one factor. Reference: Weibull (1939).
+    s₀ is the parameter of the criterion, the strength that a bond of volume V₀ exceeds with probability 1/e. The mean
+    strength of such bonds is Γ(1 + 1/m) s₀. All strengths of a bond share one factor. Reference: Weibull (1939).
 
-    With a correlation length l, u = Φ(z) of a normal field z of covariance exp(-(r/l)²) between bonds r apart, and V
-    is the volume of the bond or that of the field's correlation, ∫ exp(-(r/l)²) dV = π^(3/2) l³, whichever is larger.
-    A patch of that volume has one strength however finely it is divided; many of them are a weakest link again.
+    With a correlation length l, u = Φ(z) for a normal field z of covariance exp(-(r/l)²) between bonds r apart. V is
+    then the larger of the volume of the bond and that of the field's correlation, ∫ exp(-(r/l)²) dV = π^(3/2) l³. A
+    patch of that volume has one strength however finely it is divided; many patches are a weakest link again.
 
     Attributes:
-        modulus: m [-]; the larger, the less scatter.
+        modulus: m [-]; a larger value gives less scatter.
         volume: V₀ [m³].
-        seed: of the random numbers.
-        correlation: l [m]; None for strengths that know nothing of each other.
+        seed: seed of the random numbers.
+        correlation: l [m]; None for independent strengths.
 
     Raises:
-        InputError: a modulus, volume or correlation that is not positive, or a seed that is no whole number.
+        InputError: A modulus, volume or correlation is not positive, or the seed is not a whole number.
     """
 
     modulus: float
@@ -55,7 +55,7 @@ class Weibull:
     def factors(
         self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None
     ) -> PerBond:
-        """Strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
+        """Return the strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
         u = _uniform(self.seed, len(volume), self.correlation, place, period)
         if self.correlation is not None:
             volume = np.maximum(volume, math.pi**1.5 * self.correlation**3)
@@ -64,18 +64,18 @@ class Weibull:
 
 @dataclass(frozen=True, kw_only=True)
 class Normal:
-    """Strengths s = s₀ (1 + c z) with z normal, within ±3: c is their standard deviation over their mean.
+    """Normally distributed strengths s = s₀ (1 + c z), with z normal within ±3 and c their relative deviation.
 
-    All strengths of a bond share one factor.
+    c is the standard deviation over the mean. All strengths of a bond share one factor.
 
     Attributes:
         deviation: c [-], below a third.
-        seed: of the random numbers.
-        correlation: l [m]: the normal field that strengths are made of has the covariance exp(-(r/l)²) between bonds
-            r apart; None for strengths that know nothing of each other.
+        seed: seed of the random numbers.
+        correlation: l [m] of the normal field of strengths, whose covariance is exp(-(r/l)²) between bonds
+            r apart; None for independent strengths.
 
     Raises:
-        InputError: a deviation outside [0, 1/3), a seed that is no whole number, or a correlation that is not
+        InputError: The deviation is outside [0, 1/3), the seed is not a whole number, or the correlation is not
             positive.
     """
 
@@ -91,7 +91,7 @@ class Normal:
     def factors(
         self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None
     ) -> PerBond:
-        """Strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
+        """Return the strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
         low = 0.5 * math.erfc(3.0 / math.sqrt(2.0))
         u = low + (1.0 - 2.0 * low) * _uniform(self.seed, len(volume), self.correlation, place, period)
         return np.asarray(1.0 + self.deviation * ndtri(u))
@@ -105,7 +105,7 @@ def _check_length(owner: str, correlation: float | None) -> None:
 def _uniform(
     seed: int, many: int, correlation: float | None, place: PerBond3 | None, period: Floats | None
 ) -> PerBond:
-    """Uniform numbers in (0, 1), of bonds by their number or by their place."""
+    """Return uniform numbers in (0, 1) for bonds, by their number or by their place."""
     if correlation is None:
         return uniform_by_counter(seed, many)
     if place is None:

@@ -1,4 +1,4 @@
-"""What the failure of a body of cells is made of: cracks of facets, and cells that yield."""
+"""Failure of bodies of cells: cracks of facets, and cells that yield."""
 
 import math
 from collections.abc import Callable
@@ -28,15 +28,15 @@ TRIED = (
 
 @dataclass(frozen=True, kw_only=True)
 class Slip:
-    """How cells yield in shear (`bondem.laws.plasticity`): by Mohr–Coulomb, or on Drucker–Prager's cone.
+    """Yielding of cells in shear (`bondem.laws.plasticity`), by Mohr–Coulomb or on Drucker–Prager's cone.
 
     Attributes:
-        cone: whether on the cone.
+        cone: True for the cone.
         cohesion: c, or k of the cone [Pa]; it falls with slip.
         strength: c cos φ, or k [Pa].
         slope: sin φ, or α [-].
         dilation: sin ψ, or β [-].
-        fracture_energy: G_II, which slip dissipates until the cohesion is gone [J/m²]; inf where it stays.
+        fracture_energy: G_II, which slip dissipates until the cohesion is zero [J/m²]; inf for a constant cohesion.
     """
 
     cone: bool
@@ -47,9 +47,9 @@ class Slip:
     fracture_energy: float
 
     def compressive(self, pressure: float = 0.0) -> float:
-        """What a continuum bears along one axis under a pressure on its sides [Pa].
+        """Return the strength of a continuum along one axis under a pressure on its sides [Pa].
 
-        (2 c cos φ + p (1 + sin φ)) / (1 - sin φ), or (k + p (1/√3 + 2 α)) / (1/√3 - α).
+        It is (2 c cos φ + p (1 + sin φ)) / (1 - sin φ), or (k + p (1/√3 + 2 α)) / (1/√3 - α).
         """
         if self.cone:
             third = 1.0 / math.sqrt(3.0)
@@ -59,18 +59,18 @@ class Slip:
 
 @dataclass(frozen=True, kw_only=True)
 class StressIndex:
-    """A criterion that is a function of the stress tensor: reached where its index is 1.
+    """A criterion that is a function of the stress tensor, reached where its index is 1.
 
     Attributes:
-        function: of the stress (3, 3) [Pa], tension positive, and of the values; it returns the index.
-        values: its parameters, in order.
+        function: function of the stress (3, 3) [Pa], tension positive, and of the values; it returns the index.
+        values: parameters of the criterion, in order.
     """
 
     function: Callable[..., float]
     values: tuple[float, ...]
 
     def reached(self, direction: Floats) -> float:
-        """How many times a stress reaches the criterion first, to a millionth; inf beyond 10^15 Pa."""
+        """Return the factor at which a stress first reaches the criterion, to a millionth; inf beyond 10^15 Pa."""
         compiled = callback(self.function, len(self.values)).function
         high = 1.0
         while compiled(high * direction, *self.values) < 1.0:
@@ -87,7 +87,7 @@ class StressIndex:
         return high
 
     def nearest(self) -> float:
-        """Smallest size √(σ:σ) of a stress that reaches the criterion, of a few hundred directions [Pa]."""
+        """Return the smallest size √(σ:σ) of a stress that reaches the criterion, of some hundred directions [Pa]."""
         drawn = ndtri(uniform_by_counter(0, 9 * _DIRECTIONS)).reshape(-1, 3, 3)
         found = math.inf
         for matrix in (*TRIED, *(-one for one in TRIED), *(drawn + drawn.transpose(0, 2, 1))):
@@ -97,15 +97,15 @@ class StressIndex:
 
 @dataclass(frozen=True, kw_only=True)
 class Softening:
-    """How facets crack in tension, and cells yield.
+    """Cracking of facets in tension, and yielding of cells.
 
     Attributes:
         tension: f_t, the strength in uniaxial tension [Pa].
-        fracture_energy: G_f of tension [J/m²]; 0 where facets break at once.
-        friction: μ on the faces of cracks that have closed [-].
-        slip: how cells yield, or None where they do not.
-        surface: when facets begin to crack; None where the largest principal stress reaches `tension`.
-        curve: how a crack softens in its opening; None for a straight line.
+        fracture_energy: G_f of tension [J/m²]; 0 for brittle facets.
+        friction: μ on the faces of closed cracks [-].
+        slip: yielding of cells, or None for cells that do not yield.
+        surface: criterion of crack initiation; None if that is the largest principal stress at `tension`.
+        curve: softening curve over the opening; None for a straight line.
     """
 
     tension: float
@@ -117,30 +117,30 @@ class Softening:
 
     @property
     def kink(self) -> float:
-        """Stress over `tension` at which the curve has a kink [-], 0 where it is straight."""
+        """Stress over `tension` at the kink of the curve [-], 0 for a straight line."""
         return 0.0 if self.curve is None else self.curve.stress
 
     @property
     def steep(self) -> float:
-        """Opening where the first line of the curve would reach nothing, over the last opening [-]."""
+        """Opening where the first line of the curve would reach zero, over the last opening [-]."""
         return 1.0 if self.curve is None else self.curve.steep
 
     @property
     def last(self) -> float:
-        """Opening of a crack at which it bears nothing, over G_f / f_t [-]."""
+        """Opening of a crack at zero stress, over G_f / f_t [-]."""
         return 2.0 if self.curve is None else self.curve.last
 
 
 def check_crack(owner: str, fracture_energy: float | None, friction: float, curve: Bilinear | None = None) -> None:
-    """Refuse what no crack has: G_f [J/m²], μ [-] and how it softens, of a criterion of the name `owner`.
+    """Check G_f [J/m²], μ [-] and the softening curve of cracks, for a criterion of the name `owner`.
 
     Raises:
-        InputError: an energy that is not positive, a negative friction, or a curve without an energy.
+        InputError: The energy is not positive, the friction is negative, or a curve is given without an energy.
     """
     if curve is not None:
         instance(owner, "curve", curve, Bilinear, "bd.Bilinear(), or None for a straight line")
         if fracture_energy is None:
-            raise InputError(f"{owner}: curve is of facets that soften; give fracture_energy too")
+            raise InputError(f"{owner}: curve applies to facets that soften; give fracture_energy too")
     if fracture_energy is not None:
         advice = "a positive energy in J/m², or None for brittle facets"
         number(owner, "fracture_energy", fracture_energy, unit="J/m²", above=0.0, advice=advice)
@@ -148,30 +148,30 @@ def check_crack(owner: str, fracture_energy: float | None, friction: float, curv
 
 
 def check_energies(owner: str, fracture_energy: float | None, shear: float | None) -> None:
-    """The same of beams that soften: G_f and G_II [J/m²] of a criterion of the name `owner`.
+    """Check G_f and G_II [J/m²] of softening beams, for a criterion of the name `owner`.
 
     Raises:
-        InputError: an energy that is not positive, or that of shear without that of tension.
+        InputError: An energy is not positive, or that of shear is given without that of tension.
     """
     if fracture_energy is not None:
         advice = "a positive energy in J/m², or None for bonds that break at once"
         number(owner, "fracture_energy", fracture_energy, unit="J/m²", above=0.0, advice=advice)
     if shear is not None:
         if fracture_energy is None:
-            raise InputError(f"{owner}: fracture_energy_shear is of bonds that soften; give fracture_energy too")
+            raise InputError(f"{owner}: fracture_energy_shear applies to bonds that soften; give fracture_energy too")
         advice = "a positive energy in J/m², or None for 10 G_f"
         number(owner, "fracture_energy_shear", shear, unit="J/m²", above=0.0, advice=advice)
 
 
 def check_slip(owner: str, fracture_energy: float | None, shear: float | None, dilatancy: float) -> None:
-    """The same of cells that yield: G_II [J/m²], inf for a cohesion that stays, and the dilatancy [rad, or -].
+    """Check G_II [J/m²], inf for a constant cohesion, and the dilatancy [rad, or -] of yielding cells.
 
     Raises:
-        InputError: an energy that is not positive, or either without a fracture energy of tension.
+        InputError: An energy is not positive, or either is given without a fracture energy of tension.
     """
     if fracture_energy is None and (shear is not None or dilatancy != 0.0):
         raise InputError(
-            f"{owner}: fracture_energy_shear and dilatancy are of cells that yield; give fracture_energy too"
+            f"{owner}: fracture_energy_shear and dilatancy apply to cells that yield; give fracture_energy too"
         )
     if shear is not None and not (isinstance(shear, float) and shear == math.inf):
         number(owner, "fracture_energy_shear", shear, unit="J/m²", above=0.0, advice="a positive energy in J/m²")

@@ -1,4 +1,4 @@
-"""A criterion of the user's own: any function of the stress tensor."""
+"""User-defined criteria: any function of the stress tensor."""
 
 import inspect
 import math
@@ -24,35 +24,37 @@ _SIZES = (1.0, 1e3, 1e6, 1e9)
 
 @dataclass(frozen=True, init=False)
 class StressCriterion(Criterion):
-    """Facets of cells crack where a function of the stress reaches 1.
+    """Cracking of facets of cells where a function of the stress reaches 1.
 
-        function(σ*, **parameters) ≥ 1     σ* of `bd.Rankine`, where the facet is pulled
+        function(σ*, **parameters) ≥ 1     σ* of `bd.Rankine`, for facets in tension
 
         def largest(stress, tension):
             return np.linalg.eigvalsh(stress)[2] / tension
 
         failure = bd.StressCriterion(largest, tension=4e6, fracture_energy=50.0)
 
-    The stress is a symmetric matrix (3, 3) [Pa], in space, tension positive, as of `bd.cell_stress`. Numba compiles
-    the function, alone: it can be made of what Numba knows of Python and NumPy. Strengths that scatter divide the
-    stress. A crack softens to the opening 2 G_f / f_t, as of `bd.Rankine`, with f_t the least uniaxial tension along
-    x, y or z at which the function reaches 1; without a fracture energy it breaks at once. The facets of a cell
-    without cracks are looked at where the function reaches 1 at twice its stress, or at twice that with a tension
-    from all sides of a fifth of its size; so an index must not fall below 1 again along a stress that grows. Bodies
-    of cells only.
+    The stress is a symmetric matrix (3, 3) [Pa], in global axes, tension positive, as in `bd.cell_stress`. Numba
+    compiles the function by itself, so it may use only features of Python and NumPy that Numba supports. Strengths
+    that scatter divide the stress. A crack softens up to the opening 2 G_f / f_t, as for `bd.Rankine`. Here f_t is
+    the least uniaxial tension along x, y or z at which the function reaches 1. Without a fracture energy a facet
+    breaks at once.
+
+    Facets of a cell without cracks are evaluated only in two cases. The function reaches 1 at twice the stress of the
+    cell, or at twice that stress with a tension from all sides of a fifth of its size. An index must therefore not
+    fall below 1 again along a growing stress. For bodies of cells only.
 
     Args:
-        function: of the stress and the parameters; it returns the index [-]. What is no number breaks a facet.
-        fracture_energy: G_f [J/m²]; None is brittle.
+        function: function of the stress and the parameters that returns the index [-]. NaN breaks a facet.
+        fracture_energy: G_f [J/m²]; None for brittle facets.
         friction: μ on the faces of closed cracks [-].
-        curve: how cracks soften; None is a straight line.
-        scatter: how strengths differ from facet to facet.
+        curve: softening curve of cracks; None for a straight line.
+        scatter: scatter of strengths from facet to facet.
         **parameters: numbers, by the names of the function's arguments.
 
     Raises:
-        InputError: a function that cannot be compiled, or that gives no finite number at one of the stresses at which
-            it is tried, 1 or more without stress, or less in any tension; parameters that are not its own or no
-            numbers.
+        InputError: The function cannot be compiled, or returns a value that is not finite at one of the stresses at
+            which it is tried. Or it is 1 or more without stress, or stays below 1 in uniaxial tension. Or a parameter
+            is not one of its arguments, or is not a number.
     """
 
     function: Callable[..., Any]
@@ -91,7 +93,7 @@ class StressCriterion(Criterion):
 
     @property
     def name(self) -> str:
-        """Of the function."""
+        """Name of the function."""
         return str(getattr(self.function, "__qualname__", "the function"))
 
     @property
@@ -113,7 +115,7 @@ class StressCriterion(Criterion):
         except Exception as error:  # whatever Numba says
             raise InputError(
                 f"{_NAME}: {self.name} cannot be compiled ({_reason(error)}); give a function of a matrix (3, 3) and"
-                " numbers that returns a number, in what Numba knows of Python"
+                " numbers that returns a number, in Python that Numba supports"
             ) from None
 
         def index(stress: np.ndarray) -> float:
@@ -141,7 +143,7 @@ class StressCriterion(Criterion):
 
 
 def _own_parameters(function: object, given: Mapping[str, object]) -> dict[str, float]:
-    """Parameters in the order of the function's arguments, with its defaults."""
+    """Return parameters in the order of the function's arguments, with its defaults."""
     plain = getattr(function, "py_func", function)
     wanted = "a function of a stress (3, 3) and numbers that returns an index"
     if not isinstance(plain, FunctionType):
@@ -149,7 +151,7 @@ def _own_parameters(function: object, given: Mapping[str, object]) -> dict[str, 
     arguments = list(inspect.signature(plain).parameters.values())
     if not arguments or any(one.kind is not inspect.Parameter.POSITIONAL_OR_KEYWORD for one in arguments):
         raise InputError(
-            f"{_NAME}: {plain.__qualname__}{inspect.signature(plain)} has other than plain arguments; give {wanted}"
+            f"{_NAME}: {plain.__qualname__}{inspect.signature(plain)} has arguments that are not plain; give {wanted}"
         )
     names = [one.name for one in arguments[1:]]
     for name in given:
@@ -171,7 +173,7 @@ def _listed(stress: np.ndarray) -> str:
 
 
 def _reason(error: Exception) -> str:
-    """The line of an error that says most."""
+    """Return the most informative line of an error."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     told = "Failed in", "-", "During", "File", "This error", "For"
     telling = [line for line in lines if not line.startswith(told)]

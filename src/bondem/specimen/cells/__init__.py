@@ -1,1 +1,1 @@
-"""The shape cut into one cell an element: facets, volumes, what of the surface belongs to which cell."""
+"""The shape cut into one cell per element: facets, volumes, and the part of the surface of each cell."""

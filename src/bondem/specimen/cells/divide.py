@@ -1,4 +1,4 @@
-"""Pieces divided anew among elements: those that a wall keeps from the centre of their cell."""
+"""Division among elements of pieces that a wall separates from the centre of their cell."""
 
 from typing import NamedTuple
 
@@ -37,11 +37,11 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
     """Divide solids among elements, each point to the one with the least power x² - R².
 
     Args:
-        solids: k of them.
+        solids: k solids.
         sphere: centres and radii of all elements [m], shape (n, 4).
-        near: the elements that solid s is divided among are near[start[s]] … near[start[s + 1] - 1].
-        start: where these begin, shape (k + 1,).
-        tolerance: planes that reach in less do not divide [m].
+        near: elements that solid s is divided among, near[start[s]] … near[start[s + 1] - 1].
+        start: start of these, shape (k + 1,).
+        tolerance: depth of a plane in a solid below which it does not divide the solid [m].
 
     Returns:
         The parts, and the element that each belongs to; the planes between them are splits of the cells.

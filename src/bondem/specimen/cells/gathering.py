@@ -1,4 +1,4 @@
-"""From polygons to tables: those of one pair of elements, or of one wall of a cell, become one facet."""
+"""Conversion of polygons to tables: the polygons of a pair of elements, or of a wall of a cell, become one facet."""
 
 from dataclasses import dataclass
 
@@ -17,13 +17,13 @@ _INSIDE = 0.1
 
 @dataclass(frozen=True, eq=False)
 class Polygons:
-    """Flat polygons of element `a`; on the other side element `b`, or -1 on a wall.
+    """Flat polygons of element `a`; on the other side is element `b`, or -1 on a wall.
 
     Attributes:
         a, b: elements, shape (p,).
-        area: [m²], shape (p,).
-        normal: away from a [-], shape (p, 3).
-        centroid: in the image next to a [m], shape (p, 3).
+        area: areas [m²], shape (p,).
+        normal: normals away from a [-], shape (p, 3).
+        centroid: centroids in the image next to a [m], shape (p, 3).
         moment: second moments about it [m⁴], shape (p, 3, 3).
     """
 
@@ -35,11 +35,11 @@ class Polygons:
     moment: Floats
 
     def chosen(self, rows: np.ndarray) -> "Polygons":
-        """Some of them."""
+        """Return some of the polygons."""
         return Polygons(*(values[rows] for values in vars(self).values()))
 
     def facing(self) -> "Polygons":
-        """The same with a < b."""
+        """Return the polygons with a < b."""
         turn = self.a > self.b
         return Polygons(
             np.minimum(self.a, self.b), np.maximum(self.a, self.b), self.area,
@@ -48,12 +48,12 @@ class Polygons:
 
 
 def together(parts: list[Polygons]) -> Polygons:
-    """All of several lists."""
+    """Return the polygons of several lists in one."""
     return Polygons(*(np.concatenate(column) for column in zip(*(vars(p).values() for p in parts), strict=True)))
 
 
 def _merged(polygons: Polygons, key: Ints) -> Polygons:
-    """One polygon for each run of equal keys, (p,), of sorted polygons, those of a run lying in one plane."""
+    """Merge each run of equal keys, (p,), of sorted polygons into one polygon; those of a run lie in one plane."""
     start = np.flatnonzero(np.diff(key, prepend=key[:1] - 1))
     if len(start) == len(key):
         return polygons
@@ -70,7 +70,7 @@ def _merged(polygons: Polygons, key: Ints) -> Polygons:
 
 
 def facets(particles: Particles, polygons: Polygons) -> tuple[Pairs, Facets]:
-    """The polygons between elements as facets, one a pair."""
+    """Convert the polygons between elements to facets, one per pair."""
     order = np.lexsort((polygons.b, polygons.a))
     polygons = polygons.chosen(order)
     one = _merged(polygons, polygons.a * len(particles) + polygons.b)
@@ -85,13 +85,13 @@ def facets(particles: Particles, polygons: Polygons) -> tuple[Pairs, Facets]:
 
 
 def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Polygons) -> FreeFacets:
-    """The polygons on walls as free facets, one for each plane of each cell.
+    """Convert the polygons on walls to free facets, one for each plane of each cell.
 
     Args:
-        shape: names the faces.
+        shape: shape that names the faces.
         position: centres [m], shape (n, 3).
         width: usual width of a cell [m].
-        polygons: those with nothing on the other side.
+        polygons: polygons without a neighbour.
     """
     depth = ((polygons.centroid - position[polygons.a]) * polygons.normal).sum(axis=1)
     plane = np.rint(np.column_stack([polygons.normal, depth / width]) / _ALIKE).astype(np.int64)
@@ -105,9 +105,9 @@ def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Pol
 
 
 def _faces(shape: Shape, centroid: Floats, normal: Floats, inside: float) -> Ints:
-    """Numbers of the faces that points on walls lie on: near to them, and their depth grows away from the wall.
+    """Return the faces that points on walls lie on: near to them, with a depth that grows away from the wall.
 
-    Walls of a notch or of a re-entrant corner may belong to no face of the shape: theirs is -1.
+    Walls of a notch or of a re-entrant corner may belong to no face of the shape: they have -1.
     """
     # across a wall the depth of another face does not grow: that misses by `inside` at least
     least, number = np.full(len(centroid), 0.9 * inside), np.full(len(centroid), -1)

@@ -1,7 +1,7 @@
-"""Where pieces of cells meet: faces in one plane laid over each other.
+"""Interfaces between pieces of cells: faces in one plane, laid over each other.
 
-Two pieces that face each other across a plane share what their faces have in common; what no other piece covers is
-free. Both are patches, convex polygons again.
+Two pieces that face each other across a plane share the common part of their faces; a part that no other piece covers
+is free. Both are patches, again convex polygons.
 """
 
 from typing import NamedTuple
@@ -33,19 +33,19 @@ _match_faces = Pass("match_faces", Solids, FaceGroups, Pile, Pile, Pile)
 
 
 class Patches(NamedTuple):
-    """Convex polygons, each a face of a piece or part of one, sorted by nothing.
+    """Convex polygons, each a face of a piece or part of one, in no order.
 
     Attributes:
-        piece: whose face it is of, shape (p,).
-        other: the piece on the other side, or -1, shape (p,).
-        element: the element whose whole cell is on the other side, or -1, shape (p,).
-        normal: away from `piece` [-], shape (p, 3).
+        piece: piece of each face, shape (p,).
+        other: piece on the other side, or -1, shape (p,).
+        element: element whose whole cell is on the other side, or -1, shape (p,).
+        normal: normals away from `piece` [-], shape (p, 3).
         corner: corners of polygon q are corner[q] … corner[q + 1] - 1, shape (p + 1,).
         vertex: corners [m], shape (v, 3).
-        area: [m²], shape (p,).
-        centroid: [m], shape (p, 3).
+        area: areas [m²], shape (p,).
+        centroid: centroids [m], shape (p, 3).
         moment: second moments about it [m⁴], shape (p, 3, 3).
-        expected: elements whose cells should lie behind patches with nothing behind them: a wall lies there, or those
+        expected: elements whose cells should lie behind patches without a neighbour: a wall lies there, or those
             cells ended too early.
     """
 
@@ -97,12 +97,12 @@ def _grouped(
 
 
 def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:
-    """Where pieces of cells meet each other, whole cells, or nothing.
+    """Find the patches where pieces of cells meet each other, whole cells, or nothing.
 
     Args:
-        pieces: those inside the shape, of all cells that walls cut.
+        pieces: pieces inside the shape, of all cells cut by walls.
         position: centres of all elements [m], shape (n, 3).
-        tolerance: patches of less area are left out [m²].
+        tolerance: area below which patches are left out [m²].
     """
     of_face = pieces.of_face
     cell, tag = pieces.cell[of_face], pieces.tag

@@ -1,10 +1,10 @@
 """Plain Laguerre cells: the points nearer to one sphere than to all others, in the power x² - R².
 
 A cell begins as a box and is cut by the radical plane of one neighbour after another, in the order of their distance.
-Every face is a polygon of its own, cut by planes, without any record of what meets where: nothing can go wrong in
-degenerate cases, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour
-at distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. Where small spheres are far from
-large ones it ends before: no radius is above B + κ L, with B a bound about each element.
+Every face is a polygon of its own, cut by planes, without any record of connections. Degenerate cases are therefore
+harmless, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour at
+distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. It ends earlier where small spheres are
+far from large ones: no radius is above B + κ L, with B a bound around each element.
 """
 
 import math
@@ -31,18 +31,18 @@ _SHALLOW, _ROUNDING = 1e-12, 4e-15
 
 
 class Bins(NamedTuple):
-    """Centres sorted into boxes, to find neighbours.
+    """Centres sorted into boxes, for the search of neighbours.
 
     Attributes:
         position: centres [m], shape (n, 3).
         radius: radii [m], shape (n,).
         lower, upper: the box around all cells [m], (3,).
         period: edge lengths of the periodic cell, or 0 [m], (3,).
-        boxes: boxes along each axis, (3,).
-        start: where the members of each box begin, (boxes + 1,).
+        boxes: number of boxes along each axis, (3,).
+        start: start of the members of each box, (boxes + 1,).
         member: elements, box by box, (n,).
         bound: B of each element: no sphere at distance L has a radius above B + κ L [m], (n,).
-        first: distance to which neighbours are looked for at first, less in crowded boxes [m], (n,).
+        first: initial search distance of neighbours, less in crowded boxes [m], (n,).
         reach: usual distance of the farthest neighbour [m].
         tolerance: depth to which planes do not cut [m].
     """
@@ -62,10 +62,10 @@ class Bins(NamedTuple):
 
 
 def usual_reach(particles: Particles) -> float:
-    """Distance within which most elements have all their neighbours [m], about twice that of two of these.
+    """Return the distance within which most elements have all their neighbours [m], about twice that of two of these.
 
     Raises:
-        InputError: coincident centres.
+        InputError: Centres coincide.
     """
     x, n = particles.position, len(particles)
     tree = KDTree(x, boxsize=particles.period)
@@ -77,7 +77,7 @@ def usual_reach(particles: Particles) -> float:
     pair = tree.query_pairs(1e-9 * reach, output_type="ndarray")
     if reach <= 0.0 or len(pair):
         name = f"elements {pair[0, 0]} and {pair[0, 1]}" if len(pair) else "elements"
-        raise InputError(f"centres of {name} coincide, so that no plane parts their cells; remove one of them")
+        raise InputError(f"centres of {name} coincide, so that no plane separates their cells; remove one of them")
     return reach
 
 
@@ -105,7 +105,7 @@ def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bi
 
 
 def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
-    """B of elements in boxes of some widths: the largest radius of near boxes, and less of farther ones, (n,)."""
+    """Return B of elements in boxes of some widths: the largest radius of near boxes, and less of far ones, (n,)."""
     most = np.zeros(int(count.prod()))
     np.maximum.at(most, box, radius)
     most = most.reshape(tuple(count))
@@ -123,7 +123,7 @@ def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
 
 
 class CellRequest(NamedTuple):
-    """Which cells are wanted, and lists in which their neighbours are sorted."""
+    """The required cells, and lists in which their neighbours are sorted."""
 
     chosen: Ints  #: elements, (k,)
     half: Floats  #: half the widths of the boxes that their cells begin as [m], (k,)
@@ -135,11 +135,11 @@ class CellRequest(NamedTuple):
 
     @classmethod
     def of(cls, chosen: Ints, half: Floats) -> "CellRequest":
-        """The beginning of a request."""
+        """Return a request of which no cell is made yet."""
         return cls(chosen, half, *_lists(256), np.zeros(len(chosen) + 1, np.int64), np.zeros(2, np.int64))
 
     def roomier(self) -> "CellRequest":
-        """The same with longer lists."""
+        """Return the request with longer lists."""
         return CellRequest(*self[:2], *_lists(2 * len(self.found)), *self[5:])
 
 
@@ -148,7 +148,7 @@ def _lists(room: int) -> tuple[Ints, Floats, Ints]:
 
 
 class CellRoom(NamedTuple):
-    """A cell in the making: face f has size[f] corners, from row f · MOST_CORNERS on."""
+    """A cell under construction: face f has size[f] corners, from row f · MOST_CORNERS on."""
 
     plane: Floats  #: (faces, 4)
     tag: Ints  #: (faces,)
@@ -171,15 +171,15 @@ _make_cells = Pass("make_cells", Bins, CellRequest, CellRoom, Pile)
 
 
 def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
-    """Laguerre cells of some elements, within boxes about their centres and the box around all.
+    """Compute Laguerre cells of some elements, within boxes around their centres and the box around all.
 
     Args:
         centres: all elements.
-        chosen: which cells, (k,).
-        half: half the widths of their boxes [m], (k,); what is left of these has the tag LOCAL.
+        chosen: elements of the cells, (k,).
+        half: half the widths of their boxes [m], (k,); remaining sides of these have the tag LOCAL.
 
     Raises:
-        InputError: a cell of no volume, or one that reaches half a period.
+        InputError: A cell has no volume, or reaches half a period.
     """
     request, room = CellRequest.of(chosen, half), CellRoom.empty()
     pile = new_pile(20 * len(chosen) + 20, 100 * len(chosen) + 100)
@@ -191,7 +191,7 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
     where = request.done[1]
     if ended == "swallowed":
         raise InputError(
-            f"nothing is left of the cell of element {where}: larger spheres swallow it; remove it, or make radii"
+            f"the cell of element {where} has no volume: larger spheres enclose it; remove it, or make radii"
             " more alike"
         )
     if ended == "narrow":

@@ -1,8 +1,8 @@
-"""Which element each piece of the cut cells belongs to.
+"""Ownership of the pieces of cut cells by elements.
 
-A wall may part a cell: a slot thinner than the cell, the other side of a notch. What hangs together with the centre
-is the cell. The rest is divided anew, by the same rule, among the elements whose cells it hangs together with: so no
-facet reaches through a slot, and every facet lies in the radical plane of its two elements.
+A wall may divide a cell, for example a slot thinner than the cell, or a notch. The part connected to the centre is
+the cell. The rest is divided again, by the same rule, among the elements to whose cells it is connected. So no facet
+reaches through a slot, and every facet lies in the radical plane of its two elements.
 """
 
 from dataclasses import dataclass
@@ -25,13 +25,13 @@ _ROUNDS = 100
 
 @dataclass(frozen=True, eq=False)
 class Owned:
-    """Pieces, and whose they are.
+    """Pieces and their owners.
 
     Attributes:
-        pieces: p of them.
-        measures: their volumes and moments.
-        found: where they meet.
-        owner: the element that each belongs to, shape (p,).
+        pieces: p pieces.
+        measures: volumes and moments of the pieces.
+        found: patches where they meet.
+        owner: element that each piece belongs to, shape (p,).
     """
 
     pieces: Solids
@@ -41,18 +41,18 @@ class Owned:
 
 
 def owned(pieces: Solids, measures: Bulk, found: Patches, sphere: Floats, width: float, sliver: float) -> Owned:
-    """Give every piece to an element; those without are divided first.
+    """Assign every piece to an element; pieces without an owner are divided first.
 
     Args:
-        pieces: of cut cells, inside the shape.
+        pieces: pieces of cut cells, inside the shape.
         measures: volumes of the pieces.
-        found: where they meet.
+        found: patches where they meet.
         sphere: centres and radii [m], shape (n, 4).
         width: usual width of a cell [m].
-        sliver: patches of less area are left out [m²].
+        sliver: area below which patches are left out [m²].
 
     Raises:
-        InputError: a part of the shape hangs together with no element.
+        InputError: A part of the shape is connected to no element.
     """
     owner = np.where(_with_centre(pieces.cell, measures, found), pieces.cell, -1)
     for _ in range(_ROUNDS):
@@ -73,7 +73,7 @@ def owned(pieces: Solids, measures: Bulk, found: Patches, sphere: Floats, width:
 
 
 def _with_centre(cell: Ints, measures: Bulk, found: Patches) -> Mask:
-    """Whether pieces hang together with the one that holds, or is nearest to, the centre of their cell, (p,)."""
+    """Return a mask of the pieces connected to the piece that holds, or is nearest to, their cell's centre, (p,)."""
     a, b = found.piece, found.other
     same = (b >= 0) & (cell[a] == cell[b])
     part = _parts(a[same], b[same], len(cell))
@@ -89,7 +89,7 @@ def _parts(a: Ints, b: Ints, count: int) -> Ints:
 
 
 def _claims(owner: Ints, found: Patches) -> tuple[Ints, Ints, Ints]:
-    """Pieces without owner that hang together, whatever cells they are of, with some elements, and these.
+    """Find connected sets of pieces without owner, of any cells, and the elements that they are connected to.
 
     Returns:
         Pieces, shape (k,), the elements of all of them, and where those of each begin, shape (k + 1,).
@@ -118,6 +118,6 @@ def _refuse_lost(pieces: Solids, measures: Bulk, lost: Ints, position: PerElemen
         worst = lost[np.argmax(measures.volume[lost])]
         middle = position[pieces.cell[worst]] + measures.middle[worst]
         raise InputError(
-            f"{volume:.3g} m³ of the shape, at {tuple(map(float, middle.round(9)))} m, hang together with no element;"
-            " put elements there, or cut it off"
+            f"{volume:.3g} m³ of the shape, near {tuple(map(float, middle.round(9)))} m, contain no element;"
+            " add elements there, or remove that part"
         )

@@ -1,4 +1,4 @@
-"""Piles of polygons, in which the passes that cut cells write one polygon after another."""
+"""Growing lists of polygons, to which the passes that cut cells append."""
 
 from typing import NamedTuple
 
@@ -14,9 +14,9 @@ MOST_CORNERS = 512
 
 
 class Pile(NamedTuple):
-    """Polygons one after another, with room for more; `core/tables/tessellation_tables.hpp` declares it.
+    """A list of polygons with room for more; `core/tables/tessellation_tables.hpp` declares it.
 
-    A pass that finds it full ends, and goes on where it was when there is more room.
+    A pass that finds it full ends, and continues from there when there is more room.
     """
 
     what: Ints  #: kind, tag, first corner, number of corners, shape (p, 4)

@@ -1,4 +1,4 @@
-"""The cells as polyhedra, for pictures and files."""
+"""Cells as polyhedra, for pictures and files."""
 
 from dataclasses import dataclass
 
@@ -15,12 +15,12 @@ from bondem.specimen.particles import freeze
 
 @dataclass(frozen=True, eq=False)
 class Polyhedra:
-    """The outer polygons of all cells, sorted by cell; between two cells there is one of each, on the same spot.
+    """Boundary polygons of all cells, sorted by cell. At a facet both cells have one polygon, in the same place.
 
     Attributes:
         vertex: corners, polygon by polygon, counter-clockwise seen from outside [m], shape (v, 3).
         start: corners of polygon q are start[q] … start[q + 1] - 1, shape (p + 1,).
-        cell: whose polygon it is, shape (p,).
+        cell: cell of each polygon, shape (p,).
         neighbour: the cell on the other side, or -1 on a wall, shape (p,).
     """
 
@@ -31,7 +31,9 @@ class Polyhedra:
 
 
 def polyhedra(lattice: Lattice) -> Polyhedra:
-    """The polygons around each cell of a body; walls that part a cell, and pieces of it, leave several in one plane.
+    """Compute the boundary polygons of each cell of a body.
+
+    A cell that is divided by walls, or made of pieces, has several polygons in one plane.
 
     Args:
         lattice: a body of cells, from `bd.connect(..., method="laguerre")`.
@@ -40,7 +42,7 @@ def polyhedra(lattice: Lattice) -> Polyhedra:
         Convex polygons. In a periodic cell they lie in the image next to the centre.
 
     Raises:
-        InputError: a lattice without cells.
+        InputError: The lattice has no cells.
     """
     instance("polyhedra", "lattice", lattice, Lattice, 'a body, from bd.connect(..., method="laguerre")')
     if lattice.cells is None:

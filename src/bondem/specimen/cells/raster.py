@@ -1,6 +1,6 @@
-"""Grids that centres of mass lie on, so that levers between them and the facets are whole numbers.
+"""Grids for centres of mass, so that levers between them and the facets are whole numbers.
 
-What a body does at rest depends on differences of lengths that cancel. On a grid they cancel to the last bit, and
+The state of a body at rest depends on differences of lengths that cancel. On a grid they cancel to the last bit, and
 levers fit into 32 bits: the loops of a step read half as much.
 """
 
@@ -14,9 +14,9 @@ LEVER_BITS, CENTRE_BITS = 30, 28
 
 
 def pitch(length: float, period: Floats | None, bits: int) -> Floats:
-    """The finest grid that counts `length` [m] in that many bits: its pitch along x, y and z [m], shape (3,).
+    """Return the finest grid that counts `length` [m] in that many bits: its pitch along x, y and z [m], shape (3,).
 
-    Pitches are powers of two, or edges of the periodic cell over powers of two, so that of two grids the finer one
+    Pitches are powers of two, or edges of the periodic cell over powers of two. Of two grids the finer one therefore
     has all points of the coarser one.
     """
     whole = np.ones(3) if period is None else np.asarray(period, dtype=float)
@@ -24,5 +24,5 @@ def pitch(length: float, period: Floats | None, bits: int) -> Floats:
 
 
 def on_raster(position: PerElement3, pitch: Floats) -> PerElement3:
-    """Positions [m], (n, 3), at the nearest points of a grid."""
+    """Return positions [m], (n, 3), rounded to the nearest points of a grid."""
     return np.asarray(np.rint(position / pitch) * pitch, dtype=float)

@@ -1,6 +1,6 @@
-"""Convex solids with flat faces, many in a few flat arrays: plain cells, and the pieces that walls cut them into.
+"""Convex solids with flat faces in flat arrays: plain cells, and the pieces that walls cut them into.
 
-Corners are measured from the centre of the element whose cell it is, so that nothing is lost far from the origin.
+Corners are relative to the centre of the element of the cell, so that no digits are lost far from the origin.
 """
 
 from collections.abc import Sequence
@@ -19,14 +19,14 @@ class Solids(NamedTuple):
     """Convex solids, k of them, with f faces and v corners.
 
     Attributes:
-        cell: of which element's cell each is part, shape (k,).
+        cell: element of the cell that each solid is part of, shape (k,).
         face: faces of solid s are face[s] … face[s + 1] - 1, shape (k + 1,).
-        tag: what is behind each face, shape (f,): an element; BOX - 0 … BOX - 5, the sides of the box around the
+        tag: neighbour behind each face, shape (f,): an element; BOX - 0 … BOX - 5, the sides of the box around the
             shape (x_min, x_max, y_min …); LOCAL, an arbitrary end; or SPLIT - 2 s and SPLIT - 2 s - 1, the two sides
             of split s of the cell.
         plane: outward unit normal and distance from the centre, shape (f, 4) [-, m].
         corner: corners of face g are corner[g] … corner[g + 1] - 1, shape (f + 1,).
-        vertex: corners, from the centre of the element [m], shape (v, 3).
+        vertex: corners relative to the centre of the element [m], shape (v, 3).
     """
 
     cell: Ints
@@ -38,30 +38,30 @@ class Solids(NamedTuple):
 
     @property
     def number(self) -> int:
-        """k, how many they are."""
+        """Number k of solids."""
         return len(self.cell)
 
     @property
     def of_face(self) -> Ints:
-        """The solid that each face is of, shape (f,)."""
+        """Solid of each face, shape (f,)."""
         return np.repeat(np.arange(self.number), np.diff(self.face))
 
     def chosen(self, solids: Ints) -> "Solids":
-        """Some of them, by number."""
+        """Return some of the solids, by number."""
         faces, face = ranges(self.face, solids)
         corners, corner = ranges(self.corner, faces)
         return Solids(self.cell[solids], face, self.tag[faces], self.plane[faces], corner, self.vertex[corners])
 
 
 def ranges(start: Ints, chosen: Ints) -> tuple[Ints, Ints]:
-    """Rows start[c] … start[c + 1] - 1 of all `chosen` c one after another, and where those of each begin."""
+    """Return rows start[c] … start[c + 1] - 1 of all `chosen` c one after another, and where those of each begin."""
     size = start[chosen + 1] - start[chosen]
     begin = np.concatenate([[0], np.cumsum(size)])
     return np.arange(begin[-1]) + np.repeat(start[chosen] - begin[:-1], size), begin
 
 
 def joined(parts: Sequence[Solids]) -> Solids:
-    """All solids of several lists in one."""
+    """Return the solids of several lists in one."""
     none = np.zeros(0, dtype=np.int64)
     faces = np.concatenate([none, *(np.diff(part.face) for part in parts)])
     corners = np.concatenate([none, *(np.diff(part.corner) for part in parts)])
@@ -89,7 +89,7 @@ _measure_polygons = Pass("measure_polygons", PolygonMeasures)
 
 
 def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floats]:
-    """Area [m²], (f,), centroid [m], (f, 3), and second moments about it [m⁴], (f, 3, 3), of polygons."""
+    """Return area [m²], (f,), centroid [m], (f, 3), and second moments about it [m⁴], (f, 3, 3), of polygons."""
     count = len(corner) - 1
     measures = PolygonMeasures(corner, vertex, np.empty(count), np.empty((count, 3)), np.empty((count, 3, 3)))
     _measure_polygons(measures)
@@ -103,9 +103,9 @@ class Bulk(NamedTuple):
         volume: ∫ dV [m³], shape (k,).
         first: ∫ x dV [m⁴], shape (k, 3).
         second: ∫ x⊗x dV [m⁵], shape (k, 3, 3).
-        middle: a point inside, however thin the solid is [m], shape (k, 3).
+        middle: a point inside, also of a thin solid [m], shape (k, 3).
         farthest: distance of the farthest corner [m], shape (k,).
-        beyond: how far the centre lies outside, at most 0 if it lies inside [m], shape (k,).
+        beyond: distance of the centre outside the solid, at most 0 if it lies inside [m], shape (k,).
     """
 
     volume: Floats
@@ -116,7 +116,7 @@ class Bulk(NamedTuple):
     beyond: Floats
 
     def chosen(self, solids: Ints) -> "Bulk":
-        """Those of some solids, by number."""
+        """Return the values of some solids, by number."""
         return Bulk(*(values[solids] for values in self))
 
 
@@ -124,7 +124,7 @@ _measure_solids = Pass("measure_solids", Solids, Bulk)
 
 
 def bulk(solids: Solids) -> Bulk:
-    """Volumes and moments of solids."""
+    """Compute volumes and moments of solids."""
     k = solids.number
     found = Bulk(np.empty(k), np.empty((k, 3)), np.empty((k, 3, 3)), np.empty((k, 3)), np.empty(k), np.empty(k))
     _measure_solids(solids, found)

@@ -1,4 +1,4 @@
-"""What a tessellation is: facets between cells, free facets on the walls, and the cells themselves."""
+"""Tables of a tessellation: facets between cells, free facets on the walls, and the cells themselves."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,12 +11,12 @@ from bondem.specimen.particles import freeze
 
 @dataclass(frozen=True, eq=False)
 class Facets:
-    """Facets between cells, one a pair, in the order of `Lattice.pairs`.
+    """Facets between cells, one per pair, in the order of `Lattice.pairs`.
 
     Attributes:
         area: A [m²], shape (m,).
         normal: unit vectors from cell i to cell j [-], shape (m, 3).
-        centroid: c, in the image next to centre i [m], shape (m, 3).
+        centroid: centroids in the image next to centre i [m], shape (m, 3).
         moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (m, 3, 3).
         depth_i, depth_j: distances of centres i and j from the plane, positive on their own sides [m], shape (m,).
     """
@@ -30,7 +30,7 @@ class Facets:
 
     @property
     def span(self) -> PerBond:
-        """L = d_i + d_j, the distance of the two centres along the normal [m], shape (m,)."""
+        """Distance of the two centres along the normal, L = d_i + d_j [m], shape (m,)."""
         return self.depth_i + self.depth_j
 
 
@@ -39,13 +39,13 @@ class FreeFacets:
     """Facets on the walls of the shape, k of them, sorted by cell.
 
     Attributes:
-        cell: whose they are, shape (k,).
-        area: [m²], shape (k,).
+        cell: cell of each facet, shape (k,).
+        area: areas [m²], shape (k,).
         normal: outward unit vectors [-], shape (k, 3).
-        centroid: [m], shape (k, 3).
+        centroid: centroids [m], shape (k, 3).
         moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (k, 3, 3).
-        depth: distance of the cell's centre from their plane, positive inside [m], shape (k,).
-        face: number of their face in `Shape.faces`, or -1 of walls that belong to none, shape (k,).
+        depth: distance of the cell's centre from the plane of the facet, positive inside [m], shape (k,).
+        face: index of the face in `Shape.faces`, or -1 for walls that belong to none, shape (k,).
     """
 
     cell: Ints
@@ -59,7 +59,7 @@ class FreeFacets:
 
 @dataclass(frozen=True, eq=False)
 class Cells:
-    """Cells, one an element, in the order of the elements.
+    """Cells, one per element, in the order of the elements.
 
     Attributes:
         volume: V [m³], shape (n,).
@@ -81,5 +81,5 @@ class Cells:
 
     @cached_property
     def free_area(self) -> PerElement:
-        """Area of each cell on the walls [m²], shape (n,)."""
+        """Wall area of each cell [m²], shape (n,)."""
         return freeze(np.bincount(self.free.cell, weights=self.free.area, minlength=len(self.volume)))

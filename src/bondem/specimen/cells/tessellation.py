@@ -1,4 +1,4 @@
-"""A shape cut into cells, one an element: Laguerre cells of the spheres within the walls of the shape."""
+"""Tessellation of a shape into one cell per element: Laguerre cells of the spheres within the walls of the shape."""
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -42,12 +42,12 @@ class Tessellation:
 
     Attributes:
         centres: the elements.
-        faces: polygons of the whole cells, between elements those of the lower number only.
+        faces: polygons of the whole cells; those between elements from the lower number only.
         whole: elements whose cells are whole, shape (w,).
         whole_bulk: volumes and moments of these.
-        cut: the pieces of all others, inside the shape.
-        is_cut: whether the cell of an element is cut by walls, shape (n,).
-        outlines: the whole cells as solids, if they were asked for; else none.
+        cut: pieces of all other cells, inside the shape.
+        is_cut: mask of the elements whose cells are cut by walls, shape (n,).
+        outlines: the whole cells as solids, if requested, else none.
     """
 
     centres: Bins
@@ -61,7 +61,7 @@ class Tessellation:
 
 @dataclass(frozen=True, eq=False)
 class _Walls:
-    """What cells are cut by: the walls of a flat-walled shape."""
+    """Walls of a flat-walled shape, which cut the cells."""
 
     shape: Shape
     tree: WallTree
@@ -70,7 +70,7 @@ class _Walls:
 
 @dataclass(frozen=True, eq=False)
 class _Batch:
-    """What one batch of cells gives.
+    """Result of one batch of cells.
 
     Attributes:
         again: elements whose boxes were too small.
@@ -88,10 +88,10 @@ class _Batch:
 
 
 def _walls(particles: Particles, shape: Shape, reach: float) -> _Walls | None:
-    """The walls of a shape, but for a box, the sides of which are the ends of all cells anyway.
+    """Return the walls of a shape; none for a box, because its sides end all cells anyway.
 
     Raises:
-        InputError: centres outside the shape.
+        InputError: Centres lie outside the shape.
     """
     depth = shape.depth(particles.position)
     outside = np.flatnonzero(depth < -_OUTSIDE * reach)
@@ -108,7 +108,7 @@ def _walls(particles: Particles, shape: Shape, reach: float) -> _Walls | None:
 
 
 def _kept_faces(plain: Solids, kept: np.ndarray, position: PerElement3) -> Polygons:
-    """Faces of whole cells: those on walls, and those to elements of higher number."""
+    """Return the faces of whole cells on walls, and those to elements of higher number."""
     of_face = plain.of_face
     cell = plain.cell[of_face]
     rows = np.flatnonzero(kept[of_face] & ((plain.tag < 0) | (plain.tag > cell)))
@@ -119,7 +119,7 @@ def _kept_faces(plain: Solids, kept: np.ndarray, position: PerElement3) -> Polyg
 
 
 def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _Batch:
-    """Make some cells."""
+    """Compute some cells."""
     plain = plain_cells(centres, chosen, half)
     measures = bulk(plain)
     local = np.bincount(plain.of_face, weights=plain.tag == LOCAL, minlength=len(chosen)) > 0
@@ -149,7 +149,7 @@ def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _
 def _batches(
     centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats, told: Callable[[float], None]
 ) -> Iterator[_Batch]:
-    """Make some cells, those that outgrow their boxes again in larger ones; `half`, (n,), is doubled for these."""
+    """Compute some cells, and repeat those that outgrow their boxes in larger ones; `half`, (n,), is then doubled."""
     waiting, done = chosen, 0
     with ThreadPoolExecutor(current_threads()) as pool:
         while waiting.size:
@@ -217,15 +217,15 @@ def tessellate(
 
     Args:
         particles: spheres in a shape; without one, in the box around them.
-        progress: called now and then with the done share, from 0 to 1.
+        progress: function called repeatedly with the completed share, 0 … 1.
 
     Returns:
         Pairs i < j of neighbours, sorted, shape (m, 2), the facets between them, and the cells. Curved walls become
-        flat pieces half an element wide, the volume being that of the shape.
+        flat pieces half an element wide, with the volume of the shape.
 
     Raises:
-        InputError: coincident centres or centres outside the shape, a cell of no volume, a periodic cell too small,
-            or a part of the shape without elements.
+        InputError: Centres coincide or lie outside the shape, a cell has no volume, a periodic cell is too small, or
+            a part of the shape has no elements.
     """
     told = progress or (lambda share: None)
     made = tessellation(particles, lambda share: told(0.9 * share))
@@ -245,12 +245,12 @@ def tessellate(
 
 
 def cell_centroids(particles: Particles) -> PerElement3:
-    """Centroids of the cells alone [m], shape (n, 3); see `tessellate`."""
+    """Return the centroids of the cells alone [m], shape (n, 3); see `tessellate`."""
     return _solid_tables(tessellation(particles))[1]
 
 
 def _check_depths(pairs: Pairs, between: Facets) -> None:
-    """Refuse facets that do not lie between their centres, as no spring can."""
+    """Reject facets that do not lie between their centres, because their springs would have a negative length."""
     bad = np.flatnonzero(~((between.depth_i > 0.0) & (between.depth_j > 0.0)))
     if bad.size:
         i, j = map(int, pairs[bad[0]])
@@ -261,17 +261,17 @@ def _check_depths(pairs: Pairs, between: Facets) -> None:
 
 
 def _check_volume(shape: Shape, volume: float) -> None:
-    """Refuse cells that leave a part of the shape empty: one far from all elements, beyond a gap."""
+    """Reject cells that leave a part of the shape empty, far from all elements, beyond a gap."""
     whole = shape.volume
     if abs(volume / whole - 1.0) > _LOST:
         raise InputError(
-            f"the cells fill {volume:.4g} m³ of the {whole:.4g} m³ of the shape: a part of it lies apart from all"
-            " elements; put elements there, or cut it off"
+            f"the cells fill {volume:.4g} m³ of the {whole:.4g} m³ of the shape: a part of it contains no"
+            " element; add elements there, or remove that part"
         )
 
 
 def _solid_tables(made: Tessellation) -> tuple[PerElement, PerElement3, Floats]:
-    """Volumes [m³], (n,), centroids [m], (n, 3), and inertia about them at density 1 [m⁵], (n, 3, 3)."""
+    """Return volumes [m³], (n,), centroids [m], (n, 3), and inertia about them at density 1 [m⁵], (n, 3, 3)."""
     x, n = made.centres.position, len(made.centres.position)
     volume, first, second = np.zeros(n), np.zeros((n, 3)), np.zeros((n, 3, 3))
     volume[made.whole], first[made.whole] = made.whole_bulk.volume, made.whole_bulk.first
@@ -286,7 +286,7 @@ def _solid_tables(made: Tessellation) -> tuple[PerElement, PerElement3, Floats]:
     empty = np.flatnonzero(volume <= 1e-12 * made.centres.reach**3)
     if empty.size:
         raise InputError(
-            f"the cell of element {empty[0]} has no volume ({empty.size} such cells): larger spheres swallow it, or"
+            f"the cell of element {empty[0]} has no volume ({empty.size} such cells): larger spheres enclose it, or"
             " walls pass through its centre; remove it, or make radii more alike"
         )
     middle = first / volume[:, None]

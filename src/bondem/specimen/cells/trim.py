@@ -1,7 +1,7 @@
-"""Cells cut by walls: split by the planes of all wall triangles that reach into them, until none does.
+"""Cells cut by walls: split by the planes of all wall triangles inside them, until none is inside.
 
 Each piece carries the wall triangles within it, cut to the piece. It is split by the plane of the largest one, and
-so are its other triangles (a binary partition of space); a piece without triangles lies on one side of every wall.
+so are its other triangles (a binary partition of space). A piece without triangles lies on one side of every wall.
 """
 
 from typing import NamedTuple
@@ -51,13 +51,13 @@ _split = Pass("split_by_walls", Solids, WallTree, Splitting, Pile, Pile, Pile)
 
 
 def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: float) -> Solids:
-    """The pieces of cells between walls, those inside and those outside.
+    """Return the pieces of cells between walls, those inside and those outside.
 
     Args:
         solids: cells.
         position: centres of all elements [m], shape (n, 3).
         walls: the walls.
-        tolerance: what walls reach in less than this splits nothing [m].
+        tolerance: depth of a wall in a cell below which it does not split the cell [m].
     """
     splitting = Splitting.of(position, tolerance)
     stack, piece, pile = new_pile(256, 2048), new_pile(256, 2048), new_pile(1024, 8192)

@@ -1,4 +1,4 @@
-"""The walls of a shape as triangles, curved ones as fine polyhedra of the same volume."""
+"""Walls of a shape as triangles; curved walls become fine polyhedra of the same volume."""
 
 import math
 from dataclasses import dataclass, replace
@@ -25,15 +25,15 @@ _BOX = np.array([
 
 
 def faceted(shape: Shape, size: float) -> Shape:
-    """The same shape with flat walls only.
+    """Return the shape with flat walls only.
 
     Args:
         shape: any shape.
-        size: usual width of the flat pieces that curved walls become [m].
+        size: usual width of the flat pieces of curved walls [m].
 
     Returns:
-        A shape of the same structure, with prisms for cylinders and geodesic polyhedra for balls, each of the volume
-        that it stands for.
+        A shape of the same structure, with prisms for cylinders and geodesic polyhedra for balls, each of the same
+        volume.
     """
     if isinstance(shape, Cylinder):
         return _prism(shape, size)
@@ -47,9 +47,9 @@ def faceted(shape: Shape, size: float) -> Shape:
 
 
 def wall_triangles(shape: Shape) -> Floats:
-    """Corners of triangles that together cover all walls of a shape with flat walls, (t, 3, 3) [m].
+    """Return corners of triangles that together cover all walls of a shape with flat walls, (t, 3, 3) [m].
 
-    There may be more of them than walls: those of one part that lie within or outside the other.
+    There may be more triangles than walls: those of one part that lie within or outside the other.
     """
     if isinstance(shape, Surface):
         return shape.vertices[shape.triangles]
@@ -64,7 +64,7 @@ def wall_triangles(shape: Shape) -> Floats:
         return wall_triangles(shape.shape) @ np.array(shape.turn).T + shape.by
     if isinstance(shape, Overlap | Cut | Joined):
         return np.concatenate([wall_triangles(shape.first), wall_triangles(shape.second)])
-    raise InputError(f"{shape} cannot be cut into cells; take a Surface of it, bd.Surface(vertices=, triangles=)")
+    raise InputError(f"{shape} cannot be cut into cells; use a Surface of it, bd.Surface(vertices=, triangles=)")
 
 
 @dataclass(frozen=True)
@@ -72,9 +72,9 @@ class Prism(Shape):
     """A regular prism with axis y = z = 0 and x in [0, length].
 
     Attributes:
-        radius: of its edges [m].
-        length: along x [m].
-        sides: how many.
+        radius: radius of its edges [m].
+        length: length along x [m].
+        sides: number of sides.
     """
 
     radius: float
@@ -116,12 +116,12 @@ class Prism(Shape):
 
     @property
     def ring(self) -> Floats:
-        """y and z of the edges [m], shape (sides, 2)."""
+        """Coordinates y and z of the edges [m], shape (sides, 2)."""
         around = np.arange(self.sides) * (2.0 * math.pi / self.sides)
         return self.radius * np.column_stack([np.cos(around), np.sin(around)])
 
     def triangles(self) -> Floats:
-        """Triangles that make up the walls [m], shape (t, 3, 3)."""
+        """Return the triangles of the walls [m], shape (t, 3, 3)."""
         a = np.column_stack([np.zeros(self.sides), self.ring])
         b, up = np.roll(a, -1, axis=0), np.array([self.length, 0.0, 0.0])
         first, second = np.zeros_like(a), np.zeros_like(a) + up
@@ -163,14 +163,14 @@ def _geodesic(shape: Ball, quartered: int) -> Surface:
 
 
 class WallTree(NamedTuple):
-    """Triangles in a tree of boxes, to find those near a cell.
+    """Triangles in a tree of boxes, for the search of those near a cell.
 
     Attributes:
         corner: corners of the triangles [m], shape (t, 3, 3).
         plane: unit normal of each and its product with a point of the plane, shape (t, 4) [-, m].
         lower, upper: corners of the boxes [m], shape (2 p, 3): box 1 holds all, box b boxes 2 b and 2 b + 1, the last
             p one triangle each or none.
-        owner: the triangle in each of the last p boxes, shape (p,).
+        owner: triangle in each of the last p boxes, shape (p,).
     """
 
     corner: Floats
@@ -181,7 +181,7 @@ class WallTree(NamedTuple):
 
 
 def wall_tree(corner: Floats) -> WallTree:
-    """Prepare triangles (t, 3, 3) [m]; those without area are left out."""
+    """Build the tree of triangles (t, 3, 3) [m], without those that have no area."""
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     size = np.linalg.norm(normal, axis=1)
     longest = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max(axis=1)
@@ -212,7 +212,7 @@ def wall_tree(corner: Floats) -> WallTree:
 
 
 def _spread(points: Floats) -> Floats:
-    """Extent of each group of points along each axis [m], (g, 3); what is not known counts for nothing."""
+    """Return the extent of each group of points along each axis [m], (g, 3); unknown points are ignored."""
     return np.where(np.isnan(points), -np.inf, points).max(axis=1) - np.where(
         np.isnan(points), np.inf, points
     ).min(axis=1)

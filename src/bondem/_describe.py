@@ -1,0 +1,249 @@
+"""Representations of objects on a terminal and in a notebook: at most twelve lines, with units.
+
+`describe` gives public classes a `__repr__` and a `_repr_html_` made from their docstrings: the section "Attributes"
+names the quantities and their units. It imports nothing but the standard library, as `import bondem` does.
+"""
+
+import html
+import inspect
+import re
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields, is_dataclass
+from functools import cache
+from typing import Any
+
+#: Lines of a representation, and characters of a line, at most.
+LINES, WIDTH = 12, 118
+# A value in one line, and the numbers of a tuple that are written out, at most.
+_SHORT, _FEW = 96, 6
+_ENTRY = re.compile(r"^    (\w+(?:, \w+)*): (.*)$")
+_UNIT = re.compile(r"\[((?:[^\[\]]*[A-Za-zµΩ°%·/³²-][^\[\]]*))\]")
+
+# What some objects are, in a few words.
+_HEADLINES: dict[str, Callable[[Any], str]] = {
+    "Particles": lambda o: f"{len(o)} spheres of mean radius {o.mean_radius:.4g} m" + _in_shape(o),
+    "Lattice": lambda o: (
+        f"{len(o.particles)} {'elements' if o.cells is None else 'cells'}, {len(o.pairs)}"
+        f" {'bonds' if o.cells is None else 'facets'}, coordination number {o.coordination_number:.3g}"
+    ),
+    "Model": lambda o: f"{len(o.lattice.particles)} elements, {len(o.lattice.pairs)} bonds",
+    "State": lambda o: (
+        f"{len(o.pose)} elements, {len(o.integrity)} bonds ({int((o.integrity == 0.0).sum())} broken)"
+        f" at t = {o.time:.4g} s, step {o.step}"
+    ),
+    "History": lambda o: f"{len(o.time)} records from {o.time[0]:.4g} to {o.time[-1]:.4g} s",
+    "BrokenBonds": lambda o: f"{len(o)} broken bonds",
+    "Fragments": lambda o: f"{len(o.mass)} fragments",
+}  # fmt: skip
+# Of these the properties tell more than the attributes.
+_SHOWN: dict[str, tuple[str, ...]] = {
+    "State": ("displacement", "velocity", "angular_velocity", "bond_integrity", "contacts", "wall_force"),
+    "Model": ("bond", "density", "failure", "boundary", "contact", "walls"),
+}
+
+
+def describe(public: Mapping[str, Iterable[str]]) -> None:
+    """Give a representation to the public classes of all modules imported so far.
+
+    Args:
+        public: names by module.
+    """
+    for module, names in public.items():
+        if module in sys.modules and module not in _done:
+            _done.add(module)
+            for name in names:
+                _dress(getattr(sys.modules[module], name, None))
+
+
+_done: set[str] = set()
+
+
+def _dress(cls: object) -> None:
+    """Describe a class and its subclasses; protocols, exceptions and classes with their own representation stay."""
+    if not isinstance(cls, type) or issubclass(cls, BaseException) or getattr(cls, "_is_protocol", False):
+        return
+    for one in (cls, *cls.__subclasses__()):
+        if "_repr_html_" in vars(one):
+            continue
+        if one.__repr__ is object.__repr__ or _is_generated(vars(one).get("__repr__")):
+            setattr(one, "__repr__", as_text)  # noqa: B010  a method, for type checkers
+        setattr(one, "_repr_html_", as_html)  # noqa: B010
+        if one is not cls:
+            _dress(one)
+
+
+def _is_generated(method: object) -> bool:
+    """Return True if a representation is the one that dataclasses write."""
+    code = getattr(inspect.unwrap(method), "__code__", None) if callable(method) else None
+    return code is not None and code.co_filename == "<string>"
+
+
+def as_text(thing: object) -> str:
+    """A representation of at most twelve lines: one line for a small object, else one line per quantity."""
+    name, rows = type(thing).__name__, _rows(thing)
+    simple = [f"{row.name}={row.value}{row.unit}" for row in rows if row.value != "None"]
+    line = f"{name}({', '.join(simple)})"
+    if name not in _HEADLINES and all(row.simple for row in rows) and len(line) <= WIDTH:
+        return line
+    lines = [_title(thing), *(f"  {row.name}: {row.value}{row.unit}" for row in rows)]
+    if len(lines) > LINES:
+        rest = ", ".join(row.name for row in rows[LINES - 2 :])
+        lines = [*lines[: LINES - 1], f"  and {rest}"]
+    return "\n".join(one if len(one) <= WIDTH else f"{one[: WIDTH - 1]}…" for one in lines)
+
+
+def as_html(thing: object) -> str:
+    """A table of the quantities, their values and their meaning, for notebooks."""
+    described = _described(type(thing))
+    cells = "".join(
+        f"<tr><th style='text-align:left'>{html.escape(row.name)}</th>"
+        f"<td style='text-align:left'>{html.escape(row.value + row.unit)}</td>"
+        f"<td style='text-align:left'>{html.escape(described.get(row.name, ('', ''))[1])}</td></tr>"
+        for row in _rows(thing)
+    )
+    return (
+        f"<table><caption style='text-align:left'><b>{html.escape(_title(thing))}</b></caption>"
+        f"<tbody>{cells}</tbody></table>"
+    )
+
+
+class _Row:
+    """One quantity of an object.
+
+    Attributes:
+        name: of the attribute.
+        value: as text.
+        unit: with a blank before it, or nothing.
+        simple: whether the value is all there is to it.
+    """
+
+    def __init__(self, name: str, value: object, unit: str) -> None:
+        self.name = name
+        self.value, self.simple = _summary(value)
+        numeric = not isinstance(value, str | bool) and self.value != "None" and unit not in ("", "-")
+        self.unit = f" {unit}" if numeric else ""
+
+
+def _rows(thing: object) -> list[_Row]:
+    kind, described = type(thing), _described(type(thing))
+    names = _SHOWN.get(kind.__name__)
+    if names is None:
+        names = tuple(one.name for one in fields(thing)) if is_dataclass(thing) else _attributes(kind)
+        names = tuple(one for one in names if not one.startswith("_"))
+    found = []
+    for name in names:
+        try:
+            value = getattr(thing, name)
+        except Exception:
+            continue
+        if not callable(value) or is_dataclass(value):
+            found.append(_Row(name, value, described.get(name, ("", ""))[0]))
+        else:
+            found.append(_Row(name, getattr(value, "__name__", type(value).__name__), ""))
+    return found
+
+
+def _title(thing: object) -> str:
+    """The class, and what the object is."""
+    name = type(thing).__name__
+    headline = _HEADLINES.get(name)
+    try:
+        return f"{name}: {headline(thing)}" if headline is not None else name
+    except Exception:
+        return name
+
+
+def _summary(value: object) -> tuple[str, bool]:
+    """Return a value in one line, and True if the line is complete."""
+    if value is None or isinstance(value, bool | int | str):
+        text = repr(value) if isinstance(value, str) else str(value)
+        return (text, True) if len(text) <= _SHORT else (f"{text[: _SHORT - 1]}…", False)
+    if isinstance(value, float):
+        return f"{value:.6g}", True
+    if hasattr(value, "shape") and hasattr(value, "dtype"):
+        return _of_array(value)
+    if isinstance(value, Mapping):
+        return f"{len(value)} of {', '.join(map(_brief, value))}"[:_SHORT] if value else "none", not value
+    if isinstance(value, tuple | list):
+        return _of_several(value)
+    text = _brief(value)
+    return text, "\n" not in repr(value) and text == repr(value)
+
+
+def _brief(value: object) -> str:
+    """Return the first line of a representation."""
+    if isinstance(value, str):
+        return value
+    text = repr(value).split("\n", 1)[0]
+    return text if len(text) <= _SHORT else f"{type(value).__name__}(…)"
+
+
+def _of_several(values: tuple[Any, ...] | list[Any]) -> tuple[str, bool]:
+    if not values:
+        return "()", True
+    if len(values) <= _FEW and all(isinstance(one, bool | int | float | str) for one in values):
+        return f"({', '.join(_summary(one)[0] for one in values)})", True
+    if all(isinstance(one, int | float) for one in values):
+        return f"{len(values)} numbers, {min(values):.4g} … {max(values):.4g}", False
+    if all(isinstance(one, tuple | list) for one in values):
+        return f"{len(values)} rows", False
+    kinds: dict[str, int] = {}
+    for one in values:
+        kinds[type(one).__name__] = kinds.get(type(one).__name__, 0) + 1
+    return ", ".join(f"{count} {name}" for name, count in kinds.items())[:_SHORT], False
+
+
+def _of_array(value: Any) -> tuple[str, bool]:
+    shape = tuple(value.shape)
+    if not shape:
+        return f"{value.item():.6g}" if value.dtype.kind in "fiu" else str(value.item()), True
+    text = f"shape {shape}"
+    if value.size == 0 or value.dtype.kind not in "fiub":
+        return text, False
+    if value.dtype.kind == "b":
+        return f"{text}, {int(value.sum())} of {value.size} True", False
+    if len(shape) == 1 and shape[0] <= _FEW:
+        return f"({', '.join(f'{one:.4g}' for one in value.tolist())})", True
+    finite = value[value == value]
+    if not finite.size:
+        return f"{text}, all NaN", False
+    return f"{text}, {finite.min():.4g} … {finite.max():.4g}", False
+
+
+def _in_shape(particles: Any) -> str:
+    return "" if particles.shape is None else f" in {_brief(particles.shape)}"
+
+
+@cache
+def _described(cls: type) -> dict[str, tuple[str, str]]:
+    """Unit and meaning of each attribute, from the docstrings of a class and its base classes."""
+    found: dict[str, tuple[str, str]] = {}
+    for one in cls.__mro__[:-1]:
+        for name, text in _entries(inspect.cleandoc(one.__doc__ or "")):
+            unit = _UNIT.search(text)
+            found.setdefault(name, (unit.group(1) if unit else "", text))
+        for name, thing in vars(one).items():
+            text = (getattr(thing, "__doc__", "") or "").split("\n", 1)[0] if hasattr(thing, "fget") else ""
+            unit = _UNIT.search(text)
+            if text:
+                found.setdefault(name, (unit.group(1) if unit else "", text))
+    return found
+
+
+def _attributes(cls: type) -> tuple[str, ...]:
+    """Names of the section "Attributes" of a class and its base classes."""
+    return tuple(name for one in cls.__mro__[:-1] for name, _ in _entries(inspect.cleandoc(one.__doc__ or "")))
+
+
+def _entries(doc: str) -> Iterable[tuple[str, str]]:
+    """Names and texts of the section "Attributes" of a docstring."""
+    inside, names, text = False, "", ""
+    for line in [*doc.split("\n"), ""]:
+        entry = _ENTRY.match(line) if inside else None
+        if inside and line.startswith("        "):
+            text += " " + line.strip()
+            continue
+        yield from ((name, text) for name in names.split(", ") if name)
+        names, text = entry.groups() if entry else ("", "")
+        inside = line == "Attributes:" or (inside and entry is not None)

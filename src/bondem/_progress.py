@@ -1,0 +1,338 @@
+"""Progress of long calls: bars on a terminal and in a notebook, one line per stage elsewhere, and `logging`.
+
+Only the outermost call is shown. A call with its own `progress=` is shown by that function alone.
+"""
+
+import functools
+import importlib.util
+import inspect
+import logging
+import os
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any, ParamSpec, TypeVar
+
+from numba.core import event
+from rich.console import Console, RenderableType
+from rich.markup import escape
+from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
+from rich.text import Text
+
+from bondem._checks import shown
+from bondem._compile import say_nothing
+from bondem.errors import InputError
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+#: Records the beginning and the end of stages and compilations at level INFO.
+LOG = logging.getLogger("bondem")
+_MODES = ("auto", "bars", "lines", "off")
+# A call is shown once it has taken this long, and a line says how far it is this often [s].
+_DELAY, _EVERY = 1.0, 30.0
+
+
+class _Chosen:
+    """Present display: the mode, the board of the outermost call, and how many callers show progress themselves."""
+
+    mode = os.environ.get("BONDEM_PROGRESS", "auto")
+    board: "Board | None" = None
+    hidden = 0
+    compiling = 0
+
+
+def show_progress(mode: str = "auto") -> None:
+    """Choose how long calls show their progress; the environment variable BONDEM_PROGRESS sets the initial mode.
+
+    The logger "bondem" receives the beginning and the end of each stage at level INFO in every mode.
+
+    Args:
+        mode: "auto" for bars on a terminal and in Jupyter and lines elsewhere, unless the logger "bondem" is
+            configured for INFO; "bars"; "lines", one per stage on stderr; or "off".
+
+    Raises:
+        InputError: an unknown mode.
+    """
+    if not isinstance(mode, str) or mode not in _MODES:
+        raise InputError(f"show_progress: mode = {shown(mode)} is unknown; give one of {', '.join(_MODES)}")
+    _Chosen.mode = mode
+
+
+def span(seconds: float) -> str:
+    """Format a time for readers: "12.3 s", "4 min 05 s", "2 h 31 min"."""
+    if seconds < 59.95:
+        return f"{seconds:.1f} s"
+    whole = round(seconds)
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60:02d} s"
+    return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
+
+
+def staged(title: str, *, shares: bool = True) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Show a function as a stage while it is the outermost one.
+
+    Args:
+        title: name of the stage.
+        shares: True if its argument `progress`, if any, receives shares from 0 to 1.
+    """
+
+    def decorate(function: Callable[P, R]) -> Callable[P, R]:
+        takes = shares and "progress" in inspect.signature(function).parameters
+
+        @functools.wraps(function)
+        def run(*args: P.args, **named: P.kwargs) -> R:
+            if _Chosen.board is not None or _Chosen.hidden:
+                return function(*args, **named)
+            if takes and named.get("progress") is not None:
+                with quiet():
+                    return function(*args, **named)
+            with stages() as tell:
+                tell(title, 0.0)
+                if takes:
+                    given: Any = named
+                    given["progress"] = functools.partial(tell, title)
+                return function(*args, **named)
+
+        return run
+
+    return decorate
+
+
+@contextmanager
+def stages(*, at_once: bool = False) -> Iterator[Callable[[str, float], None]]:
+    """Show stages by name; yields a function of a stage and its completed share.
+
+    Args:
+        at_once: show the first stage at once, as commands do; else only calls longer than a second.
+    """
+    if _Chosen.board is not None or _Chosen.hidden:
+        yield lambda stage, share: None
+        return
+    board = Board(delay=0.0 if at_once else _DELAY)
+    _Chosen.board = board
+    try:
+        yield board.update
+    finally:
+        _Chosen.board = None
+        board.close()
+
+
+@contextmanager
+def reported(progress: Callable[[str, float], None] | None) -> Iterator[Callable[[str, float], None]]:
+    """Report stages to a function if there is one, else show them; yields a function of a stage and a share."""
+    if progress is None:
+        with stages() as tell:
+            yield tell
+    elif _Chosen.board is not None:
+        yield progress
+    else:
+        with quiet():
+            yield progress
+
+
+@contextmanager
+def quiet() -> Iterator[None]:
+    """Show nothing within the block: the caller shows it, or nobody sees it."""
+    _Chosen.hidden += 1
+    try:
+        yield
+    finally:
+        _Chosen.hidden -= 1
+
+
+def note(words: str) -> None:
+    """Show a remark beside the current stage, such as the step of a run."""
+    if _Chosen.board is not None:
+        _Chosen.board.note = words
+
+
+def noted() -> bool:
+    """Return True if a stage is shown that can have a remark."""
+    return _Chosen.board is not None and _Chosen.board.kind != "off"
+
+
+def _kind() -> str:
+    """Return how stages are shown: "bars", "lines" or "off"."""
+    if _Chosen.mode in ("bars", "lines", "off"):
+        return _Chosen.mode
+    if "ipykernel" in sys.modules:
+        return "bars" if importlib.util.find_spec("ipywidgets") is not None else "lines"
+    if sys.stderr is not None and sys.stderr.isatty():
+        return "bars"
+    logged = LOG.hasHandlers() and LOG.isEnabledFor(logging.INFO)
+    return "off" if logged else "lines"
+
+
+class Board:
+    """The stages of one call.
+
+    Args:
+        delay: time until the first stage is shown [s].
+    """
+
+    def __init__(self, *, delay: float) -> None:
+        self.kind, self.note, self.compiling = _kind(), "", ""
+        self._shares: dict[str, float] = {}
+        self._since: dict[str, float] = {}
+        self._begun, self._view, self._closed = time.monotonic(), None, threading.Event()
+        self._lock = threading.RLock()
+        self._delay = delay
+        if self.kind != "off":
+            if not delay:
+                self._show()
+            threading.Thread(target=self._watch, name="bondem progress", daemon=True).start()
+
+    def update(self, stage: str, share: float) -> None:
+        """Set the completed share of a stage, 0 … 1."""
+        with self._lock:
+            if stage not in self._since:
+                self._since[stage] = time.monotonic()
+                LOG.info("%s", stage)
+            if share >= 1.0 > self._shares.get(stage, 0.0):
+                LOG.info("%s: done in %s", stage, span(time.monotonic() - self._since[stage]))
+            self._shares[stage] = share
+            if self._view is not None:
+                self._view.update(stage, share)
+
+    def announce(self, words: str) -> None:
+        """Announce a compilation, once per call; an empty text ends it."""
+        with self._lock:
+            fresh = words and not self.compiling
+            self.compiling = words
+            if fresh and self._view is not None:
+                self._view.announce(words)
+
+    def close(self) -> None:
+        """End the display."""
+        self._closed.set()
+        with self._lock:
+            if self._view is not None:
+                self._view.close()
+
+    def _watch(self) -> None:
+        if self._closed.wait(self._delay):
+            return
+        self._show()
+        while not self._closed.wait(_EVERY):
+            with self._lock:
+                if self._view is not None and not self._closed.is_set():
+                    self._view.beat()
+
+    def _show(self) -> None:
+        with self._lock:
+            if self._view is not None or self._closed.is_set():
+                return
+            self._view = _Bars(self) if self.kind == "bars" else _Lines(self)
+            for stage, share in self._shares.items():
+                self._view.update(stage, share)
+            if self.compiling:
+                self._view.announce(self.compiling)
+
+    @property
+    def seconds(self) -> float:
+        """Time since the start of the call [s]."""
+        return time.monotonic() - self._begun
+
+    @property
+    def remark(self) -> str:
+        """Present activity, shown beside the stage."""
+        return self.compiling or self.note
+
+
+class _Lines:
+    """One line per stage on stderr, and one at intervals in a long stage."""
+
+    def __init__(self, board: Board) -> None:
+        self._board, self._seen, self._stage, self._share = board, set[str](), "", 0.0
+
+    def update(self, stage: str, share: float) -> None:
+        self._stage, self._share = stage, share
+        if stage not in self._seen:
+            self._seen.add(stage)
+            self._write(stage)
+
+    def announce(self, words: str) -> None:
+        self._write(f"{self._stage}: {words}" if self._stage else words)
+
+    def beat(self) -> None:
+        far = f": {100.0 * self._share:.0f} %" if 0.0 < self._share < 1.0 else ""
+        self._write(f"{self._stage}{far}" + (f", {self._board.remark}" if self._board.remark else ""))
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+    def _write(self, words: str) -> None:
+        print(f"bondem: {span(self._board.seconds):>8}  {words}", file=sys.stderr, flush=True)
+
+
+class _Bars:
+    """A bar per stage, by rich."""
+
+    def __init__(self, board: Board) -> None:
+        columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
+        self._progress = _Noted(board, columns)
+        self._tasks: dict[str, TaskID] = {}
+        self._progress.start()
+
+    def update(self, stage: str, share: float) -> None:
+        if stage not in self._tasks:
+            self._tasks[stage] = self._progress.add_task(escape(stage), total=1.0)
+        self._progress.update(self._tasks[stage], completed=share)
+
+    def announce(self, words: str) -> None:
+        """The line below the bars says so."""
+
+    def beat(self) -> None:
+        """Bars move by themselves."""
+
+    def close(self) -> None:
+        self._progress.stop()
+
+
+class _Noted(Progress):
+    """Bars with a line on the present activity."""
+
+    def __init__(self, board: Board, columns: tuple[Any, ...]) -> None:
+        self._board = board
+        super().__init__(*columns, console=Console(stderr=True))
+
+    def get_renderables(self) -> Iterable[RenderableType]:
+        yield from super().get_renderables()
+        if self._board.remark:
+            yield Text(f"  {self._board.remark}", style="dim")
+
+
+class _Compilation(event.Listener):
+    """Announces each compilation where it happens."""
+
+    said = False
+
+    def on_start(self, event: Any) -> None:
+        function = event.data["dispatcher"].py_func
+        if not function.__module__.startswith("bondem"):
+            return
+        _Chosen.compiling += 1
+        if _Chosen.compiling > 1 or (_Chosen.hidden and _Chosen.board is None):
+            return
+        part = function.__module__.rpartition(".")[2].replace("_", " ").strip()
+        words = f"compiling {part} for the first use, about a minute"
+        LOG.info("%s", words)
+        if _Chosen.board is not None:
+            _Chosen.board.announce(words)
+        elif not self.said and _kind() != "off":
+            self.said = True
+            print(f"bondem: {words}", file=sys.stderr, flush=True)
+
+    def on_end(self, event: Any) -> None:
+        if not event.data["dispatcher"].py_func.__module__.startswith("bondem"):
+            return
+        _Chosen.compiling -= 1
+        if not _Chosen.compiling and _Chosen.board is not None:
+            _Chosen.board.announce("")
+
+
+say_nothing()  # replaced by the listener below
+event.register("numba:compile", _Compilation())

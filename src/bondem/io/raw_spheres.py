@@ -1,0 +1,64 @@
+"""Spheres of a text file, and common parts of the readers of text files."""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from bondem._types import Floats, Pairs, PerElement, PerElement3
+from bondem.errors import InputError
+from bondem.io.text_file import encoding_of
+
+#: Length of the unit systems of LAMMPS [m]; "lj" has none.
+LAMMPS_UNITS = {
+    "si": 1.0, "cgs": 1e-2, "micro": 1e-6, "nano": 1e-9, "real": 1e-10, "metal": 1e-10, "electron": 5.29177210903e-11,
+}  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class RawSpheres:
+    """Spheres of a file in its own unit of length.
+
+    Attributes:
+        position: centres, shape (n, 3).
+        radius: radii, shape (n,).
+        period: edge lengths of the periodic cell, or None.
+        pairs: elements i, j of the bonds, shape (m, 2), or None for formats without bonds.
+        unit: unit of length of the file [m], or None if the file does not state it.
+        strained: sign that the bonds are not at rest, or an empty text.
+    """
+
+    position: PerElement3
+    radius: PerElement
+    period: Floats | None = None
+    pairs: Pairs | None = None
+    unit: float | None = None
+    strained: str = ""
+
+
+def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
+    """Non-empty lines of a text file, stripped, with their numbers from 1."""
+    try:
+        with open(path, encoding=encoding_of(path)) as file:
+            for number, line in enumerate(file, start=1):
+                if stripped := line.strip():
+                    yield number, stripped
+    except UnicodeDecodeError:
+        raise InputError(f"'{path}' is not a text file; give spheres in a format its suffix stands for") from None
+
+
+def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
+    """Convert the words of a line to finite numbers.
+
+    Raises:
+        InputError: a word is not a finite number; the message states file and line.
+    """
+    found = []
+    for word in words:
+        try:
+            found.append(float(word))
+        except ValueError:
+            raise InputError(f"'{path}', line {line}: '{word}' is not a number; correct or remove the line") from None
+        if not math.isfinite(found[-1]):
+            raise InputError(f"'{path}', line {line}: {word} is not finite; correct or remove the line")
+    return found

@@ -1,0 +1,136 @@
+"""Spheres from XYZ, plain and extended (OVITO, ASE, LAMMPS)."""
+
+import re
+from collections import deque
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from bondem._checks import shown
+from bondem._types import Floats
+from bondem.errors import InputError
+from bondem.io.raw_spheres import RawSpheres, floats, numbered_lines
+
+_Rows = list[tuple[int, list[str]]]
+_SETTING = re.compile(r"(\w+)=(\"[^\"]*\"|\S+)")
+# Names of the property of sizes in small letters, and its share in a radius.
+_SIZES = {"radius": 1.0, "radii": 1.0, "diameter": 0.5}
+_TRUE = ("t", "true", "1")
+
+
+def read_xyz(
+    path: Path, columns: Sequence[str | int] | None = None, *, size: str | float | None = None,
+    diameters: bool = False, periodic: bool | None = None, frame: int = -1,
+) -> RawSpheres:  # fmt: skip
+    """Spheres of one snapshot in the order of the file.
+
+    Args:
+        path: the file: the number of atoms, a comment, and a line of name, x, y, z for each, over and over. An
+            extended one says in the comment what columns there are (Properties=) and may have a cell (Lattice=).
+        columns: numbers from 0 of the columns of x, y, z and radius; those of a plain file have no names.
+        size: one radius for all, or the property of radii in an extended file.
+        diameters: whether the last of `columns` holds diameters.
+        periodic: take the cell for a periodic one; None does where the comment says so (pbc=).
+        frame: index of the snapshot, from 0; -1 is the last.
+
+    Raises:
+        InputError: no radii, no such snapshot, or a line that does not fit, naming file and line.
+    """
+    line, comment, rows = _frame(path, frame)
+    said = {key.lower(): value.strip('"') for key, value in _SETTING.findall(comment)}
+    chosen, share = _columns(path, line, said.get("properties"), columns, size)
+    least = max(chosen) + 1
+    table = []
+    for number, words in rows:
+        if len(words) < least:
+            raise InputError(f"'{path}', line {number}: {len(words)} columns where {least} are needed; complete it")
+        table.append(floats(path, number, [words[k] for k in chosen]))
+    numbers = np.array(table)
+    one = size if size is not None and not isinstance(size, str) else None
+    share *= 0.5 if diameters else 1.0
+    radius = np.full(len(numbers), float(one)) if one is not None else share * numbers[:, 3]
+    return RawSpheres(numbers[:, :3], radius, _period(path, line, said, periodic))
+
+
+def _frames(path: Path) -> Iterator[tuple[int, str, _Rows]]:
+    lines = list(numbered_lines(path))
+    at = 0
+    while at < len(lines):
+        line, text = lines[at]
+        if not text.isdecimal():
+            raise InputError(f"'{path}', line {line}: {shown(text)} where the number of atoms is due; correct it")
+        count = int(text)
+        # an empty comment is a line that is left out
+        comment = lines[at + 1][1] if at + 1 < len(lines) and lines[at + 1][0] == line + 1 else ""
+        skip = 2 if comment else 1
+        rows = [(number, words.split()) for number, words in lines[at + skip : at + skip + count]]
+        if len(rows) < count:
+            raise InputError(f"'{path}', line {line}: {count} atoms announced, {len(rows)} there; complete the file")
+        yield line + 1, comment, rows
+        at += skip + count
+
+
+def _frame(path: Path, number: int) -> tuple[int, str, _Rows]:
+    last: deque[tuple[int, str, _Rows]] = deque(maxlen=max(-number, 1))
+    count = 0
+    for count, one in enumerate(_frames(path), start=1):
+        last.append(one)
+        if count == number + 1:
+            return one
+    if not count:
+        raise InputError(f"'{path}' holds no atoms; write it again")
+    if number >= 0 or count < -number:
+        raise InputError(f"frame = {number}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1")
+    return last[0]
+
+
+def _columns(
+    path: Path, line: int, properties: str | None, columns: Sequence[str | int] | None, size: str | float | None
+) -> tuple[list[int], float]:
+    """Columns of x, y, z and, where there is one, of the size, and its share in a radius."""
+    number_given = size is not None and not isinstance(size, str)
+    if columns is not None:
+        numbers = [one for one in columns if isinstance(one, int) and not isinstance(one, bool) and one >= 0]
+        if len(columns) != 4 or len(numbers) != 4:
+            raise InputError(f"columns = {columns!r}; give four numbers from 0, of x, y, z and radius")
+        return numbers, 1.0
+    if properties is None:
+        if number_given:
+            return [1, 2, 3], 1.0
+        raise InputError(
+            f"'{path}', line {line}: an XYZ file without Properties= does not say where radii are; give columns="
+            " (1, 2, 3, 4) if the fifth column has them, or radius= for all"
+        )
+    at, found = 0, dict[str, tuple[int, int]]()
+    words = properties.split(":")
+    for name, width in zip(words[::3], words[2::3], strict=False):
+        if not width.isdecimal():
+            raise InputError(f"'{path}', line {line}: Properties={shown(properties)} is no list of name:type:columns")
+        found[name.lower()] = at, int(width)
+        at += int(width)
+    if found.get("pos", (0, 0))[1] != 3:
+        raise InputError(f"'{path}', line {line}: Properties= has no pos:R:3; add it")
+    place = [found["pos"][0] + k for k in range(3)]
+    if number_given:
+        return place, 1.0
+    for name in _SIZES if size is None else (str(size).lower(),):
+        if name in found:
+            return [*place, found[name][0]], _SIZES.get(name, 1.0)
+    raise InputError(
+        f"'{path}', line {line}: no property {size or 'radius'} among {', '.join(found)}; give radius= as the name of"
+        " one, or as one radius for all"
+    )
+
+
+def _period(path: Path, line: int, said: dict[str, str], periodic: bool | None) -> Floats | None:
+    """Return the edges of the cell if it is periodic."""
+    if periodic is None:
+        borders = said.get("pbc", "").lower().split()
+        periodic = bool(borders) and all(border in _TRUE for border in borders)
+    if not periodic:
+        return None
+    cell = np.array(floats(path, line, said.get("lattice", "").split()))
+    if cell.shape != (9,) or np.any(cell.reshape(3, 3) - np.diag(cell[::4])):
+        raise InputError(f"'{path}', line {line}: Lattice= is no cell with edges along the axes; leave pbc= out")
+    return cell[::4]

@@ -1,0 +1,60 @@
+"""Walls of a state at the start of a new run: their identity, velocities and contacts."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from bondem._types import Floats, Ints
+from bondem.kernels.walls import COLUMNS, RATE
+from bondem.model.walls import Free, Servo, Wall
+
+
+def set_off(rows: Floats, before: Sequence[Wall | None], walls: Sequence[Wall]) -> None:
+    """Set velocities of walls that stand still from now on, or that become free.
+
+    Args:
+        rows: rows of the walls of a state, changed in place, shape (w, 14).
+        before: previous wall of each wall, or None.
+        walls: the walls of the run that begins.
+    """
+    for k, wall in enumerate(walls):
+        was = before[k] if k < len(before) else None
+        goes_on = was is not None and type(wall.motion) is type(was.motion)
+        if isinstance(wall.motion, Free) and not goes_on:
+            rows[k, RATE : RATE + 4] = [*wall.motion.velocity, 0.0]
+        elif not (goes_on and isinstance(wall.motion, Free | Servo)):
+            rows[k, RATE : RATE + 4] = 0.0
+
+
+def known_walls(before: Sequence[Wall], walls: Sequence[Wall]) -> list[int]:
+    """Return the number of each wall in the previous run, identified by its definition, or -1 for a new wall."""
+    rows = [wall.row.tolist() for wall in before]
+    came: list[int] = []
+    for wall in walls:
+        row = wall.row.tolist()
+        came.append(rows.index(row) if row in rows else -1)
+        if came[-1] >= 0:
+            rows[came[-1]] = []  # of two walls in one place each goes on by itself
+    return came
+
+
+def rows_of_walls(came: Sequence[int], rows: Floats, touching: Ints, stretch: Floats) -> tuple[Floats, Ints, Floats]:
+    """Return rows and contacts of the walls of a new run.
+
+    Args:
+        came: number that each wall had before, or -1.
+        rows: rows of the previous walls, shape (w, 14).
+        touching: element and wall of each contact, shape (b, 2).
+        stretch: tangential stretch of these contacts, shape (b, 6).
+
+    Returns:
+        Rows, contacts and stretches of the new walls, without contacts with walls that no longer exist.
+    """
+    number, found = np.full(len(rows), -1), np.zeros((len(came), COLUMNS))
+    for new, before in enumerate(came):
+        if before >= 0:
+            found[new], number[before] = rows[before], new
+    kept = number[touching[:, 1]] >= 0
+    element, wall = touching[kept, 0], number[touching[kept, 1]]
+    order = np.lexsort((wall, element))
+    return found, np.column_stack([element, wall])[order], stretch[kept][order]

@@ -1,0 +1,89 @@
+"""Centres of cells that fill a shape beside layers of centres along surfaces."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from bondem._types import PerElement, PerElement3
+from bondem.errors import InputError
+from bondem.packing.even import kept_inside, points_of
+from bondem.packing.graded import nearest_others, pushed
+from bondem.specimen.cells.tessellation import cell_centroids
+from bondem.specimen.geometry import Shape
+
+#: Distance of centres from walls, over the size of a cell.
+MARGIN = 0.33
+# Times that centres are pushed apart with new neighbours, with the same ones, how many, and steps of Lloyd.
+_ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
+# Times that centres are thrown.
+_TRIES = 1000
+
+#: Distance of points from the nearest surface [m], (n,).
+Nearest = Callable[[PerElement3], PerElement]
+
+
+def thrown_free(
+    shape: Shape, count: int, nearest: Nearest, clear: float, h: float, random: np.random.Generator
+) -> PerElement3:
+    """Return random centres that lie in no layer [m], (count, 3).
+
+    Args:
+        shape: shape to fill.
+        count: number of centres.
+        nearest: distance from the surfaces.
+        clear: distance that centres keep from surfaces [m].
+        h: size of a cell [m].
+        random: random generator.
+
+    Raises:
+        InputError: there is no room beside the surfaces.
+    """
+    lower, upper = shape.bounds
+    found = np.empty((0, 3))
+    for _ in range(_TRIES):
+        x = lower + (upper - lower) * random.random((2 * count, 3))
+        x = x[shape.depth(x) > MARGIN * h]
+        found = np.concatenate([found, x[nearest(x) > clear]])
+        if len(found) >= count:
+            return found[:count]
+    raise InputError("pack: the layers along surfaces leave no room for other cells; ask for more and smaller cells")
+
+
+def settled_free(
+    shape: Shape,
+    pins: PerElement3,
+    free: PerElement3,
+    h: float,
+    told: Callable[[float], None],
+    *,
+    nearest: Nearest | None = None,
+    clear: float = 0.0,
+) -> PerElement3:
+    """Return all centres, the free ones pushed apart and then moved to the centroids of their cells [m], (n, 3).
+
+    Args:
+        shape: shape to fill.
+        pins: centres that stay, (k, 3) [m].
+        free: all others, (n - k, 3) [m].
+        h: size of a cell [m].
+        told: function of the completed share.
+        nearest: distance from the surfaces, where free centres are to keep clear of them.
+        clear: least distance from the surfaces [m].
+    """
+    x = np.concatenate([pins, free])
+    count = len(x)
+    still, margin, size = np.arange(count) < len(pins), np.full(count, MARGIN * h), np.full(count, h)
+
+    def moved(to: PerElement3) -> PerElement3:
+        to = kept_inside(shape, np.where(still[:, None], x, to), x, margin)
+        stay = still if nearest is None else still | (nearest(to) < clear)
+        return np.where(stay[:, None], x, to)
+
+    for _ in range(_ROUNDS):
+        other = nearest_others(x, min(_NEAR, count))[1]
+        for _ in range(_SAME):
+            x = moved(pushed(x, size, other))
+    for step in range(_LLOYD):
+        told((step + 1) / (_LLOYD + 2))
+        x = moved(cell_centroids(points_of(shape, x, h)))
+    return x

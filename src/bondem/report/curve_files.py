@@ -1,0 +1,110 @@
+"""Every curve and history that a report draws, as CSV files with names and SI units in their first line."""
+
+import csv
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from bondem.errors import InputError
+from bondem.io.atomic import replacing
+from bondem.labtests.outcome import Outcome
+from bondem.report.findings import Examined, Findings
+from bondem.report.strength_figures import DRAWN
+from bondem.specimen.layering import wall_layering
+from bondem.specimen.radial_distribution import radial_distribution
+
+#: Folder of the files within that of the results.
+CURVES = "curves"
+# SI unit of a display unit.
+_SI = {"10$^{-3}$": "-", "µs": "s", "MPa": "Pa", "kN": "N", "m/s": "m/s"}
+# Columns of the other tests: keys of `Outcome.curves`, in groups of one length.
+_SIGNALS = (
+    ("", (("x", "x [m]"), ("profile", "motion of the section [m or rad]"))),
+    ("", (("time", "time [s]"), ("near", "velocity of struck face [m/s]"), ("far", "velocity of far face [m/s]"))),
+    ("", (("time", "time [s]"), ("signal", "mean motion of the free end [m or rad]"))),
+    ("_spectrum", (("frequency", "frequency [Hz]"), ("amplitude", "amplitude [m or rad]"))),
+)  # fmt: skip
+
+_Columns = Mapping[str, Any]
+
+
+def write_curves(findings: Findings, out: Path) -> dict[str, list[str]]:
+    """Write the curves of a study into `curves/`, one file per curve and packing.
+
+    Args:
+        findings: contents of the report.
+        out: folder of the results.
+
+    Returns:
+        Files by the test or figure that they belong to, relative to `out`.
+    """
+    tables = _of_specimen(findings.specimens[0]) | _of_calibration(findings)
+    written = {name: [_write(out, name, columns)] for name, columns in tables.items()}
+    for one in findings.specimens:
+        for name, outcome in one.outcomes.items():
+            for ending, columns in _of_test(name, outcome).items():
+                written.setdefault(name, []).append(_write(out, f"{name}{ending}_seed_{one.seed}", columns))
+    return written
+
+
+def _of_test(name: str, outcome: Outcome) -> dict[str, _Columns]:
+    """Tables of a test by the ending of their names."""
+    curves = outcome.curves
+    if name in DRAWN and "strain" in curves:
+        told = DRAWN[name]
+        columns = {
+            f"{told.strain} [{_SI[told.across[1]]}]": curves["strain"],
+            f"{told.stress} [{_SI[told.up[1]]}]": curves["stress"],
+        }  # fmt: skip
+        return {"": columns | {f"{part} [J]": values for part, values in outcome.energy.items()}}
+    return {
+        ending: {label: curves[key] for key, label in columns}
+        for ending, columns in _SIGNALS if all(key in curves for key, _ in columns)
+    }  # fmt: skip
+
+
+def _of_specimen(one: Examined) -> dict[str, _Columns]:
+    """Layering at the walls, and the radial distribution of the centres."""
+    particles, found = one.lattice.particles, {}
+    for face, layers in (wall_layering(particles) or {}).items():
+        found[f"layering_{face}"] = {
+            "distance over mean diameter [-]": layers.distance, "solid fraction [-]": layers.volume_fraction
+        }  # fmt: skip
+    with suppress(InputError):  # too few elements away from the walls
+        centres = radial_distribution(particles)
+        found["distribution"] = {"distance over mean diameter [-]": centres.distance, "g(r) [-]": centres.density}
+    return found
+
+
+def _of_calibration(findings: Findings) -> dict[str, _Columns]:
+    """The calibration curve, and E and ν of each packing in tension."""
+    found: dict[str, _Columns] = {}
+    if findings.fit is not None:
+        trials = sorted(findings.chart or findings.fit.table, key=lambda one: one.value)
+        found["calibration"] = {
+            f"{findings.fit.parameter} [-]": [one.value for one in trials],
+            "E / E_mu [-]": [one.stiffness_ratio for one in trials], "nu [-]": [one.nu for one in trials],
+        }  # fmt: skip
+    pulled = [one for one in findings.specimens if one.tension is not None]
+    if pulled:
+        tensions = [one.tension for one in pulled if one.tension is not None]
+        found["tension"] = {
+            "seed": [one.seed for one in pulled], "stress [Pa]": [one.stress for one in tensions],
+            "strain along x [-]": [one.strain[0, 0] for one in tensions],
+            "strain across [-]": [0.5 * (one.strain[1, 1] + one.strain[2, 2]) for one in tensions],
+        }  # fmt: skip
+    return found
+
+
+def _write(out: Path, name: str, columns: _Columns) -> str:
+    (out / CURVES).mkdir(parents=True, exist_ok=True)
+    file = f"{CURVES}/{name}.csv"
+    rows = np.column_stack([np.asarray(values, dtype=float) for values in columns.values()])
+    with replacing(out / file) as path, open(path, "w", newline="", encoding="utf-8") as stream:
+        table = csv.writer(stream, lineterminator="\n")
+        table.writerow(columns)
+        table.writerows([f"{value:.10g}" for value in row] for row in rows)
+    return file

@@ -1,0 +1,30 @@
+"""Colours of pieces: one each, however many there are."""
+
+import numpy as np
+from matplotlib.colors import hsv_to_rgb
+
+from bondem._types import Floats
+
+# Of the heaviest piece, which is most often what is left of the specimen.
+_LARGEST = (0.83, 0.86, 0.89)
+# Hues go round by the golden angle, so that neighbours in the order of size differ; so do saturation and value.
+_GOLDEN = 0.61803398875
+_SATURATION, _VALUE = (0.55, 0.80, 0.40, 0.68), (0.92, 0.72, 0.86)
+
+
+def piece_palette(count: int) -> Floats:
+    """Red, green and blue of pieces in the order of their masses, in 0 … 1.
+
+    Args:
+        count: number of pieces.
+
+    Returns:
+        One row a piece, no two alike, (count, 3); the first is pale grey.
+    """
+    number = np.arange(count)
+    hue = (0.02 + _GOLDEN * number) % 1.0
+    saturation = np.array(_SATURATION)[number % len(_SATURATION)]
+    value = np.array(_VALUE)[number % len(_VALUE)]
+    colour = hsv_to_rgb(np.column_stack([hue, saturation, value]))
+    colour[:1] = _LARGEST
+    return colour

@@ -1,0 +1,90 @@
+"""A body of cells that one can turn in the browser: the polygons that are seen from outside, and those of cracks."""
+
+import base64
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib import colormaps
+
+from bondem._types import Floats, Ints
+from bondem.fracture.fragments import fragments
+from bondem.observe.turned_vectors import turned_vectors
+from bondem.report.cell_pictures import outlined
+from bondem.report.findings import Examined
+from bondem.report.piece_colours import piece_palette
+from bondem.report.strength_figures import CRACKED, DRAWN, reach_of
+from bondem.report.style import SEQUENTIAL
+from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
+
+
+@dataclass(frozen=True)
+class TurningCells:
+    """Cells that the page draws.
+
+    Attributes:
+        corner: corners of the polygons from -1 to 1 as 16-bit integers, three a corner, base64.
+        size: corners of each polygon as bytes, base64.
+        edge: whether the edge that begins at each corner is drawn, as bytes, base64.
+        colour: red, green and blue of each polygon as bytes, base64.
+        caption: caption of the figure.
+    """
+
+    corner: str
+    size: str
+    edge: str
+    colour: str
+    caption: str
+
+
+def turning_cells_of(one: Examined) -> TurningCells:
+    """Cells at rest, coloured by size; after a test to failure where they are, each piece in a colour of its own."""
+    body, solid = one.lattice, polyhedra(one.lattice)
+    assert body.cells is not None
+    broken = [name for name in DRAWN if name in one.outcomes and one.outcomes[name].state is not None]
+    if broken:
+        state = one.outcomes[broken[0]].state
+        assert state is not None
+        pieces = fragments(body, state, integrity=CRACKED)
+        owner = np.repeat(solid.cell, np.diff(solid.start))
+        arm = solid.vertex - body.centre[owner]
+        moved = state.displacement[owner] + turned_vectors(state.orientation[owner], arm) - arm
+        reach = reach_of(body, moved)
+        place, label = solid.vertex + reach * (moved - moved.mean(axis=0)), pieces.label
+        colour = piece_palette(len(pieces))[label]
+        many = f"{len(pieces)} pieces" if len(pieces) > 1 else "1 piece"
+        title = DRAWN[broken[0]].title
+        caption = f"{title}: the broken specimen, motion × {reach:.0f}, {many} in a colour each"
+    else:
+        size = np.cbrt(body.cells.volume / body.cells.volume.mean())
+        share = (size - size.min()) / max(float(np.ptp(size)), 1e-12)
+        place, label, colour = solid.vertex, np.zeros(len(size), dtype=int), colormaps[SEQUENTIAL](share)[:, :3]
+        caption = f"The cells, coloured by size, V^(1/3) from {size.min():.2f} to {size.max():.2f} of the mean"
+    seen = _seen(solid, label)
+    rows, count = _rows(solid.start, seen)
+    corner = place[rows]
+    lower, upper = corner.min(axis=0), corner.max(axis=0)
+    corner = (corner - 0.5 * (lower + upper)) / (0.5 * float((upper - lower).max()))
+    return TurningCells(
+        corner=_text(np.rint(32_000.0 * np.clip(corner, -1.0, 1.0)).astype("<i2")),
+        size=_text(count.astype(np.uint8)),
+        edge=_text(outlined(solid)[rows].astype(np.uint8)),
+        colour=_text(np.rint(255.0 * colour[solid.cell[seen]]).astype(np.uint8)),
+        caption=f"{caption}. Drag to turn it, pinch or scroll with Ctrl to zoom.",
+    )
+
+
+def _seen(solid: Polyhedra, label: Ints) -> Ints:
+    """Polygons on walls and between two pieces."""
+    other = np.maximum(solid.neighbour, 0)
+    return np.flatnonzero((solid.neighbour < 0) | (label[solid.cell] != label[other]))
+
+
+def _rows(start: Ints, chosen: Ints) -> tuple[Ints, Ints]:
+    """Rows of the corners of some polygons, and how many each has."""
+    count = np.diff(start)[chosen]
+    first = np.repeat(start[chosen] - np.append(0, np.cumsum(count))[:-1], count)
+    return first + np.arange(int(count.sum())), count
+
+
+def _text(values: Floats | np.ndarray) -> str:
+    return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode("ascii")

@@ -1,0 +1,194 @@
+"""Conditions for triangles to enclose a body: closed, facing outwards, of solids that do not touch.
+
+Files of CAD programs are mended where there is only one way to: corners that several solids name are made one, and
+triangles that are there twice, or once each way as between two bodies that share a face, are taken out.
+
+Which solid lies within which is decided by the winding number (Jacobson et al., ACM Trans. Graph. 32, 2013): the
+solid angle of a solid seen from points of another, over 4π. It is a whole number where the surfaces keep apart.
+"""
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from bondem._types import Floats, Ints, PerElement, PerElement3
+from bondem.errors import InputError
+
+_FARTHEST = 1e30  # of a vertex [m]: beyond, volumes are no numbers any more
+# Corners nearer than this, over the size of the surface, are one where the surface is open otherwise: files keep
+# seven digits.
+_SAME = 2e-6
+# Pairs of a sample and a triangle that winding numbers are computed of in all, and samples of a solid at most.
+_PAIRS, _SAMPLES = 4_000_000, 400
+# Of a winding number from a whole one, at points whose surfaces keep apart.
+_OFF = 0.1
+
+
+def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats, Ints]:
+    """Return corners and triangles of a closed surface, all outwards, without doubled ones or ones without area.
+
+    Args:
+        name: name of the surface, for messages.
+        vertices: corners, (v, 3).
+        triangles: three corners each, (t, 3).
+
+    Raises:
+        InputError: it is not closed, encloses nothing, or has solids that overlap, touch, or lie in each other.
+    """
+    if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
+        raise InputError(f"{name}: vertices {vertices.shape}, triangles {triangles.shape}; give (v, 3) and (t, 3)")
+    if not np.isfinite(vertices).all() or np.abs(vertices).max(initial=0.0) > _FARTHEST:
+        raise InputError(f"{name} has a vertex that is not finite or beyond 1e30 m; export it again")
+    if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
+        raise InputError(f"{name}: triangles refer to vertices that do not exist; count vertices from 0")
+    vertices, triangles = _merged(vertices, triangles, 0.0)
+    if len(triangles) and not _is_closed(triangles):
+        size = float(np.ptp(vertices, axis=0).max())
+        nearer = _merged(vertices, triangles, _SAME * size)
+        if _is_closed(nearer[1]):
+            vertices, triangles = nearer
+    if len(triangles) < 4:
+        raise InputError(f"{name} has {len(triangles)} triangles; a closed surface has at least four")
+    _require_closed(name, triangles)
+    size = float(np.ptp(vertices, axis=0).max())
+    part = _parts(triangles)
+    volume = np.bincount(part, weights=_cones(vertices, triangles))
+    if np.abs(volume).max() <= 1e-12 * size**3:
+        raise InputError(f"{name} encloses no volume; close the surface")
+    if volume.sum() < 0.0:
+        triangles, volume = triangles[:, ::-1], -volume
+    if len(volume) > 1:
+        turned = _inside_out(name, vertices, triangles, part, volume)
+        triangles = np.where(turned[part][:, None], triangles[:, ::-1], triangles)
+    return vertices, np.ascontiguousarray(triangles)
+
+
+def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats, Ints]:
+    """Merge corners of one place, and remove triangles without area and doubled ones."""
+    place = vertices + 0.0 if tolerance == 0.0 else np.rint(vertices / tolerance)
+    _, first, number = np.unique(place, axis=0, return_index=True, return_inverse=True)
+    if len(first) < len(vertices):
+        order = np.argsort(first)
+        rank = np.empty_like(order)
+        rank[order] = np.arange(len(order))
+        vertices, triangles = vertices[first[order]], rank[number.ravel()][triangles]
+    triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    return vertices, _once(triangles)
+
+
+def _once(triangles: Ints) -> Ints:
+    """Return each triangle once; two of opposite directions cancel each other."""
+    corners = np.sort(triangles, axis=1)
+    _, number, count = np.unique(corners, axis=0, return_inverse=True, return_counts=True)
+    if not len(triangles) or count.max() == 1:
+        return triangles
+    number = number.ravel()
+    # the way round: that of the sorted corners or the other
+    turn = np.argmin(triangles, axis=1)[:, None]
+    second = np.take_along_axis(triangles, (turn + 1) % 3, axis=1)[:, 0]
+    way = np.where(second == corners[:, 1], 1, -1)
+    net = np.bincount(number, weights=way)
+    kept = np.zeros(len(triangles), dtype=bool)
+    for sign in (1, -1):
+        own = np.flatnonzero((way == sign) & (np.sign(net[number]) == sign))
+        _, first = np.unique(number[own], return_index=True)
+        kept[own[first]] = True
+    return triangles[kept]
+
+
+def _edges(triangles: Ints) -> tuple[Ints, Ints]:
+    """Count the triangles of each edge, and the excess of one direction over the other."""
+    edge = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+    way = np.where(edge[:, 0] < edge[:, 1], 1, -1)
+    _, number, count = np.unique(np.sort(edge, axis=1), axis=0, return_inverse=True, return_counts=True)
+    return count, np.bincount(number.ravel(), weights=way).astype(np.int64)
+
+
+def _is_closed(triangles: Ints) -> bool:
+    return bool(len(triangles)) and not _edges(triangles)[1].any()
+
+
+def _require_closed(name: str, triangles: Ints) -> None:
+    count, net = _edges(triangles)
+    lone, odd = int((count == 1).sum()), int(((count % 2 == 1) & (count > 1)).sum())
+    if odd and odd >= lone:
+        raise InputError(
+            f"{name}: {odd} edges have three triangles or more, an odd number: walls inside the body, or solids"
+            " that share a part of a face; unite the solids, remove inner walls, and export again"
+        )
+    if lone:
+        raise InputError(f"{name} is not watertight: {lone} edges have one triangle only; close the surface")
+    if net.any():
+        raise InputError(f"{name}: its triangles do not all face the same way; repair the normals and export again")
+
+
+def _parts(triangles: Ints) -> Ints:
+    """Number of the solid of each triangle; edges of two triangles join them."""
+    edge = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    _, number, count = np.unique(edge, axis=0, return_inverse=True, return_counts=True)
+    number = number.ravel()
+    order = np.argsort(number, kind="stable")
+    plain = order[count[number[order]] == 2] // 3
+    one, other = plain[::2], plain[1::2]
+    joined = coo_array((np.ones(len(one)), (one, other)), shape=(len(triangles),) * 2)
+    return connected_components(joined, directed=False)[1]
+
+
+def _cones(vertices: Floats, triangles: Ints) -> PerElement:
+    """Volumes of the cones from a point in the middle to each triangle, (t,)."""
+    a, b, c = np.moveaxis(vertices[triangles] - vertices.mean(axis=0), 1, 0)
+    return np.einsum("ni,ni->n", a, np.cross(b, c)) / 6.0
+
+
+def _inside_out(name: str, vertices: Floats, triangles: Ints, part: Ints, volume: Floats) -> np.ndarray:
+    """Find the solids that face inwards and are not cavities.
+
+    Raises:
+        InputError: solids overlap or touch, or one that faces outwards lies within another.
+    """
+    corner = vertices[triangles]
+    turned = np.zeros(len(volume), dtype=bool)
+    solids = [corner[part == k].reshape(-1, 3) for k in range(len(volume))]
+    low, high = (np.array([side(one, axis=0) for one in solids]) for side in (np.min, np.max))
+    for k in range(len(volume)):
+        near = np.flatnonzero((low <= high[k]).all(axis=1) & (high >= low[k]).all(axis=1))
+        other = corner[np.isin(part, near[near != k])]
+        around = _winding(_samples(corner[part == k], len(volume) * max(len(other), 1)), other)
+        depth = np.rint(around[0])
+        if np.abs(around - depth).max() > _OFF:
+            raise InputError(
+                f"{name}: two of its {len(volume)} solids overlap or touch; unite them in the CAD program, or join"
+                " one surface for each: bd.Surface(…) | bd.Surface(…)"
+            )
+        if depth and volume[k] > 0.0:
+            raise InputError(
+                f"{name}: one of its {len(volume)} solids lies within another and faces outwards: an overlap, or a"
+                " cavity whose triangles face the wrong way; remove it, or turn the triangles of the cavity inwards"
+            )
+        turned[k] = volume[k] < 0.0 and not depth
+    return turned
+
+
+def _samples(corner: Floats, pairs: int) -> PerElement3:
+    """Points spread over triangles (t, 3, 3), as many as work allows, (k, 3)."""
+    count = int(np.clip(_PAIRS // pairs, 2, _SAMPLES))
+    area = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
+    share = np.cumsum(area) / area.sum()
+    # by area, and within a triangle by a sequence that fills it evenly
+    at = np.minimum(np.searchsorted(share, (np.arange(count) + 0.5) / count), len(corner) - 1)
+    u, v = (np.mod(0.5 + np.arange(count) * step, 1.0) for step in (0.7548776662466927, 0.5698402909980532))
+    u, v = np.where(u + v > 1.0, 1.0 - u, u), np.where(u + v > 1.0, 1.0 - v, v)
+    chosen = corner[at]
+    return chosen[:, 0] + u[:, None] * (chosen[:, 1] - chosen[:, 0]) + v[:, None] * (chosen[:, 2] - chosen[:, 0])
+
+
+def _winding(points: PerElement3, corner: Floats) -> PerElement:
+    """Winding number of triangles (t, 3, 3) about points (k, 3) [-], by the solid angle of each, (k,)."""
+    found = np.zeros(len(points))
+    for k, point in enumerate(points):
+        a, b, c = np.moveaxis(corner - point, 1, 0)
+        x, y, z = (np.linalg.norm(side, axis=1) for side in (a, b, c))
+        top = np.einsum("ni,ni->n", a, np.cross(b, c))
+        bottom = x * y * z + (a * b).sum(axis=1) * z + (b * c).sum(axis=1) * x + (c * a).sum(axis=1) * y
+        found[k] = np.arctan2(top, bottom).sum() / (2.0 * np.pi)
+    return found

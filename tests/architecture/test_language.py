@@ -1,0 +1,225 @@
+"""Language of all public text: no banned phrase, and first lines of docstrings that stand alone."""
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+import pytest
+
+import bondem.cli
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGE = ROOT / "src/bondem"
+
+# Files and folders that were not revised yet. Remove an entry once its text is revised; never add one.
+PENDING = [
+    "docs/",
+    "src/bondem/_calls.py",
+    "src/bondem/_compile.py",
+    "src/bondem/_compile_cuda.py",
+    "src/bondem/_linking.py",
+    "src/bondem/_lock.py",
+    "src/bondem/kernels/",
+]
+
+# Each pattern and the wording that replaces it. All letters are compared in lower case.
+BANNED = {
+    r"\b(?:tell|tells|told|telling)\b": "state, show, set, distinguish",
+    r"\bwarn(?:ed|s)? of\b": "bondem warns when …",
+    r"\b(?:wait|waits|waited)\b": "postpone",
+    r"\b(?:hold|holds|held|holding) back\b": "postpone, prevent",
+    r"\b(?:let|lets|letting) go\b": "release",
+    r"\b(?:hand|hands|handed|handing) on\b": "pass, apply",
+    r"\b(?:take|takes|took|taken|taking) up\b": "absorb, dissipate, initialise",
+    r"\b(?:come|comes|came|coming) back\b": "return",
+    r"\b(?:bear|bears|bore|borne|bearing)\b": "carry, transmit, support",
+    r"\blook(?:s|ed)? (?:at|on)\b": "evaluate, check, observe",
+    r"\bin print\b": "published",
+    r"\bnothing is left\b": "name what is empty",
+    r"\b(?:hang|hangs|hung) together\b": "are connected",
+    r"\bthe same of\b": "repeat the noun",
+    r"(?<!exactly )(?<!only )\bone an? (?:element|cell|bond|facet|step|packing|file|line|process|row)\b": "one per …",
+    r"\bnow and then\b": "at intervals",
+    r"\blittle by little\b": "gradually",
+    r"\b(?:as|where|when) (?:it|they) (?:is|are) there\b": "state the condition",
+    r"\bgives? way\b": "yield, deform",
+    r"\bof what there is\b": "name the quantity",
+    r"\bwhat (?:comes|goes) (?:in|out)\b": "input, output, result",
+}  # fmt: skip
+
+# First words of a docstring that need the sentence before them, or that leave out its noun.
+BARE = re.compile(
+    r"(?:The same|The one|Of|What|Those|Whether|That|Where|How|Which|Who|Whose|When|While|If|There|It|Its|They|Their"
+    r"|This|These|Them|In|On|At|By|From|To|With|Without|As|And|But|Or|So|Such|Like|Not|Nothing|Again|Here|Else|Let"
+    r"|Make sure|Go on|Put|Tell|Told|Now|Also|Besides)\b"
+)
+
+# First words of the description of an argument that leave out its noun.
+BARE_ENTRY = re.compile(
+    r"(?:of|what|who|whose|where|how|which|when|the same|likewise|told|called|it|its|they|their|over|by|to|from|in|on"
+    r"|at|that|those|as)\b"
+)
+# Folders whose arguments and attributes were not revised yet.
+ENTRIES_PENDING = ["src/bondem/kernels/"]
+
+
+def pending(path: Path, entries: list[str]) -> bool:
+    name = path.relative_to(ROOT).as_posix()
+    return any(name == entry or (entry.endswith("/") and name.startswith(entry)) for entry in entries)
+
+
+def named(tree: ast.AST, prefix: str = "") -> Iterator[tuple[str, ast.AST]]:
+    """Public classes, functions and methods of a module."""
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
+            yield prefix + node.name, node
+            if isinstance(node, ast.ClassDef):
+                yield from named(node, f"{prefix}{node.name}.")
+
+
+def docstrings(tree: ast.Module) -> Iterator[tuple[str, str]]:
+    for name, node in [("module", tree), *named(tree)]:
+        text = ast.get_docstring(node)  # pyright: ignore[reportArgumentType]
+        if text:
+            yield name, text
+
+
+def messages(tree: ast.Module) -> Iterator[tuple[str, str]]:
+    """Strings of the code, without docstrings."""
+    nodes = (node.body for node in ast.walk(tree) if isinstance(node, ast.Module | ast.FunctionDef | ast.ClassDef))
+    said = {id(body[0].value) for body in nodes if body and isinstance(body[0], ast.Expr)}
+    for node in ast.walk(tree):
+        words = isinstance(node, ast.Constant) and isinstance(node.value, str) and " " in node.value
+        if words and id(node) not in said:
+            yield f"line {node.lineno}", node.value
+
+
+def banned_in(text: str) -> list[str]:
+    """Banned phrases of a text, names of arguments and code left out."""
+    prose = re.sub(r"(?m)^    [*\w]+(?:, [*\w]+)*:", "", re.sub(r"`[^`\n]+`", "`", text))
+    flat = re.sub(r"\s+", " ", prose).lower()
+    return [found.group() for pattern in BANNED for found in re.finditer(pattern, flat)]
+
+
+def first_line_faults(text: str) -> list[str]:
+    """Faults of the first paragraph of a docstring."""
+    first = text.split("\n\n")[0].replace("\n", " ").strip()
+    faults = []
+    if BARE.match(first):
+        faults.append("the first words need a noun or a verb")
+    if not (first[0].isupper() or first[0] in "`\"{["):
+        faults.append("the first letter is not a capital")
+    if first[-1] not in ".:":
+        faults.append("no period at the end")
+    return [f"{fault}: {first[:60]}" for fault in faults]
+
+
+def bare_entries(text: str) -> list[str]:
+    """Arguments and attributes whose description lacks its noun."""
+    found, section = [], ""
+    for line in text.splitlines():
+        if line and not line.startswith(" "):
+            section = line.strip()
+        entry = re.match(r"    [*\w]+(?:, [*\w]+)*: (.*)", line)
+        if section in ("Args:", "Attributes:") and entry and BARE_ENTRY.match(entry[1]):
+            found.append(line.strip())
+    return found
+
+
+def sources() -> list[Path]:
+    return [path for path in sorted(PACKAGE.rglob("*.py")) if not pending(path, PENDING)]
+
+
+def pages() -> list[Path]:
+    found = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+    return [path for path in found if not pending(path, PENDING)]
+
+
+def commands(command: click.Command, name: str = "bondem") -> Iterator[tuple[str, click.Command]]:
+    yield name, command
+    if isinstance(command, click.Group):
+        context = click.Context(command)
+        for inner in command.list_commands(context):
+            found = command.get_command(context, inner)
+            assert found is not None
+            yield from commands(found, f"{name} {inner}")
+
+
+def helps() -> Iterator[tuple[str, str]]:
+    """Help texts of all commands and options."""
+    for name, command in commands(bondem.cli.bondem):
+        yield name, command.help or ""
+        for parameter in command.params:
+            text = getattr(parameter, "help", None)
+            if text:
+                yield f"{name} {parameter.name}", text
+
+
+def test_what_is_pending_exists():
+    assert not [entry for entry in [*PENDING, *ENTRIES_PENDING] if not (ROOT / entry).exists()]
+
+
+def test_pages_have_no_banned_phrase():
+    found = [(path.name, phrase) for path in pages() for phrase in banned_in(path.read_text(encoding="utf-8"))]
+    assert not found
+
+
+def test_docstrings_and_messages_have_no_banned_phrase():
+    faults = []
+    for path in sources():
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for where, text in [*docstrings(tree), *messages(tree)]:
+            faults += [f"{path.relative_to(PACKAGE)} {where}: {phrase}" for phrase in banned_in(text)]
+    assert not faults, "\n".join(faults)
+
+
+def test_first_lines_of_docstrings_stand_alone():
+    faults = []
+    for path in sources():
+        for where, text in docstrings(ast.parse(path.read_text(encoding="utf-8"))):
+            faults += [f"{path.relative_to(PACKAGE)} {where}: {fault}" for fault in first_line_faults(text)]
+    assert not faults, "\n".join(faults)
+
+
+def test_arguments_and_attributes_are_noun_phrases():
+    faults = []
+    for path in sources():
+        if not pending(path, ENTRIES_PENDING):
+            for where, text in docstrings(ast.parse(path.read_text(encoding="utf-8"))):
+                faults += [f"{path.relative_to(PACKAGE)} {where}: {entry}" for entry in bare_entries(text)]
+    assert not faults, "\n".join(faults)
+
+
+def test_help_texts_are_sentences():
+    texts = [(name, re.sub(r"\s+\[[^]]*\]$", "", text)) for name, text in helps()]  # without a default
+    faults = [f"{name}: {text}" for name, text in texts if banned_in(text) or first_line_faults(text)]
+    assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("Bonds that bear load.", 1), ("Steps until the wall comes back, as told.", 2), ("One a\ncell.", 1),
+        ("Bonds that carry load, one per cell.", 0), ("Awaiting a bearable backlog.", 0),
+    ],
+)  # fmt: skip
+def test_banned_phrases_are_found(text: str, found: int):
+    assert len(banned_in(text)) == found
+
+
+@pytest.mark.parametrize(
+    ("text", "faults"),
+    [
+        ("The same, in the user's order.", 1), ("what breaks.", 1), ("Of a file", 2), ("Open the snapshots.", 0),
+        ("Themes of a page.", 0), ("Ionic strength [mol/m³].", 0),
+    ],
+)  # fmt: skip
+def test_bare_first_lines_are_found(text: str, faults: int):
+    assert len(first_line_faults(text)) == faults
+
+
+def test_bare_entries_are_found():
+    text = "Sum.\n\nArgs:\n    a: of the ball.\n    b, c: mass [kg].\n\nReturns:\n    d: of it."
+    assert bare_entries(text) == ["a: of the ball."]

@@ -1,0 +1,80 @@
+"""Pictures of lattices, models, runs and tests from Python."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.collections import PolyCollection
+
+import bondem as bd
+from bondem.errors import InputError
+from bondem.labtests.rig import StrengthTest
+from tests.test_pulse import bar
+from tests.test_turned_cells import two
+
+
+def words(figure) -> str:
+    """All that is written in a figure."""
+    figure.draw_without_rendering()
+    texts = [text.get_text() for ax in figure.axes for text in ax.texts]
+    texts += [ax.get_title() + ax.get_title("left") + ax.get_xlabel() + ax.get_ylabel() for ax in figure.axes]
+    legends = [ax.get_legend() for ax in figure.axes]
+    return " ".join([*texts, *(text.get_text() for one in legends if one for text in one.get_texts())])
+
+
+def test_a_lattice_is_drawn(tmp_path: Path) -> None:
+    body = two()[0].lattice
+    figure = body.plot(tmp_path / "body.png")
+    for picture in ((tmp_path / "body.png").read_bytes(), figure._repr_png_()):
+        assert picture.startswith(b"\x89PNG")
+    assert "2 cells, 1 facets" in words(figure)
+    assert "x 0 … 2000, y 0 … 1000, z 0 … 1000 mm" in words(figure)
+    spheres = bd.connect(bd.Particles([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], [0.5, 0.5]))
+    coloured = spheres.plot(tmp_path / "two.svg", values=[1.0, 3.0], label="load [N]", view=(0.0, 0.0))
+    assert "load [N]" in words(coloured)
+    for wrong, message in (
+        ({"values": [1.0]}, r"values has shape \(1,\); give \(2,\)"), ({"view": (1.0,)}, "give azimuth"),
+        ({"path": tmp_path / "a.jpg"}, "ends in .png, .pdf, .svg"), ({"path": tmp_path / "no/a.png"}, "no/a.png"),
+    ):  # fmt: skip
+        with pytest.raises(InputError, match=message):
+            spheres.plot(**wrong)
+
+
+def test_a_model_shows_supports_loads_and_walls() -> None:
+    held, state = two()
+    ends = [bd.Fix(bd.Index([0]), rotation=""), bd.Load(bd.Index([1]), force=(0.0, 0.0, -5.0))]
+    model = bd.Model(held.lattice, held.bond, 1e3, boundary=ends, contact=held.contact, walls=held.walls)
+    told = words(model.plot())
+    assert "fixed x y z" in told
+    assert "load 5 N" in told
+    polygons = [one for one in model.plot().axes[0].collections if isinstance(one, PolyCollection)]
+    assert len(polygons) == 3  # the cells and both walls
+    driven = bd.Model(held.lattice, held.bond, 1e3, boundary=[bd.Drive(bd.Index([1]), vx=1.0)])
+    assert "driven vx" in words(driven.plot())
+    assert "motion × 2" in words(held.plot(solution=state, reach=2.0))
+    with pytest.raises(InputError, match="has no displacement of 2 elements"):
+        held.plot(solution=bar().state())
+
+
+def test_a_window_needs_a_display() -> None:
+    with pytest.raises(InputError, match="no display is available"):
+        two()[0].lattice.plot().show()
+
+
+def test_runs_and_tests_are_drawn() -> None:
+    run = bd.solve_explicit(bar(), duration=2e-4, every=20, imbalance=None)
+    told = words(run.plot())
+    assert "energy [J]" in told
+    assert "pieces, motion × " in told
+    curve = np.column_stack([np.linspace(0.0, 1e-3, 5), np.linspace(0.0, 4e6, 5)])
+    test = StrengthTest(peak=4e6, E=4e9, curve=curve, work=1.0, asymmetry=0.0, kinetic=0.0, residual=0.0, run=run)
+    figure = test.plot(reach=1.0, view=(0.0, 0.0))
+    assert "stress [MPa]" in words(figure)
+    (line,) = figure.axes[0].get_lines()
+    np.testing.assert_allclose(line.get_xydata(), curve * [1e3, 1e-6])
+    every = (
+        bd.ExplicitResult, bd.QuasistaticResult, bd.labtests.BendingTest, bd.labtests.BrazilianTest,
+        bd.labtests.TriaxialTest, bd.labtests.SphereCrushing, bd.labtests.SphereImpact, bd.labtests.SpallTest,
+        bd.labtests.FreeVibration, bd.labtests.Outcome,
+    )  # fmt: skip
+    assert all(callable(kind.plot) for kind in every)
