@@ -27,7 +27,9 @@ from bondem._core_build import LIBRARIES, SOURCES, Target, compile_core, source_
 from bondem._lock import alone
 from bondem.errors import InputError
 
-__all__ = ["Pass", "compiled_level", "room_for", "table_fields"]
+__all__ = [
+    "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "room_for", "step_pass", "table_fields",
+]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
 _PATIENCE = 300.0
@@ -116,6 +118,13 @@ class _PassDescription(ctypes.Structure):
     )  # fmt: skip
 
 
+class _StepPassDescription(ctypes.Structure):
+    _fields_ = (
+        ("name", ctypes.c_char_p), ("kind", ctypes.c_int64), ("address", ctypes.c_void_p),
+        ("tables", ctypes.POINTER(ctypes.c_char_p)), ("count", ctypes.c_int64),
+    )  # fmt: skip
+
+
 @dataclass(frozen=True)
 class _Field:
     """A number or an array of a table, as the header declares it.
@@ -166,11 +175,15 @@ class _Library:
         level: of its instructions.
         tables: fields of each table.
         passes: of each, its function, its tables and how it may end.
+        step_passes: of each, its address and kind, and its tables.
+        lanes: numbers of a register.
     """
 
     level: str
     tables: dict[str, tuple[_Field, ...]]
     passes: dict[str, tuple[Any, tuple[str, ...], tuple[str, ...]]]
+    step_passes: dict[str, tuple[tuple[int, int], tuple[str, ...]]]
+    lanes: int
 
 
 @functools.cache
@@ -193,7 +206,11 @@ def _library() -> _Library:
         kind = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * one.count)
         names = tuple(one.tables[k].decode() for k in range(one.count))
         passes[one.name.decode()] = kind(one.address), names, tuple(one.outcomes.decode().split())
-    return _Library(level, tables, passes)
+    step_passes = {}
+    for one in _described(loaded.bondem_step_passes, _StepPassDescription):
+        names = tuple(one.tables[k].decode() for k in range(one.count))
+        step_passes[one.name.decode()] = (one.address, one.kind), names
+    return _Library(level, tables, passes, step_passes, int(loaded.bondem_lanes()))
 
 
 def _described(function: Any, kind: type[ctypes.Structure]) -> Iterable[Any]:
@@ -218,6 +235,11 @@ def _check_layout(name: str, fields: tuple[_Field, ...], size: int) -> None:
 def compiled_level() -> str:
     """The level of instructions of the library in use, such as "x86_64_v3"."""
     return _library().level
+
+
+def core_lanes() -> int:
+    """Numbers of a register of the library in use: a table of fewer bonds is filled up to so many."""
+    return _library().lanes
 
 
 def table_fields(name: str) -> tuple[str, ...]:
@@ -245,10 +267,7 @@ class Pass:
         self._function, tables, self._outcomes = library.passes[name]
         if tables != tuple(kind.__name__ for kind in kinds):
             raise ImportError(f"{name} takes the tables {', '.join(tables)}")
-        self._kinds = tuple((kind, library.tables[kind.__name__]) for kind in kinds)
-        for kind, fields in self._kinds:
-            if kind._fields != tuple(field.name for field in fields):  # type: ignore[attr-defined]
-                raise ImportError(f"{kind.__name__} has the fields {', '.join(field.name for field in fields)}")
+        self._kinds = tuple((kind, checked_fields(kind)) for kind in kinds)
 
     def __call__(self, *tables: tuple[Any, ...], threads: int = 1) -> str:
         """Run the pass.
@@ -265,14 +284,31 @@ class Pass:
         """
         lengths: dict[str, tuple[int, str]] = {}
         filled = [
-            _filled(kind.__name__, fields, table, lengths)
+            filled_table(kind.__name__, fields, table, lengths)
             for (kind, fields), table in zip(self._kinds, tables, strict=True)
         ]
         ended = self._function(int(threads), *filled)
         return self._outcomes[ended] if self._outcomes else ""
 
 
-def _filled(
+def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
+    """Address and kind of a pass that steps are composed of, and names of its tables."""
+    return _library().step_passes[name]
+
+
+def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[_Field, ...]:
+    """The fields of the table that a named tuple is named after.
+
+    Raises:
+        ImportError: other fields than those of the header.
+    """
+    fields = _library().tables[kind.__name__]
+    if kind._fields != tuple(field.name for field in fields):  # type: ignore[attr-defined]
+        raise ImportError(f"{kind.__name__} has the fields {', '.join(field.name for field in fields)}")
+    return fields
+
+
+def filled_table(
     name: str, fields: tuple[_Field, ...], table: tuple[Any, ...], lengths: dict[str, tuple[int, str]]
 ) -> Any:
     """A table in memory as the core takes it.

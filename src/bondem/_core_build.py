@@ -97,8 +97,8 @@ class Target:
 
     def flags(self, level: str) -> list[str]:
         """Flags of the compiler for a level."""
-        threads = [] if self.system == "windows" else ["-lpthread"]
-        return ["-target", self.triple, *_LEVELS[self.machine][level], *threads]
+        libraries = [] if self.system == "windows" else ["-lpthread", "-lm"]
+        return ["-target", self.triple, *_LEVELS[self.machine][level], *libraries]
 
 
 def source_digest(folder: Path = SOURCES) -> str:

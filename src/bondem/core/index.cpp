@@ -1,6 +1,7 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
 #include "described.hpp"
 #include "instructions.hpp"
+#include "lanes.hpp"
 #include "passes/assembly/stiffness.hpp"
 #include "passes/packing/growth.hpp"
 #include "passes/packing/neighbours.hpp"
@@ -11,6 +12,7 @@
 #include "passes/tessellation/laguerre.hpp"
 #include "passes/tessellation/measures.hpp"
 #include "passes/tessellation/ownership.hpp"
+#include "step_descriptions.hpp"
 
 namespace bondem {
 
@@ -73,6 +75,10 @@ const TableDescription tables[] = {
     described<Dividing>(), described<FaceGroups>(), described<PolygonMeasures>(), described<Bulk>(),
     described<BeamRows>(), described<FacetRows>(), described<BlockRows>(), described<DilatationRows>(),
     described<TriangleTree>(), described<Nearest>(),
+    described<Moving>(), described<Beams>(), described<AlikeBeams>(), described<Dashpots>(), described<StepCut>(),
+    described<StepScheme>(), described<Rows>(), described<Timeline>(), described<Drives>(), described<RowLoads>(),
+    described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
+    described<Portions>(), described<Gauges>(), described<History>(), described<StepPasses>(), described<Span>(),
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -91,8 +97,42 @@ const PassDescription passes[] = {
     P(assemble_beams, ""),
     P(assemble_facets, ""),
     P(find_nearest_triangles, ""),
+    P(take_steps, "sound not_finite runaway"),
 };
 #undef P
+
+// What a step is composed of.
+#define S(kind, pass) described(#pass, kind, Called<pass>::call, pass)
+const StepPassDescription step_passes[] = {
+    S(serial, clear_row_forces),
+    S(serial, follow_loads),
+    S(serial, follow_couples),
+    S(serial, follow_drives),
+    S(serial, follow_body_forces),
+    S(serial, follow_strains),
+    S(of_elements, open_elements),
+    S(of_elements, open_elements_and_rows),
+    S(of_elements, open_body_work),
+    S(bonds_of_blocks, add_beam_loads),
+    S(bonds_of_blocks, add_alike_beam_loads),
+    S(bonds_of_blocks, add_dashpot_loads),
+    S(parts_of_shared, collect_sums),
+    S(parts_of_shared, collect_dashpots),
+    S(elements_of_blocks, add_dashpots),
+    S(elements_of_blocks, add_body_forces),
+    S(elements_of_blocks, move_elements),
+    S(elements_of_blocks, move_rows),
+    S(elements_of_blocks, move_resisted),
+    S(elements_of_blocks, move_resisted_rows),
+    S(elements_of_blocks, add_body_work),
+    S(of_bonds, check_beams),
+    S(of_bonds, sum_beam_energies),
+    S(of_elements, sum_element_energies),
+    S(serial, judge_energy),
+    S(serial, write_ledger),
+    S(serial, read_gauges),
+};
+#undef S
 
 }  // namespace
 }  // namespace bondem
@@ -111,7 +151,13 @@ BONDEM_EXPORT const bondem::PassDescription *bondem_passes(bondem::Index *count)
     *count = sizeof(bondem::passes) / sizeof(bondem::passes[0]);
     return bondem::passes;
 }
+BONDEM_EXPORT const bondem::StepPassDescription *bondem_step_passes(bondem::Index *count) {
+    *count = sizeof(bondem::step_passes) / sizeof(bondem::step_passes[0]);
+    return bondem::step_passes;
+}
 // The highest level of instructions that this CPU and its system offer: 2, 3 or 4 of x86-64, else 0.
 BONDEM_EXPORT bondem::Index bondem_level() { return bondem::instruction_level(); }
+// Numbers of a register, as many as there are bonds in a group; tables of fewer bonds are filled.
+BONDEM_EXPORT bondem::Index bondem_lanes() { return bondem::lanes; }
 // The level that this library was compiled for.
 BONDEM_EXPORT bondem::Index bondem_compiled_level() { return bondem::compiled_level; }

@@ -1,0 +1,71 @@
+"""Steps of the core: lists of its passes, with the tables that they take.
+
+A run of steps is composed once, in Python, and walked by the core without returning (`core/steps.hpp`): lists of
+passes, each with its tables. What a model lacks is a pass that is not in a list.
+"""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from bondem._core import checked_fields, filled_table, step_pass
+
+__all__ = ["Composer", "StepPass"]
+
+# Words of an entry of a list: address, kind, and pointers to tables.
+_WORDS = 8
+
+
+class StepPass:
+    """A pass that steps are composed of.
+
+    Args:
+        name: of the pass.
+        kinds: named tuples of its tables, each with the name and the fields that the header declares.
+
+    Raises:
+        ImportError: tables other than those of the library.
+    """
+
+    def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
+        self.name = name
+        self.word, tables = step_pass(name)
+        if tables != tuple(kind.__name__ for kind in kinds):
+            raise ImportError(f"{name} takes the tables {', '.join(tables)}")
+        self.fields = tuple((kind.__name__, checked_fields(kind)) for kind in kinds)
+
+
+class Composer:
+    """Fills tables once, and makes lists of passes of them; it must live as long as these.
+
+    A length that a header names, such as n, is one length in all tables of a composer.
+    """
+
+    def __init__(self) -> None:
+        self._lengths: dict[str, tuple[int, str]] = {}
+        self._filled: dict[int, tuple[Any, Any]] = {}
+
+    def __call__(self, passes: Iterable[tuple[Any, ...]]) -> np.ndarray:
+        """Entries of a list, int64, (passes, 8).
+
+        Args:
+            passes: tuples of a `StepPass` and its tables.
+
+        Raises:
+            InputError: an array of another type, shape or order in memory than declared.
+        """
+        entries = []
+        for one, *tables in passes:
+            addresses = [
+                self._address(name, fields, table) for (name, fields), table in zip(one.fields, tables, strict=True)
+            ]
+            entries.append([*one.word, *addresses, *[0] * (_WORDS - 2 - len(addresses))])
+        return np.array(entries, dtype=np.int64).reshape(-1, _WORDS)
+
+    def _address(self, name: str, fields: Any, table: tuple[Any, ...]) -> int:
+        """Where a table is in memory; each is filled once."""
+        if id(table) not in self._filled:
+            words = filled_table(name, fields, table, self._lengths)
+            self._filled[id(table)] = table, np.frombuffer(words, dtype=np.int64)
+        return self._filled[id(table)][1].ctypes.data

@@ -1,0 +1,162 @@
+// Several numbers in one register: the type that passes over many bonds or elements give to the laws.
+//
+// `Lanes` is a number to the templates of laws/: it knows + - * /, negation, square root and rounding, and each lane has
+// the bits that one number would have. Rows of eight numbers come from tables as eight lanes, and go back transposed.
+#pragma once
+#include "scalars.hpp"
+
+namespace bondem {
+
+#if defined(__AVX512F__)
+constexpr int lanes = 8;
+#else
+constexpr int lanes = 4;  // which a CPU with narrower registers takes as two
+#endif
+typedef double Lanes __attribute__((vector_size(lanes * 8)));
+typedef double LanesInMemory __attribute__((vector_size(lanes * 8), aligned(8)));
+typedef double FourInMemory __attribute__((vector_size(32), aligned(8)));
+typedef double Four __attribute__((vector_size(32)));
+
+#define BONDEM_INLINE inline __attribute__((always_inline))
+
+#if defined(__clang__)
+BONDEM_INLINE Lanes root(Lanes a) { return __builtin_elementwise_sqrt(a); }
+BONDEM_INLINE Lanes nearest(Lanes a) { return __builtin_elementwise_rint(a); }
+BONDEM_INLINE Lanes absolute(Lanes a) { return __builtin_elementwise_abs(a); }
+#else
+template <class Function> BONDEM_INLINE Lanes each_lane(Lanes a, Function f) {
+    for (int n = 0; n < lanes; n++) a[n] = f(a[n]);
+    return a;
+}
+BONDEM_INLINE Lanes root(Lanes a) {
+    return each_lane(a, [](double x) { return root(x); });
+}
+BONDEM_INLINE Lanes nearest(Lanes a) {
+    return each_lane(a, [](double x) { return nearest(x); });
+}
+BONDEM_INLINE Lanes absolute(Lanes a) {
+    return each_lane(a, [](double x) { return absolute(x); });
+}
+#endif
+
+// -1, 0 or 1, as a number is below, at or above zero.
+BONDEM_INLINE double sign(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : 0.0; }
+BONDEM_INLINE Lanes sign(Lanes a) {
+    const Lanes zero = {}, one = zero + 1.0;
+    return a > zero ? one : a < zero ? -one : zero;
+}
+BONDEM_INLINE bool all_below(double a, double bound) { return a < bound; }
+BONDEM_INLINE bool all_below(Lanes a, double bound) {
+    bool below = true;
+    for (int n = 0; n < lanes; n++) below &= a[n] < bound;
+    return below;
+}
+
+// ---- memory
+
+BONDEM_INLINE Lanes load(const double *from) { return *reinterpret_cast<const LanesInMemory *>(from); }
+BONDEM_INLINE void store(double *to, Lanes a) { *reinterpret_cast<LanesInMemory *>(to) = a; }
+
+// A row of eight numbers of a table, or as many rows as there are lanes, column by column.
+template <class T> struct Row {
+    T column[8];
+};
+
+BONDEM_INLINE void transpose_four(Four *r) {
+    const Four low = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6), high = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
+    const Four low2 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6), high2 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+    r[0] = __builtin_shufflevector(low, low2, 0, 1, 4, 5);
+    r[1] = __builtin_shufflevector(high, high2, 0, 1, 4, 5);
+    r[2] = __builtin_shufflevector(low, low2, 2, 3, 6, 7);
+    r[3] = __builtin_shufflevector(high, high2, 2, 3, 6, 7);
+}
+
+#if defined(__AVX512F__)
+
+// Exchanges columns with rows at a distance of 1, 2 and 4.
+BONDEM_INLINE void transpose(Row<Lanes> &rows) {
+    Lanes *r = rows.column, s[8];
+    for (int n = 0; n < 8; n += 2) {
+        s[n] = __builtin_shufflevector(r[n], r[n + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        s[n + 1] = __builtin_shufflevector(r[n], r[n + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int n = 0; n < 8; n++)
+        if (!(n & 2)) {
+            r[n] = __builtin_shufflevector(s[n], s[n + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+            r[n + 2] = __builtin_shufflevector(s[n], s[n + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        }
+    for (int n = 0; n < 4; n++) {
+        s[n] = __builtin_shufflevector(r[n], r[n + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        s[n + 4] = __builtin_shufflevector(r[n], r[n + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int n = 0; n < 8; n++) r[n] = s[n];
+}
+BONDEM_INLINE Row<Lanes> gather(const double *table, const Short *place) {
+    Row<Lanes> rows;
+    for (int n = 0; n < lanes; n++) rows.column[n] = load(table + 8 * uint64_t(place[n]));
+    transpose(rows);
+    return rows;
+}
+BONDEM_INLINE void scatter(double *table, const Short *place, Row<Lanes> rows) {
+    transpose(rows);
+    for (int n = 0; n < lanes; n++) store(table + 8 * uint64_t(place[n]), rows.column[n]);
+}
+BONDEM_INLINE void accumulate(double *row, const Row<Lanes> &rows, int n) { store(row, load(row) + rows.column[n]); }
+
+#else
+
+BONDEM_INLINE void transpose(Row<Lanes> &rows) {
+    transpose_four(rows.column);
+    transpose_four(rows.column + 4);
+}
+BONDEM_INLINE Row<Lanes> gather(const double *table, const Short *place) {
+    Row<Lanes> rows;
+    for (int n = 0; n < lanes; n++) {
+        rows.column[n] = load(table + 8 * uint64_t(place[n]));
+        rows.column[4 + n] = load(table + 8 * uint64_t(place[n]) + 4);
+    }
+    transpose(rows);
+    return rows;
+}
+BONDEM_INLINE void scatter(double *table, const Short *place, Row<Lanes> rows) {
+    transpose(rows);
+    for (int n = 0; n < lanes; n++) {
+        store(table + 8 * uint64_t(place[n]), rows.column[n]);
+        store(table + 8 * uint64_t(place[n]) + 4, rows.column[4 + n]);
+    }
+}
+BONDEM_INLINE void accumulate(double *row, const Row<Lanes> &rows, int n) {
+    store(row, load(row) + rows.column[n]);
+    store(row + 4, load(row + 4) + rows.column[4 + n]);
+}
+
+#endif
+
+// Adds rows known … lanes - 1 to rows of a table, one by one: first that of the second end of a bond, then that of the
+// first. The tests stand one by one, because a loop over them is not unrolled.
+BONDEM_INLINE void add_rows(double *table, const Short *first, const Short *second, Row<Lanes> on_first,
+                            Row<Lanes> on_second, int known) {
+    transpose(on_second);
+    transpose(on_first);
+    const auto add = [&](int n) __attribute__((always_inline)) {
+        accumulate(table + 8 * uint64_t(second[n]), on_second, n);
+        accumulate(table + 8 * uint64_t(first[n]), on_first, n);
+    };
+    if (__builtin_expect(known <= 0, 1)) add(0);
+    if (__builtin_expect(known <= 1, 1)) add(1);
+    if (__builtin_expect(known <= 2, 1)) add(2);
+#if defined(__AVX512F__)
+    if (__builtin_expect(known <= 3, 1)) add(3);
+    if (__builtin_expect(known <= 4, 1)) add(4);
+    if (__builtin_expect(known <= 5, 1)) add(5);
+    if (__builtin_expect(known <= 6, 1)) add(6);
+#endif
+    add(lanes - 1);
+}
+
+// Asks for the first cache line of rows that are to come.
+BONDEM_INLINE void prefetch(const double *table, const Short *place) {
+    for (int n = 0; n < lanes; n++) __builtin_prefetch(table + 8 * uint64_t(place[n]));
+}
+
+}  // namespace bondem

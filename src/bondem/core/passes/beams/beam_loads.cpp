@@ -1,0 +1,81 @@
+// Forces and torques of beams, added to the sums of their elements in the order of the beams.
+#include "beam_loads.hpp"
+
+#include "../../laws/damping.hpp"
+#include "bonds.hpp"
+
+namespace bondem {
+namespace {
+
+// Bonds ahead of the loop whose first elements are asked for: those of the second ends follow one another.
+constexpr Index ahead = 32;
+
+// Beams with constants of their own, or those that all share, over their length.
+struct Own {
+    const Beams &beams;
+    BONDEM_INLINE BeamStiffness<Lanes> stiffness(Index k) const {
+        return stiffness_of(beams, k, load(beams.integrity.data + k));
+    }
+};
+struct Alike {
+    const double *hold;
+    double kn, A, B, kt;
+    BONDEM_INLINE BeamStiffness<Lanes> stiffness(Index k) const {
+        const Lanes h = load(hold + k);
+        return {kn * h, A * h, B * h, A * h, kt * h};
+    }
+};
+
+BONDEM_INLINE void add(double *sums, const Short *row_i, const Short *row_j, const BeamLoads<Lanes> &loads, int known) {
+    const Vector3<Lanes> f = loads.force, a = loads.on_i, b = loads.on_j;
+    const Lanes zero = {};
+    add_rows(sums, row_i, row_j, {{-f.x, -f.y, -f.z, zero, a.x, a.y, a.z, zero}}, {{f.x, f.y, f.z, zero, b.x, b.y, b.z, zero}},
+             known);
+}
+
+template <class Kind>
+BONDEM_INLINE void add_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut, const Kind kind) {
+    double *const pose = all.pose.data, *const __restrict sums = cut.sums.data;
+    const Short *const i = beams.i.data, *const j = beams.j.data;
+    const Short *const row_i = cut.row_i.data, *const row_j = cut.row_j.data;
+    double period[6];
+    for (Index c = 0; c < 6; c++) period[c] = beams.period(c);
+    const Index last = turn.last;
+    const double *const X0 = beams.X0.data, *const Y0 = beams.Y0.data, *const Z0 = beams.Z0.data, *const L = beams.length.data;
+    for_each_group(turn.first, last, [&](Group group) __attribute__((always_inline)) {
+        const Index k = group.first;
+        prefetch(pose, i + least(k + ahead, last - lanes));
+        const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), period);
+        const BeamShape<Lanes> shape = {{load(X0 + k), load(Y0 + k), load(Z0 + k)}, load(L + k)};
+        add(sums, row_i + k, row_j + k, beam_loads(ends, shape, kind.stiffness(k)), group.known);
+    });
+}
+
+}  // namespace
+
+void add_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut) {
+    add_loads(turn, all, beams, cut, Own{beams});
+}
+void add_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+                          const StepCut &cut) {
+    add_loads(turn, all, beams, cut, Alike{alike.hold.data, alike.knL, alike.AL, alike.BL, alike.ktL});
+}
+
+void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, const Dashpots &dashpots,
+                       const StepCut &cut) {
+    const Short *const i = beams.i.data, *const j = beams.j.data;
+    const double *const c = dashpots.c.data;
+    const Index m = dashpots.c.shape[1];
+    for_each_group(turn.first, turn.last, [&](Group group) {
+        const Index k = group.first;
+        const Vector3<Lanes> apart = branch(gather(all.pose.data, i + k), gather(all.pose.data, j + k), beams.period.data);
+        const Motion<Lanes> a(gather(all.motion.data, i + k)), b(gather(all.motion.data, j + k));
+        const Lanes s = load(beams.integrity.data + k);
+        const BeamDashpots<Lanes> dashpot = {s * load(c + k), s * load(c + m + k), s * load(c + 2 * m + k),
+                                             s * load(c + 3 * m + k)};
+        add(dashpots.sums.data, cut.row_i.data + k, cut.row_j.data + k,
+            dashpot_loads(apart, {b.v - a.v, a.w, b.w}, load(dashpots.share.data + k), dashpot), group.known);
+    });
+}
+
+}  // namespace bondem

@@ -1,0 +1,15 @@
+#pragma once
+#include "../../steps.hpp"
+
+namespace bondem {
+
+// Adds forces and torques of the beams of a block to the sums of their elements.
+void add_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut);
+// Those of beams that differ in length only.
+void add_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+                          const StepCut &cut);
+// Adds those of the dashpots of beams to sums of their own.
+void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, const Dashpots &dashpots,
+                       const StepCut &cut);
+
+}  // namespace bondem

@@ -1,0 +1,57 @@
+// How passes read the bonds of a table: one, or as many as there are lanes.
+#pragma once
+#include "../../laws/beam.hpp"
+#include "../motion/elements.hpp"
+
+namespace bondem {
+
+// A component of a branch over the nearest periodic image [m]; the inverse edge of a free specimen is 0.
+template <class T> BONDEM_INLINE T over_nearest_image(T d, double edge, double inverse) {
+    return d - edge * nearest(d * inverse);
+}
+template <class T> BONDEM_INLINE Vector3<T> branch(const Row<T> &i, const Row<T> &j, const double *period) {
+    return {over_nearest_image(j.column[0] - i.column[0], period[0], period[3]),
+            over_nearest_image(j.column[1] - i.column[1], period[1], period[4]),
+            over_nearest_image(j.column[2] - i.column[2], period[2], period[5])};
+}
+template <class T> BONDEM_INLINE Ends<T> ends_of(const Row<T> &i, const Row<T> &j, const double *period) {
+    return {branch(i, j, period), orientation(i), orientation(j)};
+}
+
+// The numbers of a column of one bond, or of the bonds from k on.
+template <class T> BONDEM_INLINE T number(const double *column, Index k);
+template <> BONDEM_INLINE double number<double>(const double *column, Index k) { return column[k]; }
+template <> BONDEM_INLINE Lanes number<Lanes>(const double *column, Index k) { return load(column + k); }
+
+template <class T> BONDEM_INLINE Vector3<T> direction_of(const Beams &beams, Index k) {
+    return {number<T>(beams.X0.data, k), number<T>(beams.Y0.data, k), number<T>(beams.Z0.data, k)};
+}
+template <class T> BONDEM_INLINE BeamShape<T> shape_of(const Beams &beams, Index k) {
+    return {direction_of<T>(beams, k), number<T>(beams.length.data, k)};
+}
+// Constants of the energy times a share of them, such as the integrity.
+template <class T> BONDEM_INLINE BeamStiffness<T> stiffness_of(const Beams &beams, Index k, T share) {
+    return {share * number<T>(beams.kn.data, k), share * number<T>(beams.A.data, k), share * number<T>(beams.B.data, k),
+            share * number<T>(beams.C.data, k), share * number<T>(beams.kt.data, k)};
+}
+inline Ends<double> ends_of(double *pose, const Beams &beams, Index k) {
+    return ends_of(gather(pose, beams.i(k)), gather(pose, beams.j(k)), beams.period.data);
+}
+
+// Groups of as many bonds as there are lanes.
+struct Group {
+    Index first;
+    int known;  // how many of it belong to the group before
+};
+// Calls on(group) for the groups of the bonds first … last - 1. The last group is moved back to end with the last bond, so
+// that it is read as a whole like the others; tables hold at least one group up to `last`.
+template <class On> BONDEM_INLINE void for_each_group(Index first, Index last, On on) {
+    for (Index k = first; k < last; k += lanes) {
+        if (k + lanes <= last)
+            on(Group{k, 0});
+        else
+            on(Group{last - lanes, int(k + lanes - last)});
+    }
+}
+
+}  // namespace bondem

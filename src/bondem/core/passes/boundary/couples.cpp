@@ -1,0 +1,82 @@
+// Moments of loads, as forces on regions that turn: the smallest forces about the present centroid of their points.
+//
+// With shares w of the points and s their places from the centroid, f = w ω × s and J ω = M, J = Σ w (s² 1 - s⊗s). The
+// forces have no resultant, and torques bear what is left of M where the points cannot, as in a row: the total is M.
+#include "../motion/elements.hpp"
+#include "rows.hpp"
+#include "timeline.hpp"
+
+namespace bondem {
+namespace {
+
+// Square of the share of the largest moments of inertia below which points have none about an axis.
+constexpr double none = 1e-8;
+
+struct Point {
+    Vector arm, place;  // from the centre of its element, and where it is [m]
+};
+
+Point point_of(const CoupleTable &couples, const Moving &all, Index k) {
+    const Row<double> x = gather(all.pose.data, Short(couples.element(k)));
+    const Vector arm = rotate(orientation(x), couples.arm.row<const Vector>(k));
+    return {arm, Vector{x.column[0], x.column[1], x.column[2]} + arm};
+}
+
+// ω of J ω = m, zero about axes along which the points lie: (J² + ε² 1) ω = J m.
+Vector turn_of(const CoupleTable &couples, const Moving &all, Index first, Index last, Vector centre, Vector m) {
+    double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
+    for (Index k = first; k < last; k++) {
+        const double w = couples.share(k);
+        const Vector s = point_of(couples, all, k).place - centre;
+        xx += w * (s.y * s.y + s.z * s.z);
+        yy += w * (s.x * s.x + s.z * s.z);
+        zz += w * (s.x * s.x + s.y * s.y);
+        xy -= w * s.x * s.y;
+        xz -= w * s.x * s.z;
+        yz -= w * s.y * s.z;
+    }
+    const double size = xx + yy + zz;
+    if (size <= 0.0) return {0.0, 0.0, 0.0};
+    xx /= size, yy /= size, zz /= size, xy /= size, xz /= size, yz /= size;
+    const Vector b = {xx * m.x + xy * m.y + xz * m.z, xy * m.x + yy * m.y + yz * m.z, xz * m.x + yz * m.y + zz * m.z};
+    const double a = xx * xx + xy * xy + xz * xz + none, d = xy * xy + yy * yy + yz * yz + none;
+    const double f = xz * xz + yz * yz + zz * zz + none;
+    const double p = xx * xy + xy * yy + xz * yz, q = xx * xz + xy * yz + xz * zz, r = xy * xz + yy * yz + yz * zz;
+    // cofactors
+    const double A = d * f - r * r, B = q * r - p * f, C = p * r - q * d;
+    const double D = a * f - q * q, E = p * q - a * r, F = a * d - p * p;
+    const double scale = 1.0 / (size * (a * A + p * B + q * C));
+    return {scale * (A * b.x + B * b.y + C * b.z), scale * (B * b.x + D * b.y + E * b.z),
+            scale * (C * b.x + E * b.y + F * b.z)};
+}
+
+void add_couple(const CoupleTable &couples, Index c, double amplitude, const Moving &all, const Rows &rows) {
+    const Index first = couples.start(c), last = couples.start(c + 1);
+    const Vector m = amplitude * couples.moment.row<const Vector>(c);
+    Vector centre = {0.0, 0.0, 0.0};
+    for (Index k = first; k < last; k++) centre = plus(centre, couples.share(k), point_of(couples, all, k).place);
+    const Vector w = turn_of(couples, all, first, last, centre, m);
+    Vector rest = m;
+    for (Index k = first; k < last; k++) {
+        const Point point = point_of(couples, all, k);
+        const Vector s = point.place - centre, f = couples.share(k) * cross(w, s), about = cross(point.arm, f);
+        rest = rest - cross(s, f);
+        const Index r = couples.row(k);
+        for (Index axis = 0; axis < 3; axis++) {
+            rows.force(r, axis) += f[axis];
+            rows.force(r, 3 + axis) += about[axis];
+        }
+    }
+    for (Index k = first; k < last; k++)
+        for (Index axis = 0; axis < 3; axis++) rows.force(couples.row(k), 3 + axis) += couples.share(k) * rest[axis];
+}
+
+}  // namespace
+
+void follow_couples(const Turn &turn, const Timeline &timeline, const CoupleTable &couples, const Moving &all,
+                    const Rows &rows) {
+    for (Index c = 0; c < couples.schedule.size(); c++)
+        add_couple(couples, c, value_at(timeline, couples.schedule(c), turn.clock.time), all, rows);
+}
+
+}  // namespace bondem

@@ -1,0 +1,54 @@
+// Body forces on groups of elements, whose acceleration follows schedules. Their work is that of both halves of a step,
+// at the velocities next to the kick.
+#include "body_forces.hpp"
+
+#include "../boundary/timeline.hpp"
+#include "elements.hpp"
+
+namespace bondem {
+namespace {
+
+void add_work(const Turn &turn, const Moving &all, const BodyForces &body, Short p) {
+    const double *g = &body.present(body.group(p), 0);
+    const Motion<double> moving(gather(all.motion.data, p));
+    const double power = g[0] * moving.v.x + g[1] * moving.v.y + g[2] * moving.v.z;
+    body.work(p, 0) += 0.5 * turn.clock.dt * power / moving.m;
+}
+
+}  // namespace
+
+void follow_body_forces(const Turn &turn, const Timeline &timeline, const BodyForces &body) {
+    bool changed = false;
+    for (Index b = 0; b < body.schedule.size(); b++) {
+        const double factor = value_at(timeline, body.schedule(b), turn.clock.time);
+        changed |= factor != body.factor(b);
+        body.factor(b) = factor;
+    }
+    if (!changed) return;  // groups may be as many as elements
+    for (Index g = 0; g < body.present.size(); g++)
+        for (Index d = 0; d < 3; d++) {
+            double sum = 0.0;
+            for (Index b = 0; b < body.schedule.size(); b++) sum += body.member(g, b) * body.factor(b) * body.pull(b, d);
+            body.present(g, d) = sum;
+        }
+}
+
+void add_body_forces(const Turn &turn, const Moving &all, const StepCut &cut, const BodyForces &body) {
+    for (Index e = turn.first; e < turn.last; e++) {
+        const Short p = turn.element[e];
+        const double inverse_mass = all.motion(p, 3);
+        for (Index d = 0; d < 3; d++) cut.sums(turn.row[e], d) += body.present(body.group(p), d) / inverse_mass;
+        add_work(turn, all, body, p);
+    }
+}
+
+void add_body_work(const Turn &turn, const Moving &all, const BodyForces &body) {
+    if (!turn.clock.goes_on) return;
+    for (Index e = turn.first; e < turn.last; e++) add_work(turn, all, body, turn.element[e]);
+}
+
+void open_body_work(const Turn &turn, const Moving &all, const BodyForces &body) {
+    for (Index p = turn.first; p < turn.last; p++) add_work(turn, all, body, Short(p));
+}
+
+}  // namespace bondem

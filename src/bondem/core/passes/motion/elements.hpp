@@ -1,0 +1,91 @@
+// Elements that a pass takes at once: one, or as many as there are lanes. Passes are templates of either.
+#pragma once
+#include "../../lanes.hpp"
+#include "../../laws/rotations.hpp"
+#include "../../steps.hpp"
+
+namespace bondem {
+
+// Element number e of the list of a turn.
+struct One {
+    using Number = double;
+    Short element, row;
+
+    One(const Turn &turn, Index e) : element(turn.element[e]), row(turn.row[e]) {}
+    explicit One(Index element) : element(Short(element)), row(0) {}
+};
+// The elements from number e of the list on; behind the end, the last one again and again. All of them are read before
+// any of them is written.
+struct Several {
+    using Number = Lanes;
+    Short element[lanes], row[lanes];
+
+    BONDEM_INLINE Several(const Turn &turn, Index e, Index last) {
+        for (int n = 0; n < lanes; n++) {
+            const Index place = least(e + n, last - 1);
+            element[n] = turn.element[place];
+            row[n] = turn.row[place];
+        }
+    }
+};
+
+BONDEM_INLINE Row<double> &row_at(double *table, Short place) {
+    return *reinterpret_cast<Row<double> *>(table + 8 * uint64_t(place));
+}
+BONDEM_INLINE Row<double> gather(double *table, const Short &place) { return row_at(table, place); }
+BONDEM_INLINE void scatter(double *table, const Short &place, const Row<double> &row) { row_at(table, place) = row; }
+BONDEM_INLINE void clear(double *table, const Short &place) { row_at(table, place) = {}; }
+BONDEM_INLINE void clear(double *table, const Short (&place)[lanes]) {
+    for (int n = 0; n < lanes; n++) row_at(table, place[n]) = {};
+}
+// A number of each element, in a table of so many columns.
+BONDEM_INLINE double number_at(const double *table, Index columns, Index c, const Short &place) {
+    return table[columns * place + c];
+}
+BONDEM_INLINE Lanes number_at(const double *table, Index columns, Index c, const Short (&place)[lanes]) {
+    Lanes all;
+    for (int n = 0; n < lanes; n++) all[n] = table[columns * place[n] + c];
+    return all;
+}
+BONDEM_INLINE void put_number(double *table, Index columns, Index c, const Short &place, double value) {
+    table[columns * place + c] = value;
+}
+BONDEM_INLINE void put_number(double *table, Index columns, Index c, const Short (&place)[lanes], Lanes value) {
+    for (int n = 0; n < lanes; n++) table[columns * place[n] + c] = value[n];
+}
+
+// What a row of the motion holds.
+template <class T> struct Motion {
+    Vector3<T> v;  // velocity [m/s]
+    T m;  // 1/mass [1/kg]
+    Vector3<T> w;  // angular velocity [rad/s]
+    T u;  // 1/inertia [1/(kg m²)]
+
+    explicit Motion(const Row<T> &row)
+        : v{row.column[0], row.column[1], row.column[2]}, m(row.column[3]),
+          w{row.column[4], row.column[5], row.column[6]}, u(row.column[7]) {}
+    Row<T> row() const { return {{v.x, v.y, v.z, m, w.x, w.y, w.z, u}}; }
+};
+// And a row of the sums.
+template <class T> struct Wrench {
+    Vector3<T> force, torque;  // [N, N·m]
+
+    explicit Wrench(const Row<T> &row)
+        : force{row.column[0], row.column[1], row.column[2]}, torque{row.column[4], row.column[5], row.column[6]} {}
+};
+template <class T> BONDEM_INLINE Quaternion<T> orientation(const Row<T> &pose) {
+    return {pose.column[4], pose.column[5], pose.column[6], pose.column[7]};
+}
+
+// A row of the pose a step later: x += dt v + extra a, and the orientation by the exponential map.
+template <class T>
+BONDEM_INLINE Row<T> drifted(const Row<T> &pose, const Clock &clock, const Motion<T> &moving, Vector3<T> a, Vector3<T> b) {
+    const double dt = clock.dt, extra = clock.extra;
+    const Vector3<T> v = moving.v, w = moving.w;
+    const Vector3<T> rotation = {dt * w.x + extra * b.x, dt * w.y + extra * b.y, dt * w.z + extra * b.z};
+    const Quaternion<T> q = turned(orientation(pose), rotation);
+    return {{pose.column[0] + (dt * v.x + extra * a.x), pose.column[1] + (dt * v.y + extra * a.y),
+             pose.column[2] + (dt * v.z + extra * a.z), pose.column[3], q.w, q.x, q.y, q.z}};
+}
+
+}  // namespace bondem

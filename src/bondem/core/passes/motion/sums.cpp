@@ -1,0 +1,29 @@
+#include "sums.hpp"
+
+#include "elements.hpp"
+
+namespace bondem {
+namespace {
+
+void collect(const Turn &turn, const StepCut &cut, double *sums) {
+    for (Index e = turn.first; e < turn.last; e++)
+        for (Index q = cut.parts + cut.part(e); q < cut.parts + cut.part(e + 1); q++)
+            for (Index c = 0; c < 8; c++) {
+                sums[8 * turn.row[e] + c] += sums[8 * q + c];
+                sums[8 * q + c] = 0.0;
+            }
+}
+
+}  // namespace
+
+void collect_sums(const Turn &turn, const StepCut &cut) { collect(turn, cut, cut.sums.data); }
+void collect_dashpots(const Turn &turn, const StepCut &cut, const Dashpots &dashpots) {
+    collect(turn, cut, dashpots.sums.data);
+}
+
+void add_dashpots(const Turn &turn, const StepCut &cut, const Dashpots &dashpots) {
+    for (Index e = turn.first; e < turn.last; e++)
+        for (Index c = 0; c < 8; c++) cut.sums(turn.row[e], c) += dashpots.sums(turn.row[e], c);
+}
+
+}  // namespace bondem

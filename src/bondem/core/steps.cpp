@@ -1,0 +1,147 @@
+#include "steps.hpp"
+
+#include "scalars.hpp"
+#include "threads.hpp"
+
+namespace bondem {
+namespace {
+
+constexpr Index tables_of_pass = 6;
+// Steps between two passes of the guard.
+constexpr Index guard_interval = 100;
+
+// An entry of a list, as Python writes it.
+struct Entry {
+    PassFunction call;
+    PassKind kind;
+    const void *tables[tables_of_pass];
+};
+static_assert(sizeof(Entry) == 8 * (2 + tables_of_pass));
+
+struct List {
+    const Entry *entry;
+    Index count;
+
+    explicit List(const Array<const Index, 2> &words)
+        : entry(reinterpret_cast<const Entry *>(words.data)), count(words.size()) {}
+};
+
+bool goes_by_blocks(const Entry &entry) {
+    return entry.kind == bonds_of_blocks || entry.kind == elements_of_blocks || entry.kind == parts_of_shared;
+}
+
+class Walk {
+  public:
+    Walk(Index threads, const StepCut &cut, const Span &span) : threads(threads), cut(cut), span(span) {}
+
+    // Calls the passes of a list in their order.
+    void through(const List &list, const Clock &clock) const {
+        for (Index p = 0; p < list.count;) {
+            const Entry *first = list.entry + p;
+            if (goes_by_blocks(*first)) {
+                Index last = p;
+                while (last < list.count && goes_by_blocks(list.entry[last])) last++;
+                by_blocks(first, list.entry + last, clock);
+                p = last;
+            } else {
+                p++;
+                if (first->kind == serial)
+                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0}, first->tables);
+                else if (first->kind == of_elements)
+                    by_portions(*first, clock, span.n, elements_of_portion);
+                else
+                    by_portions(*first, clock, span.m, bonds_of_portion);
+            }
+        }
+    }
+
+  private:
+    void by_portions(const Entry &entry, const Clock &clock, Index count, Index size) const {
+        for_each_task(threads, portions(count, size), [&](Index task) {
+            const Index first = task * size, last = least(first + size, count);
+            entry.call(Turn{clock, first, last, last, nullptr, nullptr, task}, entry.tables);
+        });
+    }
+
+    void by_blocks(const Entry *first, const Entry *last, const Clock &clock) const {
+        const Index domains = cut.domain.size() - 1, blocks = cut.held.size();
+        for_each_task(threads, domains, [&](Index d) {
+            for (Index b = cut.domain(d); b < cut.domain(d + 1); b++) {
+                const Turn bonds = {clock, cut.bond(b), cut.bond(b + 1), cut.bond(b + 1), nullptr, nullptr, b};
+                const Turn elements = {clock, cut.move(b), cut.move(b + 1), cut.held(b), cut.ready.data,
+                                       cut.ready_row.data, b};
+                for (const Entry *entry = first; entry < last; entry++)
+                    if (entry->kind != parts_of_shared)
+                        entry->call(entry->kind == bonds_of_blocks ? bonds : elements, entry->tables);
+            }
+        });
+        const Index shared = cut.shared.size();
+        if (shared == 0) return;
+        for_each_task(threads, domains, [&](Index d) {
+            const Index begin = shared * d / domains, end = shared * (d + 1) / domains;
+            const Index held = within(cut.shared_held, begin, end);
+            const Turn elements = {clock, begin, end, held, cut.shared.data, cut.shared_row.data, blocks};
+            for (const Entry *entry = first; entry < last; entry++)
+                if (entry->kind != bonds_of_blocks) entry->call(elements, entry->tables);
+        });
+    }
+
+    const Index threads;
+    const StepCut &cut;
+    const Span &span;
+};
+
+Clock clock_at(const StepScheme &scheme, Index step) {
+    return {scheme.origin + double(step) * scheme.dt, scheme.dt, scheme.finish, scheme.begin, scheme.extra, step, 0, 0, 0};
+}
+
+}  // namespace
+
+// The acceleration is that of the present state on entry and on return. Where no record and no guard comes between two
+// steps, the end of one and the start of the next are one pass over the elements.
+Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const Span &span,
+                 const Portions &portions) {
+    const Walk walk(threads, cut, span);
+    const List present(passes.present), opening(passes.opening), forces(passes.forces), guard(passes.guard),
+        record(passes.record);
+    for (Index k = 0; k < 4; k++) span.done(k) = 0;
+    Clock clock = clock_at(scheme, span.step);
+    clock.first = 1;
+    walk.through(present, clock);
+    if (span.looks) {
+        if (span.stale) {
+            Clock still = clock;
+            still.dt = still.finish = still.begin = still.extra = 0.0;
+            walk.through(forces, still);
+        }
+        walk.through(record, clock);
+        span.done(1) = 1;
+        return 0;
+    }
+    Index &done = span.done(0), &written = span.done(1), &wide = span.done(2);
+    for (bool paused = true; done < span.steps;) {
+        if (paused) walk.through(opening, clock);
+        done++;
+        clock = clock_at(scheme, span.step + done);
+        const bool recorded = span.every > 0 && clock.step % span.every == 0;
+        const bool guarded = clock.step % guard_interval == 0 || done == span.steps;
+        paused = recorded || guarded;
+        clock.goes_on = !paused;
+        clock.record = written;
+        walk.through(present, clock);
+        walk.through(forces, clock);
+        if (guarded) {
+            walk.through(guard, clock);
+            wide = most(wide, portions.found(0));
+            span.done(3) = portions.found(1);
+            if (span.done(3) > 0 || portions.found(2) != 0) return portions.found(2);
+        }
+        if (recorded) {
+            walk.through(record, clock);
+            written++;
+        }
+    }
+    return 0;
+}
+
+}  // namespace bondem

@@ -1,0 +1,69 @@
+// A step as a list of passes, which Python composes and the core walks without returning.
+//
+// A pass is a function over tables. What a model lacks is a pass that is not in its list. `take_steps` calls each pass
+// with a `Turn`, which says for what part of the step it is called, and with the tables that its entry names. Where it
+// stands in the list decides when, and its kind decides for what:
+//
+//     serial     once, on the calling thread
+//     bonds      for each block of a domain: the bonds of the block
+//     elements   for each block of a domain: the elements whose last bond is in the block; and then for shared ones
+//     parts      for elements that domains share, before `elements`: collects what each domain has for them
+//     of_elements, of_bonds    for portions of all elements or bonds
+//
+// Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to the
+// motion of its elements; each domain is on a thread of its own.
+#pragma once
+#include "tables/step_tables.hpp"
+
+namespace bondem {
+
+// The time that passes are called at.
+struct Clock {
+    double time, dt;  // [s]
+    double finish, begin, extra;  // coefficients of the scheme [s, s, s²]
+    Index step;
+    Index first;  // whether the time was not reached by a step
+    Index goes_on;  // whether elements open the next step
+    Index record;  // row of the history
+};
+
+// A part of a step.
+struct Turn {
+    const Clock &clock;
+    Index first, last;  // bonds of a block, elements of a list, or a portion of all
+    Index held;  // elements held … last - 1 of the list own rows of the boundary
+    const Short *element, *row;  // the list, and rows of their sums
+    Index block;  // number of the block or portion; of shared elements the number of blocks
+};
+
+enum PassKind : Index { serial, bonds_of_blocks, elements_of_blocks, parts_of_shared, of_elements, of_bonds };
+
+// Elements and bonds of a portion.
+constexpr Index elements_of_portion = 1024, bonds_of_portion = 2048;
+inline Index portions(Index count, Index size) { return (count + size - 1) / size; }
+
+// Carries out the steps of a span.
+Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const Span &span,
+                 const Portions &portions);
+
+// ---- how a pass is called with the tables of its entry
+
+using PassFunction = void (*)(const Turn &, const void *const *);
+
+template <Index... numbers> struct Numbers {};
+template <Index n, Index... rest> struct CountTo : CountTo<n - 1, n - 1, rest...> {};
+template <Index... numbers> struct CountTo<0, numbers...> {
+    using type = Numbers<numbers...>;
+};
+
+template <auto pass> struct Called;
+template <class... Tables, void (*pass)(const Turn &, const Tables &...)> struct Called<pass> {
+    template <Index... n> static void with(const Turn &turn, const void *const *tables, Numbers<n...>) {
+        pass(turn, *static_cast<const Tables *>(tables[n])...);
+    }
+    static void call(const Turn &turn, const void *const *tables) {
+        with(turn, tables, typename CountTo<sizeof...(Tables)>::type{});
+    }
+};
+
+}  // namespace bondem

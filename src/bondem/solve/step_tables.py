@@ -1,0 +1,159 @@
+"""Tables of the passes of a step, as `core/tables/step_tables.hpp` declares them with types and shapes.
+
+`StepCut`, `StepScheme`, `Rows` and `Gauges` are in `bondem.kernels.tables`, `CoupleTable` in `bondem.kernels.couples`
+and `Strain` in `bondem.kernels.strain_tables`, because the loops of Numba take them too.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._types import Floats, Ints
+
+
+class Moving(NamedTuple):
+    """The motion of n elements; arrays of a state."""
+
+    pose: Floats  #: (n, 8)
+    motion: Floats  #: (n, 8)
+    acceleration: Floats  #: at a pause [m/s², rad/s²], (n, 6)
+    loss: Floats  #: taken by damping [J], its present power [W], lost to friction [J], (n, 3)
+    rest: Floats  #: centres in the reference [m], (n, 3)
+
+
+class Beams(NamedTuple):
+    """Beams, m of them, and a few without force behind them where they are fewer than a group."""
+
+    i: np.ndarray  #: uint32
+    j: np.ndarray
+    X0: Floats  #: reference direction i→j [-]
+    Y0: Floats
+    Z0: Floats
+    length: Floats  #: at rest, L (1 + ε*) [m]
+    kn: Floats  #: [N/m]
+    A: Floats  #: constants of the energy [N·m]
+    B: Floats
+    C: Floats
+    kt: Floats  #: [N·m]
+    ks: Floats  #: [N/m]
+    lever: Floats  #: of the contact point from i [m]
+    integrity: Floats  #: 1 intact … 0 broken [-]
+    period: Floats  #: edges of the periodic cell and their inverses, (6,)
+
+
+class AlikeBeams(NamedTuple):
+    """What all beams share that differ in length only."""
+
+    hold: Floats  #: integrity over rest length [1/m], (m,)
+    knL: float  #: kn L [N]
+    AL: float  #: A L = C L [N·m²]
+    BL: float
+    ktL: float
+
+
+class Dashpots(NamedTuple):
+    """Dashpots beside the springs of beams, and their forces."""
+
+    c: Floats  #: cn, cs [N·s/m], cb, ct [N·m·s], (4, m)
+    share: Floats  #: where the contact point divides a beam, from i [-], (m,)
+    sums: Floats  #: on each element, in rows as `StepCut.sums`, (rows, 8)
+
+
+class Timeline(NamedTuple):
+    """Piecewise linear functions of time, one after the other."""
+
+    times: Floats  #: [s]
+    values: Floats
+    start: Ints  #: where each begins, (schedules + 1,)
+
+
+class Drives(NamedTuple):
+    """Degrees of freedom that follow schedules."""
+
+    row: Ints
+    dof: Ints
+    schedule: Ints
+    rate: np.ndarray  #: 1 for a velocity, 0 for a displacement, uint8
+
+
+class RowLoads(NamedTuple):
+    """Forces and torques that follow schedules."""
+
+    row: Ints
+    schedule: Ints
+    value: Floats  #: [N, N·m], (loads, 6)
+    turns: Ints  #: element with which each turns, or -1
+
+
+class BodyForces(NamedTuple):
+    """Body forces, b of them, on g groups of elements."""
+
+    group: np.ndarray  #: of each element, uint32, (n,)
+    member: Floats  #: whether each acts on a group, (g, b)
+    pull: Floats  #: accelerations [m/s²], (b, 3)
+    schedule: Ints  #: (b,)
+    present: Floats  #: acceleration of each group now [m/s²], (g, 3)
+    factor: Floats  #: of which factors it is, (b,)
+    work: Floats  #: on each element [J], (n, 1)
+
+
+class Resistance(NamedTuple):
+    """What resists the motion of elements."""
+
+    gamma: float  #: of local damping [-]
+    alpha: float  #: of mass damping [1/s]
+    viscous: bool  #: whether there is mass damping or any dashpot
+    dashed: Floats  #: the sums of `Dashpots`, or (0, 8)
+    absorbing: Floats  #: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], or (0, 6)
+
+
+class Portions(NamedTuple):
+    """Sums over portions of elements and bonds, and what is made of them."""
+
+    elements: Floats  #: translation, rotation, damped, rubbed [J]
+    bonds: Floats  #: energy of the four modes [J]
+    turned: Ints  #: unbroken bonds turned wide, and lost; whether a number was not finite
+    budget: Floats  #: energy at the start, and the most that was put in since [J], (2,)
+    found: Ints  #: bonds turned wide, and lost; 1 for a number that is not finite, 2 for a runaway, (3,)
+
+    @classmethod
+    def of(cls, n: int, m: int) -> "Portions":
+        """Room for those of n elements and m bonds."""
+        element, bond = -(-n // _ELEMENTS), -(-m // _BONDS)
+        return cls(
+            np.zeros((element, 4)), np.zeros((bond, 4)), np.zeros((bond, 3), dtype=np.int64), np.zeros(2),
+            np.zeros(3, dtype=np.int64),
+        )  # fmt: skip
+
+
+class History(NamedTuple):
+    """Rows of the history."""
+
+    record: Floats  #: (records, columns)
+
+
+class StepPasses(NamedTuple):
+    """Lists of passes (`bondem._core_steps.Composer`)."""
+
+    present: Ints  #: bring boundary conditions to the time of the clock
+    opening: Ints  #: elements open a step after a pause
+    forces: Ints  #: forces, and what elements do with them
+    guard: Ints  #: whether the run is sound
+    record: Ints  #: a row of the history
+
+
+class Span(NamedTuple):
+    """Which steps a call takes."""
+
+    step: int  #: number of the present one
+    steps: int  #: how many to go
+    every: int  #: steps between records, 0 for none
+    looks: bool  #: whether it takes none, and records the present
+    stale: bool  #: whether the acceleration is to be found for that
+    n: int  #: elements
+    m: int  #: bonds, without those that fill a group
+    done: Ints  #: steps done, records written, bonds turned wide at most and lost, (4,)
+
+
+# Elements and bonds of a portion, as in `core/steps.hpp`.
+_ELEMENTS, _BONDS = 1024, 2048
