@@ -67,7 +67,7 @@ BONDEM_INLINE BeamLoads<T> beam_loads(const Ends<T> &ends, const BeamShape<T> &s
     // force = axial X + (g1 X1 + g2 X2) / ℓ
     const T axial = -k.kn * (present - shape.length) - (g1 * c1 + g2 * c2) * inverse;
     const T s1 = g1 * inverse, s2 = g2 * inverse;
-    const Vector3<T> force = plus(plus(s1 * X1, axial, X), s2, X2);
+    const Vector3<T> force = plus(plus(axial * X, s1, X1), s2, X2);
     // torques = g X1 × X ± (4 kt w v - B X1 × X2), where (w, v) is the relative rotation
     const T twist = 2.0 * k.kt * relative_cosine(ends.i, ends.j);
     const Vector3<T> v = relative_sine(ends.i, ends.j), across = cross(X1, X2);
