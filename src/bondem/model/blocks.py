@@ -15,9 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Ints, Mask
-from bondem.kernels.lanes import WIDTH
 from bondem.kernels.tables import StepCut, lines
-from bondem.model.bond_table import with_twins
+from bondem.model.bond_table import GROUP, with_twins
 from bondem.model.layout import Layout
 
 
@@ -73,9 +72,9 @@ class Blocks:
         count = max(1, -(-n // size))
         # a border between domains may cut a block in two, which costs nothing
         edges = np.unique(np.concatenate([np.arange(count) * size, border, [n]]))
-        # a loop takes WIDTH bonds at once, the last of them perhaps together with some before
+        # a loop takes GROUP bonds at once, the last of them perhaps together with some before
         before = layout.in_start[edges]
-        edges = edges[(before == 0) | (before >= WIDTH) | (edges == n)]
+        edges = edges[(before == 0) | (before >= GROUP) | (edges == n)]
         domain = np.searchsorted(edges, np.concatenate([[0], border, [n]]))
         owner = np.repeat(np.arange(domains), np.diff(edges[domain]))
         block = np.repeat(np.arange(len(edges) - 1), np.diff(edges))

@@ -4,12 +4,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._core import core_lanes
 from bondem._types import Floats, PerBond
 from bondem.kernels.lanes import WIDTH
 from bondem.kernels.tables import Alike, Bonds
 from bondem.laws.bond import BondStiffness
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
+
+#: Bonds that a loop takes at once, at most: of Numba's loops and of the core.
+GROUP = max(WIDTH, core_lanes())
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,9 +152,9 @@ def with_zeros(columns: np.ndarray) -> np.ndarray:
 
 def _longer(columns: np.ndarray, value: np.ndarray) -> np.ndarray:
     m = columns.shape[-1]
-    if m == 0 or m >= WIDTH:
+    if m == 0 or m >= GROUP:
         return columns
-    more = np.broadcast_to(value.astype(columns.dtype), (*columns.shape[:-1], WIDTH - m))
+    more = np.broadcast_to(value.astype(columns.dtype), (*columns.shape[:-1], GROUP - m))
     return np.concatenate([columns, more], axis=-1)
 
 

@@ -3,10 +3,10 @@
 import numpy as np
 
 from bondem._types import Floats
-from bondem.kernels.lanes import WIDTH
 from bondem.kernels.soft_tables import BEGUN, SOFT_BOND, SOFT_COLUMNS, SOFT_OUTPUT_COLUMNS, SoftBonds
 from bondem.kernels.tables import BROKEN_COLUMNS, Breaks
 from bondem.model.blocks import Blocks
+from bondem.model.bond_table import GROUP
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -28,7 +28,7 @@ def breaking(model: Model, state: State, blocks: Blocks) -> Breaks | None:
     begin = blocks.bond[:-1] if whole else blocks.bond[blocks.domain[:-1]]
     weights = (np.zeros(0),) * 3 if cells is None else (cells.weight, cells.slack_i, cells.slack_j)
     adjacency = model.layout.adjacency
-    limit = np.full(max(m, WIDTH), np.inf, dtype=np.float32)
+    limit = np.full(max(m, GROUP), np.inf, dtype=np.float32)
     limit[:m] = table.limit
     limit[state.softened[:, SOFT_BOND].astype(np.int64)] = np.inf
     return Breaks(

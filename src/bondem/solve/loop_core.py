@@ -79,14 +79,13 @@ _read_gauges = StepPass("read_gauges", Moving, Rows, Gauges, History)
 
 
 def core_has(model: Model) -> bool:
-    """Whether the core has all passes of a model: beams of the total formulation that stay as they are."""
+    """Whether the core has all passes of a model: beams of the total formulation that neither break nor touch."""
     return (
         model.cells is None
         and model.non_local is None
         and model.formulation == "total"
-        and model.failure is None
+        and model.breaking is None
         and model.contacts is None
-        and not len(model.walls)
     )
 
 
@@ -238,7 +237,8 @@ def _drives(schedules: Any) -> Drives:
 def _body_forces(more: Added) -> BodyForces | None:
     if len(more.group) == 0:
         return None
-    return BodyForces(more.group, more.member, more.pull, more.schedule, more.present, more.factor, more.body)
+    member, pull = np.ascontiguousarray(more.member), np.ascontiguousarray(more.pull)
+    return BodyForces(more.group, member, pull, more.schedule, more.present, more.factor, more.body)
 
 
 def _dashpots(more: Added) -> Dashpots | None:
