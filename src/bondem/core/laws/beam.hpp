@@ -62,7 +62,8 @@ BONDEM_INLINE BeamLoads<T> beam_loads(const Ends<T> &ends, const BeamShape<T> &s
     const T present = length(ends.branch), inverse = 1.0 / present;
     const Vector3<T> X = inverse * ends.branch;
     const Vector3<T> X1 = rotate(ends.i, shape.direction), X2 = rotate(ends.j, shape.direction);
-    const T c1 = dot(X, X1), c2 = dot(X, X2);
+    // which of two products is fused with a sum is part of the bits: in c2 that of y
+    const T c1 = dot(X, X1), c2 = X.y * X2.y + X.x * X2.x + X.z * X2.z;
     const T g1 = k.A * c1 + k.B * c2, g2 = k.B * c1 + k.C * c2;
     // force = axial X + (g1 X1 + g2 X2) / ℓ
     const T axial = -k.kn * (present - shape.length) - (g1 * c1 + g2 * c2) * inverse;
