@@ -82,10 +82,10 @@ template <class T>
 BONDEM_INLINE Row<T> drifted(const Row<T> &pose, const Clock &clock, const Motion<T> &moving, Vector3<T> a, Vector3<T> b) {
     const double dt = clock.dt, extra = clock.extra;
     const Vector3<T> v = moving.v, w = moving.w;
-    const Vector3<T> rotation = {dt * w.x + extra * b.x, dt * w.y + extra * b.y, dt * w.z + extra * b.z};
+    const Vector3<T> rotation = {extra * b.x + dt * w.x, extra * b.y + dt * w.y, extra * b.z + dt * w.z};
     const Quaternion<T> q = turned(orientation(pose), rotation);
-    return {{pose.column[0] + (dt * v.x + extra * a.x), pose.column[1] + (dt * v.y + extra * a.y),
-             pose.column[2] + (dt * v.z + extra * a.z), pose.column[3], q.w, q.x, q.y, q.z}};
+    return {{pose.column[0] + (extra * a.x + dt * v.x), pose.column[1] + (extra * a.y + dt * v.y),
+             pose.column[2] + (extra * a.z + dt * v.z), pose.column[3], q.w, q.x, q.y, q.z}};
 }
 
 }  // namespace bondem
