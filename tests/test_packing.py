@@ -198,6 +198,6 @@ def test_bad_requests_are_refused_with_advice(error, shape, options, says):
 
 
 def test_a_shape_with_too_many_spheres_for_its_walls_is_refused():
-    box = bd.Box(size=(1.0, 1.0, 1.0)).moved((1.0, 0.0, 0.0))
+    box = bd.Box(size=(1.0, 1.0, 1.0)).rotated("z", 0.3)
     with pytest.raises(InputError, match="carve"):
         walls(box, np.full(3_000_000, np.cbrt(0.64 / 3e6 * 0.75 / np.pi)))
