@@ -146,6 +146,13 @@ def test_spheres_reach_into_the_edges_of_shapes_that_are_made_of_others(name):
     assert number["other"][1] > 0.4 * number["box"][1]
 
 
+@pytest.mark.parametrize("centre", [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (0.5, 0.5, -0.35)])
+def test_spheres_come_to_rest_in_wedges_between_flat_and_round_walls(centre):
+    shape = bd.Box((1.0, 1.0, 1.0)).cut(bd.Ball(radius=0.5).moved(centre))
+    spheres = bd.pack(shape, count=300, spread=0.3, seed=2)
+    assert (shape.depth(spheres.position) > 0.98 * spheres.radius).all()
+
+
 def test_near_neighbours_in_space_are_near_in_order(packed):
     pairs = bd.connect(packed).pairs
     shuffled = np.random.default_rng(0).permutation(len(packed))[pairs]
@@ -191,6 +198,6 @@ def test_bad_requests_are_refused_with_advice(error, shape, options, says):
 
 
 def test_a_shape_with_too_many_spheres_for_its_walls_is_refused():
-    box = bd.Box(size=(1.0, 1.0, 1.0)).moved((1.0, 0.0, 0.0))
+    box = bd.Box(size=(1.0, 1.0, 1.0)).rotated("z", 0.3)
     with pytest.raises(InputError, match="carve"):
         walls(box, np.full(3_000_000, np.cbrt(0.64 / 3e6 * 0.75 / np.pi)))

@@ -19,7 +19,7 @@ relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
 SCRIPT = """
 import hashlib, bondem as bd
 from bondem._core import compiled_level
-p = bd.pack(bd.Box(size=(1.0, 1.0, 1.0)) - bd.Ball(radius=0.5), count=150, spread=0.3, seed=2)
+p = bd.pack(bd.Box(size=(1.0, 1.0, 1.0)) - bd.Ball(radius=0.5), count=300, spread=0.3, seed=2)
 b = bd.connect(p, method="laguerre")
 parts = p.position, p.radius, b.facets.area, b.facets.centroid, b.cells.volume, b.cells.inertia
 print(compiled_level(), hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest(), float(p.radius.sum()))
@@ -73,10 +73,11 @@ def test_bits_do_not_depend_on_the_number_of_threads():
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 def test_a_fork_has_threads_of_its_own():
+    # threads of the parent are asleep at the fork; a child that waits for them is ended by the alarm
     code = (
-        "import os, sys; sys.path.insert(0, '.'); from tests.core.test_bits import relaxed; one = relaxed(3)\n"
-        "child = os.fork()\n"
-        "if child == 0: os._exit(0 if relaxed(3) == one else 1)\n"
+        "import os, signal, sys, time; sys.path.insert(0, '.'); from tests.core.test_bits import relaxed\n"
+        "one = relaxed(3); time.sleep(0.2); child = os.fork()\n"
+        "if child == 0: signal.alarm(120); os._exit(0 if relaxed(3) == one else 1)\n"
         "assert os.waitpid(child, 0)[1] == 0"
     )
     subprocess.run([sys.executable, "-W", "ignore", "-c", code], check=True, timeout=1800)

@@ -82,6 +82,12 @@ void *serve(void *recruit) {
 // Starts threads until there are so many beside the caller; fewer where the system gives no more.
 int started(int wanted) {
     if (team.process != getpid()) {
+        // In a forked child the threads of the parent are gone, and still counted as waiting: what they waited on
+        // would block the child.
+        static const pthread_mutex_t unlocked = PTHREAD_MUTEX_INITIALIZER;
+        static const pthread_cond_t nobody_waits = PTHREAD_COND_INITIALIZER;
+        team.lock = unlocked;
+        team.begun = team.ended = nobody_waits;
         team.process = getpid();
         team.started = 0;
     }

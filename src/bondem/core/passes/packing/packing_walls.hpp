@@ -9,6 +9,8 @@ namespace bondem {
 
 // A sphere this near to a wall of the grid, over its radius, touches it.
 constexpr double touch = 1e-6;
+// Walls that meet at a right angle need one round, at 45° about 30.
+constexpr int most_rounds = 30;
 
 inline bool has_grid(const PackingWalls &walls) { return walls.depth.all() > 0; }
 
@@ -40,6 +42,13 @@ struct PlainWalls {
             force = minus(force, most(dot(force, normal), 0.0), normal);
         }
         return force;
+    }
+    // The part of a direction along the flat walls that a sphere touches.
+    Vector along_touched(Vector x, double r, Vector direction) const {
+        const double near = r * (1.0 + 1e-12);
+        for (Index a = 0; a < 3; a++)
+            if (x[a] - lower[a] <= near || upper[a] - x[a] <= near) direction[a] = 0.0;
+        return direction;
     }
     // Puts a sphere back to the walls it has passed; its velocity into them is lost.
     void keep_within(double r, Vector &x, Vector &v) const {
@@ -106,29 +115,43 @@ inline Depth grid_depth(const PackingWalls &walls, Vector x, double enough) {
 
 inline double steepness(Vector gradient) { return most(dot(gradient, gradient), 0.01); }
 
-// The force on a sphere, less what the wall of the grid carries of it where it touches.
-inline Vector carried_by_grid(const PackingWalls &walls, Vector x, double r, Vector force) {
+// The force on a sphere, less what flat walls and the wall of the grid carry of it where it touches them.
+//
+// Where both do, what is left is the projection of the force onto the directions in which the sphere is free to move:
+// carried parts are found in turn, until that of the grid stays. Without it a sphere in a wedge is never at rest.
+inline Vector carried_by_grid(const PlainWalls &plain, const PackingWalls &walls, Vector x, double r, Vector force) {
+    Vector left = plain.carried(x, r, force);
     const Depth at = grid_depth(walls, x, r);
-    if (at.depth > r * (1.0 + touch)) return force;
-    const double out = least(dot(force, at.gradient), 0.0) / steepness(at.gradient);
-    return minus(force, out, at.gradient);
+    if (at.depth > r * (1.0 + touch)) return left;
+    const double steep = steepness(at.gradient), enough = 1e-9 * length(force);
+    double out = least(dot(left, at.gradient), 0.0) / steep;
+    for (int round = 0; round < most_rounds; round++) {
+        const Vector pressing = minus(force, out, at.gradient);
+        left = plain.carried(x, r, pressing);
+        const double next = out + least(dot(left, at.gradient) / steep, -out);
+        if (absolute(next - out) <= enough) break;
+        out = next;
+    }
+    return left;
 }
 
-// Puts a sphere back to the wall of the grid, by Newton's steps where need be from either side.
-inline void keep_on_grid(const PackingWalls &walls, double r, Vector &x, Vector &v) {
+// Puts a sphere back to the wall of the grid, by Newton's steps where need be from either side. A sphere that touches
+// flat walls moves along them, or each wall in turn would push it off the other.
+inline void keep_on_grid(const PlainWalls &plain, const PackingWalls &walls, double r, Vector &x, Vector &v) {
     bool beyond = false;
     double steep = 1.0;
-    Vector gradient = {0.0, 0.0, 0.0};
+    Vector gradient = {0.0, 0.0, 0.0}, along = gradient;
     for (int step = 0; step < 3; step++) {
         const Depth at = grid_depth(walls, x, r);
         gradient = at.gradient;
         beyond = beyond || at.depth < r;
         if (!beyond) return;
-        steep = steepness(gradient);
-        x = x + ((r - at.depth) * gradient) / steep;
+        along = plain.along_touched(x, r, gradient);
+        steep = steepness(along);
+        x = x + ((r - at.depth) * along) / steep;
     }
     const double out = least(dot(v, gradient), 0.0) / steep;
-    v = minus(v, out, gradient);
+    v = minus(v, out, along);
 }
 
 }  // namespace bondem

@@ -57,8 +57,7 @@ void press(const Spheres &spheres, const PackingWalls &walls, const Near &near, 
             touching += deep > 0.0 ? 1.0 : 0.0;
             most_overlap = most(most_overlap, deep);
         }
-        force = plain.carried(x, r, force);
-        if (grid) force = carried_by_grid(walls, x, r, force);
+        force = grid ? carried_by_grid(plain, walls, x, r, force) : plain.carried(x, r, force);
         spheres.force.row<Vector>(i) = force;
         const Vector v = spheres.velocity.row<Vector>(i);
         powers += dot(force, v);
@@ -94,7 +93,7 @@ void descend(const Spheres &spheres, const PackingWalls &walls, const Near &near
             x[a] = x[a] - step.back * old[a] + step.dt * v[a];
         }
         plain.keep_within(r, x, v);
-        if (grid) keep_on_grid(walls, r, x, v);
+        if (grid) keep_on_grid(plain, walls, r, x, v);
         spheres.sphere.row<Vector>(i) = x;
         spheres.velocity.row<Vector>(i) = v;
         const Vector moved = x - near.listed.row<const Vector>(i);
