@@ -56,7 +56,7 @@ def neighbours(
     n = len(sphere)
     reach = 2.0 * float(sphere[:, 3].max(initial=0.0)) + skin
     extent = np.asarray(upper, dtype=float) - lower
-    cells = np.clip((extent / reach).astype(np.int64), 1, max(1, min(n, _MOST_CELLS)))
+    cells = np.clip(extent / reach, 1, max(1, min(n, _MOST_CELLS))).astype(np.int64)  # clipped first: it may overflow
     grid = SphereGrid(
         sphere, np.array(lower, dtype=float), extent / cells, np.array(period, dtype=float), cells, float(skin),
         np.empty(n, np.int64), np.empty(int(cells.prod()) + 1, np.int64), np.empty(n, np.uint32),
