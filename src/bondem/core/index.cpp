@@ -78,7 +78,7 @@ const TableDescription tables[] = {
     described<Moving>(), described<Beams>(), described<AlikeBeams>(), described<Dashpots>(), described<StepCut>(),
     described<StepScheme>(), described<Rows>(), described<Timeline>(), described<Drives>(), described<RowLoads>(),
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
-    described<Portions>(), described<Gauges>(), described<History>(), described<StepPasses>(), described<Span>(),
+    described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<Portions>(), described<Gauges>(), described<History>(), described<StepPasses>(), described<Span>(),
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -97,6 +97,9 @@ const PassDescription passes[] = {
     P(assemble_beams, ""),
     P(assemble_facets, ""),
     P(find_nearest_triangles, ""),
+    P(load_beams, ""),
+    P(load_alike_beams, ""),
+    P(measure_beam_energies, ""),
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P

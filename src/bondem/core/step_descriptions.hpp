@@ -31,6 +31,9 @@ BONDEM_TABLE(Moving, F(pose, "n 8"), F(motion, "n 8"), F(acceleration, "n 6"), F
 BONDEM_TABLE(Beams, F(i, "m"), F(j, "m"), F(X0, "m"), F(Y0, "m"), F(Z0, "m"), F(length, "m"), F(kn, "m"), F(A, "m"),
              F(B, "m"), F(C, "m"), F(kt, "m"), F(ks, "m"), F(lever, "m"), F(integrity, "m"), F(period, "6"))
 BONDEM_TABLE(AlikeBeams, F(hold, "m"), F(knL, ""), F(AL, ""), F(BL, ""), F(ktL, ""))
+BONDEM_TABLE(Poses, F(pose, "n 8"))
+BONDEM_TABLE(BeamSums, F(row_i, "m"), F(row_j, "m"), F(sums, "sums 8"))
+BONDEM_TABLE(BeamEnergies, F(energy, "4"))
 BONDEM_TABLE(Dashpots, F(c, "4 m"), F(share, "m"), F(sums, "* 8"))
 BONDEM_TABLE(StepCut, F(domain, "domains+1"), F(bond, "blocks+1"), F(move, "blocks+1"), F(held, "blocks"),
              F(ready, "ready"), F(ready_row, "ready"), F(row_i, "m"), F(row_j, "m"), F(shared, "shared"),

@@ -7,9 +7,9 @@ import numpy as np
 from bondem._types import Floats, PerBond, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.beam_softening import pressed_energy
-from bondem.kernels.bond_pass import bond_energies
 from bondem.kernels.cell_energies import cell_energies
 from bondem.kernels.grip_pass import place_walls
+from bondem.model.beam_tables import beam_energies, beam_tables
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -134,7 +134,10 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
         )
     bonds = model.bonds.stretched(strain).rows(model.layout, model.period, state.integrity)
     if model.cells is None:
-        normal, *others = bond_energies(state.pose, bonds)
+        beams, _ = beam_tables(
+            model.bonds.stretched(strain), model.layout, model.period, state.integrity, may_share=False
+        )
+        normal, *others = beam_energies(state.pose, beams)
         count = len(state.softened)
         normal += pressed_energy(state.pose, bonds, state.softened, count, model.hands_over) if count else 0.0
         return EnergyParts(normal, *others)

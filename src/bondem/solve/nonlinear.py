@@ -14,9 +14,9 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError
-from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.tables import lines
 from bondem.kernels.turn_guard import rotation_guard
+from bondem.model.beam_tables import BeamSums, beam_tables, load_beams
 from bondem.model.bond_table import with_twins
 from bondem.model.couples import Couple
 from bondem.model.model import Model
@@ -191,10 +191,11 @@ def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
     if model.cells is not None:
         return facet_gradient(model, pose, i, j)
     m = len(i)
-    bonds = model.bonds.rows(model.layout, model.period, np.ones(m))._replace(i=with_twins(i), j=with_twins(j))
+    beams, _ = beam_tables(model.bonds, model.layout, model.period, np.ones(m), may_share=False)
     loads = lines(2 * m)  # every bond adds to two rows of its own
     own = np.arange(m, dtype=np.uint32)
-    bond_loads(pose, bonds, None, loads, with_twins(own), with_twins(own + np.uint32(m)), None, 0, len(bonds.i))
+    rows = BeamSums(with_twins(own), with_twins(own + np.uint32(m)), loads)
+    load_beams(pose, beams._replace(i=with_twins(i), j=with_twins(j)), None, rows)
     columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
     return columns[:, :m], columns[:, m:]
 

@@ -14,12 +14,11 @@ from bondem.kernels.couples import CoupleTable
 from bondem.kernels.strain_tables import Strain
 from bondem.kernels.tables import Added, Gauges, Rows, Schedules, StepCut
 from bondem.laws.damping import DampingTerms
+from bondem.model.beam_tables import AlikeBeams, Beams, beam_tables
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added, changing_strain
 from bondem.solve.step_tables import (
-    AlikeBeams,
-    Beams,
     BodyForces,
     Dashpots,
     Drives,
@@ -96,7 +95,12 @@ class StepTables:
     def of(cls, model: Model, terms: DampingTerms, state: State, cut: StepCut, gauges: Gauges) -> "StepTables":
         """The tables of a run from a state, whose arrays they share."""
         held, strain = model.constraints, changing_strain(model, state)
-        beams, alike = beam_tables(model, state, changing=strain is not None)
+        bonds = model.bonds.stretched(state.eigenstrain)
+        if strain is not None:  # lengths change while it runs
+            bonds = bonds.separate()
+        beams, alike = beam_tables(
+            bonds, model.layout, model.period, state.integrity, may_share=strain is None
+        )
         more, schedules = added(model, terms, state, len(cut.sums)), held.schedules
         return cls(
             moving=Moving(state.pose, state.motion, state.acceleration, state.loss, state.rest),
@@ -188,18 +192,6 @@ def passes_of_a_record(t: StepTables, history: History) -> Passes:
     if len(t.gauges.quantity):
         passes.append((_read_gauges, t.moving, t.rows, t.gauges, history))
     return passes
-
-
-def beam_tables(model: Model, state: State, *, changing: bool) -> tuple[Beams, AlikeBeams | None]:
-    """Beams of a state as the core takes them, and what they share unless their lengths change."""
-    bonds = model.bonds.stretched(state.eigenstrain)
-    bonds, same = (bonds.separate(), None) if changing else (bonds, bonds.alike)
-    b = bonds.rows(model.layout, model.period, state.integrity, alike=same is not None)
-    columns = (
-        b.i, b.j, b.X0, b.Y0, b.Z0, b.length, b.kn, b.A, b.B, b.C, b.kt, b.ks, b.lever, b.integrity, b.period
-    )  # fmt: skip
-    beams = Beams(*map(np.ascontiguousarray, columns))
-    return beams, None if same is None else AlikeBeams(b.hold, *same)
 
 
 def _row_loads(schedules: Schedules) -> RowLoads:

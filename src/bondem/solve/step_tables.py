@@ -1,7 +1,8 @@
 """Tables of the passes of a step, as `core/tables/step_tables.hpp` declares them with types and shapes.
 
-`StepCut`, `StepScheme`, `Rows` and `Gauges` are in `bondem.kernels.tables`, `CoupleTable` in `bondem.kernels.couples`
-and `Strain` in `bondem.kernels.strain_tables`, because the loops of Numba take them too.
+`Beams` and `AlikeBeams` are in `bondem.model.beam_tables`. `StepCut`, `StepScheme`, `Rows` and `Gauges` are in
+`bondem.kernels.tables`, `CoupleTable` in `bondem.kernels.couples` and `Strain` in `bondem.kernels.strain_tables`,
+because the loops of Numba take them too.
 """
 
 from typing import NamedTuple
@@ -19,36 +20,6 @@ class Moving(NamedTuple):
     acceleration: Floats  #: at a pause [m/s², rad/s²], (n, 6)
     loss: Floats  #: taken by damping [J], its present power [W], lost to friction [J], (n, 3)
     rest: Floats  #: centres in the reference [m], (n, 3)
-
-
-class Beams(NamedTuple):
-    """Beams, m of them, and a few without force behind them where they are fewer than a group."""
-
-    i: np.ndarray  #: uint32
-    j: np.ndarray
-    X0: Floats  #: reference direction i→j [-]
-    Y0: Floats
-    Z0: Floats
-    length: Floats  #: at rest, L (1 + ε*) [m]
-    kn: Floats  #: [N/m]
-    A: Floats  #: constants of the energy [N·m]
-    B: Floats
-    C: Floats
-    kt: Floats  #: [N·m]
-    ks: Floats  #: [N/m]
-    lever: Floats  #: of the contact point from i [m]
-    integrity: Floats  #: 1 intact … 0 broken [-]
-    period: Floats  #: edges of the periodic cell and their inverses, (6,)
-
-
-class AlikeBeams(NamedTuple):
-    """What all beams share that differ in length only."""
-
-    hold: Floats  #: integrity over rest length [1/m], (m,)
-    knL: float  #: kn L [N]
-    AL: float  #: A L = C L [N·m²]
-    BL: float
-    ktL: float
 
 
 class Dashpots(NamedTuple):

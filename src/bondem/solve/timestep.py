@@ -12,10 +12,10 @@ from scipy.sparse.linalg import eigsh
 from bondem._names import users_line
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import StepWarning, UnstableStepError
-from bondem.kernels.bond_pass import bond_loads
 from bondem.kernels.tables import lines
 from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.laws.non_local import NonLocal
+from bondem.model.beam_tables import BeamSums, beam_tables, load_beams
 from bondem.model.bond_table import BondTable
 from bondem.model.local_origin import local_rest
 from bondem.model.local_stiffness import local_stiffness
@@ -81,13 +81,14 @@ def stiffest(
         return 0.0
     intact = np.ones(m) if integrity is None else integrity
     table = model.bonds if table is None else table
-    same = None if model.cells is not None or model.non_local is not None else table.alike
-    body = None
+    pose, sums = lines(n), lines(n)
     if model.cells is not None:
         _, body = body_tables(model, intact)
         body.grips.wall[:] = 0.0
-    bonds, sums = table.rows(layout, model.period, intact, alike=same is not None), lines(n)
-    pose = lines(n)
+        bonds = table.rows(layout, model.period, intact)
+    else:
+        beams, alike = beam_tables(table, layout, model.period, intact)
+        loads = BeamSums(beams.i, beams.j, sums)
     rest = local_rest(model.lattice)[layout.order]
     shortest = float(table.length.min())
     root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
@@ -104,10 +105,10 @@ def stiffest(
         pose[:, 4] = 1.0
         pose[:, 5:] = 0.5 * motion[:, 3:]
         pose[:, 4:] /= np.sqrt(np.einsum("nk,nk->n", pose[:, 4:], pose[:, 4:]))[:, None]
-        if body is not None:
+        if model.cells is not None:
             body_loads(pose, rest, bonds, body, sums)
         else:
-            bond_loads(pose, bonds, same, sums, bonds.i, bonds.j, None, 0, len(bonds.i))
+            load_beams(pose, beams, alike, loads)
         forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
         sums[:] = 0.0
         if slip is not None:

@@ -32,6 +32,19 @@ struct AlikeBeams {
     Array<const double, 1> hold;  // integrity over rest length [1/m], (m,)
     double knL, AL, BL, ktL;  // kn L [N]; A L = C L, B L and kt L [N·m²]
 };
+// Where elements are, whether they move there or not.
+struct Poses {
+    Array<const double, 2> pose;  // (n, 8)
+};
+// Where the forces of beams on their two ends are added.
+struct BeamSums {
+    Array<const Short, 1> row_i, row_j;  // (m,)
+    Array<double, 2> sums;  // force, 0, torque, 0 [N, N·m], (rows, 8)
+};
+// Normal, shear, bending and twisting energy of all beams.
+struct BeamEnergies {
+    Array<double, 1> energy;  // [J], (4,)
+};
 // Dashpots beside the springs of beams, and their forces.
 struct Dashpots {
     Array<const double, 2> c;  // cn, cs [N·s/m], cb, ct [N·m·s], (4, m)

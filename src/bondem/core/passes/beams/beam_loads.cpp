@@ -26,6 +26,8 @@ struct Alike {
     }
 };
 
+inline Alike all_alike(const AlikeBeams &alike) { return {alike.hold.data, alike.knL, alike.AL, alike.BL, alike.ktL}; }
+
 BONDEM_INLINE void add(double *sums, const Short *row_i, const Short *row_j, const BeamLoads<Lanes> &loads, int known) {
     const Vector3<Lanes> f = loads.force, a = loads.on_i, b = loads.on_j;
     const Lanes zero = {};
@@ -33,16 +35,17 @@ BONDEM_INLINE void add(double *sums, const Short *row_i, const Short *row_j, con
              known);
 }
 
-template <class Kind>
-BONDEM_INLINE void add_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut, const Kind kind) {
-    double *const pose = all.pose.data, *const __restrict sums = cut.sums.data;
+// Adds the loads of the beams first … last - 1; `to` has the rows of the sums, and the sums.
+template <class Sums, class Kind>
+BONDEM_INLINE void add_loads(Index first, const Index last, const double *const pose, const Beams &beams, const Sums &to,
+                             const Kind kind) {
+    double *const __restrict sums = to.sums.data;
     const Short *const i = beams.i.data, *const j = beams.j.data;
-    const Short *const row_i = cut.row_i.data, *const row_j = cut.row_j.data;
+    const Short *const row_i = to.row_i.data, *const row_j = to.row_j.data;
     double period[6];
     for (Index c = 0; c < 6; c++) period[c] = beams.period(c);
-    const Index last = turn.last;
     const double *const X0 = beams.X0.data, *const Y0 = beams.Y0.data, *const Z0 = beams.Z0.data, *const L = beams.length.data;
-    for_each_group(turn.first, last, [&](Group group) __attribute__((always_inline)) {
+    for_each_group(first, last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
         prefetch(pose, i + least(k + ahead, last - lanes));
         const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), period);
@@ -54,11 +57,19 @@ BONDEM_INLINE void add_loads(const Turn &turn, const Moving &all, const Beams &b
 }  // namespace
 
 void add_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut) {
-    add_loads(turn, all, beams, cut, Own{beams});
+    add_loads(turn.first, turn.last, all.pose.data, beams, cut, Own{beams});
 }
 void add_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                           const StepCut &cut) {
-    add_loads(turn, all, beams, cut, Alike{alike.hold.data, alike.knL, alike.AL, alike.BL, alike.ktL});
+    add_loads(turn.first, turn.last, all.pose.data, beams, cut, all_alike(alike));
+}
+Index load_beams(Index, const Poses &all, const Beams &beams, const BeamSums &to) {
+    add_loads(0, beams.i.size(), all.pose.data, beams, to, Own{beams});
+    return 0;
+}
+Index load_alike_beams(Index, const Poses &all, const Beams &beams, const AlikeBeams &alike, const BeamSums &to) {
+    add_loads(0, beams.i.size(), all.pose.data, beams, to, all_alike(alike));
+    return 0;
 }
 
 void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, const Dashpots &dashpots,

@@ -8,6 +8,9 @@ void add_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, con
 // Those of beams that differ in length only.
 void add_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                           const StepCut &cut);
+// Adds forces and torques of all beams in any poses; rows of the sums are given.
+Index load_beams(Index threads, const Poses &all, const Beams &beams, const BeamSums &to);
+Index load_alike_beams(Index threads, const Poses &all, const Beams &beams, const AlikeBeams &alike, const BeamSums &to);
 // Adds those of the dashpots of beams to sums of their own.
 void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, const Dashpots &dashpots,
                        const StepCut &cut);

@@ -21,10 +21,12 @@ void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const 
     portions.turned(turn.block, 2) = not_finite;
 }
 
-void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
-    double sum[4] = {};
-    for (Index k = turn.first; k < turn.last; k++) {
-        const BeamEnergy<double> energy = beam_energy(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k),
+namespace {
+
+void sum_energies(Index first, Index last, const double *pose, const Beams &beams, double *sum) {
+    for (Index c = 0; c < 4; c++) sum[c] = 0.0;
+    for (Index k = first; k < last; k++) {
+        const BeamEnergy<double> energy = beam_energy(ends_of(pose, beams, k), shape_of<double>(beams, k),
                                                       stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
         const double s = beams.integrity(k);
         sum[0] += s * energy.normal;
@@ -32,7 +34,16 @@ void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, 
         sum[2] += s * energy.bending;
         sum[3] += s * energy.twisting;
     }
-    for (Index c = 0; c < 4; c++) portions.bonds(turn.block, c) = sum[c];
+}
+
+}  // namespace
+
+void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
+    sum_energies(turn.first, turn.last, all.pose.data, beams, &portions.bonds(turn.block, 0));
+}
+Index measure_beam_energies(Index, const Poses &all, const Beams &beams, const BeamEnergies &found) {
+    sum_energies(0, beams.i.size(), all.pose.data, beams, found.energy.data);
+    return 0;
 }
 
 }  // namespace bondem

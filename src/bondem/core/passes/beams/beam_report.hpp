@@ -7,5 +7,7 @@ namespace bondem {
 void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions);
 // Sums normal, shear, bending and twisting energy of a portion [J].
 void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions);
+// Those of all beams in any poses.
+Index measure_beam_energies(Index threads, const Poses &all, const Beams &beams, const BeamEnergies &found);
 
 }  // namespace bondem

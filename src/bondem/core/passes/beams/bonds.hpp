@@ -34,7 +34,7 @@ template <class T> BONDEM_INLINE BeamStiffness<T> stiffness_of(const Beams &beam
     return {share * number<T>(beams.kn.data, k), share * number<T>(beams.A.data, k), share * number<T>(beams.B.data, k),
             share * number<T>(beams.C.data, k), share * number<T>(beams.kt.data, k)};
 }
-inline Ends<double> ends_of(double *pose, const Beams &beams, Index k) {
+inline Ends<double> ends_of(const double *pose, const Beams &beams, Index k) {
     return ends_of(gather(pose, beams.i(k)), gather(pose, beams.j(k)), beams.period.data);
 }
 

@@ -32,7 +32,9 @@ struct Several {
 BONDEM_INLINE Row<double> &row_at(double *table, Short place) {
     return *reinterpret_cast<Row<double> *>(table + 8 * uint64_t(place));
 }
-BONDEM_INLINE Row<double> gather(double *table, const Short &place) { return row_at(table, place); }
+BONDEM_INLINE Row<double> gather(const double *table, const Short &place) {
+    return *reinterpret_cast<const Row<double> *>(table + 8 * uint64_t(place));
+}
 BONDEM_INLINE void scatter(double *table, const Short &place, const Row<double> &row) { row_at(table, place) = row; }
 BONDEM_INLINE void clear(double *table, const Short &place) { row_at(table, place) = {}; }
 BONDEM_INLINE void clear(double *table, const Short (&place)[lanes]) {

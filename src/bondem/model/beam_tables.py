@@ -1,0 +1,105 @@
+"""Beams as the core takes them, and its passes over beams in any poses.
+
+`core/tables/step_tables.hpp` declares types and shapes.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._types import Floats, PerBond
+from bondem.model.bond_table import BondTable
+from bondem.model.layout import Layout
+
+
+class Beams(NamedTuple):
+    """Beams, m of them, and a few without force behind them where they are fewer than a group."""
+
+    i: np.ndarray  #: uint32
+    j: np.ndarray
+    X0: Floats  #: reference direction i→j [-]
+    Y0: Floats
+    Z0: Floats
+    length: Floats  #: at rest, L (1 + ε*) [m]
+    kn: Floats  #: [N/m]
+    A: Floats  #: constants of the energy [N·m]
+    B: Floats
+    C: Floats
+    kt: Floats  #: [N·m]
+    ks: Floats  #: [N/m]
+    lever: Floats  #: of the contact point from i [m]
+    integrity: Floats  #: 1 intact … 0 broken [-]
+    period: Floats  #: edges of the periodic cell and their inverses, (6,)
+
+
+class AlikeBeams(NamedTuple):
+    """What all beams share that differ in length only."""
+
+    hold: Floats  #: integrity over rest length [1/m], (m,)
+    knL: float  #: kn L [N]
+    AL: float  #: A L = C L [N·m²]
+    BL: float
+    ktL: float
+
+
+class Poses(NamedTuple):
+    """Where elements are."""
+
+    pose: Floats  #: (n, 8)
+
+
+class BeamSums(NamedTuple):
+    """Where the forces of beams on their two ends are added."""
+
+    row_i: np.ndarray  #: uint32, (m,)
+    row_j: np.ndarray
+    sums: Floats  #: force, 0, torque, 0 [N, N·m], (rows, 8)
+
+
+class BeamEnergies(NamedTuple):
+    """Energies of all beams."""
+
+    energy: Floats  #: normal, shear, bending, twisting [J], (4,)
+
+
+_load_beams = Pass("load_beams", Poses, Beams, BeamSums)
+_load_alike_beams = Pass("load_alike_beams", Poses, Beams, AlikeBeams, BeamSums)
+_measure_beam_energies = Pass("measure_beam_energies", Poses, Beams, BeamEnergies)
+
+
+def beam_tables(
+    bonds: BondTable, layout: Layout, period: Floats, integrity: PerBond, *, may_share: bool = True
+) -> tuple[Beams, AlikeBeams | None]:
+    """Return beams as the core takes them, and what they share, or None.
+
+    Args:
+        bonds: their constants.
+        layout: their elements.
+        period: edges of the periodic cell and their inverses, (6,).
+        integrity: of each, (m,).
+        may_share: whether what they share may be used; False where their lengths change.
+    """
+    same = bonds.alike if may_share else None
+    b = bonds.rows(layout, period, integrity, alike=same is not None)
+    columns = (
+        b.i, b.j, b.X0, b.Y0, b.Z0, b.length, b.kn, b.A, b.B, b.C, b.kt, b.ks, b.lever, b.integrity, b.period
+    )  # fmt: skip
+    beams = Beams(*map(np.ascontiguousarray, columns))
+    return beams, None if same is None else AlikeBeams(b.hold, *same)
+
+
+def load_beams(pose: Floats, beams: Beams, alike: AlikeBeams | None, sums: BeamSums) -> None:
+    """Add force and torques of all beams to the sums of their ends."""
+    if alike is None:
+        _load_beams(Poses(pose), beams, sums)
+    else:
+        _load_alike_beams(Poses(pose), beams, alike, sums)
+
+
+def beam_energies(pose: Floats, beams: Beams) -> tuple[float, float, float, float]:
+    """Return normal, shear, bending and twisting energy of all beams [J]."""
+    found = np.empty(4)
+    _measure_beam_energies(Poses(pose), beams, BeamEnergies(found))
+    normal, shear, bending, twisting = found.tolist()
+    return normal, shear, bending, twisting
