@@ -314,10 +314,10 @@ def filled_table(
     """A table in memory as the core takes it.
 
     Args:
-        name: of the table.
-        fields: as the header declares them.
-        table: their values.
-        lengths: of axes known so far by their symbols, and of which array; those of this table are added.
+        name: name of the table.
+        fields: fields of the table as the header declares them.
+        table: values of the fields.
+        lengths: lengths of axes known so far by their symbols, and of which array; those of this table are added.
     """
     words: list[int] = []
     for field, value in zip(fields, table, strict=True):

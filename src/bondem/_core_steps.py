@@ -21,7 +21,7 @@ class StepPass:
     """A pass that steps are composed of.
 
     Args:
-        name: of the pass.
+        name: name of the pass.
         kinds: named tuples of its tables, each with the name and the fields that the header declares.
 
     Raises:

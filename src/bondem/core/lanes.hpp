@@ -63,8 +63,10 @@ template <class T> struct Row {
 };
 
 BONDEM_INLINE void transpose_four(Four *r) {
-    const Four low = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6), high = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
-    const Four low2 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6), high2 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+    const Four low = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
+    const Four high = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
+    const Four low2 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
+    const Four high2 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
     r[0] = __builtin_shufflevector(low, low2, 0, 1, 4, 5);
     r[1] = __builtin_shufflevector(high, high2, 0, 1, 4, 5);
     r[2] = __builtin_shufflevector(low, low2, 2, 3, 6, 7);

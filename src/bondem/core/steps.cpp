@@ -32,7 +32,7 @@ bool goes_by_blocks(const Entry &entry) {
 
 class Walk {
   public:
-    Walk(Index threads, const StepCut &cut, const Span &span) : threads(threads), cut(cut), span(span) {}
+    Walk(Index threads, const StepCut &cut, const StepSpan &span) : threads(threads), cut(cut), span(span) {}
 
     // Calls the passes of a list in their order.
     void through(const List &list, const Clock &clock) const {
@@ -88,7 +88,7 @@ class Walk {
 
     const Index threads;
     const StepCut &cut;
-    const Span &span;
+    const StepSpan &span;
 };
 
 Clock clock_at(const StepScheme &scheme, Index step) {
@@ -99,7 +99,7 @@ Clock clock_at(const StepScheme &scheme, Index step) {
 
 // The acceleration is that of the present state on entry and on return. Where no record and no guard comes between two
 // steps, the end of one and the start of the next are one pass over the elements.
-Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const Span &span,
+Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const StepSpan &span,
                  const Portions &portions) {
     const Walk walk(threads, cut, span);
     const List present(passes.present), opening(passes.opening), forces(passes.forces), guard(passes.guard),

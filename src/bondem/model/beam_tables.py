@@ -34,7 +34,7 @@ class Beams(NamedTuple):
 
 
 class AlikeBeams(NamedTuple):
-    """What all beams share that differ in length only."""
+    """Constants that all beams share that differ in length only."""
 
     hold: Floats  #: integrity over rest length [1/m], (m,)
     knL: float  #: kn L [N]
@@ -44,13 +44,13 @@ class AlikeBeams(NamedTuple):
 
 
 class Poses(NamedTuple):
-    """Where elements are."""
+    """Places and orientations of elements."""
 
     pose: Floats  #: (n, 8)
 
 
 class BeamSums(NamedTuple):
-    """Where the forces of beams on their two ends are added."""
+    """Sums that beams add the forces on their two ends to."""
 
     row_i: np.ndarray  #: uint32, (m,)
     row_j: np.ndarray
@@ -74,10 +74,10 @@ def beam_tables(
     """Return beams as the core takes them, and what they share, or None.
 
     Args:
-        bonds: their constants.
-        layout: their elements.
+        bonds: constants of the beams.
+        layout: elements of the beams.
         period: edges of the periodic cell and their inverses, (6,).
-        integrity: of each, (m,).
+        integrity: integrity of each beam [-], (m,).
         may_share: whether what they share may be used; False where their lengths change.
     """
     same = bonds.alike if may_share else None

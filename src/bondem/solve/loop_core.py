@@ -21,17 +21,20 @@ from bondem.solve.step_lists import (
     passes_of_the_guard,
     passes_of_the_present,
 )
-from bondem.solve.step_tables import History, Portions, Span, StepPasses
+from bondem.solve.step_tables import HistoryRows, Portions, StepPasses, StepSpan
 
 # Bonds of a thread at least.
 _DOMAIN = SERIAL_BONDS // 4
 
-_take_steps = Pass("take_steps", StepPasses, StepCut, StepScheme, Span, Portions)
+_take_steps = Pass("take_steps", StepPasses, StepCut, StepScheme, StepSpan, Portions)
 _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 
 
 def core_has(model: Model) -> bool:
-    """Whether the core has all passes of a model: beams of the total formulation that neither break nor touch."""
+    """Return whether the core has all passes of a model.
+
+    It has those of beams of the total formulation that neither break nor touch.
+    """
     return (
         model.cells is None
         and model.non_local is None
@@ -67,11 +70,11 @@ class CoreLoop:
         )
 
     def _take(self, steps: int, records: np.ndarray, *, looks: bool = False) -> tuple[str, list[int]]:
-        """Take steps, or record the present; how that ended, and what was done."""
+        """Take steps, or record the present; return the ending and counts of what was done."""
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
-        span = Span(state.step, steps, self._every, looks, looks and state.stale, self._n, self._m, done)
+        span = StepSpan(state.step, steps, self._every, looks, looks and state.stale, self._n, self._m, done)
         compose = Composer()  # lives as long as the records of this call
-        lists = self._lists._replace(record=compose(passes_of_a_record(t, History(records))))
+        lists = self._lists._replace(record=compose(passes_of_a_record(t, HistoryRows(records))))
         ending = _take_steps(lists, t.cut, self._scheme, span, t.portions, threads=self._threads)
         return ending, done.tolist()
 
@@ -87,7 +90,7 @@ class CoreLoop:
         return records
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Go on; the records written, bonds turned wide, bonds lost, and whether the run is sound."""
+        """Take steps; return the records, bonds turned wide, bonds lost, and whether the run is sound."""
         if self.state.stale:
             self.look()
         state = self.state

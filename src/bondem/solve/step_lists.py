@@ -22,7 +22,7 @@ from bondem.solve.step_tables import (
     BodyForces,
     Dashpots,
     Drives,
-    History,
+    HistoryRows,
     Moving,
     Portions,
     Resistance,
@@ -55,8 +55,8 @@ _check_beams = StepPass("check_beams", Moving, Beams, Portions)
 _sum_beam_energies = StepPass("sum_beam_energies", Moving, Beams, Portions)
 _sum_element_energies = StepPass("sum_element_energies", Moving, Portions)
 _judge_energy = StepPass("judge_energy", Rows, Portions)
-_write_ledger = StepPass("write_ledger", Rows, Portions, History)
-_read_gauges = StepPass("read_gauges", Moving, Rows, Gauges, History)
+_write_ledger = StepPass("write_ledger", Rows, Portions, HistoryRows)
+_read_gauges = StepPass("read_gauges", Moving, Rows, Gauges, HistoryRows)
 
 Passes = list[tuple[Any, ...]]
 
@@ -66,12 +66,12 @@ class StepTables:
     """Tables of a run of beams; None for what it lacks.
 
     Attributes:
-        moving, rows, cut, portions, gauges, schedules, timeline: what every run has.
+        moving, rows, cut, portions, gauges, schedules, timeline: tables that every run has.
         owned: whether elements own rows of the boundary.
         beams: the bonds.
-        alike: what all of them share, or None.
+        alike: constants that all of them share, or None.
         dashpots: dashpots of the bonds.
-        resistance: what resists the motion of elements.
+        resistance: damping and dashpots of elements.
         body: body forces.
         strain: stress-free strains that change in time.
     """
@@ -182,7 +182,7 @@ def passes_of_the_guard(t: StepTables) -> Passes:
     ]
 
 
-def passes_of_a_record(t: StepTables, history: History) -> Passes:
+def passes_of_a_record(t: StepTables, history: HistoryRows) -> Passes:
     """Write a row of the history."""
     passes: Passes = [
         (_sum_element_energies, t.moving, t.portions),

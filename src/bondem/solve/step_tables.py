@@ -69,7 +69,7 @@ class BodyForces(NamedTuple):
 
 
 class Resistance(NamedTuple):
-    """What resists the motion of elements."""
+    """Damping and dashpots that resist the motion of elements."""
 
     gamma: float  #: of local damping [-]
     alpha: float  #: of mass damping [1/s]
@@ -97,7 +97,7 @@ class Portions(NamedTuple):
         )  # fmt: skip
 
 
-class History(NamedTuple):
+class HistoryRows(NamedTuple):
     """Rows of the history."""
 
     record: Floats  #: (records, columns)
@@ -113,8 +113,8 @@ class StepPasses(NamedTuple):
     record: Ints  #: a row of the history
 
 
-class Span(NamedTuple):
-    """Which steps a call takes."""
+class StepSpan(NamedTuple):
+    """Steps that a call takes, and counts of what it did."""
 
     step: int  #: number of the present one
     steps: int  #: how many to go

@@ -145,7 +145,7 @@ struct Gauges {
     Array<const Index, 1> start, element, quantity, reduction;
 };
 // The rows of the history of one call.
-struct History {
+struct HistoryRows {
     Array<double, 2> record;  // (records, columns)
 };
 
@@ -158,7 +158,7 @@ struct StepPasses {
     Array<const Index, 2> record;  // a row of the history
 };
 // Which steps a call takes.
-struct Span {
+struct StepSpan {
     Index step, steps;  // number of the present one, how many to go
     Index every;  // steps between records, 0 for none
     Index looks;  // whether it takes none, and records the present

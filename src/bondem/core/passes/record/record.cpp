@@ -79,7 +79,7 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
     portions.found(2) = kinetic > beyond * (portions.budget(0) + portions.budget(1)) ? 2 : 0;
 }
 
-void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const History &history) {
+void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
     double *const record = &history.record(turn.clock.record, 0);
     for (Index c = 0; c < fixed_columns; c++) record[c] = 0.0;
     record[time] = turn.clock.time;
@@ -94,7 +94,7 @@ void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, 
     for (Index r = 0; r < rows.work.size(); r++) record[work] += rows.work(r);
 }
 
-void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Gauges &gauges, const History &history) {
+void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Gauges &gauges, const HistoryRows &history) {
     for (Index g = 0; g < gauges.quantity.size(); g++) {
         const Index quantity = gauges.quantity(g), reduction = gauges.reduction(g);
         const Index first = gauges.start(g), last = gauges.start(g + 1);
