@@ -2,13 +2,16 @@
 
 import hashlib
 import os
+import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import bondem as bd
+from bondem import _core_build
 from bondem._core import Pass, compiled_level
 from bondem.packing.packing_tables import Near, PackingWalls, Relaxing, Spheres
 from bondem.packing.start import thrown
@@ -26,8 +29,8 @@ print(compiled_level(), hashlib.sha256(b"".join(part.tobytes() for part in parts
 """
 
 
-def run_at(level: str) -> tuple[str, str, float]:
-    environment = os.environ | {"BONDEM_ISA": level}
+def run_at(level: str, library: Path | None = None) -> tuple[str, str, float]:
+    environment = os.environ | {"BONDEM_ISA": level} | ({"BONDEM_CORE": str(library)} if library else {})
     done = subprocess.run(
         [sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True, check=True, timeout=1800
     )
@@ -48,6 +51,18 @@ def test_levels_give_the_same_numbers_and_with_fused_multiply_add_the_same_bits(
     assert len({digest for level, (_, digest, _) in found.items() if level != "v2"}) == 1
     totals = [total for _, _, total in found.values()]
     assert totals == pytest.approx([totals[0]] * len(totals), rel=1e-9)
+
+
+@pytest.mark.skipif(_core_build.compiler() is None, reason="needs ziglang")
+@pytest.mark.skipif(not compiled_level().startswith("x86_64"), reason="levels of x86-64")
+def test_a_build_without_optimisation_has_the_same_bits(tmp_path, monkeypatch):
+    monkeypatch.setattr(_core_build, "_FLAGS", ["-O0" if flag == "-O3" else flag for flag in _core_build._FLAGS])
+    monkeypatch.setenv("ZIG_GLOBAL_CACHE_DIR", str(_core_build.SOURCES / "build"))
+    folder = tmp_path / "core"
+    shutil.copytree(_core_build.SOURCES, folder, ignore=shutil.ignore_patterns("build", "libraries"))
+    (debug,) = _core_build.compile_core(_core_build.Target.named(None), [compiled_level()], folder=folder)
+    level = levels()[-1]
+    assert run_at(level, debug) == run_at(level)
 
 
 def test_an_unknown_level_is_refused():

@@ -9,6 +9,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 import bondem
+from bondem._core_build import source_digest
 
 REPOSITORY = Path(__file__).parents[2]
 #: Where the packages lie whose sources count; of others their version does.
@@ -38,6 +39,8 @@ def closure_hash(module: str, roots: Mapping[str, Path]) -> str:
     for path in [*files, *dict.fromkeys(data)]:
         digest.update(path.name.encode())
         digest.update(path.read_bytes())
+    if roots["bondem"].joinpath("_core.py") in files:
+        digest.update(source_digest(roots["bondem"] / "core").encode())
     return digest.hexdigest()
 
 

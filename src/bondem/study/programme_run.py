@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import bondem
+from bondem._core_build import source_digest
 from bondem._progress import reported
 from bondem.io.atomic import write_text
 from bondem.io.commit import commit
@@ -92,6 +93,7 @@ def code_hash() -> str:
     digest = hashlib.sha256()
     for source in sorted(Path(bondem.__file__).parent.rglob("*.py")):
         digest.update(source.read_bytes())
+    digest.update(source_digest().encode())
     return digest.hexdigest()
 
 
