@@ -18,13 +18,16 @@ from bondem.packing.start import thrown
 
 relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
 
-# Prints the level, and a hash of a packing and of its cells.
+# Prints the level, and a hash of a packing, of its cells, and of beams after some steps.
 SCRIPT = """
 import hashlib, bondem as bd
 from bondem._core import compiled_level
 p = bd.pack(bd.Box(size=(1.0, 1.0, 1.0)) - bd.Ball(radius=0.5), count=300, spread=0.3, seed=2)
 b = bd.connect(p, method="laguerre")
+drive, law = bd.Drive(bd.Face("x_min"), vx=bd.Ramp(0.0, 1.0, 1e-3)), bd.Timoshenko(E=1e9, nu=0.3, radius_ratio=0.7)
+run = bd.solve_explicit(bd.Model(bd.connect(p), law, 2500.0, boundary=[drive]), duration=5e-3, every=20)
 parts = p.position, p.radius, b.facets.area, b.facets.centroid, b.cells.volume, b.cells.inertia
+parts += run.state.pose, run.state.motion, run.history.records
 print(compiled_level(), hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest(), float(p.radius.sum()))
 """
 

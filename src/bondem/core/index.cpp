@@ -78,7 +78,8 @@ const TableDescription tables[] = {
     described<Moving>(), described<Beams>(), described<AlikeBeams>(), described<Dashpots>(), described<StepCut>(),
     described<StepScheme>(), described<Rows>(), described<Timeline>(), described<Drives>(), described<RowLoads>(),
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
-    described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    described<Poses>(), described<BeamSums>(), described<BeamEnergies>(),
+    described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
