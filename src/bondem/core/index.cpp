@@ -78,7 +78,7 @@ const TableDescription tables[] = {
     described<Moving>(), described<Beams>(), described<AlikeBeams>(), described<Dashpots>(), described<StepCut>(),
     described<StepScheme>(), described<Rows>(), described<Timeline>(), described<Drives>(), described<RowLoads>(),
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
-    described<Poses>(), described<BeamSums>(), described<BeamEnergies>(),
+    described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
 };
 
@@ -101,6 +101,7 @@ const PassDescription passes[] = {
     P(load_beams, ""),
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
+    P(count_turned_beams, ""),
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P

@@ -8,8 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._core import Pass
-from bondem._types import Floats, PerBond
-from bondem.model.bond_table import BondTable
+from bondem._types import Floats, Ints, PerBond
+from bondem.kernels.tables import lines
+from bondem.model.bond_table import BondTable, with_twins
 from bondem.model.layout import Layout
 
 
@@ -63,9 +64,16 @@ class BeamEnergies(NamedTuple):
     energy: Floats  #: normal, shear, bending, twisting [J], (4,)
 
 
+class BeamTurns(NamedTuple):
+    """Unbroken beams turned wide and lost, and 1 where a number is not finite."""
+
+    count: Ints  #: (3,)
+
+
 _load_beams = Pass("load_beams", Poses, Beams, BeamSums)
 _load_alike_beams = Pass("load_alike_beams", Poses, Beams, AlikeBeams, BeamSums)
 _measure_beam_energies = Pass("measure_beam_energies", Poses, Beams, BeamEnergies)
+_count_turned_beams = Pass("count_turned_beams", Poses, Beams, BeamTurns)
 
 
 def beam_tables(
@@ -95,6 +103,27 @@ def load_beams(pose: Floats, beams: Beams, alike: AlikeBeams | None, sums: BeamS
         _load_beams(Poses(pose), beams, sums)
     else:
         _load_alike_beams(Poses(pose), beams, alike, sums)
+
+
+def loads_of_each(pose: Floats, beams: Beams, m: int) -> tuple[Floats, Floats]:
+    """Return force, 0, torque, 0 of each of the first m beams on i and on j [N, N·m], (m, 8) each."""
+    sums = lines(2 * m)  # every beam adds to two rows of its own
+    own = np.arange(m, dtype=np.uint32)
+    load_beams(pose, beams, None, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), sums))
+    return sums[:m], sums[m:]
+
+
+def count_turned(pose: Floats, beams: Beams) -> tuple[int, int, bool]:
+    """Count unbroken beams turned beyond the valid range of their energy, and beyond its end.
+
+    Returns:
+        Beams with c1 or c2 < 0.7 or w² < 0.75, beams with c1 or c2 <= 0 or w² <= 0.25, and whether a number is not
+        finite.
+    """
+    found = np.empty(3, dtype=np.int64)
+    _count_turned_beams(Poses(pose), beams, BeamTurns(found))
+    wide, lost, sick = found.tolist()
+    return wide, lost, bool(sick)
 
 
 def beam_energies(pose: Floats, beams: Beams) -> tuple[float, float, float, float]:

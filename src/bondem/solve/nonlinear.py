@@ -14,9 +14,7 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.errors import ConvergenceError, InputError
-from bondem.kernels.tables import lines
-from bondem.kernels.turn_guard import rotation_guard
-from bondem.model.beam_tables import BeamSums, beam_tables, load_beams
+from bondem.model.beam_tables import beam_tables, count_turned, loads_of_each
 from bondem.model.bond_table import with_twins
 from bondem.model.couples import Couple
 from bondem.model.model import Model
@@ -119,7 +117,7 @@ def _advance(model: Model, system: System, start: State, share: float, motion: F
     state = start.copy()
     metric = np.repeat([1.0, 1.0 / system.length], 3)
     noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(motion))
-    bonds = model.bonds.rows(model.layout, model.period, state.integrity)
+    beams, _ = beam_tables(model.bonds, model.layout, model.period, state.integrity, may_share=False)
     for k in range(_ROUNDS):
         force, walls = _forces(model, state.pose)
         load = share * model.constraints.final_load(len(motion), state.pose)
@@ -127,7 +125,7 @@ def _advance(model: Model, system: System, start: State, share: float, motion: F
         supports = np.where(system.free, walls, force)
         scale = np.linalg.norm(load * metric) + np.linalg.norm(supports * metric)
         if k and np.linalg.norm(rest) <= _TOLERANCE * scale + noise:
-            wide, _, sick = rotation_guard(state.pose, bonds, None)
+            wide, _, sick = count_turned(state.pose, beams)
             left = float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
             return _Trial(k) if wide or sick else _Trial(k, state, left)
         tangent = replace(system, matrix=tangent_matrix(model, system.matrix.bonds, state.pose))
@@ -192,12 +190,8 @@ def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
         return facet_gradient(model, pose, i, j)
     m = len(i)
     beams, _ = beam_tables(model.bonds, model.layout, model.period, np.ones(m), may_share=False)
-    loads = lines(2 * m)  # every bond adds to two rows of its own
-    own = np.arange(m, dtype=np.uint32)
-    rows = BeamSums(with_twins(own), with_twins(own + np.uint32(m)), loads)
-    load_beams(pose, beams._replace(i=with_twins(i), j=with_twins(j)), None, rows)
-    columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
-    return columns[:, :m], columns[:, m:]
+    on_i, on_j = loads_of_each(pose, beams._replace(i=with_twins(i), j=with_twins(j)), m)
+    return -on_i[:, [0, 1, 2, 4, 5, 6]].T, -on_j[:, [0, 1, 2, 4, 5, 6]].T
 
 
 def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:

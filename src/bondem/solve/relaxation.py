@@ -8,7 +8,7 @@ from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.kernels.dynamic_relaxation import Relaxation, relax_bonds
 from bondem.kernels.tables import lines
-from bondem.kernels.turn_guard import rotation_guard
+from bondem.model.beam_tables import beam_tables, count_turned
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.energy import energy_of
@@ -71,6 +71,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     state, model = State(model), strained(model, 1.0)
     bonds, same = model.bonds, model.bonds.alike
     rows = bonds.rows(model.layout, model.period, state.integrity, alike=same is not None)
+    beams, _ = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=False)
     fastest = max(np.abs(motion[:, :3]).max() / bonds.length.min(initial=np.inf), np.abs(motion[:, 3:]).max())
     relaxation = Relaxation(
         velocity=np.zeros((n, 6)), sums=lines(n), before=np.zeros((n, 6)), load=load, inverse=inverse, free=free,
@@ -86,7 +87,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         gone, ratio = relax_bonds(state.pose, rows, same, relaxation, done, goal)
         finished = gone == 0 if turning else gone < goal
         done += gone
-        _, lost, sick = rotation_guard(state.pose, rows, None)
+        _, lost, sick = count_turned(state.pose, beams)
         if lost or sick:
             raise ConvergenceError(
                 f"{lost} bonds are turned beyond 90 degrees after {done} steps; lower the load, or bond with more and"

@@ -45,6 +45,10 @@ struct BeamSums {
 struct BeamEnergies {
     Array<double, 1> energy;  // [J], (4,)
 };
+// Unbroken beams turned wide and lost, and 1 where a number is not finite.
+struct BeamTurns {
+    Array<Index, 1> count;  // (3,)
+};
 // Dashpots beside the springs of beams, and their forces.
 struct Dashpots {
     Array<const double, 2> c;  // cn, cs [N·s/m], cb, ct [N·m·s], (4, m)

@@ -4,11 +4,13 @@
 #include "bonds.hpp"
 
 namespace bondem {
+namespace {
 
-void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
+// Counts unbroken beams that are turned wide and lost, and says whether a number was not finite.
+void count_turned(Index first, Index last, const double *pose, const Beams &beams, Index *count) {
     Index wide = 0, lost = 0, not_finite = 0;
-    for (Index k = turn.first; k < turn.last; k++) {
-        const BeamTurn<double> turned = beam_turn(ends_of(all.pose.data, beams, k), direction_of<double>(beams, k));
+    for (Index k = first; k < last; k++) {
+        const BeamTurn<double> turned = beam_turn(ends_of(pose, beams, k), direction_of<double>(beams, k));
         const double c = least(turned.c1, turned.c2), w2 = turned.w2;
         not_finite |= !(c * c + w2 < 4.0);
         if (beams.integrity(k) > 0.0) {
@@ -16,12 +18,8 @@ void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const 
             lost += (c <= 0.0) | (w2 <= 0.25);
         }
     }
-    portions.turned(turn.block, 0) = wide;
-    portions.turned(turn.block, 1) = lost;
-    portions.turned(turn.block, 2) = not_finite;
+    count[0] = wide, count[1] = lost, count[2] = not_finite;
 }
-
-namespace {
 
 void sum_energies(Index first, Index last, const double *pose, const Beams &beams, double *sum) {
     for (Index c = 0; c < 4; c++) sum[c] = 0.0;
@@ -37,6 +35,14 @@ void sum_energies(Index first, Index last, const double *pose, const Beams &beam
 }
 
 }  // namespace
+
+void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
+    count_turned(turn.first, turn.last, all.pose.data, beams, &portions.turned(turn.block, 0));
+}
+Index count_turned_beams(Index, const Poses &all, const Beams &beams, const BeamTurns &found) {
+    count_turned(0, beams.i.size(), all.pose.data, beams, found.count.data);
+    return 0;
+}
 
 void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
     sum_energies(turn.first, turn.last, all.pose.data, beams, &portions.bonds(turn.block, 0));
