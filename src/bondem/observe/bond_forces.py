@@ -7,8 +7,9 @@ import numpy as np
 from bondem._checks import instance, shown
 from bondem._types import Floats, PerBond, PerBond3, PerElement3
 from bondem.errors import InputError
-from bondem.kernels.bond_report import COLUMNS, ON_J, TURN_I, TURN_J, report_beams, report_non_local, report_stored
+from bondem.kernels.bond_report import COLUMNS, ON_J, TURN_I, TURN_J, report_non_local, report_stored
 from bondem.kernels.soft_tables import SOFT_BOND
+from bondem.model.beam_tables import beam_tables, loads_of_each
 from bondem.model.bond_table import with_zeros
 from bondem.model.model import Model
 from bondem.model.origin import difference
@@ -116,7 +117,10 @@ def _of_state(model: Model, state: State) -> BondForces:
     elif bonds.m and model.formulation == "incremental":
         report_stored(state.pose, bonds, state.history, found)
     elif bonds.m:
-        report_beams(state.pose, bonds, found)
+        stretched = model.bonds.stretched(state.rest_strain)
+        beams, _ = beam_tables(stretched, layout, model.period, state.integrity, may_share=False)
+        on_i, on_j = loads_of_each(state.pose, beams, bonds.m)
+        found[:] = np.hstack([on_j[:, :3], on_i[:, 4:7], on_j[:, 4:7]])
     own, back = np.empty_like(found), np.empty(bonds.m, dtype=bool)
     own[layout.bond_order], back[layout.bond_order] = found, layout.flipped
     sign, turned = np.where(back, -1.0, 1.0)[:, None], back[:, None]
