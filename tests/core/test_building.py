@@ -91,7 +91,7 @@ def test_sanitizers_find_nothing_in_the_tests_of_the_core(kind, tmp_path):
     environment = os.environ | {
         "BONDEM_CORE": str(library), "LD_PRELOAD": runtime.stdout.strip(), "ASAN_OPTIONS": "detect_leaks=0",
     }  # fmt: skip
-    tests = [f"tests/core/test_{name}.py" for name in ("tables", "passes", "steps")]
+    tests = [f"tests/core/test_{name}.py" for name in ("tables", "passes", "steps", "beams")]
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests], cwd=ROOT, env=environment,
         capture_output=True, text=True, check=False,

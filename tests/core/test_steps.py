@@ -45,6 +45,11 @@ def moving_state(model: bd.Model) -> State:
     return state
 
 
+def loop_of(model: bd.Model, plan: Plan, state: State) -> CoreLoop:
+    assert plan.dt is not None
+    return CoreLoop(model, plan, state, plan.dt)
+
+
 def plan_of(model: bd.Model, steps: int, **options) -> Plan:
     dt = 0.5 * critical_step(model, bd.VelocityVerlet())
     return Plan(duration=steps * dt, dt=dt, gauges=GAUGES, **options)
@@ -62,6 +67,7 @@ def test_beams_that_neither_break_nor_touch_run_by_the_core():
     assert [core_has(model) for model in (plain, breaking, touching, stored)] == [True, False, False, False]
     for model, kind in ((plain, CoreLoop), (stored, CpuLoop)):
         plan = plan_of(model, 1)
+        assert plan.dt is not None
         assert type(loop_on_cpu(model, plan, State(model), plan.dt)) is kind
 
 
@@ -95,7 +101,7 @@ def test_forces_are_the_gradient_of_the_energy(law):
         state.pose[:, :3] += shift
         state.pose[:, 4:] = np.hstack([np.cos(angle / 2), np.sin(angle / 2) * turn / angle])
         plan = plan_of(model, 1)
-        loop = CoreLoop(model, plan, state, plan.dt)
+        loop = loop_of(model, plan, state)
         return state, float(loop.look()[0, 3:7].sum())
 
     state, _ = looked_at(shift, turn)
@@ -128,7 +134,7 @@ def test_a_number_that_is_not_finite_ends_the_run():
     model = bd.Model(crooked((3, 2, 2)), LAWS["Timoshenko"], density=1e3)
     state, plan = State(model), plan_of(model, 300)
     state.motion[3, 1] = np.nan
-    records, _, lost, sick = CoreLoop(model, plan, state, plan.dt).run(300)
+    records, _, lost, sick = loop_of(model, plan, state).run(300)
     assert (state.step, len(records), sick) == (100, 0, 1) or lost > 0
 
 

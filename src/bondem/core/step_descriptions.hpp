@@ -34,7 +34,7 @@ BONDEM_TABLE(AlikeBeams, F(hold, "m"), F(knL, ""), F(AL, ""), F(BL, ""), F(ktL, 
 BONDEM_TABLE(Poses, F(pose, "n 8"))
 BONDEM_TABLE(BeamSums, F(row_i, "m"), F(row_j, "m"), F(sums, "sums 8"))
 BONDEM_TABLE(BeamEnergies, F(energy, "4"))
-BONDEM_TABLE(BeamTurns, F(count, "3"))
+BONDEM_TABLE(BeamTurns, F(found, "3"))
 BONDEM_TABLE(Dashpots, F(c, "4 m"), F(share, "m"), F(sums, "* 8"))
 BONDEM_TABLE(StepCut, F(domain, "domains+1"), F(bond, "blocks+1"), F(move, "blocks+1"), F(held, "blocks"),
              F(ready, "ready"), F(ready_row, "ready"), F(row_i, "m"), F(row_j, "m"), F(shared, "shared"),

@@ -67,7 +67,7 @@ class BeamEnergies(NamedTuple):
 class BeamTurns(NamedTuple):
     """Unbroken beams turned wide and lost, and 1 where a number is not finite."""
 
-    count: Ints  #: (3,)
+    found: Ints  #: (3,)
 
 
 _load_beams = Pass("load_beams", Poses, Beams, BeamSums)

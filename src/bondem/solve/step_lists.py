@@ -98,9 +98,7 @@ class StepTables:
         bonds = model.bonds.stretched(state.eigenstrain)
         if strain is not None:  # lengths change while it runs
             bonds = bonds.separate()
-        beams, alike = beam_tables(
-            bonds, model.layout, model.period, state.integrity, may_share=strain is None
-        )
+        beams, alike = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
         more, schedules = added(model, terms, state, len(cut.sums)), held.schedules
         return cls(
             moving=Moving(state.pose, state.motion, state.acceleration, state.loss, state.rest),

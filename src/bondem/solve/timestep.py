@@ -3,6 +3,7 @@
 import math
 import warnings
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from scipy.linalg import eigh_tridiagonal
@@ -82,14 +83,14 @@ def stiffest(
     intact = np.ones(m) if integrity is None else integrity
     table = model.bonds if table is None else table
     pose, sums = lines(n), lines(n)
+    rest = local_rest(model.lattice)[layout.order]
     if model.cells is not None:
         _, body = body_tables(model, intact)
         body.grips.wall[:] = 0.0
-        bonds = table.rows(layout, model.period, intact)
+        load = partial(body_loads, pose, rest, table.rows(layout, model.period, intact), body, sums)
     else:
         beams, alike = beam_tables(table, layout, model.period, intact)
-        loads = BeamSums(beams.i, beams.j, sums)
-    rest = local_rest(model.lattice)[layout.order]
+        load = partial(load_beams, pose, beams, alike, BeamSums(beams.i, beams.j, sums))
     shortest = float(table.length.min())
     root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
 
@@ -105,10 +106,7 @@ def stiffest(
         pose[:, 4] = 1.0
         pose[:, 5:] = 0.5 * motion[:, 3:]
         pose[:, 4:] /= np.sqrt(np.einsum("nk,nk->n", pose[:, 4:], pose[:, 4:]))[:, None]
-        if model.cells is not None:
-            body_loads(pose, rest, bonds, body, sums)
-        else:
-            load_beams(pose, beams, alike, loads)
+        load()
         forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
         sums[:] = 0.0
         if slip is not None:

@@ -47,7 +47,7 @@ struct BeamEnergies {
 };
 // Unbroken beams turned wide and lost, and 1 where a number is not finite.
 struct BeamTurns {
-    Array<Index, 1> count;  // (3,)
+    Array<Index, 1> found;  // (3,)
 };
 // Dashpots beside the springs of beams, and their forces.
 struct Dashpots {

@@ -40,7 +40,7 @@ void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const 
     count_turned(turn.first, turn.last, all.pose.data, beams, &portions.turned(turn.block, 0));
 }
 Index count_turned_beams(Index, const Poses &all, const Beams &beams, const BeamTurns &found) {
-    count_turned(0, beams.i.size(), all.pose.data, beams, found.count.data);
+    count_turned(0, beams.i.size(), all.pose.data, beams, found.found.data);
     return 0;
 }
 
