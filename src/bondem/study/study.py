@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypedDict, TypeVar
 
 from bondem.errors import StudyError
 from bondem.io.text_file import read_text
@@ -343,10 +343,20 @@ def _calibrating(top: TomlTable, bond: BondPlan) -> int:
         return table.count("packings", default=Study.calibrating)
 
 
-def _output(table: TomlTable) -> dict[str, bool]:
+class _Output(TypedDict):
+    figures: bool
+    vtk: bool
+    run_files: bool
+    packing_files: bool
+
+
+def _output(table: TomlTable) -> _Output:
     with table:
-        flags = ("figures", "vtk", "run_files", "packing_files")
-        return {name: table.flag(name, default=getattr(Study, name)) for name in flags}
+        return _Output(
+            figures=table.flag("figures", default=Study.figures), vtk=table.flag("vtk", default=Study.vtk),
+            run_files=table.flag("run_files", default=Study.run_files),
+            packing_files=table.flag("packing_files", default=Study.packing_files),
+        )  # fmt: skip
 
 
 def _reference(table: TomlTable) -> Reference:
