@@ -3,7 +3,7 @@
 from typing import Any
 
 from bondem.errors import InputError, StudyError
-from bondem.labtests.strengths import STRENGTH_TESTS, needs_slip
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.drucker_prager import DruckerPrager
@@ -77,19 +77,19 @@ def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: b
         StudyError: one without the other, bonds between spheres, or a criterion without shear strength for "ucs" or
             "triaxial".
     """
-    asked = [name for name in tests if name in STRENGTH_TESTS]
+    asked = [name for name in tests if name in FAILURE_TESTS]
     if failure is None:
         if asked:
             raise StudyError(f"'tests' contains {asked[0]}, which needs [failure]; give it, or leave out the test")
         return
     if not asked:
         raise StudyError(
-            f"[failure] is given, but no test needs it; add one of {', '.join(STRENGTH_TESTS)} to 'tests'"
+            f"[failure] is given, but no test needs it; add one of {', '.join(FAILURE_TESTS)} to 'tests'"
         )
     if not cells:
         raise StudyError('[failure] is an option of bodies of cells; set law = "CellBond" in [bond]')
     softening = failure.softening
-    slipping = [name for name in asked if needs_slip(name)]
+    slipping = [name for name in asked if FAILURE_TESTS[name].yields]
     if slipping and (softening is None or softening.slip is None):
         raise StudyError(
             f"'tests' contains {slipping[0]}, which needs a shear strength; set criterion = \"MohrCoulomb\", or"

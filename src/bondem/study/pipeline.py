@@ -20,9 +20,10 @@ from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
+from bondem.labtests.failure_tests import FAILURE_TESTS, failure_outcome
 from bondem.labtests.modal import natural_frequencies
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.strengths import STRENGTH_TESTS, strength_outcome
+from bondem.labtests.suited import broken_only
 from bondem.labtests.tension import static_tension, tension_model
 from bondem.labtests.vibration import free_vibration
 from bondem.laws.cell_bond import CellBond
@@ -43,7 +44,6 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 from bondem.study.results import collect
 from bondem.study.specimen import SpecimenPlan
-from bondem.study.strength_tests import broken_only
 from bondem.study.study import Study
 
 #: Told the name of a stage and the share of it that is done, 0 … 1.
@@ -209,7 +209,7 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
             outcomes[name] = _STATIC[name](lattice, law, **own, gyration=tension.gyration)
         elif name in _VIBRATION:
             outcomes[name] = _VIBRATION[name](lattice, law, **moving, **shared, gyration=tension.gyration)
-        elif name in STRENGTH_TESTS:
+        elif name in FAILURE_TESTS:
             outcomes[name] = _to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
         else:
             outcomes[name] = impact(lattice, law, **moving)
@@ -233,7 +233,7 @@ def _to_failure(
     if study.aggregates is not None and body.aggregates is not None:
         failure = study.aggregates.criteria(failure, body.aggregates)
     options = study.options.get(name)
-    return strength_outcome(
+    return failure_outcome(
         name, body.lattice, law, failure, density=bonds.density, options=options, progress=progress
     )
 

@@ -7,7 +7,8 @@ both have equal keys.
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from bondem.labtests.strengths import STRENGTH_TESTS
+from bondem.labtests.failure_record import TestOption
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.laws.bond import RADIUS_RULES
 from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
 from bondem.laws.cell_bond import FACET_ROTATIONS
@@ -40,8 +41,8 @@ def schema() -> Schema:
         }, needed=["citation"]),
         "campaign": _campaign(),
     }  # fmt: skip
-    options = {name: _options(keys) for name, keys in STRENGTH_TESTS.items() if keys}
-    targets = _table({name: _number("Pa", "strength to compare with") for name in STRENGTH_TESTS})
+    options = {name: _options(test.options) for name, test in FAILURE_TESTS.items() if test.options}
+    targets = _table({name: _number("Pa", "strength to compare with") for name in FAILURE_TESTS})
     several = _specimen() | {"name": _text("of the specimen"), "tests": _tests(), "targets": targets} | options
     properties = shared | options | {
         "tests": _tests(), "specimen": _table(_specimen()), "targets": targets,
@@ -78,11 +79,11 @@ def _list(item: Schema, words: str, **more: Any) -> Schema:
 
 
 def _tests() -> Schema:
-    return _list(_text("a test", (*TESTS, *STRENGTH_TESTS)), "tests of each packing", uniqueItems=True)
+    return _list(_text("a test", (*TESTS, *FAILURE_TESTS)), "tests of each packing", uniqueItems=True)
 
 
-def _options(keys: Mapping[str, str]) -> Schema:
-    return _table({key: _number(unit, "option of the test") for key, unit in keys.items()})
+def _options(options: Mapping[str, TestOption]) -> Schema:
+    return _table({key: _number(one.unit, "option of the test") for key, one in options.items()})
 
 
 def _material() -> Schema:

@@ -10,7 +10,8 @@ from typing import Any, TypedDict, TypeVar
 
 from bondem.errors import StudyError
 from bondem.io.text_file import read_text
-from bondem.labtests.strengths import STRENGTH_TESTS
+from bondem.labtests.failure_tests import FAILURE_TESTS
+from bondem.labtests.suited import broken_only
 from bondem.laws.bond import RADIUS_RULES, BondLaw
 from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
 from bondem.laws.cell_bond import FACET_ROTATIONS, CellBond
@@ -23,7 +24,7 @@ from bondem.study.aggregates import AggregatePlan, read_aggregates
 from bondem.study.failure import read_failure, require_strength
 from bondem.study.lines import located
 from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
-from bondem.study.strength_tests import broken_only, read_options, require_specimen
+from bondem.study.strength_tests import read_options, require_specimen
 from bondem.study.toml_table import TomlTable
 
 STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
@@ -259,7 +260,7 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
         bond = _bond(top.section("bond"))
         bar = specimen.shape is None or _is_bar(specimen.shape)
         tests = top.texts(
-            "tests", choices=(*TESTS, *STRENGTH_TESTS), default=TESTS if material is not None and bar else ()
+            "tests", choices=(*TESTS, *FAILURE_TESTS), default=TESTS if material is not None and bar else ()
         )
         return Study(
             name=name,
