@@ -10,6 +10,7 @@ from typing import Any, TypedDict, TypeVar
 
 from bondem.errors import StudyError
 from bondem.io.text_file import read_text
+from bondem.labtests.elastic_tests import ELASTIC_TESTS
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.suited import broken_only
 from bondem.laws.bond import RADIUS_RULES, BondLaw
@@ -27,12 +28,11 @@ from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
 from bondem.study.strength_tests import read_options, require_specimen
 from bondem.study.toml_table import TomlTable
 
-STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
 Read = TypeVar("Read")
 # Quotation marks that word processors put in place of the straight ones.
 _CURLY = {*"\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}"}
-DYNAMIC_TESTS = ("dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact")
-TESTS = STATIC_TESTS + DYNAMIC_TESTS
+#: Elastic tests, which a study runs unless it has its own.
+TESTS = tuple(ELASTIC_TESTS)
 
 
 @dataclass(frozen=True, kw_only=True)
