@@ -11,7 +11,8 @@ from typing import Any
 
 from bondem.errors import StudyError
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.study.study import TESTS, Study, parse_study, read_toml, source_of
+from bondem.study.keys import SEVERAL, STUDY
+from bondem.study.study import Study, parse_study, read_toml, source_of
 from bondem.study.toml_table import TomlTable
 
 # What a specimen of a programme says beside the keys of [specimen], and what a study has in their place.
@@ -113,7 +114,7 @@ def parse_programme(data: Mapping[str, Any], *, folder: Path = Path()) -> Progra
     if not isinstance(tables, list) or not tables or not all(isinstance(one, Mapping) for one in tables):
         raise StudyError("'specimens' is not a list of tables; write [[specimens]] above each, at least once")
     shared = {key: value for key, value in data.items() if key not in ("specimens", "targets")}
-    top = TomlTable(data)
+    top = TomlTable(data, STUDY)
     name, targets = top.text("name"), _targets(top.section("targets"), tuple(FAILURE_TESTS))
     _refuse_bonds(shared)
     series = tuple(_series(name, shared, one, k, targets=targets, folder=folder) for k, one in enumerate(tables))
@@ -172,14 +173,14 @@ def _series(
     folder: Path,
 ) -> Series:
     """Read specimen k as a study of its own."""
-    where = TomlTable(table, f"specimens[{k}]")
+    where = TomlTable(table, SEVERAL, f"specimens[{k}]")
     name = where.text("name")
     if not _NAME.fullmatch(name) or name.lower() in _TAKEN:
         raise StudyError(
             f"'specimens[{k}].name' = '{name}': not a folder name for its results; use letters, digits, spaces,"
             f" - and _ only, and not {', '.join(_TAKEN)}"
         )
-    tests = where.texts("tests", choices=(*TESTS, *FAILURE_TESTS), default=())
+    tests = where.texts("tests", default=())
     if not tests:
         raise StudyError(
             f"'specimens[{k}].tests' is missing or empty; give the tests of '{name}', or leave out the specimen"
@@ -205,7 +206,7 @@ def _series(
 def _targets(table: TomlTable, tests: Sequence[str]) -> dict[str, float]:
     """Target strengths by test [Pa]."""
     with table:
-        found = {test: table.number(test, "Pa", default=None, above=0.0) for test in tests if test in FAILURE_TESTS}
+        found = {test: table.number(test, default=None) for test in tests if test in FAILURE_TESTS}
     return {test: value for test, value in found.items() if value is not None}
 
 

@@ -1,7 +1,6 @@
 """Tests to failure of a study: tables of their options, and the specimen that each needs."""
 
 from bondem.errors import StudyError
-from bondem.labtests.failure_record import TestOption
 from bondem.labtests.failure_tests import FAILURE_TESTS, OF_BALLS
 from bondem.labtests.suited import BALL, broken_only, cut_as
 from bondem.specimen.shape import Shape
@@ -26,15 +25,12 @@ def read_options(top: TomlTable, tests: tuple[str, ...]) -> dict[str, dict[str, 
         if name not in tests:
             continue
         with top.section(name) as table:
-            asked = {key: _option(table, key, option) for key, option in test.options.items()}
+            asked = {
+                key: table.number(key) if one.needed else table.number(key, default=None)
+                for key, one in test.options.items()
+            }
         found[name] = {key: value for key, value in asked.items() if value is not None}
     return found
-
-
-def _option(table: TomlTable, key: str, option: TestOption) -> float | None:
-    if option.needed:
-        return table.number(key, option.unit, above=0.0)
-    return table.number(key, option.unit, default=None, above=0.0)
 
 
 def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
