@@ -96,8 +96,8 @@ _SPECIMEN: dict[str, Key] = {
     "jamming": Flag("pack until the packing jams"),
     "radius": _length("radius of the shape"), "length": _length("length of the shape"),
     "diameter": _length("diameter of the shape"), "height": _length("height of the shape"),
-    "ring": _length("diameter of the ring"), "width": _length("width of the boring"),
-    "depth": _length("depth of the boring"),
+    "ring": _length("mean diameter of the borings"), "width": _length("width of the borings"),
+    "depth": _length("depth of the borings"),
 }
 _TESTS = Texts("tests of each packing", (*ELASTIC_TESTS, *FAILURE_TESTS))
 _TARGETS = Table("strengths to compare with", {
