@@ -22,7 +22,7 @@ class ElasticBar:
     Attributes:
         lattice: the bar.
         law: law of its bonds or cells.
-        tension: its measured moduli.
+        tension: measured moduli of the bar.
         density: density of the elements [kg/m³].
         rho: mass of the bar over the volume of its shape [kg/m³].
     """

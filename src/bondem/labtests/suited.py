@@ -16,7 +16,7 @@ class Suited:
 
     Attributes:
         fits: True for a suitable shape.
-        advice: how a study gets one.
+        advice: key of a study that gives one.
     """
 
     fits: Callable[[Shape], bool]

@@ -144,11 +144,11 @@ class Unit(Key):
 
 
 @dataclass(frozen=True)
-class Table(Key):
+class KeyTable(Key):
     """Table of keys.
 
     Attributes:
-        keys: its keys, by name.
+        keys: declared keys, by name.
         needed: keys without which no table is possible.
         free: True if any key is possible.
     """
@@ -168,14 +168,14 @@ class Table(Key):
 
 
 @dataclass(frozen=True)
-class Tables(Key):
+class KeyTables(Key):
     """List of tables, at least one.
 
     Attributes:
         each: one of them.
     """
 
-    each: Table = Table()
+    each: KeyTable = KeyTable()
 
     def schema(self) -> Schema:
         """JSON schema of the value."""

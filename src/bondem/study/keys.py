@@ -16,12 +16,12 @@ from bondem.study.declared import (
     Counts,
     Flag,
     Key,
+    KeyTable,
+    KeyTables,
     Lengths,
     Number,
     Numbers,
     Schema,
-    Table,
-    Tables,
     Text,
     Texts,
     Unit,
@@ -46,19 +46,19 @@ def _length(words: str) -> Number:
     return Number(words, "m", above=0.0)
 
 
-MATERIAL = Table("material of the specimen", {
+MATERIAL = KeyTable("material of the specimen", {
     "name": Text("name of the material"), "preset": Text("material of the library", tuple(materials.names())),
     "E": _stress("Young's modulus"), "nu": _poisson("Poisson's ratio"),
     "rho": Number("density", "kg/m³", above=0.0), "source": Text("source of the values"),
 })  # fmt: skip
-BOND = Table("bonds of spheres, or cells", {
+BOND = KeyTable("bonds of spheres, or cells", {
     "law": Text("law of the bonds, or of the cells", (*CALIBRATED, *CELL_LAWS)),
     "facet_rotation": Text("option of the cell law", tuple(FACET_ROTATIONS)),
     "nu_mu": _poisson("Poisson's ratio of a bond"), "radius_rule": Text("radius of a bond", tuple(RADIUS_RULES)),
     "tolerance": Number("largest gap of a bond over the mean radius"),
     "reach": Number("largest length of a bond over the sum of both radii", "-", above=0.0),
 })  # fmt: skip
-FAILURE = Table("failure criterion", {
+FAILURE = KeyTable("failure criterion", {
     "criterion": Text("kind of criterion", tuple(kind.__name__ for kind in CRITERIA)),
     "tension": _stress("strength in tension"), "compression": _stress("strength in compression"),
     "hydrostatic": _stress("strength in hydrostatic tension"), "cohesion": _stress("cohesion c"),
@@ -71,14 +71,14 @@ FAILURE = Table("failure criterion", {
     "kink_stress": Number("stress at the kink of the bilinear curve, over the strength"),
     "kink_opening": Number("opening at the kink of the bilinear curve, over the last opening"),
 }, needed=("criterion",))  # fmt: skip
-AGGREGATES = Table("aggregates in the material, which is their matrix", {
+AGGREGATES = KeyTable("aggregates in the material, which is their matrix", {
     "diameters": Numbers("openings of the sieves", "m", 2),
     "mass_passing": Numbers("share of the mass that passes each sieve, from 0 to 1", "-", 2),
     "fraction": Number("volume fraction of the aggregates", "-", above=0.0, below=0.6),
     "E": _stress("Young's modulus"), "nu": _poisson("Poisson's ratio"),
     "gap": _length("smallest distance between two aggregates"), "failure": FAILURE, "interface": FAILURE,
 }, needed=("diameters", "mass_passing", "fraction", "E", "nu"))  # fmt: skip
-_SIZES = Table("law of the radii", {
+_SIZES = KeyTable("law of the radii", {
     "law": Text("kind of law", SIZE_LAWS),
     "spread": Number("full range over the mean, κ", "-", above=-1e-12, below=2.0),
     "cv": Number("coefficient of variation"), "cut": Number("standard deviations that are kept"),
@@ -89,7 +89,7 @@ _SPECIMEN: dict[str, Key] = {
     "method": Text("packing method", tuple(METHODS)), "shape": Text("shape that the elements fill", SHAPES),
     "file": Text("file of a surface of triangles"), "count": Count("number of elements", 100),
     "size": Lengths("edges of the box or cell"),
-    "notch": Table("notch of a box", {"width": _length("width along x"), "depth": _length("depth from below")}),
+    "notch": KeyTable("notch of a box", {"width": _length("width along x"), "depth": _length("depth from below")}),
     "spread": Number("full range of the radii over their mean, κ", "-", above=-1e-12, below=2.0), "sizes": _SIZES,
     "coordination_number": Number("target coordination number", "-", above=0.0, below=12.0),
     "volume_fraction": Number("target volume fraction", "-", above=0.0, below=0.8),
@@ -100,19 +100,19 @@ _SPECIMEN: dict[str, Key] = {
     "depth": _length("depth of the borings"),
 }
 _TESTS = Texts("tests of each packing", (*ELASTIC_TESTS, *FAILURE_TESTS))
-_TARGETS = Table("strengths to compare with", {
+_TARGETS = KeyTable("strengths to compare with", {
     name: _stress("strength to compare with") for name in FAILURE_TESTS
 })  # fmt: skip
 _OPTIONS: dict[str, Key] = {
-    name: Table(f"options of {name}", {
+    name: KeyTable(f"options of {name}", {
         key: Number("option of the test", one.unit, above=0.0) for key, one in test.options.items()
     })
     for name, test in FAILURE_TESTS.items() if test.options
 }  # fmt: skip
-CAMPAIGN = Table("many specimens of one study", {
+CAMPAIGN = KeyTable("many specimens of one study", {
     "seeds": Counts("number of seeds, or the seeds"),
-    "vary": Table("lists of the values that a key of the study takes", free=True),
-    "slurm": Table("jobs of a SLURM cluster", {
+    "vary": KeyTable("lists of the values that a key of the study takes", free=True),
+    "slurm": KeyTable("jobs of a SLURM cluster", {
         "queue": Text("partition"), "account": Text("account to charge"),
         "cores": Count("cores of a job, a worker each"), "memory": Text("memory of a job"),
         "walltime": Text("time limit of a job"), "jobs": Count("number of jobs"),
@@ -120,26 +120,26 @@ CAMPAIGN = Table("many specimens of one study", {
     }),
 })  # fmt: skip
 #: One of the specimens of a test programme.
-SEVERAL = Table("specimen of a test programme", _SPECIMEN | _OPTIONS | {
+SEVERAL = KeyTable("specimen of a test programme", _SPECIMEN | _OPTIONS | {
     "name": Text("name of the specimen"), "tests": _TESTS, "targets": _TARGETS,
 }, needed=("name", "tests"))  # fmt: skip
-STUDY = Table("", {
+STUDY = KeyTable("", {
     "name": Text("title of the report"), "seed": Count("seed of the first packing", 0),
     "packings": Count("number of packings; packing k has the seed seed + k"), "material": MATERIAL, "bond": BOND,
     "failure": FAILURE, "aggregates": AGGREGATES,
-    "calibration": Table("calibration of the bonds", {"packings": Count("number of packings that calibrate")}),
-    "output": Table("files to write", {
+    "calibration": KeyTable("calibration of the bonds", {"packings": Count("number of packings that calibrate")}),
+    "output": KeyTable("files to write", {
         "figures": Flag("draw figures"), "vtk": Flag("write the first packing for ParaView"),
         "run_files": Flag("write every specimen as a run file"),
         "packing_files": Flag("write every packing with its bonds"),
     }),
-    "reference": Table("published values", {
+    "reference": KeyTable("published values", {
         "citation": Text("source of the values"), "E_mu": _stress("published bond modulus"),
         "r_mu_ratio": Number("published radius ratio", "-", above=0.0),
-        "errors": Table("published errors", {name: Number("published error") for name in ELASTIC_TESTS}),
+        "errors": KeyTable("published errors", {name: Number("published error") for name in ELASTIC_TESTS}),
     }, needed=("citation",)),
-    "campaign": CAMPAIGN, "tests": _TESTS, "specimen": Table("specimen", _SPECIMEN), "targets": _TARGETS,
-    "specimens": Tables("specimens of a test programme", SEVERAL), **_OPTIONS,
+    "campaign": CAMPAIGN, "tests": _TESTS, "specimen": KeyTable("specimen", _SPECIMEN), "targets": _TARGETS,
+    "specimens": KeyTables("specimens of a test programme", SEVERAL), **_OPTIONS,
 }, needed=("name",))  # fmt: skip
 
 

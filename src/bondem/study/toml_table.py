@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 from bondem._checks import shown
 from bondem.errors import InputError, StudyError
 from bondem.specimen.units import length_unit, quantity
-from bondem.study.declared import Count, Key, Number, Numbers, Table, Text, Texts
+from bondem.study.declared import Count, Key, KeyTable, Number, Numbers, Text, Texts
 
 _Kind = TypeVar("_Kind", bound=Key)
 
@@ -32,11 +32,11 @@ class TomlTable:
 
     Args:
         data: the table.
-        keys: its keys, as they are declared.
+        keys: declared keys of the table.
         path: dotted name of the table, "" for the file itself.
     """
 
-    def __init__(self, data: Mapping[str, Any], keys: Table, path: str = "") -> None:
+    def __init__(self, data: Mapping[str, Any], keys: KeyTable, path: str = "") -> None:
         self._data = data
         self._keys = keys.keys
         self._path = path
@@ -85,7 +85,7 @@ class TomlTable:
             raise StudyError(
                 f"'{self.name(key)}' = {shown(value)}: not a table; write it as a table [{self.name(key)}]"
             )
-        return TomlTable(value, self._declared(key, Table), self.name(key))
+        return TomlTable(value, self._declared(key, KeyTable), self.name(key))
 
     def number(
         self, key: str, *, default: Any = _NEEDED, unit: str | None = None, below: float | None = None
