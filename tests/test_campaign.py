@@ -215,7 +215,7 @@ def test_a_job_of_slurm_is_what_the_file_asks_for(tmp_path: Path) -> None:
 
 
 def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="'nonsense://x': no Dask scheduler"):
+    with pytest.raises(InputError, match="there is no Dask scheduler at 'nonsense://x'"):
         run_campaign(campaign(), tmp_path, address="nonsense://x")
     with pytest.raises(InputError, match="give the folder of a campaign"):
         bd.campaign_table(tmp_path / "none")
