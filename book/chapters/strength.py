@@ -1,4 +1,4 @@
-"""Strengths and fracture energies of bodies of cells: what is put in, and what tests to failure give back."""
+"""Strengths and fracture energies of bodies of cells, entered and measured in tests to failure."""
 
 from collections.abc import Callable
 
@@ -32,7 +32,7 @@ def chapter() -> Chapter:
     """The chapter."""
     return Chapter(
         name="strength",
-        title="Strength and fracture energy as put in",
+        title="Strength and fracture energy as entered",
         summary=(
             "The material is a concrete of E = 40 GPa, ν = 0.2, f_t = 4 MPa, c = 14.3 MPa and φ = 35° in prisms of "
             "60 × 30 × 30 mm of cells. Nothing is calibrated, and every packing that was run is in the results."

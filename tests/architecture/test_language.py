@@ -15,7 +15,7 @@ PACKAGE = ROOT / "src/bondem"
 
 # Files and folders that were not revised yet. Remove an entry once its text is revised; never add one.
 PENDING = [
-    "docs/",
+    "docs/decisions/0028-softening-along-present-directions.md",
     "src/bondem/_calls.py",
     "src/bondem/_compile.py",
     "src/bondem/_compile_cuda.py",
@@ -23,6 +23,9 @@ PENDING = [
     "src/bondem/_lock.py",
     "src/bondem/kernels/",
 ]
+
+# Names under which tests record numbers; results of earlier measurements contain them.
+RECORDED = {"energy that comes back, plane wave", "energy that comes back, thin bar"}
 
 # Each pattern and the wording that replaces it. All letters are compared in lower case.
 BANNED = {
@@ -133,7 +136,8 @@ def sources() -> list[Path]:
 
 
 def pages() -> list[Path]:
-    found = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+    found = [*(ROOT / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md", "paper.md"))]
+    found += sorted((ROOT / "docs").rglob("*.md"))
     return [path for path in found if not pending(path, PENDING)]
 
 
@@ -164,6 +168,16 @@ def test_what_is_pending_exists():
 def test_pages_have_no_banned_phrase():
     found = [(path.name, phrase) for path in pages() for phrase in banned_in(path.read_text(encoding="utf-8"))]
     assert not found
+
+
+def test_texts_of_the_validation_and_examples_have_no_banned_phrase():
+    faults = []
+    for path in [*sorted((ROOT / "book").rglob("*.py")), *sorted((ROOT / "examples").rglob("*.py"))]:
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for where, text in [*docstrings(tree), *messages(tree)]:
+            if text not in RECORDED:
+                faults += [f"{path.relative_to(ROOT)} {where}: {phrase}" for phrase in banned_in(text)]
+    assert not faults, "\n".join(faults)
 
 
 def test_docstrings_and_messages_have_no_banned_phrase():
