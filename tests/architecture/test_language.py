@@ -136,7 +136,8 @@ def sources() -> list[Path]:
 
 
 def pages() -> list[Path]:
-    found = [*(ROOT / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md", "paper.md"))]
+    names = ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md", "paper.md")
+    found = [ROOT / name for name in names]
     found += sorted((ROOT / "docs").rglob("*.md"))
     return [path for path in found if not pending(path, PENDING)]
 

@@ -313,7 +313,7 @@ class State:
 
     @property
     def stress_free_strain(self) -> PerBond:
-        """Present strain ε* of the bonds [-], by the state and `Eigenstrain`, user's order, shape (m,)."""
+        """Present eigenstrain ε* of the bonds [-]: that of the state plus `Eigenstrain`, user's order, shape (m,)."""
         strain = self.rest_strain
         return self._bonds_by_user(strain) if strain.size else freeze(np.zeros(len(self.integrity)))
 
@@ -381,7 +381,7 @@ class State:
 
     @property
     def rest_strain(self) -> PerBond:
-        """Present strain ε* of the bonds [-], by the state and `Eigenstrain`, kernels' order, (m,); (0,) if none."""
+        """Present eigenstrain ε* of the bonds [-], of the state and `Eigenstrain`, kernels' order; (0,) if none."""
         strain = self.eigenstrain
         for condition in self.model.boundary:
             if isinstance(condition, Eigenstrain):
