@@ -59,7 +59,7 @@ CLAIMS = (
           "Compression between smooth platens", "uniaxial and triaxial compression, two fracture energies of slip"),
     Claim(_CELLS, "Load factors give the peak of a slow explicit run", "strength", "Without inertia",
           "notched bars, both solvers on the same packings"),
-    Claim(_CELLS, "The energy balance closes through failure", "strength", "Ledger of energies",
+    Claim(_CELLS, "The energy balance closes through failure", "strength", "Energy balance",
           "largest residual over the work, all runs of the chapter"),
     Claim(_FRACTURE, "Published fracture tests follow from published material data", "fracture", "Scorecard",
           "four quasi-static tests of concrete, three packings each, inputs fixed before the runs"),

@@ -57,7 +57,7 @@ def _pairs() -> Section:
             Row(case="a run breaks within one increment of the closed form", ours=holds("within one increment"),
                 form=yes,
                 tolerance=So()),
-            Row(case="order of the ledger through breakage, beams and cells", ours=range_of("order"),
+            Row(case="order of the energy balance through breakage, beams and cells", ours=range_of("order"),
                 form=Form(style=".2f"), tolerance=AtLeast(1.7)),
         ),
     )  # fmt: skip
@@ -192,7 +192,7 @@ def _still() -> Section:
 
 def _ledger() -> Section:
     return Section(
-        title="Ledger of energies",
+        title="Energy balance",
         before=(
             "The rows show the largest residual of the energy balance over the work, until failure and through it, "
             "at the default step."

@@ -2,7 +2,7 @@
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import click
@@ -52,6 +52,20 @@ BANNED = {
     r"\bwhat (?:comes|goes) (?:in|out)\b": "input, output, result",
 }  # fmt: skip
 
+# Wordings that written pages avoid, and the term of the glossary or of the field.
+COLLOQUIAL = {
+    r"\b(?:go|goes|went|going) on\b": "continue",
+    r"\bledger\b": "energy balance",
+    r"\bread off\b": "evaluate",
+    r"\bput in\b": "enter",
+    r"\basked for\b": "require",
+    r"\bwhat is left\b": "name the rest",
+    r"\bjudged?\b": "evaluate, check",
+    r"\b(?:is|are) refused\b": "raises an error",
+    r"\bthe book\b": "the validation",
+    r"\bnobody\b": "name the person or part",
+}
+
 # First words of a docstring that need the sentence before them, or that leave out its noun.
 BARE = re.compile(
     r"(?:The same|The one|Of|What|Those|Whether|That|Where|How|Which|Who|Whose|When|While|If|There|It|Its|They|Their"
@@ -99,11 +113,11 @@ def messages(tree: ast.Module) -> Iterator[tuple[str, str]]:
             yield f"line {node.lineno}", node.value
 
 
-def banned_in(text: str) -> list[str]:
+def banned_in(text: str, patterns: Iterable[str] = tuple(BANNED)) -> list[str]:
     """Banned phrases of a text, names of arguments and code left out."""
     prose = re.sub(r"(?m)^    [*\w]+(?:, [*\w]+)*:", "", re.sub(r"`[^`\n]+`", "`", text))
     flat = re.sub(r"\s+", " ", prose).lower()
-    return [found.group() for pattern in BANNED for found in re.finditer(pattern, flat)]
+    return [found.group() for pattern in patterns for found in re.finditer(pattern, flat)]
 
 
 def first_line_faults(text: str) -> list[str]:
@@ -168,6 +182,14 @@ def test_what_is_pending_exists():
 
 def test_pages_have_no_banned_phrase():
     found = [(path.name, phrase) for path in pages() for phrase in banned_in(path.read_text(encoding="utf-8"))]
+    assert not found
+
+
+def test_pages_are_not_colloquial():
+    found = []
+    for path in pages():
+        prose = re.sub(r"(?ms)^```.*?^```$", "", path.read_text(encoding="utf-8"))
+        found += [(path.name, phrase) for phrase in banned_in(prose, COLLOQUIAL)]
     assert not found
 
 
