@@ -118,7 +118,7 @@ def _contents(chapters: Sequence[Chapter]) -> str:
     lines.append(_line("**all**", rows))
     printed = sum(len(shown(section.rows)) for chapter in chapters for section in chapter.sections)
     lines += ["", f"The pages print these comparisons in {printed} rows;"
-              f" {len(left_out(rows))} further numbers have nothing to be compared with."]  # fmt: skip
+              f" {len(left_out(rows))} further numbers have no reference value."]  # fmt: skip
     return "\n".join(lines)
 
 

@@ -1,4 +1,4 @@
-"""One concrete in the laboratory's tests: what its strengths imply, and what bodies of cells bear."""
+"""One concrete in laboratory tests: strengths of the continuum and of bodies of cells."""
 
 import math
 from collections.abc import Callable
@@ -182,7 +182,7 @@ def _bending() -> Section:
                             ours=_of(ones, lambda one: one["work"] / _energy()),
                             tolerance=Near(absolute=2.0 * LIMIT, target=1.0)))  # fmt: skip
             if kind == "bending":
-                rows.append(Row(case=f"E by beam theory over that put in: {told}", form=RATIO,
+                rows.append(Row(case=f"E by beam theory over that entered: {told}", form=RATIO,
                                 ours=_of(ones, lambda one: one["E"]),
                                 tolerance=Near(absolute=ELASTIC, target=1.0)))  # fmt: skip
     return Section(
@@ -273,7 +273,7 @@ def _shear() -> Section:
     for told, ones in _groups("shear"):
         rows += [
             Row(case=f"mean shear stress: {told}", ours=_of(ones, lambda one: one["peak"]), form=STRESS),
-            Row(case=f"E of the elastic body of equal stiffness over that put in: {told}",
+            Row(case=f"E of the elastic body of equal stiffness over that entered: {told}",
                 ours=_of(ones, lambda one: one["E"]),
                 form=RATIO, tolerance=Near(absolute=LIMIT, target=1.0)),
         ]  # fmt: skip
