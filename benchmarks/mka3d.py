@@ -3,8 +3,8 @@
 Mka3D (Mariotti 2007; Monasse and Mariotti 2012) is the elastic cell law with M = 1; its facets bend with E I/L and
 twist with G I_p/L, where those of bondem bend with 2G I/L and do not twist by default. The variant is made here by
 replacing the two functions that form these constants; nothing else differs: bodies, masses, free facets and solvers
-are the same. Measured are E and ν in bulk and of a bar, the first bending of clamped strips that are one to four cells
-thick, the celerity of plane waves, and free frequencies of a beam and a plate against finite elements.
+are the same. Measured are E and ν in bulk and of a bar, the first bending of clamped strips one to four cells thick,
+the celerity of plane waves, and free frequencies of a beam and a plate against finite elements.
 
 Run: python benchmarks/mka3d.py [--counts 300 1000] [--seeds 1 2 3] [--nu 0.2 0.4] [--out FILE]
 It writes benchmarks/results/mka3d.json.
