@@ -46,6 +46,8 @@ VARIANTS = {
 NUMBERS = (1, 2, 4, 8)
 #: Bodies, and how many times as many cells as asked for: fewer than 900 cannot be packed into the plate.
 SHAPES = {"beam": 1, "plate": 3}
+#: As many times as many cells in the periodic cell of waves: with fewer, cells are neighbours of their own images.
+WAVES = 4
 #: Edges of a sheet over its thickness.
 SHEET = (8, 7, 1)
 
@@ -218,7 +220,8 @@ def main(arguments: list[str] | None = None) -> None:
         for shape, times in SHAPES.items():
             most = times * count
             report.add("bodies", partial(frequencies, shape, most, seed, nu), shape=shape, count=most, **case)
-        report.add("waves", partial(waves, count, seed, nu), count=count, **case)
+        most = WAVES * count
+        report.add("waves", partial(waves, most, seed, nu), count=most, **case)
 
 
 THIN = {"strip": (strip, (1, 2, 4)), "sheet": (sheet, (1, 2, 4))}
