@@ -8,7 +8,7 @@ beside Laguerre cells. Measured are E and ν in bulk and of a bar, the first ben
 cells thick, free sheets of the same thicknesses, the celerity of plane waves, and free frequencies of a beam and a
 plate, against triquadratic finite elements.
 
-Run: python benchmarks/mka3d.py [--counts 300 1000] [--seeds 1 2 3] [--nu 0.2 0.4] [--out FILE]
+Run: python benchmarks/mka3d.py [--counts 300] [--seeds 1 2 3] [--nu 0.2 0.4] [--out FILE]
 It writes benchmarks/results/mka3d.json; cases that this file has already are not measured again.
 """
 
@@ -44,8 +44,8 @@ VARIANTS = {
 }
 #: Plane waves in the length of the periodic cell.
 NUMBERS = (1, 2, 4, 8)
-#: Bodies, and how many times as many cells as asked for: fewer than 900 cannot be packed into the plate.
-SHAPES = {"beam": 1, "plate": 3}
+#: Bodies, and how many times as many cells as asked for: 300 cannot be packed into them with every seed.
+SHAPES = {"beam": 2, "plate": 3}
 #: As many times as many cells in the periodic cell of waves: with fewer, cells are neighbours of their own images.
 WAVES = 4
 #: Edges of a sheet over its thickness.
@@ -205,7 +205,7 @@ def measure_thin(report: Report, nus: list[float], seeds: list[int]) -> None:
 
 def main(arguments: list[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--counts", type=int, nargs="+", default=[300, 1000], help="numbers of cells")
+    parser.add_argument("--counts", type=int, nargs="+", default=[300], help="numbers of cells")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3], help="seeds of the packings")
     parser.add_argument("--nu", type=float, nargs="+", default=[0.2, 0.4], help="Poisson's ratios")
     parser.add_argument("--out", type=Path, default=RESULTS / "mka3d.json", help="file of the results")
@@ -220,8 +220,9 @@ def main(arguments: list[str] | None = None) -> None:
         for shape, times in SHAPES.items():
             most = times * count
             report.add("bodies", partial(frequencies, shape, most, seed, nu), shape=shape, count=most, **case)
-        most = WAVES * count
-        report.add("waves", partial(waves, most, seed, nu), count=most, **case)
+        if seed == given.seeds[0]:
+            most = WAVES * count
+            report.add("waves", partial(waves, most, seed, nu), count=most, **case)
 
 
 THIN = {"strip": (strip, (1, 2, 4)), "sheet": (sheet, (1, 2, 4))}
