@@ -56,16 +56,16 @@ MISSES = (
 #: What the tables show.
 MODULI_FOUND = (
     "E and ν are close to those put in with all variants. Without M⁻¹ a uniform strain has another dilatation in "
-    "each cell: the stress of cells scatters more, about three times as much at ν = 0.4, and as each cell is held by its "
-    "neighbours E is a little too high. ν hardly changes, because the shear modulus rises with E. How facets resist "
+    "each cell: the stress of cells scatters more, about three times as much at ν = 0.4, and as each cell is held by "
+    "its neighbours E is a little too high. ν hardly changes, because the shear modulus rises with E. How facets resist "
     "rotation does not matter here. In a lattice of cubes M is 1, so that all variants have the moduli put in."
 )
 THIN_FOUND = (
     "- **Bending of one layer** is by its facets alone: E I/L is right for a strip, and 2G I/L makes the frequency "
-    "too low by the factor 1/√(1 + ν). Neither has the coupling of the two curvatures of a sheet, so that the third mode "
-    "at ν = 0.4 is too low with all variants.\n"
-    "- **Bending of two and four layers** also has the dilatation of cells: E I/L is mostly closer at ν = 0.2 and 2G I/L at "
-    "ν = 0.4, where E I/L is too stiff.\n"
+    "too low by the factor 1/√(1 + ν). Neither has the coupling of the two curvatures of a sheet, so that the third "
+    "mode at ν = 0.4 is too low with all variants.\n"
+    "- **Bending of two and four layers** also has the dilatation of cells: E I/L is mostly closer at ν = 0.2 and 2G "
+    "I/L at ν = 0.4, where E I/L is too stiff.\n"
     "- **Twist**: G I_p/L is the twist of a layer of cubes. bondem adds the twist of a layer only to bodies one cell "
     'thick, so that sheets of two and four cells lack it; `facet_rotation="full"` counts it twice. Of these '
     "variants only the facets of Mka3D have the right twist at every thickness.\n"
@@ -172,8 +172,8 @@ def _thin() -> Section:
         title="Thin bodies",
         before=(
             "A clamped strip 12 times as long as thick, and a free sheet 8 × 7 times as wide as thick, of cubes, "
-            "which the mesh generator of Mka3D makes, and of unequal Voronoi cells. Required is what is required of other "
-            "bodies that are four elements thick, at every thickness."
+            "which the mesh generator of Mka3D makes, and of unequal Voronoi cells. Required is what is "
+            "required of other bodies that are four elements thick, at every thickness."
         ),
         rows=tuple(rows),
         after=(
