@@ -57,8 +57,8 @@ MISSES = (
 MODULI_FOUND = (
     "E and ν are close to those put in with all variants. Without M⁻¹ a uniform strain has another dilatation in "
     "each cell: the stress of cells scatters more, about three times as much at ν = 0.4, and as each cell is held by "
-    "its neighbours E is a little too high. ν hardly changes, because the shear modulus rises with E. How facets resist "
-    "rotation does not matter here. In a lattice of cubes M is 1, so that all variants have the moduli put in."
+    "its neighbours E is a little too high. ν hardly changes, because the shear modulus rises with E. How facets "
+    "resist rotation does not matter here. In a lattice of cubes M is 1, so that all variants have the moduli put in."
 )
 THIN_FOUND = (
     "- **Bending of one layer** is by its facets alone: E I/L is right for a strip, and 2G I/L makes the frequency "
@@ -72,12 +72,13 @@ THIN_FOUND = (
     "- **M⁻¹** changes thin bodies by 0.2 % or less; for cubes and for one layer it changes nothing."
 )
 BODIES_FOUND = (
-    "bondem is a little too soft and the facets of Mka3D are a little too stiff. In the plate both are about as far "
-    "off; in the beam of random cells G I_p/L makes torsion too stiff, the largest error, and E I/L bends it better."
+    "bondem is a little too soft and the facets of Mka3D are a little too stiff. In the plate the mean error is smaller "
+    "with the facets of Mka3D at ν = 0.2 and with those of bondem at ν = 0.4. In the beam G I_p/L makes torsion too "
+    "stiff, which is the largest error; bending is closer with E I/L at ν = 0.2 and with 2G I/L at ν = 0.4."
 )
 WAVES_FOUND = (
-    "Waves of pressure are slow by the same amount with all variants. Long waves of shear have the celerity of the "
-    "material with M⁻¹; without it they are slightly too fast, as the shear modulus is too high. Facets that twist "
+    "Waves of pressure are slow by nearly the same amount with all variants. Long waves of shear have the celerity of "
+    "the material with M⁻¹; without it they are slightly too fast, as the shear modulus is too high. Facets that twist "
     "have smaller errors in short waves of shear. These numbers contain the error of the time step."
 )
 
@@ -166,7 +167,8 @@ def _thin() -> Section:
     strips, sheets = ([one for one in found if one["body"] == body] for body in ("strip", "sheet"))
     keys, heads = ("thick", "nu", "cells"), ("cells thick", "ν", "cells")
     kinds: list[Quantity] = [
-        (word, SIGNED, lambda one, k=k: one["errors"][k]) for k, word in enumerate(("twist", "bending", "bending 2"))
+        (word, SIGNED, lambda one, k=k: one["errors"][k])
+        for k, word in enumerate(("twist", "first bending", "second bending"))
     ]
     return Section(
         title="Thin bodies",
