@@ -72,14 +72,16 @@ THIN_FOUND = (
     "- **M⁻¹** changes thin bodies by 0.2 % or less; for cubes and for one layer it changes nothing."
 )
 BODIES_FOUND = (
-    "bondem is a little too soft and the facets of Mka3D are a little too stiff. In the plate the mean error is smaller "
-    "with the facets of Mka3D at ν = 0.2 and with those of bondem at ν = 0.4. In the beam G I_p/L makes torsion too "
-    "stiff, which is the largest error; bending is closer with E I/L at ν = 0.2 and with 2G I/L at ν = 0.4."
+    "bondem is a little too soft and the facets of Mka3D are a little too stiff. In the plate the mean error is "
+    "smaller with the facets of Mka3D at ν = 0.2 and with those of bondem at ν = 0.4. In the beam G I_p/L makes "
+    "torsion too stiff, which is the largest error; bending is closer with E I/L at ν = 0.2 and with 2G I/L at ν "
+    "= 0.4."
 )
 WAVES_FOUND = (
-    "Waves of pressure are slow by nearly the same amount with all variants. Long waves of shear have the celerity of "
-    "the material with M⁻¹; without it they are slightly too fast, as the shear modulus is too high. Facets that twist "
-    "have smaller errors in short waves of shear. These numbers contain the error of the time step."
+    "Waves of pressure are slow by nearly the same amount with all variants. Long waves of shear have the "
+    "celerity of the material with M⁻¹; without it they are slightly too fast, as the shear modulus is too high. "
+    "Facets that twist have smaller errors in short waves of shear. These numbers contain the error of the time "
+    "step."
 )
 
 
