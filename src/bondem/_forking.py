@@ -1,8 +1,8 @@
 """Threaded loops in processes forked after bondem has used threads, such as workers of `multiprocessing.Pool`.
 
-The threads of GNU OpenMP do not survive a fork. Numba therefore ends a forked process by SIGTERM at its first threaded
-loop, a pool starts another process in its place, which ends likewise, and the pool never returns. A loop on one thread
-needs none of the lost threads: forked processes are limited to one, and Numba accepts them as new processes.
+The threads of GNU OpenMP do not survive a fork. Numba therefore ends a forked process by SIGTERM at its first
+threaded loop, a pool starts another process in its place, which ends likewise, and the pool never returns. A loop on
+one thread needs none of the lost threads: forked processes are limited to one, and Numba accepts them as new ones.
 """
 
 import ctypes
