@@ -143,6 +143,11 @@ def test_a_specimen_is_what_bondem_run_makes(tmp_path: Path) -> None:
     for values in (left, alone, row["values"]):
         assert values["specimen.coordination_number"] == alone["specimen.coordination_number"]
         assert values["seed"] == 4
+    kept = tmp_path / "specimens" / one.name
+    curves = json.loads((kept / "results.json").read_text())["curves"]
+    assert curves["distribution"] == ["curves/distribution.csv"]
+    for (file,) in curves.values():
+        assert (kept / file).read_bytes() == (tmp_path / "alone" / file).read_bytes()
     assert carry_out(one, tmp_path) == row  # as it is there
     assert len(list((tmp_path / "specimens").iterdir())) == 1
 

@@ -7,9 +7,9 @@ Type checkers and editors read `__init__.pyi`, which a test compares with the li
 import importlib
 from typing import Any
 
-from bondem import _forking as _forking
 from bondem._describe import describe
 from bondem._environment import use_environment
+from bondem._forking import silence
 from bondem._names import no_attribute, suggesting
 
 __version__ = "0.1.0"
@@ -127,6 +127,7 @@ def __getattr__(name: str) -> Any:
     if name in _HOME:
         found = suggesting(_HOME[name], name)
         describe(_PUBLIC)
+        silence()
         return found
     if name in _MODULES:
         return importlib.import_module(_MODULES[name])

@@ -100,10 +100,6 @@ class UnstableRunError(BondemError):
     """Error for an unstable run whose result another computation needs."""
 
 
-class ForkError(BondemError):
-    """Error for a threaded loop in a process that was forked after bondem had used threads."""
-
-
 class StudyError(InputError):
     """Error for a study file with an unknown name or without a required entry."""
 
