@@ -84,6 +84,10 @@ class ThinBodyWarning(UserWarning):
     """Warning of a body of cells that is one cell thick somewhere, where it bends too softly or resists no twist."""
 
 
+class ShortSpecimenWarning(UserWarning):
+    """Warning of a tension test on a specimen of beams so short that its ends govern the measured E and ν."""
+
+
 class RaggedInterfaceWarning(UserWarning):
     """Warning of facets between two materials that zigzag about their interface, because cells do not end on it."""
 
