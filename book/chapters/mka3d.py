@@ -55,10 +55,10 @@ MISSES = (
 )
 #: What the tables show.
 MODULI_FOUND = (
-    "E and ν are close to those put in with all variants. Without M⁻¹ a uniform strain has another dilatation in "
+    "E and ν are close to those entered with all variants. Without M⁻¹ a uniform strain has another dilatation in "
     "each cell: the stress of cells scatters more, 3.5 times as much at ν = 0.4, and as each cell is held by "
     "its neighbours E is a little too high. ν hardly changes, because the shear modulus rises with E. How facets "
-    "resist rotation does not matter here. In a lattice of cubes M is 1, so that all variants have the moduli put in."
+    "resist rotation does not matter here. In a lattice of cubes M is 1, so that all variants have the entered moduli."
 )
 THIN_FOUND = (
     "- **Bending of one layer** is by its facets alone: E I/L is right for a strip, and 2G I/L makes the frequency "
@@ -124,7 +124,7 @@ def _moduli() -> Section:
                 rows += [
                     Row(case=f"{where}: error of E", form=FINE, tolerance=AtMost(E_LIMIT),
                         ours=FOUND.of(*(one[part]["E"] - 1.0 for one in mine))),
-                    Row(case=f"{where}: ν less that put in", form=DIFFERENCE, tolerance=AtMost(NU_LIMIT),
+                    Row(case=f"{where}: ν less that entered", form=DIFFERENCE, tolerance=AtMost(NU_LIMIT),
                         ours=FOUND.of(*(one[part]["nu"] - nu for one in mine))),
                 ]  # fmt: skip
     most = max(one["count"] for one in found)
