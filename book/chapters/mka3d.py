@@ -58,7 +58,8 @@ MODULI_FOUND = (
     "E and ν are close to those entered with all variants. Without M⁻¹ a uniform strain has another dilatation in "
     "each cell: the stress of cells scatters more, 3.5 times as much at ν = 0.4, and as each cell is held by "
     "its neighbours E is a little too high. ν hardly changes, because the shear modulus rises with E. How facets "
-    "resist rotation does not matter here. In a lattice of cubes M is 1, so that all variants have the entered moduli."
+    "resist rotation does not matter here. In a lattice of cubes M is 1, so that all variants have the entered "
+    "moduli."
 )
 THIN_FOUND = (
     "- **Bending of one layer** is by its facets alone: E I/L is right for a strip, and 2G I/L makes the frequency "
