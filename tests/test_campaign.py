@@ -117,7 +117,7 @@ def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:
     folders = sorted(path.name for path in (tmp_path / "specimens").iterdir())
     assert folders == sorted(one.name for one in campaign(seeds=3).specimens)
     # no packing of spheres has as many contacts
-    more = campaign(seeds=[4, 5], vary={"specimen.coordination_number": [6.0, 11.5]})
+    more = campaign(seeds=[4, 5], vary={"specimen.coordination_number": [6.0, 11.95]})
     table = bd.campaign_table(tmp_path)
     assert list(table["seed"]) == [3, 4, 5, 3, 4, 5]
     again = run_campaign(campaign(seeds=4), tmp_path, workers=1)
@@ -129,9 +129,9 @@ def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:
     failed = run_campaign(more, tmp_path / "more", workers=1)
     assert failed["finished"] == 2
     assert [row["varied"] for row in failed["failed"]] == [
-        {"specimen.coordination_number": 11.5, "seed": seed} for seed in (4, 5)
+        {"specimen.coordination_number": 11.95, "seed": seed} for seed in (4, 5)
     ]
-    assert all("11.5" in row["error"] for row in failed["failed"])
+    assert all("11.95" in row["error"] for row in failed["failed"])
 
 
 def test_a_specimen_is_what_bondem_run_makes(tmp_path: Path) -> None:

@@ -216,7 +216,7 @@ def read_study(path: str | Path) -> Study:
 
 def source_of(path: Path) -> tuple[str, str]:
     """Name and text of a study file, for its report."""
-    return path.name, path.read_text(encoding="utf-8-sig", errors="replace")
+    return path.name, read_text(path)
 
 
 def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
