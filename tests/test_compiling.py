@@ -85,7 +85,7 @@ def test_a_pool_forked_after_threads_gives_the_same_numbers():
         "import multiprocessing as mp, warnings, bondem as bd\n"
         "warnings.simplefilter('error')\n"
         "def work(seed):\n"
-        "    particles = bd.pack(bd.Box((2.0, 1.0, 1.0)), count=120, seed=seed)\n"
+        "    particles = bd.pack(bd.Box((2.0, 1.0, 1.0)), count=300, seed=seed)\n"
         "    model = bd.Model(bd.connect(particles), bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 2000.0,\n"
         "                     boundary=[bd.Fix(bd.Face('x_min')), bd.Drive(bd.Face('x_max'), vx=1.0)])\n"
         "    bd.set_threads(2)\n"

@@ -39,7 +39,7 @@ _LARGEST_OVERLAP = 0.49
 
 #: Coordination number of a packing without a target.
 USUAL = 6.2
-# Largest radius over the smallest from which advice is that of widely spread radii.
+# Largest radius over the smallest from which radii are widely spread.
 _WIDE = 3.0
 
 # Jammed: the mean overlap [R̄] adds 0.05 contacts a sphere to the isostatic 6, and the worst pair stays below. Loose
@@ -68,7 +68,7 @@ class Contacts:
     coordination_number: float
 
     def reach(self, spheres: SoftSpheres) -> None:
-        search = _ScaleSearch(self.coordination_number, math.log(spheres.scale))
+        search = _ScaleSearch(self.coordination_number, math.log(spheres.scale), wide=_spread_of(spheres) >= _WIDE)
         tolerance, first, tried = _ROUGH, spheres.steps, 0
         while True:
             tried += 1
@@ -142,15 +142,22 @@ class Jammed:
 
 def _advice(spheres: SoftSpheres, narrow: str, target: Target) -> str:
     """Return what to ask for; targets of widely spread radii are no way out of each other's failures."""
-    small, large = float(spheres.sphere[:, 3].min()), float(spheres.sphere[:, 3].max())
-    if large < _WIDE * small:
+    spread = _spread_of(spheres)
+    if spread < _WIDE:
         return narrow
     usual = isinstance(target, Contacts) and target.coordination_number == USUAL
     return (
-        f"their radii differ by a factor of {large / small:.1f} and the largest diameter is {2.0 * large:.3g} m;"
+        f"their radii differ by a factor of {spread:.1f} and the largest diameter is"
+        f" {2.0 * spheres.sphere[:, 3].max():.3g} m;"
         f" ask for more spheres{'' if usual else f', the coordination_number={USUAL} of packings without a target'}"
         " or sizes that differ less"
     )
+
+
+def _spread_of(spheres: SoftSpheres) -> float:
+    """Return the largest radius over the smallest [-]."""
+    radius = spheres.sphere[:, 3]
+    return float(radius.max() / radius.min())
 
 
 def _check_overlap(spheres: SoftSpheres, what: str, option: str) -> None:
@@ -190,10 +197,15 @@ def chosen(
 
 
 class _ScaleSearch:
-    """A search for the scale of the radii at which the coordination number is on target."""
+    """A search for the scale of the radii at which the coordination number is on target.
 
-    def __init__(self, coordination_number: float, size: float) -> None:
+    Spheres that have not come to rest in time are taken as loose. Where radii are widely spread they come to rest so
+    slowly that those that press do not count as loose.
+    """
+
+    def __init__(self, coordination_number: float, size: float, *, wide: bool) -> None:
         self._wanted = _excess(coordination_number)
+        self._wide = wide
         self._size = size  # ln(scale)
         self.jumps = 0  # how often loose spheres and too many contacts were next to each other
         self.forget()
@@ -210,9 +222,9 @@ class _ScaleSearch:
 
     def learn(self, rest: Rest) -> None:
         """Add the result of the present scale, and choose the next scale."""
-        excess = _excess(rest.coordination_number)
-        if not rest.settled:  # spheres that press without having come to rest in time have too many contacts, too
-            excess = 0.0 if rest.loose else max(excess, 0.0)
+        excess = _excess(rest.coordination_number) if rest.settled else 0.0
+        if self._wide and not (rest.settled or rest.loose):
+            excess = max(_excess(rest.coordination_number), 0.0)
         if excess > self._wanted:
             self._above = (self._size, excess)
         else:
