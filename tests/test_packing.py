@@ -149,6 +149,13 @@ def test_spheres_reach_into_the_edges_of_shapes_that_are_made_of_others(name):
     assert number["other"][1] > 0.4 * number["box"][1]
 
 
+@pytest.mark.parametrize("centre", [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (0.5, 0.5, -0.35)])
+def test_spheres_come_to_rest_in_wedges_between_flat_and_round_walls(centre):
+    shape = bd.Box((1.0, 1.0, 1.0)).cut(bd.Ball(radius=0.5).moved(centre))
+    spheres = bd.pack(shape, count=300, spread=0.3, seed=2)
+    assert (shape.depth(spheres.position) > 0.98 * spheres.radius).all()
+
+
 def test_near_neighbours_in_space_are_near_in_order(packed):
     pairs = bd.connect(packed).pairs
     shuffled = np.random.default_rng(0).permutation(len(packed))[pairs]

@@ -9,7 +9,7 @@ from typing import Any
 
 from bondem._describe import describe
 from bondem._environment import use_environment
-from bondem._forking import silence
+from bondem._forking import allow_forks
 from bondem._names import no_attribute, suggesting
 
 __version__ = "0.1.0"
@@ -127,7 +127,6 @@ def __getattr__(name: str) -> Any:
     if name in _HOME:
         found = suggesting(_HOME[name], name)
         describe(_PUBLIC)
-        silence()
         return found
     if name in _MODULES:
         return importlib.import_module(_MODULES[name])
@@ -139,3 +138,4 @@ def __dir__() -> list[str]:
 
 
 use_environment()
+allow_forks()

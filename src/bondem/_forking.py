@@ -24,16 +24,7 @@ def _in_child() -> None:
     numba.set_num_threads = lambda _: set_num_threads(1)
 
 
-def silence() -> None:
-    """Remove the warning that `bondem._compile` registers for forks: a forked process can run threaded loops."""
-    warning: Any = getattr(sys.modules.get("bondem._compile"), "_warn_of_fork", None)
-    if warning is not None:
-        warning.__code__ = _nothing.__code__
-
-
-def _nothing() -> None:
-    """Do nothing before a fork."""
-
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_in_child)
+def allow_forks() -> None:
+    """Let processes that are forked from this one run threaded loops, on one thread."""
+    if hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=_in_child)

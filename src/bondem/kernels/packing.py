@@ -11,7 +11,7 @@ import numpy as np
 
 from bondem._compile import device, kernel, prange
 from bondem.kernels.neighbour_grid import inverse_period, nearest_image
-from bondem.kernels.packing_walls import borne, borne_by_grid, has_grid, kept_on_grid, kept_within, plain_walls
+from bondem.kernels.packing_walls import borne, borne_by_both, has_grid, kept_on_grid, kept_within, plain_walls
 
 # Partial sums over blocks of fixed size, added up in order: the result does not depend on the threads.
 _BLOCK = 128
@@ -67,9 +67,10 @@ def _press(spheres, walls, near, b, part):
             overlap += deep
             contacts += 1.0 if deep > 0.0 else 0.0
             deepest = max(deepest, deep)
-        fx, fy, fz = borne(plain, x, y, z, r, fx, fy, fz)
         if grid:
-            fx, fy, fz = borne_by_grid(walls, x, y, z, r, fx, fy, fz)
+            fx, fy, fz = borne_by_both(plain, walls, x, y, z, r, fx, fy, fz)
+        else:
+            fx, fy, fz = borne(plain, x, y, z, r, fx, fy, fz)
         force[i, 0], force[i, 1], force[i, 2] = fx, fy, fz
         vx, vy, vz = velocity[i, 0], velocity[i, 1], velocity[i, 2]
         power += fx * vx + fy * vy + fz * vz
@@ -95,7 +96,7 @@ def _descend(spheres, walls, listed, back, dt, keep, steer, b, part):
         z = sphere[i, 2] - back * uz + dt * vz
         x, y, z, vx, vy, vz = kept_within(plain, sphere[i, 3], x, y, z, vx, vy, vz)
         if grid:
-            x, y, z, vx, vy, vz = kept_on_grid(walls, sphere[i, 3], x, y, z, vx, vy, vz)
+            x, y, z, vx, vy, vz = kept_on_grid(plain, walls, sphere[i, 3], x, y, z, vx, vy, vz)
         sphere[i, 0], sphere[i, 1], sphere[i, 2] = x, y, z
         velocity[i, 0], velocity[i, 1], velocity[i, 2] = vx, vy, vz
         dx, dy, dz = x - listed[i, 0], y - listed[i, 1], z - listed[i, 2]

@@ -9,6 +9,8 @@ from bondem._compile import device
 
 # A sphere this near a wall of the grid, over its radius, touches it.
 _TOUCH = 1e-6
+# Walls that meet at a right angle need one round, at 45° about 30.
+_ROUNDS = 30
 
 
 @device
@@ -92,16 +94,25 @@ def borne(plain, x, y, z, r, fx, fy, fz):
 
 
 @device
-def borne_by_grid(walls, x, y, z, r, fx, fy, fz):
-    """The force on a sphere, less what the wall of the grid bears of it where it touches."""
+def borne_by_both(plain, walls, x, y, z, r, fx, fy, fz):
+    """The force on a sphere, less what plain walls and the wall of the grid carry of it where it touches them.
+
+    Where it touches both, the rest is the projection of the force onto the free directions of the sphere: the
+    carried parts are found in turn, until that of the grid stays. Otherwise a sphere in a wedge is never at rest.
+    """
+    gx, gy, gz = borne(plain, x, y, z, r, fx, fy, fz)
     d, nx, ny, nz = _grid_depth(x, y, z, walls, r)
     if d <= r * (1.0 + _TOUCH):
         steep = max(nx * nx + ny * ny + nz * nz, 0.01)
-        out = min(fx * nx + fy * ny + fz * nz, 0.0) / steep
-        fx -= out * nx
-        fy -= out * ny
-        fz -= out * nz
-    return fx, fy, fz
+        enough = 1e-9 * math.sqrt(fx * fx + fy * fy + fz * fz)
+        out = min(gx * nx + gy * ny + gz * nz, 0.0) / steep
+        for _ in range(_ROUNDS):
+            gx, gy, gz = borne(plain, x, y, z, r, fx - out * nx, fy - out * ny, fz - out * nz)
+            more = min((gx * nx + gy * ny + gz * nz) / steep, -out)
+            out += more
+            if abs(more) <= enough:
+                break
+    return gx, gy, gz
 
 
 @device
@@ -136,22 +147,36 @@ def kept_within(plain, r, x, y, z, vx, vy, vz):
 
 
 @device
-def kept_on_grid(walls, r, x, y, z, vx, vy, vz):
-    """The same of the wall of the grid."""
+def _free_along(x, lower, upper, r, n):
+    """A component of a direction, 0 where the sphere touches one of two flat walls across it."""
+    near = r * (1.0 + 1e-12)
+    return 0.0 if x - lower <= near or upper - x <= near else n
+
+
+@device
+def kept_on_grid(plain, walls, r, x, y, z, vx, vy, vz):
+    """Centre and velocity of a sphere, put back to the wall of the grid; its velocity into it is lost.
+
+    A sphere that touches flat walls moves along them, or each wall in turn would push it off the other.
+    """
+    lower, upper, _, _ = plain
     beyond, steep = False, 1.0
-    nx = ny = nz = 0.0
+    nx = ny = nz = ax = ay = az = 0.0
     for _ in range(3):  # Newton's steps back to the wall, where need be from either side
         d, nx, ny, nz = _grid_depth(x, y, z, walls, r)
         beyond = beyond or d < r
         if not beyond:
             break
-        steep = max(nx * nx + ny * ny + nz * nz, 0.01)
-        x += (r - d) * nx / steep
-        y += (r - d) * ny / steep
-        z += (r - d) * nz / steep
+        ax = _free_along(x, lower[0], upper[0], r, nx)
+        ay = _free_along(y, lower[1], upper[1], r, ny)
+        az = _free_along(z, lower[2], upper[2], r, nz)
+        steep = max(ax * ax + ay * ay + az * az, 0.01)
+        x += (r - d) * ax / steep
+        y += (r - d) * ay / steep
+        z += (r - d) * az / steep
     if beyond:
         out = min(vx * nx + vy * ny + vz * nz, 0.0) / steep
-        vx -= out * nx
-        vy -= out * ny
-        vz -= out * nz
+        vx -= out * ax
+        vy -= out * ay
+        vz -= out * az
     return x, y, z, vx, vy, vz
