@@ -34,6 +34,8 @@ GAUGES = {
     "turned": bd.Gauge(bd.Everything(), "rotation"),
     "spin": bd.Gauge(bd.Everything(), "angular_velocity", "sum"),
 }
+#: Those of a periodic cell, which has no faces.
+INNER_GAUGES = {name: gauge for name, gauge in GAUGES.items() if gauge.region == bd.Everything()}
 CELL_GAUGES = {
     "end": bd.Gauge(bd.Face("x_max"), "displacement"),
     "wall": bd.Gauge(bd.Face("x_min"), "force", "sum"),
