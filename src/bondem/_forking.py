@@ -25,6 +25,6 @@ def _in_child() -> None:
 
 
 def allow_forks() -> None:
-    """Let processes that are forked from this one run threaded loops, on one thread."""
+    """Enable threaded loops, on one thread, in processes that are forked from this one."""
     if hasattr(os, "register_at_fork"):
         os.register_at_fork(after_in_child=_in_child)
