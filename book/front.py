@@ -25,7 +25,8 @@ Times and speeds are medians on machines with 2 shared cores.
 Facets soften along the present directions of stress since
 [decision 0028](decisions/0028-softening-along-present-directions.md).
 The scorecard of fracture tests, the toughness, the strengths with 1000 elements and the concrete with up to 2000
-elements were measured with this rule, except for some packings of the concrete; result files have the commits of rows.
+elements were measured with this rule, except for some packings of the concrete.
+The result files have the commit of each row.
 Other results with facets that crack are older.
 
 A program computes each verdict from the number and the requirement in the same row:
