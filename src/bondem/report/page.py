@@ -40,6 +40,8 @@ from bondem.specimen.radial_distribution import radial_distribution
 
 #: Folder of the figures for phones within that of the figures.
 PHONE = "phone"
+# Width of a figure that fills the page, 8.2 inches [pixels].
+_PAGE = 1804
 
 
 @dataclass(frozen=True)
@@ -50,17 +52,22 @@ class Picture:
         caption: text below the figure.
         data: picture as base64, in WebP, which needs a fifth of the size of a PNG.
         narrow: picture for phones as base64, or "".
+        share: width over that of the page [-], so that the texts of all figures have one size.
     """
 
     caption: str
     data: str
     narrow: str = ""
+    share: float = 1.0
 
     @classmethod
     def of(cls, file: Path, caption: str) -> "Picture":
         """A PNG of a folder of figures, with that for phones where there is one."""
         slim = file.parent / PHONE / file.name
-        return cls(" ".join(caption.split()), *(_embedded(one) if one.exists() else "" for one in (file, slim)))
+        with Image.open(file) as picture:
+            share = min(picture.width / _PAGE, 1.0)
+        data = (_embedded(one) if one.exists() else "" for one in (file, slim))
+        return cls(" ".join(caption.split()), *data, share=share)
 
 
 def _embedded(file: Path) -> str:
