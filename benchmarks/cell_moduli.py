@@ -22,8 +22,11 @@ NU = (-0.3, 0.0, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49)
 PULL = 1e-3
 
 
-def bar_test(body: bd.Lattice, nu: float) -> dict[str, float]:
-    """E and ν of a bar between smooth platens, for E = 1, and the scatter of its tractions and stresses."""
+def bar_test(body: bd.Lattice, nu: float, law: bd.CellBond | None = None) -> dict[str, float]:
+    """E and ν of a bar between smooth platens, for E = 1, and the scatter of its tractions and stresses.
+
+    `law` takes the place of the plain law, with the same E and ν.
+    """
     shape = body.particles.envelope
     length, section = shape.extent, shape.section()
     middle = int(np.linalg.norm(body.centre - shape.bounds[1] / 2.0, axis=1).argmin())
@@ -31,7 +34,7 @@ def bar_test(body: bd.Lattice, nu: float) -> dict[str, float]:
         bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=PULL * length),
         bd.Fix(bd.Index([middle]), translation="yz", rotation="x"),
     ]  # fmt: skip
-    model = bd.Model(body, bd.CellBond(E=1.0, nu=nu), 1.0, boundary=held)
+    model = bd.Model(body, law or bd.CellBond(E=1.0, nu=nu), 1.0, boundary=held)
     static = bd.solve_static(model)
     stress = static.reaction[body.centre[:, 0] > 0.5 * length, 0].sum() / section
     inside = np.abs(body.particles.position[:, 0] - 0.5 * length) < 0.25 * length

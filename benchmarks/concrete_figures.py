@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bondem.report.strength_figures import DRAWN, draw_failed
+from bondem.labtests.failure_tests import FAILURE_TESTS
+from bondem.report.strength_figures import draw_failed
 from bondem.report.style import BLUE, INK, ORANGE, sheet
 
 #: Tests as figures have them: name, kind of the rows, pressure on the sides [Pa].
@@ -39,7 +40,7 @@ def draw_all(rows: Path, out: Path, specimen: Callable[[str, int, int], bd.Latti
 def _draw(
     path: Path, name: str, found: list[tuple[Path, dict[str, Any]]], specimen: Callable[[str, int, int], bd.Lattice]
 ) -> None:
-    told = DRAWN[name]
+    told = FAILURE_TESTS[name].figure
     file, row = max(found, key=lambda one: (one[1]["count"], -one[1]["seed"]))
     body = specimen(row["kind"], row["count"], row["seed"])
     with sheet(path, 9.4, 3.6, 1, 2) as (figure, (left, right)), np.load(file.with_suffix(".npz")) as kept:

@@ -26,8 +26,9 @@ def origin() -> dict:
 
 
 def command() -> str:
-    """How this process was started."""
-    return " ".join(["python", str(Path(sys.argv[0]).resolve()), *sys.argv[1:]]).replace(f"{ROOT}/", "")
+    """How this process was started; paths outside the repository become BUILD/name, as in commands of studies."""
+    words = [word.replace(f"{ROOT}/", "") for word in (str(Path(sys.argv[0]).resolve()), *sys.argv[1:])]
+    return " ".join(["python", *(f"BUILD/{Path(word).name}" if Path(word).is_absolute() else word for word in words)])
 
 
 def commit() -> str:

@@ -45,7 +45,7 @@ _FRACTURE, _PROGRAM = "Published tests of strength and fracture", "The program"
 _SILICA = "static tests on five packings of 10 000 spheres, bonds calibrated on the first"
 
 CLAIMS = (
-    Claim(_CELLS, "A body of cells has the Young's modulus and the Poisson's ratio that were put in", "cells",
+    Claim(_CELLS, "A body of cells has the Young's modulus and the Poisson's ratio that were entered", "cells",
           "E and ν", "periodic cells and bars, ν from −0.3 to 0.49, five packings"),
     Claim(_CELLS, "Bodies of seven shapes agree with finite elements", "cells",
           "Seven shapes beside finite elements", "stiffness and natural frequencies, five materials, five packings"),
@@ -53,13 +53,13 @@ CLAIMS = (
           "P and S waves of at least 20 elements per wave"),
     Claim(_CELLS, "The stress beside a hole agrees with finite elements", "cells", "Stress at a hole",
           "a plate in tension, three sizes of cells"),
-    Claim(_CELLS, "A bar in direct tension has the strength and the fracture energy that were put in", "strength",
+    Claim(_CELLS, "A bar in direct tension has the strength and the fracture energy that were entered", "strength",
           "Direct tension", "plain and notched bars, two fracture energies and brittle facets"),
     Claim(_CELLS, "A prism in compression has the strength of a Mohr–Coulomb continuum", "strength",
           "Compression between smooth platens", "uniaxial and triaxial compression, two fracture energies of slip"),
     Claim(_CELLS, "Load factors give the peak of a slow explicit run", "strength", "Without inertia",
           "notched bars, both solvers on the same packings"),
-    Claim(_CELLS, "The energy balance closes through failure", "strength", "Ledger of energies",
+    Claim(_CELLS, "The energy balance closes through failure", "strength", "Energy balance",
           "largest residual over the work, all runs of the chapter"),
     Claim(_FRACTURE, "Published fracture tests follow from published material data", "fracture", "Scorecard",
           "four quasi-static tests of concrete, three packings each, inputs fixed before the runs"),

@@ -122,7 +122,7 @@ def _section(section: Section, level: str, commands: Sequence[Origin]) -> list[s
 
 
 def _left_out(section: Section) -> str:
-    """How many numbers have nothing to be compared with, and the files that hold them."""
+    """How many numbers have no reference value, and the files that hold them."""
     rows = left_out(section.rows)
     if not rows:
         return ""
@@ -130,7 +130,7 @@ def _left_out(section: Section) -> str:
     links = ", ".join(f"[{posixpath.basename(kept)}](../{kept})" for kept in files)
     many = "One more number" if len(rows) == 1 else f"{len(rows)} more numbers"
     has, it = ("has", "it is") if len(rows) == 1 else ("have", "they are")
-    return f"*{many} of this section {has} nothing to be compared with; {it} in {links}.*"
+    return f"*{many} of this section {has} no reference value; {it} in {links}.*"
 
 
 def _lines(text: str) -> str:

@@ -76,15 +76,15 @@ class Row:
     """One case.
 
     Attributes:
-        case: what is looked at.
-        ours: what we have.
-        source: of the paper's number: table, figure or equation.
-        paper: what is printed, a number or, where it is none, words.
-        printed: the paper's number as it prints it, where `form` would add digits.
-        tolerance: when the two agree, or when what is asked for is met; None where nothing is printed or asked.
-        form: how the numbers are printed.
-        reason: why it misses the paper's number, where it does. A requirement of our own has none.
-        note: what else to say.
+        case: quantity that is compared.
+        ours: number computed by bondem.
+        source: table, figure or equation of the published number.
+        paper: published number, or words where it is none.
+        printed: published number as the paper prints it, where `form` would add digits.
+        tolerance: condition of agreement, or requirement; None without a published value or requirement.
+        form: format of the numbers.
+        reason: cause of a miss of a published number. A requirement of our own has none.
+        note: further remark.
     """
 
     case: str

@@ -1,9 +1,9 @@
 """A ball of bonded grains hits a wall, breaks, and its pieces rub on each other and on the wall.
 
 Physics: a ball of Euler-Bernoulli beams, 20 mm in radius, flies at 8 m/s against a rigid wall with friction. Beams
-break by their peripheral stress; a pair whose beam breaks under pressure bears on at once, and slides with friction.
+break by their peripheral stress; a pair whose beam breaks under pressure stays in contact, and slides with friction.
 
-Expected: where it hits a third of the bonds break and grains spray off; what stays together holds most of the mass.
+Expected: a third of the bonds break near the impact and grains spray off; the largest fragment has most of the mass.
 A quarter of the energy goes into friction, a twentieth into bonds, and all parts add up to what came in, to a
 thousandth. Takes about 5 s on one core, once compiled.
 Run it with:  python examples/ball_impact.py [FOLDER]

@@ -1,9 +1,9 @@
 """Calibrate once, use in another shape: bonds of a periodic cell in an L-bracket from an STL file.
 
 Physics: bonds are calibrated where there is no wall, then fill a bracket of fused silica (foot 40 mm, arm 30 mm,
-12 mm wide, 8 mm thick). Free, it rings: its arms bend like a tuning fork, twist, and swing in and out. Clamped at
-the end of its foot, its tip gives way to 10 N sideways. Nothing is measured on the bracket: `law_for` corrects for
-what its walls do to the packing by looking at the lattice.
+12 mm wide, 8 mm thick). Free, its arms bend like a tuning fork, twist, and swing in and out. Clamped at the
+end of its foot, its tip moves sideways under 10 N. Nothing is measured on the bracket: `law_for` corrects the effect
+of its walls on the packing from the lattice.
 
 Expected, from finite elements (benchmarks/continuum.py): 10.01, 23.17, 26.26 and 28.94 kHz, and 8.62 µm. Spheres
 form layers along walls, which a bracket 15 mean radii thick still feels. Three packings of the bracket were tried:
@@ -24,7 +24,7 @@ FORCE = (0.0, 10.0, 0.0)  # N
 
 
 def main(count: int = 6000, cell: int = 6000) -> tuple[np.ndarray, float]:
-    """First free frequencies [Hz], and how far the clamped bracket's tip gives way [m]."""
+    """First free frequencies [Hz], and displacement of the clamped bracket's tip [m]."""
     silica = bd.materials.fused_silica
     bulk = bd.connect(bd.pack(bd.Cell((0.01, 0.01, 0.01)), count=cell, spread=0.25, seed=1))
     fit = bd.calibrate(bulk, silica, law=bd.EulerBernoulli)

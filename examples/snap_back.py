@@ -1,6 +1,6 @@
 """A notched bar of concrete that snaps back: cracks without inertia, by load factors, and a slow explicit test.
 
-Physics: the bar is longer than 2 E G_f / f_t², so that it holds more energy at its strength than a crack takes up.
+Physics: the bar is longer than 2 E G_f / f_t², so that it stores more energy at its strength than a crack dissipates.
 Pulled by platens it breaks at once where its path of equilibria turns back to smaller elongations.
 `bd.solve_quasistatic` follows that path, one event of failing facets after the other.
 

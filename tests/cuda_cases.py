@@ -34,6 +34,8 @@ GAUGES = {
     "turned": bd.Gauge(bd.Everything(), "rotation"),
     "spin": bd.Gauge(bd.Everything(), "angular_velocity", "sum"),
 }
+#: Those of a periodic cell, which has no faces.
+INNER_GAUGES = {name: gauge for name, gauge in GAUGES.items() if gauge.region == bd.Everything()}
 CELL_GAUGES = {
     "end": bd.Gauge(bd.Face("x_max"), "displacement"),
     "wall": bd.Gauge(bd.Face("x_min"), "force", "sum"),
@@ -95,7 +97,7 @@ def free_body() -> tuple[bd.Model, State]:
     model = bd.Model(body(3, 3, 3), bd.CellBond(E=1e7, nu=-0.2, facet_rotation="full"), density=1000.0)
     state, far = moving(model), Rotation.from_rotvec([1.5, -1.0, 0.7])
     turned = np.tile(far.as_quat()[[3, 0, 1, 2]], (27, 1))
-    state.set_pose(position=far.apply(state.position) + np.arange(3.0), orientation=turned)
+    state.set_pose(position=far.apply(state.position.copy()) + np.arange(3.0), orientation=turned)
     state.integrity[[3, 17]] = 0.0, 0.4
     return model, state
 

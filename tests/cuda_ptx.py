@@ -71,7 +71,7 @@ def main() -> None:
     loop_cuda.missing = lambda: None
     sizes: dict[str, dict[str, float]] = {}
     for name, model, gauges in (
-        ("bonds", cuda_cases.bar(), cuda_cases.GAUGES), ("alike", cuda_cases.cell(), cuda_cases.GAUGES),
+        ("bonds", cuda_cases.bar(), cuda_cases.GAUGES), ("alike", cuda_cases.cell(), cuda_cases.INNER_GAUGES),
         ("breaking", cuda_breaking.breaking_bar(cuda_breaking.CRITERIA["peripheral"]), cuda_cases.GAUGES),
         ("cells", cuda_cases.held_bar(), cuda_cases.CELL_GAUGES),
         ("breaking cells", cuda_facets.held_bar(), cuda_cases.CELL_GAUGES),

@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -153,7 +154,8 @@ def test_studies_of_other_editors_read_alike(tmp_path, encoding, end):
     text = EXAMPLE.read_text().replace("name = \"fused silica\"", "name = \"Glas, geprüft\"")
     (tmp_path / "plain.toml").write_text(text, encoding="utf-8")
     (tmp_path / "other.toml").write_bytes(text.replace("\n", end).encode(encoding))
-    assert read_study(tmp_path / "other.toml") == read_study(tmp_path / "plain.toml")
+    other, plain = (read_study(tmp_path / name) for name in ("other.toml", "plain.toml"))
+    assert other == replace(plain, source=("other.toml", text))
     assert not is_campaign(tmp_path / "other.toml")
     campaign = f"{text}\n[campaign]\nseeds = 2\n".replace("\n", end)
     (tmp_path / "campaign.toml").write_bytes(campaign.encode(encoding))

@@ -117,7 +117,7 @@ def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:
     folders = sorted(path.name for path in (tmp_path / "specimens").iterdir())
     assert folders == sorted(one.name for one in campaign(seeds=3).specimens)
     # no packing of spheres has as many contacts
-    more = campaign(seeds=[4, 5], vary={"specimen.coordination_number": [6.0, 11.5]})
+    more = campaign(seeds=[4, 5], vary={"specimen.coordination_number": [6.0, 11.95]})
     table = bd.campaign_table(tmp_path)
     assert list(table["seed"]) == [3, 4, 5, 3, 4, 5]
     again = run_campaign(campaign(seeds=4), tmp_path, workers=1)
@@ -129,9 +129,9 @@ def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:
     failed = run_campaign(more, tmp_path / "more", workers=1)
     assert failed["finished"] == 2
     assert [row["varied"] for row in failed["failed"]] == [
-        {"specimen.coordination_number": 11.5, "seed": seed} for seed in (4, 5)
+        {"specimen.coordination_number": 11.95, "seed": seed} for seed in (4, 5)
     ]
-    assert all("11.5" in row["error"] for row in failed["failed"])
+    assert all("11.95" in row["error"] for row in failed["failed"])
 
 
 def test_a_specimen_is_what_bondem_run_makes(tmp_path: Path) -> None:
@@ -143,6 +143,11 @@ def test_a_specimen_is_what_bondem_run_makes(tmp_path: Path) -> None:
     for values in (left, alone, row["values"]):
         assert values["specimen.coordination_number"] == alone["specimen.coordination_number"]
         assert values["seed"] == 4
+    kept = tmp_path / "specimens" / one.name
+    curves = json.loads((kept / "results.json").read_text())["curves"]
+    assert curves["distribution"] == ["curves/distribution.csv"]
+    for (file,) in curves.values():
+        assert (kept / file).read_bytes() == (tmp_path / "alone" / file).read_bytes()
     assert carry_out(one, tmp_path) == row  # as it is there
     assert len(list((tmp_path / "specimens").iterdir())) == 1
 
@@ -215,7 +220,7 @@ def test_a_job_of_slurm_is_what_the_file_asks_for(tmp_path: Path) -> None:
 
 
 def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="'nonsense://x': no Dask scheduler"):
+    with pytest.raises(InputError, match="there is no Dask scheduler at 'nonsense://x'"):
         run_campaign(campaign(), tmp_path, address="nonsense://x")
     with pytest.raises(InputError, match="give the folder of a campaign"):
         bd.campaign_table(tmp_path / "none")

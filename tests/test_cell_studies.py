@@ -13,7 +13,7 @@ import bondem as bd
 from bondem.errors import InputError, StudyError
 from bondem.io.importing import read_lattice
 from bondem.labtests.faces import face_motion
-from bondem.labtests.strengths import STRENGTH_TESTS
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.tension import tension_model
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import dilatation
@@ -159,11 +159,7 @@ def test_stress_of_a_state_turns_with_the_body(clamped):
     np.testing.assert_allclose(held[inner], small * still[inner], atol=1e-5 * small * np.abs(still).max())
 
 
-def test_stress_of_what_has_no_cells_is_refused(body, law):
-    lattice = bd.connect(body.particles)
-    model = bd.Model(lattice, bd.EulerBernoulli(E=E, nu=NU, radius_ratio=0.5), RHO)
-    with pytest.raises(InputError, match="CellBond"):
-        bd.cell_stress(model, model.state())
+def test_stress_of_what_is_no_state_is_refused(body, law):
     with pytest.raises(InputError, match="result"):
         bd.cell_stress(bd.Model(body, law, RHO), 3.0)
 
@@ -252,7 +248,7 @@ def test_templates_are_the_examples_and_can_be_read(tmp_path):
         if name == "concrete":
             assert isinstance(asked, Programme)
             asked_for = {test for one in asked.series for test in one.study.tests}
-            assert asked_for == set(STRENGTH_TESTS) - {"sphere_crushing", "sphere_impact", "spall"}  # other bodies
+            assert asked_for == set(FAILURE_TESTS) - {"sphere_crushing", "sphere_impact", "spall"}  # other bodies
         elif name == "mesoscale":
             assert isinstance(asked, Programme)
             assert all(one.study.aggregates is not None for one in asked.series)
@@ -260,6 +256,6 @@ def test_templates_are_the_examples_and_can_be_read(tmp_path):
             assert asked.tests == TESTS
         else:
             assert len(asked.tests) == 1
-            assert asked.tests[0] in STRENGTH_TESTS
+            assert asked.tests[0] in FAILURE_TESTS
         assert (EXAMPLES / file).read_text() == template(name, f"examples/{file}")
     assert read_study(EXAMPLES / "silica_cells.toml").bond.cells is bd.CellBond

@@ -14,16 +14,6 @@ pytestmark = [
 ]
 
 
-@pytest.fixture
-def write(tmp_path):
-    def to(name, text):
-        path = tmp_path / name
-        path.write_text(text)
-        return path
-
-    return to
-
-
 def dump(columns="id type x y z radius", borders="ff ff ff", scale=1.0):
     box = "-1 5\n-2 4\n-3 3\n"
     frames = []

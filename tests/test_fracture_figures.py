@@ -87,7 +87,7 @@ def test_every_piece_has_a_colour_of_its_own() -> None:
     many = np.unique(np.rint(255.0 * piece_palette(500)), axis=0)
     assert len(many) == 500
     steps = np.linalg.norm(np.diff(piece_palette(300), axis=0), axis=1)
-    assert steps.min() > 0.15  # pieces of like masses are told apart
+    assert steps.min() > 0.15  # pieces of similar masses have different colours
 
 
 def test_surfaces_of_cracks_are_drawn_facet_by_facet() -> None:

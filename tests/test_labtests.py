@@ -7,7 +7,7 @@ import pytest
 from scipy.linalg import eigh
 
 import bondem as bd
-from bondem.errors import EmptyRegionError, InputError
+from bondem.errors import EmptyRegionError, InputError, ShortSpecimenWarning
 from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.cantilever import Cantilever, mass_gyration
 from bondem.labtests.frequency import dominant_frequency
@@ -161,6 +161,12 @@ def test_a_box_has_no_side_and_a_ball_no_faces():
 def test_a_specimen_too_short_to_measure_says_so():
     with pytest.raises(InputError, match="middle half"):
         bd.labtests.static_tension(chain(6), LAW)
+
+
+def test_a_tension_test_of_a_disc_gives_a_warning():
+    disc = bd.connect(bd.pack(bd.Cylinder(radius=3e-3, length=3e-3), count=400, spread=0.25, seed=1))
+    with pytest.warns(ShortSpecimenWarning, match=r"0\.003 m long along x and 0\.006 m wide.*bd\.bulk_moduli"):
+        bd.labtests.static_tension(disc, LAW)
 
 
 # --- clamped specimens ------------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError, StudyError
 from bondem.fracture.lost_area import lost_area
-from bondem.labtests.strengths import strength_outcome
+from bondem.labtests.failure_tests import failure_outcome
 from bondem.specimen.regions import Within
 from bondem.study.pipeline import run_study
 from bondem.study.programme import Programme, parse_programme
@@ -108,10 +108,10 @@ def test_bending_takes_materials_by_region(bar):
 def test_a_test_of_several_materials_has_no_closed_form(bar):
     far = halves(bar)
     law, failure = {bd.Everything(): SOFT, far: HARD}, {bd.Everything(): PLAIN, far: STRONG}
-    assert np.isnan(strength_outcome("direct_tension", bar, law, failure, density=2400.0).theory)
+    assert np.isnan(failure_outcome("direct_tension", bar, law, failure, density=2400.0).theory)
     pulse = {"pressure": 1e6, "rise": 1e-6, "fall": 1e-6}
     with pytest.raises(InputError, match="one law"):
-        strength_outcome("spall", bar, law, PLAIN, density=2400.0, options=pulse)
+        failure_outcome("spall", bar, law, PLAIN, density=2400.0, options=pulse)
 
 
 @pytest.mark.parametrize("law", [{}, {bd.Everything(): bd.Timoshenko(E=1e9, nu=0.3, radius_ratio=0.8)}, None])

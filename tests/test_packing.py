@@ -7,6 +7,9 @@ import trimesh
 import bondem as bd
 from bondem._compile import threads
 from bondem.errors import InputError, PackingError
+from bondem.packing import targets
+from bondem.packing.quench import _just_above_jamming
+from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.walls import walls
 from bondem.specimen.neighbours import neighbours
 
@@ -198,6 +201,38 @@ def test_bad_requests_are_refused_with_advice(error, shape, options, says):
 
 
 def test_a_shape_with_too_many_spheres_for_its_walls_is_refused():
-    box = bd.Box(size=(1.0, 1.0, 1.0)).rotated("z", 0.3)
+    shape = bd.Box(size=(1.0, 1.0, 1.0)) - bd.Ball(0.2)
     with pytest.raises(InputError, match="carve"):
-        walls(box, np.full(3_000_000, np.cbrt(0.64 / 3e6 * 0.75 / np.pi)))
+        walls(shape, np.full(3_000_000, np.cbrt(0.64 / 3e6 * 0.75 / np.pi)))
+
+
+def test_wide_sizes_may_overlap_by_a_share_of_the_smaller_of_a_pair():
+    """Overlaps of large spheres were compared with the radius of the smallest one anywhere."""
+    centre = np.array([[0.2, 0.5, 0.5], [0.55, 0.5, 0.5], [0.95, 0.9, 0.9]])
+    spheres = SoftSpheres(bd.Box((1.0, 1.0, 1.0)), centre, np.array([0.2, 0.2, 0.04]))
+    assert spheres.deepest() == pytest.approx(0.25)
+    targets._check_overlap(spheres, "a target", "option=")
+    spheres.sphere[2, :3] = 0.755, 0.5, 0.5  # 0.035 deep, of a radius of 0.04
+    with pytest.raises(PackingError, match=r"overlaps of 0\.88 of the smaller radius of a pair"):
+        targets._check_overlap(spheres, "a target", "option=")
+
+
+@pytest.mark.parametrize(("target", "other"), [
+    ({}, False), ({"jamming": True}, True), ({"volume_fraction": 0.66}, True), ({"coordination_number": 5.0}, True),
+])  # fmt: skip
+def test_advice_for_wide_sizes_does_not_go_in_a_circle(monkeypatch, target, other):
+    """Each target recommended the others, which sizes of 1 : 5 do not reach either."""
+    for limit in ("_SCALES", "_STEPS", "_ALL_STEPS", "_JAMMED_STEPS", "_ALL_JAMMED_STEPS"):
+        monkeypatch.setattr(targets, limit, 2)
+    two = bd.Sieve((1e-3, 1.001e-3, 5e-3, 5.001e-3), (0.0, 0.5, 0.5, 1.0))
+    with pytest.raises(PackingError, match=r"radii differ by a factor of 5\.0 and") as raised:
+        bd.pack(bd.Box((2.0, 1.0, 1.0)), count=300, sizes=two, **target)
+    assert ("the coordination_number=6.2 of packings without a target" in str(raised.value)) == other
+    assert not any(name in str(raised.value) for name in ("jamming=", "volume_fraction=", "seed="))
+
+
+def test_jamming_of_wide_sizes_begins_above_it():
+    """Spheres let loose below jamming never press, and came to rest after minutes, if at all."""
+    wide = _just_above_jamming(np.append(np.ones(125), 5.0))
+    assert 0.7 < wide <= 0.75
+    assert _just_above_jamming(np.linspace(0.875, 1.125, 100)) == 0.655

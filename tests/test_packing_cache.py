@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem import packing
 from bondem.io import packing_cache
 from bondem.io.packing_cache import PackingCache, key
 from bondem.packing.sizes import SizeLaw
@@ -45,9 +46,9 @@ def folder(tmp_path, monkeypatch):
 def packings(monkeypatch):
     """Grows by one whenever `bd.pack` really packs."""
     made = []
-    quench = bd.pack.__globals__["_METHODS"]["quench"]
+    quench = packing._METHODS["quench"]
     counted = lambda *told: made.append(1) or quench(*told)  # noqa: E731
-    monkeypatch.setitem(bd.pack.__globals__["_METHODS"], "quench", counted)
+    monkeypatch.setitem(packing._METHODS, "quench", counted)
     return made
 
 

@@ -26,16 +26,6 @@ def same(particles, centre=CENTRE, radius=RADIUS):
     return True
 
 
-@pytest.fixture
-def write(tmp_path):
-    def to(name, text):
-        path = tmp_path / name
-        path.write_text(text)
-        return path
-
-    return to
-
-
 def table(separator=" "):
     return "".join(separator.join(map(repr, map(float, (*x, r)))) + "\n" for x, r in zip(CENTRE, RADIUS, strict=True))
 

@@ -55,7 +55,8 @@ def test_a_specimen_survives_its_file(small, tmp_path):
 def test_lammps_reads_the_same_specimen(peers, small, tmp_path):
     path = tmp_path / "specimen.data"
     peers["lammps"].write_data(path, small)
-    found = bd.read_lattice(path)
+    with pytest.warns(bd.errors.StressFreeWarning, match="velocities"):
+        found = bd.read_lattice(path)
     np.testing.assert_array_equal(found.particles.position, small.position)
     np.testing.assert_allclose(found.particles.radius, small.radius, rtol=1e-15)
     np.testing.assert_array_equal(found.pairs, small.pairs)

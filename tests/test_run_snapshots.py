@@ -107,6 +107,9 @@ def test_vtk_reads_what_the_run_had(tmp_path: Path, make) -> None:
             stress = bd.cell_stress(model, state)
             assert own.n_cells == len(model.lattice.particles)
             assert own.volume == pytest.approx(16e-9, rel=1e-5)
+            np.testing.assert_array_equal(own["velocity"], elements["velocity"])
+            with h5py.File(tmp_path / "run.h5") as file:  # stored once
+                assert file["VTKHDF/cells/CellData/stress"] == file["VTKHDF/elements/PointData/stress"]
             np.testing.assert_allclose(
                 own["stress"], stress[:, [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]], rtol=1e-5,
                 atol=1e-6 * np.abs(stress).max() + 1e-9,

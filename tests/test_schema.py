@@ -14,8 +14,8 @@ from click.testing import CliRunner
 from bondem.campaign.sweep import parse_campaign, read_campaign
 from bondem.cli.schema import command
 from bondem.errors import StudyError
+from bondem.study.keys import schema
 from bondem.study.programme import read
-from bondem.study.schema import schema
 from bondem.study.study import parse_study
 from bondem.study.toml_table import TomlTable
 from tests.test_hostile_studies import OTHERS, WHOLE

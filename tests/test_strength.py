@@ -145,6 +145,7 @@ REFUSED = {
     "no test": ("no test needs it", {"tests": ["static_tension"]}),
     "spheres": ("CellBond", {"bond": {}, "specimen": {"shape": "box", "size": [2e-2] * 3, "count": 250}}),
     "no shear": ("MohrCoulomb", {"failure": {"criterion": "Rankine", "tension": 4e6, "fracture_energy": 20.0}}),
+    "no pressure": ("key 'triaxial.pressure' is missing", {"tests": ["triaxial"]}),
     "brittle cone": (
         "DruckerPrager", {"failure": {"criterion": "DruckerPrager", "tension": 4e6, "compression": 4e7}}
     ),

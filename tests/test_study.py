@@ -189,7 +189,8 @@ def test_without_a_material_a_study_packs_and_checks_only(tmp_path):
     study = parse_study(BALL | told | {"output": {"figures": False, "packing_files": True}})
     results = run_study(study, tmp_path)
     assert (results["micro"], results["macro"], results["tests"]) == (None, None, {})
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["packing_1.h5", "report.html", "results.json"]
+    written = ["curves", "packing_1.h5", "report.html", "results.json"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == written
     lattice = bd.read_lattice(tmp_path / "packing_1.h5")
     alone = bd.pack(bd.Ball(5e-3), count=300, spread=0.2, method="growth", coordination_number=6.0, seed=1)
     np.testing.assert_array_equal(lattice.particles.position, alone.position)

@@ -18,6 +18,7 @@ from book.chapters import (
     formulations,
     fracture,
     laws,
+    mka3d,
     packings,
     parameters,
     predictions,
@@ -31,7 +32,7 @@ from book.results import Measurement
 from book.small import PACKINGS
 
 _FILES = (
-    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, strength, concrete,
+    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, mka3d, strength, concrete,
     celigueta, laws, predictions, fracture, rapid_fracture, packings, parameters, dynamic_tests, surface,
     formulations, dynamics, cost, runs,
 )  # fmt: skip

@@ -313,7 +313,7 @@ def _packing() -> Section:
     first = SILICA.at("packings", 0)
     printed = (
         "the printed bound is vacuous: no fabric can exceed 0.003115"
-        " ([why](studies.md#what-is-wrong-with-the-threshold-in-print))"
+        " ([why](studies.md#what-is-wrong-with-the-published-threshold))"
     )
     return Section(
         title="The packing",

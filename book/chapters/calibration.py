@@ -86,7 +86,7 @@ def _times() -> Section:
     rows.append(
         Row(case="all its curves over one cylinder, both from nothing", form=RATIO,
             ours=TIMES.of((whole + before) / nothing), tolerance=AtLeast(100.0),
-            note="compilation and packing, which both ways need, are most of what ours takes")
+            note="compilation and packing, which both methods need, take most of the time of ours")
     )  # fmt: skip
     return Section(
         title="Time, and the paper's own way",

@@ -98,7 +98,8 @@ def chapter() -> Chapter:
             ),
             Section(
                 title="Young's modulus of the curve",
-                before="Strain is that between the plates, with contacts, from 20 to 50 % of the peak; 40 GPa go in.",
+                before="Strain is that between the plates, with contacts, from 20 to 50 % of the peak."
+                " E is entered as 40 GPa.",
                 rows=tuple(
                     Row(case=f"{one['failure']}, {AREAS[one['areas']]}: E", paper=38e9, source="§5.3",
                         ours=CELIGUETA.of(one["mean_E"]["mean"], scatter=one["mean_E"]["std"]), form=MODULUS,
@@ -139,7 +140,7 @@ def _full() -> Section:
             Figure("celigueta_full_compression.png", "Compression of 12 000 elements: stress over strain"),
             Figure("celigueta_full_splitting.png", "Splitting of 9000 elements: stress of eq (7) over time"),
             Figure("celigueta_full_broken.png", "Slices through the middle of the first packing after each test,"
-                   " coloured by what has moved to the left and to the right, motion drawn twenty times"),
+                   " coloured by displacement to the left and to the right, drawn twenty times"),
         ),
     )  # fmt: skip
 
@@ -170,7 +171,7 @@ def _shear() -> Section:
         figures=(
             Figure("celigueta_shear.png", "Mean shear stress over the strain between the plates"),
             Figure("celigueta_shear_broken.png", "161 000 elements after the test, a slice through the middle,"
-                   " coloured by what has moved to the left and to the right, motion drawn twenty times"),
+                   " coloured by displacement to the left and to the right, drawn twenty times"),
         ),
     )  # fmt: skip
 
@@ -213,7 +214,7 @@ def _elastic() -> Section:
                 Row(case=f"{words}, ν = {nu:g}: error of E", form=Form("%", 1e-2, "+.2f"),
                     ours=ELASTIC.of(*(one["E"] / ELASTIC.at("E") - 1.0 for one in mine)),
                     tolerance=AtMost(_OF_E) if asked else None),
-                Row(case=f"{words}, ν = {nu:g}: ν less that put in", form=Form(style="+.4f"),
+                Row(case=f"{words}, ν = {nu:g}: ν less that entered", form=Form(style="+.4f"),
                     ours=ELASTIC.of(*(one["nu"] - nu for one in mine)), tolerance=AtMost(_OF_NU) if asked else None),
             ]  # fmt: skip
     seeds = ", ".join(str(seed) for seed in sorted({one["seed"] for one in found}))

@@ -200,7 +200,7 @@ def _reach() -> Section:
         before=(
             "The tests are compression with Rankine (6 MPa) and the authors' areas. Spheres are bonded up to a"
             " distance of reach × (R1 + R2), and z is the coordination number; entries are packings"
-            f" {seeds}. The paper does not print the gaps that it bonds. 40 GPa were put in, and 55 MPa were"
+            f" {seeds}. The paper does not print the gaps that it bonds. 40 GPa were entered, and 55 MPa were"
             " measured. Mohr–Coulomb with 14.5 MPa and 60° has a lower strength than Rankine at both gaps, so no gap"
             " gives both"
             " criteria 55 MPa.\n\n" + "\n".join(lines)

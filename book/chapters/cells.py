@@ -17,7 +17,7 @@ BODIES = Measurement("cell_bodies", "python benchmarks/cell_bodies.py")
 BEAMS = Measurement("beam_bodies", "python benchmarks/beam_bodies.py", "40 min")
 MEASUREMENTS = (MODULI, WAVES, RAYLEIGH, HOLE, INERTIA, BODIES, BEAMS)
 
-#: What is asked for [-].
+#: Required tolerances [-].
 E_LIMIT, NU_LIMIT, WAVE_LIMIT, RAYLEIGH_LIMIT, HOLE_LIMIT = 3e-3, 2e-3, 5e-3, 1e-2, 5e-2
 #: Waves of so many elements or more are judged.
 LONG, LONG_RAYLEIGH = 20.0, 10.0
@@ -35,7 +35,7 @@ def chapter() -> Chapter:
     """The chapter."""
     return Chapter(
         name="cells",
-        title="Bodies of cells: E, ν, waves and stresses as put in",
+        title="Bodies of cells: E, ν, waves and stresses as entered",
         summary=(
             "`bd.CellBond(E, nu)` takes the constants of the material; nothing is calibrated. Every packing that "
             "was run is in the results. The law and its limits are described in [cell_law.md](cell_law.md)."
@@ -60,7 +60,7 @@ def _moduli() -> Section:
             rows += [
                 Row(case=f"{where}: error of E", form=Form("%", 1e-2, "+.3f"), tolerance=AtMost(E_LIMIT),
                     ours=MODULI.of(*(one[part]["E"] - 1.0 for one in mine))),
-                Row(case=f"{where}: ν less that put in", form=DIFFERENCE, tolerance=AtMost(NU_LIMIT),
+                Row(case=f"{where}: ν less that entered", form=DIFFERENCE, tolerance=AtMost(NU_LIMIT),
                     ours=MODULI.of(*(one[part]["nu"] - nu for one in mine))),
             ]  # fmt: skip
     seeds = len({one["seed"] for one in found})

@@ -35,7 +35,7 @@ LAWS = ("TBBM", "EBBM", "PBM", "Obermayr")
 
 
 def digits(printed: str) -> int:
-    """Decimals of a number in print."""
+    """Decimals of a published number."""
     return len(printed.partition(".")[2])
 
 
@@ -189,7 +189,7 @@ def _figures() -> Section:
         )  # fmt: skip
     names = {
         "chen_stiffness_ratio.png": "Axial over shear stiffness (figure 17)",
-        "chen_slenderness.png": "What Euler–Bernoulli bonds miss (figure 19)",
+        "chen_slenderness.png": "Error of Euler–Bernoulli bonds (figure 19)",
     }
     return Section(
         title="What the figures say in numbers",

@@ -83,7 +83,7 @@ def _quasistatic() -> Section:
         figures=(
             Figure("quasistatic_energy.png", "Kinetic and elastic energy (figure 10)"),
             Figure("quasistatic_breakdown.png", "Energies of the bonds (figure 12)"),
-            Figure("quasistatic_settling.png", "When E has settled"),
+            Figure("quasistatic_settling.png", "Time at which E is steady"),
         ),
     )
 
@@ -153,7 +153,7 @@ def _inertia() -> Section:
             "negligible."
         ),
         rows=tuple(rows),
-        figures=(Figure("vibration_inertia.png", "Moments of inertia, and what they do to frequencies"),),
+        figures=(Figure("vibration_inertia.png", "Moments of inertia, and their effect on frequencies"),),
     )
 
 

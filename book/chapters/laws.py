@@ -31,7 +31,7 @@ CONTINUUM = 54.94 / 4.0
 RUNS, UNSEEN = 15, {"ucs": 0.05, "brazilian": 0.10}
 _NAMES = {"ucs": "UCS", "brazilian": "Brazilian"}
 _SOURCE = {"ucs": ("§4.1", "55 MPa"), "brazilian": ("§4.2", "4 MPa")}
-_HEAD = ("law and criterion", "strength put in", "E", "ν", "UTS", "UCS", "UCS / UTS", "Brazilian", "K_Ic, implied",
+_HEAD = ("law and criterion", "strength entered", "E", "ν", "UTS", "UCS", "UCS / UTS", "Brazilian", "K_Ic, implied",
          "bonds broken at the peak of UCS", "cost of an element-step")  # fmt: skip
 
 
@@ -69,7 +69,7 @@ def _calibrated() -> Section:
         ratios = [run["measured"]["ucs"] / run["measured"]["brazilian"] for run in one["runs"] if not run["failed"]]
         reason = "" if one["reached"] else (
             f"of {len(ratios)} runs UCS is {RATIO.bare(min(ratios))} to {RATIO.bare(max(ratios))} times the Brazilian"
-            " strength, where 13.75 times is asked for"
+            " strength, where a factor of 13.75 is required"
         )  # fmt: skip
         for test, name in _NAMES.items():
             target, tolerance = targets[test]

@@ -137,7 +137,7 @@ def _bond_radius() -> Section:
         figures=(
             Figure(
                 "influence_radius_ratio.png",
-                "E and ν over r̃, a curve for each E_μ (figure 14); those of ν are one, so rings stand in one"
+                "E and ν over r̃, a curve for each E_μ (figure 14); those of ν coincide, so rings stand in one"
                 " another",
             ),
             Figure("influence_exponent.png", "Local exponent of E in r̃"),

@@ -22,7 +22,7 @@ MEASUREMENTS = (CONCRETE, BEAMS, GRANITE, GLASS, FRACTURE, SIZES)
 
 _MPA, _WHOLE, _RATIO = Form("MPa", 1e6, ".2f"), Form("MPa", 1e6, ".1f"), Form(style=".3f")
 _KN = Form("kN", 1e3, ".2f")
-# What is asked of a strength that is put in, or that a closed form gives.
+# Tolerance of a strength that is entered, or that a closed form gives.
 _CLOSE = 0.05
 _FORMS = {"ucs": _WHOLE, "direct_tension": _MPA, "brazilian": _MPA, "toughness": Form("MPa√m", 1e6, ".2f")}
 _SIDES = {"uniaxial": "tension from one side", "biaxial": "from two sides", "hydrostatic": "from all sides"}
@@ -210,7 +210,7 @@ def _granite() -> Section:
             "Lac du Bonnet granite has E = 69 GPa, ν = 0.26, f_t = 6.9 MPa, c = 30 MPa, φ = 59° and G_f = 32.8 N/m."
             " Its strengths are published; c and φ are from memory, and G_f is the middle of the range that published"
             f" K_Ic give. Mohr–Coulomb has {_WHOLE.text(GRANITE.at('mohr_coulomb'))} in compression. Direct tension"
-            " is put in, and required within 10 %."
+            " is entered, and required within 10 %."
         ),
         rows=tuple(rows),
     )
@@ -222,7 +222,7 @@ def _glass() -> Section:
         mine = [one for one in cases if one["test"] == test]
         for slower, nu in dict.fromkeys((one["slower"], one["nu"]) for one in mine):
             ones = [one for one in mine if (one["slower"], one["nu"]) == (slower, nu)]
-            put_in = "put in" if test in _PUT_IN else "predicted"
+            put_in = "entered" if test in _PUT_IN else "predicted"
             slow = "" if slower == 1.0 else f", {slower:g} times slower"
             other = "" if nu == GLASS.at("nu") else f", ν = {nu:g}"
             peaks = GLASS.of(*(one["peak"] for one in ones))

@@ -136,7 +136,7 @@ def _spall() -> Section:
         title="Spalling of a granite bar",
         before=(
             "The bar has Ø45 × 140 mm, E = 43.6 GPa, ν = 0.15 and ρ = 2660 kg/m³; a pulse of pressure acts on one "
-            "end, up to 41.5 MPa in 35 µs and zero after 55 µs. Published, according to a secondary source: a "
+            "end, up to 41.5 MPa in 35 µs and zero after 55 µs. A secondary source states a "
             "spall 57 ± 10 mm from the free end, whose velocity reaches 7.75 m/s and decreases by 3.5 m/s; f_t = 8 "
             "MPa in static tests, 18.9 MPa at these rates. There is no verdict, because G_f is assumed (50 J/m²) "
             "and varied."
@@ -149,7 +149,7 @@ def _spall() -> Section:
             f" inwards. A tenth of the section and more is broken {broken}. The place of separation differs between"
             " packings; the published place lies within this range."
         ),
-        figures=(Figure("spall.png", "Velocity of the free end, and what of each section is broken"),),
+        figures=(Figure("spall.png", "Velocity of the free end, and the broken share of each section"),),
     )
 
 
@@ -165,7 +165,7 @@ def _granite() -> Section:
             paper=one["words"] if judged else None, ours=GRANITE.of(*one["values"]),
             tolerance=Between(one["low"], one["high"]) if judged else None,
         ))  # fmt: skip
-        rows.append(Row(case=f"{what}; {one['count']} cells: over what is put in", ours=GRANITE.of(one["over"]),
+        rows.append(Row(case=f"{what}; {one['count']} cells: over the input", ours=GRANITE.of(one["over"]),
                         form=Form(style=".3f")))  # fmt: skip
         if one["split"]:
             rows.append(Row(case=f"{what}; {one['count']} cells: load at which the disc splits, as that stress",
@@ -190,7 +190,7 @@ def _granite() -> Section:
             f" K_Ic is missed because that length, {1e3 * zone:.0f} mm, is as long as the depth of the beam, but the"
             " formula requires a sharp crack. The deeper beam, which was fixed without a verdict, gives √(E G_f)."
         ),
-        figures=(Figure("granite.png", "Curves of all packings; grey bands are what is published"),),
+        figures=(Figure("granite.png", "Curves of all packings; grey bands are the published ranges"),),
     )
 
 

@@ -1,4 +1,4 @@
-"""Strengths and fracture energies of bodies of cells: what is put in, and what tests to failure give back."""
+"""Strengths and fracture energies of bodies of cells, entered and measured in tests to failure."""
 
 from collections.abc import Callable
 
@@ -32,7 +32,7 @@ def chapter() -> Chapter:
     """The chapter."""
     return Chapter(
         name="strength",
-        title="Strength and fracture energy as put in",
+        title="Strength and fracture energy as entered",
         summary=(
             "The material is a concrete of E = 40 GPa, ν = 0.2, f_t = 4 MPa, c = 14.3 MPa and φ = 35° in prisms of "
             "60 × 30 × 30 mm of cells. Nothing is calibrated, and every packing that was run is in the results."
@@ -57,7 +57,7 @@ def _pairs() -> Section:
             Row(case="a run breaks within one increment of the closed form", ours=holds("within one increment"),
                 form=yes,
                 tolerance=So()),
-            Row(case="order of the ledger through breakage, beams and cells", ours=range_of("order"),
+            Row(case="order of the energy balance through breakage, beams and cells", ours=range_of("order"),
                 form=Form(style=".2f"), tolerance=AtLeast(1.7)),
         ),
     )  # fmt: skip
@@ -192,7 +192,7 @@ def _still() -> Section:
 
 def _ledger() -> Section:
     return Section(
-        title="Ledger of energies",
+        title="Energy balance",
         before=(
             "The rows show the largest residual of the energy balance over the work, until failure and through it, "
             "at the default step."

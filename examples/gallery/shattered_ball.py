@@ -14,7 +14,7 @@ print(f"{hit.damage:.0%} of the facets broken, {len(pieces)} pieces")
 skin, drawn = bd.polyhedra(ball), plt.figure(figsize=(4, 4)).add_subplot(projection="3d", elev=15, azim=-115)
 faces = [one + 6.0 * moved[k] for one, k in zip(np.split(skin.vertex, skin.start[1:-1]), skin.cell, strict=True)]
 colours = plt.get_cmap("tab20")(pieces.label[skin.cell] % 20)
-drawn.add_collection3d(Poly3DCollection(faces, facecolors=colours, shade=True))
+drawn.add_collection3d(Poly3DCollection(faces, facecolors=colours, shade=True), autolim=False)
 drawn.set(xlim=(-0.019, 0.019), ylim=(-0.019, 0.019), zlim=(-0.019, 0.019), box_aspect=(1, 1, 1))
 drawn.set_axis_off()
 plt.savefig("shattered_ball.png", dpi=100)

@@ -7,9 +7,9 @@ Type checkers and editors read `__init__.pyi`, which a test compares with the li
 import importlib
 from typing import Any
 
-from bondem import _forking as _forking
 from bondem._describe import describe
 from bondem._environment import use_environment
+from bondem._forking import allow_forks
 from bondem._names import no_attribute, suggesting
 
 __version__ = "0.1.0"
@@ -138,3 +138,4 @@ def __dir__() -> list[str]:
 
 
 use_environment()
+allow_forks()

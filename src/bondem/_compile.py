@@ -105,20 +105,6 @@ os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 _used: set[str] = set()
 
 
-def _warn_of_fork() -> None:
-    if "threads" in _used:
-        warnings.warn(
-            "this process forks after bondem has used threads, and its child will end at the first threaded loop:"
-            " take multiprocessing.get_context('spawn') or 'forkserver'",
-            RuntimeWarning,
-            stacklevel=2,
-        )
-
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(before=_warn_of_fork)
-
-
 @contextmanager
 def _own_cache() -> Iterator[None]:
     saved = config.CACHE_DIR
@@ -217,7 +203,6 @@ class _Shared(CPUDispatcher):
         # layer only where such a loop was compiled in the same process as what calls it; where both had been in the
         # cache, the names stand for nothing, and the first call ends the process.
         numba.get_num_threads()
-        _used.add("threads")
         # numba's own lock first, as in functions that are compiled for this one: no two threads wait for each other
         with global_compiler_lock, _alone(f"{self.py_func.__module__}.{self.py_func.__qualname__}{sig}"):
             return super().compile(sig)

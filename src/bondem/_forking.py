@@ -1,38 +1,30 @@
-"""An error in place of a hang in processes forked after bondem has used threads.
+"""Threaded loops in processes forked after bondem has used threads, such as workers of `multiprocessing.Pool`.
 
-GNU OpenMP does not survive a fork: in the child, Numba ends the process by SIGTERM at the first threaded loop, a pool
-of processes starts another one in its place, which ends likewise, and so on for ever.
+The threads of GNU OpenMP do not survive a fork. Numba therefore ends a forked process by SIGTERM at its first
+threaded loop, a pool starts another process in its place, which ends likewise, and the pool never returns. A loop on
+one thread needs none of the lost threads: forked processes are limited to one, and Numba accepts them as new ones.
 """
 
+import ctypes
 import os
-import signal
 import sys
-import threading
-from types import FrameType
-
-from bondem.errors import ForkError
-
-
-def _refuse(number: int, frame: FrameType | None) -> None:
-    """Raise within bondem, whose loop has just been refused; elsewhere end the process as the signal asks for."""
-    while frame is not None:
-        if str(frame.f_globals.get("__name__", "")).startswith("bondem."):
-            raise ForkError(
-                "this process was forked after bondem had used threads, and cannot use them; start workers with"
-                " multiprocessing.get_context('spawn') or 'forkserver', or before bondem is first used"
-            )
-        frame = frame.f_back
-    signal.signal(number, signal.SIG_DFL)
-    os.kill(os.getpid(), number)
+from typing import Any
 
 
 def _in_child() -> None:
-    compiled = sys.modules.get("bondem._compile")
-    used = compiled is not None and "threads" in getattr(compiled, "_used", ())
-    main = threading.current_thread() is threading.main_thread()
-    if used and main and signal.getsignal(signal.SIGTERM) is signal.SIG_DFL:
-        signal.signal(signal.SIGTERM, _refuse)
+    layer: Any = sys.modules.get("numba.np.ufunc.omppool")
+    if layer is None:  # no loop was threaded before the fork, or by a layer that survives it
+        return
+    numba: Any = sys.modules["numba"]
+    # stores the number of this process, which Numba compares with that of the parent before each threaded loop
+    ctypes.CFUNCTYPE(None, ctypes.c_int)(layer.launch_threads)(1)
+    set_num_threads = numba.set_num_threads
+    set_num_threads(1)
+    # a larger number, of a study or a run, would use threads that do not exist
+    numba.set_num_threads = lambda _: set_num_threads(1)
 
 
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_in_child)
+def allow_forks() -> None:
+    """Enable threaded loops, on one thread, in processes that are forked from this one."""
+    if hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=_in_child)

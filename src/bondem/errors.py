@@ -84,6 +84,10 @@ class ThinBodyWarning(UserWarning):
     """Warning of a body of cells that is one cell thick somewhere, where it bends too softly or resists no twist."""
 
 
+class ShortSpecimenWarning(UserWarning):
+    """Warning of a tension test on a specimen of beams so short that its ends govern the measured E and ν."""
+
+
 class RaggedInterfaceWarning(UserWarning):
     """Warning of facets between two materials that zigzag about their interface, because cells do not end on it."""
 
@@ -98,10 +102,6 @@ class UnprotectedClusterWarning(UserWarning):
 
 class UnstableRunError(BondemError):
     """Error for an unstable run whose result another computation needs."""
-
-
-class ForkError(BondemError):
-    """Error for a threaded loop in a process that was forked after bondem had used threads."""
 
 
 class StudyError(InputError):

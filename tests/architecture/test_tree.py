@@ -22,6 +22,12 @@ def test_no_file_is_longer_than_400_lines():
     assert not long
 
 
+def test_results_name_no_path_of_a_machine():
+    named = re.compile(r'"command": "[^"]*[ =]/')
+    results = (ROOT / "benchmarks/results").glob("*.json")
+    assert not [path.name for path in results if named.search(path.read_text(encoding="utf-8"))]
+
+
 def test_examples_fit_on_a_screen():
     long = [path.name for path in (ROOT / "examples").glob("*.py") if len(path.read_text().splitlines()) > 60]
     assert not long

@@ -8,6 +8,7 @@ from bondem.errors import InputError, StudyError
 from bondem.laws.softening import softened
 from bondem.quasistatic.teeth import SofteningLine, Teeth
 from bondem.study.failure import read_failure
+from bondem.study.keys import FAILURE
 from bondem.study.toml_table import TomlTable
 
 E, STRENGTH, ENERGY, SIZE = 40e9, 4e6, 50.0, 10e-3
@@ -136,11 +137,12 @@ def test_long_elements_are_refused_by_the_first_line(pair: bd.Lattice) -> None:
 
 def test_studies_read_curves() -> None:
     given = {"criterion": "Rankine", "tension": "4 MPa", "fracture_energy": "50 J/m²"}
-    assert read_failure(TomlTable(given)) == bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY)
-    assert read_failure(TomlTable(given | {"curve": "bilinear"})) == SOFT
-    kinked = read_failure(TomlTable(given | {"curve": "bilinear", "kink_stress": 0.15, "kink_opening": 0.95}))
+    assert read_failure(TomlTable(given, FAILURE)) == bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY)
+    assert read_failure(TomlTable(given | {"curve": "bilinear"}, FAILURE)) == SOFT
+    bent = given | {"curve": "bilinear", "kink_stress": 0.15, "kink_opening": 0.95}
+    kinked = read_failure(TomlTable(bent, FAILURE))
     assert isinstance(kinked, bd.Rankine)
     assert kinked.curve == bd.Bilinear(stress=0.15, opening=0.95)
     for wrong in ({"curve": "round"}, {"curve": "bilinear", "kink_opening": 1.9}, {"kink_stress": 0.2}):
         with pytest.raises(StudyError):
-            read_failure(TomlTable(given | wrong))
+            read_failure(TomlTable(given | wrong, FAILURE))

@@ -10,7 +10,7 @@ import pytest
 import bondem as bd
 from bondem._compile import threads
 from bondem.errors import InputError
-from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GAMMA, ONSET, SLIP
+from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
 from bondem.model.state import State
 from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
@@ -188,6 +188,22 @@ def test_a_hinge_cracks_and_gives_back_its_energy(one_thread: None) -> None:
     assert run.history.energy["fracture"][-1] == pytest.approx(ENERGY * size**2, rel=5e-3)
     assert list(run.events.mode) == ["tension"]
     assert run.residual < 1e-4
+
+
+def test_cracks_rest_where_the_bar_unloads() -> None:
+    """Facets soften all over the bar at the peak; a third of the way down, all but those of the crack are at rest."""
+    pull = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
+    model = model_of(body(250), 0.2, bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY), boundary=pull)
+    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    share = []
+    state = None
+    for far in (2e-6, 9e-6):  # the peak is at 1.6 µm, and nothing is left at 25 µm
+        begun = 0.0 if state is None else state.time
+        state = bd.solve_explicit(model, duration=far / 0.1 - begun, dt=dt, every=0, state=state).state
+        share.append(np.mean(state.cracks[:, STATUS] == RESTING))
+        assert len(state.cracks) > 0.9 * len(model.lattice.pairs)
+    assert share[0] < 0.25
+    assert share[1] > 0.7
 
 
 @functools.cache

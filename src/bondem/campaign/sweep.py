@@ -14,6 +14,7 @@ from typing import Any
 from bondem._checks import place, shown
 from bondem.errors import StudyError
 from bondem.io.text_file import read_text
+from bondem.study.keys import STUDY
 from bondem.study.programme_run import code_hash
 from bondem.study.study import Study, parse_study, read_toml
 from bondem.study.toml_table import TomlTable
@@ -120,8 +121,8 @@ def parse_campaign(data: Mapping[str, Any], *, folder: Path = Path()) -> Campaig
             "'packings' is not an option of a campaign, whose specimens have one packing each; give 'campaign.seeds'"
         )
     shared = {key: value for key, value in data.items() if key != "campaign"}
-    first = TomlTable(shared).count("seed", default=Study.seed, least=0)
-    with TomlTable(data).section("campaign") as table:
+    first = TomlTable(shared, STUDY).count("seed", default=Study.seed)
+    with TomlTable(data, STUDY).section("campaign") as table:
         seeds, vary = _seeds(table, first), _vary(table)
         slurm = _slurm(table.section("slurm")) if table.has("slurm") else None
     total = len(seeds)

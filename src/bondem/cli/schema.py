@@ -4,7 +4,7 @@ import json
 
 import click
 
-from bondem.study.schema import schema
+from bondem.study.keys import schema
 
 
 @click.command("schema")

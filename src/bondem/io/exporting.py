@@ -23,6 +23,8 @@ _TABLE, _DATA, _DUMP = (".csv",), (".data", ".lmp", ".lammps"), (".dump", ".lamm
 # Of spheres: formats of meshio that have points and lines; of cells those that have polyhedra.
 _MESH, _POLYHEDRA = (".vtu", ".vtk", ".xdmf", ".msh"), (".vtu",)
 _MIXED = (".vtu", ".vtk")
+# Formats whose fields have 1, 3 or 9 components, as quaternions do not.
+_UNTURNED = (".xdmf", ".msh")
 _FORMATS = ".csv; .data or .lmp (LAMMPS read_data); .dump or .lammpstrj (LAMMPS, OVITO); " + ", ".join(_MESH)
 
 
@@ -228,7 +230,7 @@ def _write_rows(file: TextIO, columns: list[Floats]) -> None:
 def _write_mesh(path: Path, frame: _Frame, suffix: str) -> None:
     meshio = needed("meshio", "exchange")
     name, size = frame.size
-    turned = {} if frame.state is None else {"orientation": frame.state.orientation}
+    turned = {} if frame.state is None or suffix in _UNTURNED else {"orientation": frame.state.orientation}
     fields = {name: size, **turned, **frame.fields}
     if frame.lattice.cells is not None:
         points, blocks, order = _polyhedra(frame)

@@ -4,7 +4,8 @@
                        under the cell law and the non-local law the stress (xx, yy, zz, xy, yz, xz)
     /VTKHDF/bonds      lines between elements: length, integrity, normal_force (tension positive), shear_force,
                        bending_moment (of the end that has more of it), twisting_moment
-    /VTKHDF/cells      of a body instead of bonds: polyhedra where they are, which have turned with their elements
+    /VTKHDF/cells      of a body instead of bonds: polyhedra where they are, which have turned with their elements;
+                       fields of the elements are stored once, under both names
     /VTKHDF/cracks     polygons of facets and beams that have lost integrity: integrity, opening, sliding, facet
     /VTKHDF/walls      polygons of the walls of the model: wall, its number
 
@@ -127,7 +128,8 @@ class Snapshots:
                 del own["orientation"], own["angular_velocity"]
             else:
                 points = self.corners.moved(model.lattice, state)
-            self.pieces["cells"].add_step(state.time, points=points, point_data={}, cell_data={"volume": None} | own)
+            same = {name: self.pieces["elements"].last(name, rows) for name, rows in own.items()}
+            self.pieces["cells"].add_step(state.time, points=points, point_data={}, cell_data={"volume": None} | same)
         if self.cracks is not None:
             found = self.cracks(state)
             self.pieces["cracks"].add_step(

@@ -5,6 +5,7 @@ offset of its rows in every array. Constant data are therefore written once: all
 """
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import h5py
@@ -30,6 +31,21 @@ def begin_collection(file: h5py.File) -> h5py.Group:
 
 def _set_type(group: h5py.Group, name: bytes) -> None:
     group.attrs.create("Type", name, dtype=h5py.string_dtype("ascii", len(name)))
+
+
+@dataclass(frozen=True, eq=False)
+class Same:
+    """Rows that a step of another piece has just stored, so that the file has them once, under both names.
+
+    Attributes:
+        data: dataset of the other piece.
+        begin: offset of the rows in it.
+        rows: the rows, for a file whose pieces have datasets of their own.
+    """
+
+    data: h5py.Dataset
+    begin: int
+    rows: np.ndarray
 
 
 class Piece:
@@ -91,7 +107,7 @@ class Piece:
             time: time of the step [s].
             points: positions of the points [m], (p, 3); None for constant positions.
             point_data, cell_data: arrays by name, one row per point or cell; None for the single static row of a
-                name.
+                name, and `Same` for rows that another piece has already stored.
             polygons: offsets of the corners of each polygon, (c + 1,), for a piece whose polygons change.
         """
         group, steps = self.group, _group(self.group, "Steps")
@@ -119,9 +135,14 @@ class Piece:
         append(steps, "ConnectivityIdOffsets", np.array([linked_at]))
         for where, fields in (("PointData", point_data), ("CellData", cell_data)):
             for name, values in fields.items():
-                at = 0 if values is None else append(group, f"{where}/{name}", _small(values))
+                at = 0 if values is None else _stored(group, f"{where}/{name}", values)
                 append(steps, f"{where}Offsets/{name}", np.array([at]))
         steps.attrs["NSteps"] = self.steps + 1
+
+    def last(self, field: str, rows: np.ndarray) -> Same:
+        """Return a field of the points in the last step, `rows`, for another piece with equal values."""
+        begin = int(_group(self.group, f"Steps/PointDataOffsets/{field}")[-1])
+        return Same(_dataset(self.group, f"PointData/{field}"), begin, rows)
 
     def cut(self, count: int) -> None:
         """Remove all steps after a number of first ones; the next steps overwrite their rows."""
@@ -163,6 +184,16 @@ def append(group: h5py.Group, name: str, rows: Any) -> int:
     if len(rows):
         data[begin:] = rows
     return begin
+
+
+def _stored(group: h5py.Group, name: str, values: Any) -> int:
+    if not isinstance(values, Same):
+        return append(group, name, _small(values))
+    if name not in group:
+        group[name] = values.data  # a second name of the same dataset
+    if group[name] == values.data:
+        return values.begin
+    return append(group, name, _small(values.rows))
 
 
 def static_polyhedra(cell: Ints, number: Ints, start: Ints, owner: Ints, count: int) -> dict[str, Any]:

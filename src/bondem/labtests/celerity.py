@@ -28,10 +28,12 @@ def impact(
 
     The face x_max moves at a prescribed velocity v. The free face x_min then moves at a plateau velocity of 2 v,
     until the wave returns from x_max at three times the arrival time. The arrival is the time at which the mean
-    velocity at x_min first exceeds half the plateau, averaged over the middle of its duration. The speed is L_M of eq
-    (12) over the arrival time. The refined path runs from the mean centre of the driven elements to the face x_min. A
-    body of cells is driven at its wall. Its far cells record the front and its reflection at equal times before and
-    after the wall. The path is therefore the whole length.
+    velocity at x_min first exceeds half the plateau; the plateau is averaged over the middle of its duration. The
+    speed is L_M of eq (12) over the arrival time.
+
+    The refined theory uses the path from the mean centre of the driven elements to the face x_min. In a body of cells
+    this path is the whole length: the wall drives the face x_max itself, and the cells at x_min record the front and
+    its reflection at equal times before and after the front reaches the face.
 
     Args:
         lattice: the specimen.
@@ -43,8 +45,11 @@ def impact(
         velocity: velocity v of the face towards x_min [m/s].
         depth: depth of the two face regions, in mean radii [-].
 
+    Returns:
+        Measured and theoretical speed [m/s], with the velocities of both faces over time as curves.
+
     Raises:
-        InputError: the velocity has no plateau, as for specimens that are too coarse or wrong E and rho.
+        InputError: the velocity at x_min has no plateau; the specimen is too coarse, or E or rho are wrong.
     """
     check("impact", lattice, density=density, E=E, nu=nu, rho=rho, velocity=velocity, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, depth=depth)

@@ -1,12 +1,15 @@
 """Uniaxial tension of a free specimen, which measures E and ν."""
 
 import math
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._names import users_line
 from bondem._progress import staged
 from bondem._types import Floats, Ints
+from bondem.errors import ShortSpecimenWarning
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.faces import ends, surface
 from bondem.labtests.gauge_length import AffineField, middle_half
@@ -66,8 +69,21 @@ def static_tension(
     Raises:
         EmptyRegionError: a face has no connected element.
         InputError: fewer than 12 elements in the middle half.
+
+    Warns:
+        ShortSpecimenWarning: the specimen has no cells and is shorter than wide.
     """
     check("static_tension", lattice, stress=stress, depth=depth)
+    lower, upper = lattice.particles.envelope.bounds
+    length, *widths = (float(extent) for extent in upper - lower)
+    if lattice.cells is None and length < max(widths):
+        warnings.warn(
+            f"static_tension: the specimen is {length:.4g} m long along x and {max(widths):.4g} m wide; its ends"
+            " govern E and ν, which differ from those of the packing; measure them on a longer specimen, or on a"
+            " periodic cell with bd.bulk_moduli",
+            ShortSpecimenWarning,
+            stacklevel=users_line(),
+        )
     return tension_of(Statics(tension_model(lattice, law, stress=stress, depth=depth)), stress=stress, depth=depth)
 
 

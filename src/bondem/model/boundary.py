@@ -34,12 +34,12 @@ def _components(owner: str, axes: str) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class Fix:
-    """Hold elements in place.
+    """Constraint that keeps elements at their positions and orientations.
 
     Attributes:
-        region: elements to hold.
-        translation: axes along which the centres are held.
-        rotation: axes about which the orientations are held.
+        region: constrained elements.
+        translation: axes along which the centres are constrained, a part of "xyz".
+        rotation: axes about which the orientations are constrained, a part of "xyz".
     """
 
     region: Region

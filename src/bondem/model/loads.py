@@ -52,7 +52,10 @@ class BodyForce:
         object.__setattr__(self, "schedule", as_schedule("BodyForce", "schedule", self.schedule))
 
     def parts(self, lattice: Lattice) -> list[tuple[PerElement, tuple[float, float, float]]]:
-        """Return uniform accelerations at factor 1 [m/s²], and the factors of elements for each, user's order, (n,).
+        """Return pairs of factors per element [-], (n,), and a uniform acceleration [m/s²].
+
+        The acceleration of an element is the sum of factor times acceleration over all pairs, at a schedule of 1.
+        Elements are in the user's order.
 
         Raises:
             InputError: The acceleration, or the value of the function, has another number of elements.

@@ -44,8 +44,8 @@ from bondem.specimen.plausibility import question_bond_radius, question_strength
 class Model:
     """A lattice with bonds, masses and boundary conditions.
 
-    A model contains only what is named in it. Contacts and walls act in explicit runs only; static solutions and
-    modes reject a model that has them.
+    A model has only the features that are passed to it. Contacts and walls act in explicit runs only; static
+    solutions and modes reject a model that has them.
 
     Attributes:
         lattice: elements and bonds.

@@ -39,35 +39,35 @@ class State:
         time: time [s].
 
     Arrays of the solvers, in the order of the kernels; `dir` does not list them:
-        origin: origin of x, y, z in `pose` [m], shape (3,); zero unless the specimen lies far from the origin.
-        pose: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
-        motion: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
-        acceleration: translational and rotational accelerations at the present pose, shape (n, 6).
-        integrity: integrity of each bond, 1 intact … 0 broken, shape (m,).
-        history: force and moment of each bond for the incremental formulation, (6, m), else (6, 0). For the non-local
-            law: gap, extra force and its work (`bondem.kernels.non_local`), (7, m).
-        stress: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
-            else (0, 6).
-        eigenstrain: stress-free strain ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,)
-            if none was set.
-        reaction: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
-        work: work of loads and drives on each row since the start [J], shape (r,). The works of body forces on each
-            element and of strains follow, if there are any.
-        loss: energy that damping has taken from each element, its present power, and energy lost to friction
-            [J, W, J], shape (n, 3).
-        touching: internal pairs i < j in contact, sorted by j, then i, shape (c, 2).
-        stretch: tangential stretch [m] and dashpot force [N] of these contacts, shape (c, 6).
-        wall_touching: internal element and wall of each contact with a wall, shape (b, 2).
-        wall_stretch: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
-        walls: positions, velocities and loads of the walls (`bondem.kernels.walls`), shape (w, 14).
-        broken: breakages in order of time: time [s], step, bond, mode, gap [m], energy [J], place [m]; (e, 9).
-        released: energy that breaking bonds have released since the start [J], shape (1,).
-        cracks: facets that have begun to crack, in order of time (`bondem.kernels.crack_tables`), shape (c, 13).
-        plastic: plastic strain of cells (`bondem.kernels.crack_tables`), (n, 17), or (0, 17) if none can yield.
-        softened: beams that have begun to soften, in order of time (`bondem.kernels.soft_tables`), shape (c, 6).
-        grips: initial places of the walls that hold facets of cells (`bondem.model.grips`), shape (g, 7).
-        facet_force: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
-        stale: True if the acceleration must be recomputed before the next step.
+
+    - `origin`: origin of x, y, z in `pose` [m], shape (3,); zero unless the specimen lies far from the origin.
+    - `pose`: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
+    - `motion`: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
+    - `acceleration`: translational and rotational accelerations at the present pose, shape (n, 6).
+    - `integrity`: integrity of each bond, 1 intact … 0 broken, shape (m,).
+    - `history`: force and moment of each bond for the incremental formulation, (6, m), else (6, 0). For the non-local
+      law: gap, extra force and its work (`bondem.kernels.non_local`), (7, m).
+    - `stress`: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
+      else (0, 6).
+    - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
+    - `reaction`: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
+    - `work`: work of loads and drives on each row since the start [J], shape (r,). The works of body forces on each
+      element and of strains follow, if there are any.
+    - `loss`: energy that damping has taken from each element, its present power, and energy lost to friction
+      [J, W, J], shape (n, 3).
+    - `touching`: internal pairs i < j in contact, sorted by j, then i, shape (c, 2).
+    - `stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (c, 6).
+    - `wall_touching`: internal element and wall of each contact with a wall, shape (b, 2).
+    - `wall_stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
+    - `walls`: positions, velocities and loads of the walls (`bondem.kernels.walls`), shape (w, 14).
+    - `broken`: breakages in order of time: time [s], step, bond, mode, gap [m], energy [J], place [m]; (e, 9).
+    - `released`: energy that breaking bonds have released since the start [J], shape (1,).
+    - `cracks`: facets that have begun to crack, in order of time (`bondem.kernels.crack_tables`), shape (c, 13).
+    - `plastic`: plastic strain of cells (`bondem.kernels.crack_tables`), (n, 17), or (0, 17) if none can yield.
+    - `softened`: beams that have begun to soften, in order of time (`bondem.kernels.soft_tables`), shape (c, 6).
+    - `grips`: initial places of the walls that hold facets of cells (`bondem.model.grips`), shape (g, 7).
+    - `facet_force`: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
+    - `stale`: True if the acceleration must be recomputed before the next step.
     """
 
     def __init__(self, model: Origin) -> None:
@@ -313,7 +313,7 @@ class State:
 
     @property
     def stress_free_strain(self) -> PerBond:
-        """Present strain ε* of the bonds [-], by the state and `Eigenstrain`, user's order, shape (m,)."""
+        """Present eigenstrain ε* of the bonds [-]: that of the state plus `Eigenstrain`, user's order, shape (m,)."""
         strain = self.rest_strain
         return self._bonds_by_user(strain) if strain.size else freeze(np.zeros(len(self.integrity)))
 
@@ -381,7 +381,7 @@ class State:
 
     @property
     def rest_strain(self) -> PerBond:
-        """Present strain ε* of the bonds [-], by the state and `Eigenstrain`, kernels' order, (m,); (0,) if none."""
+        """Present eigenstrain ε* of the bonds [-], of the state and `Eigenstrain`, kernels' order; (0,) if none."""
         strain = self.eigenstrain
         for condition in self.model.boundary:
             if isinstance(condition, Eigenstrain):

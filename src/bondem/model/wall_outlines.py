@@ -79,9 +79,9 @@ def _polygons(wall: Wall, box: Floats) -> tuple[list[Floats], list[Floats]]:
 
 def _across(axis: Floats) -> tuple[Floats, Floats]:
     """Two unit vectors that make a right-handed frame with an axis."""
-    u = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
+    u = np.cross(axis, np.eye(3)[np.abs(axis).argmin()]).astype(float)
     u /= np.linalg.norm(u)
-    return u, np.cross(axis, u)
+    return u, np.cross(axis, u).astype(float)
 
 
 def _rectangle(point: Floats, normal: Floats, box: Floats, margin: float) -> list[Floats]:

@@ -192,7 +192,7 @@ class CylinderWall:
 
     @property
     def row(self) -> Floats:
-        """Point, axis, radius, kind and 0, in the kernels' form, (9,)."""
+        """Numbers that describe the cylinder to the kernels: point, axis, radius, kind and 0, (9,)."""
         return np.array([*self.point, *self.axis, self.radius, OUTSIDE if self.outside else INSIDE, 0.0])
 
 

@@ -77,11 +77,14 @@ class ElementStress:
 def element_stress(model: Model, result: SmallMotion | State) -> ElementStress:
     """Compute mean stress and couple stress of every element from the forces and moments of its bonds.
 
-    Contacts, dashpots and loads count nothing: loads act at the centres of spheres.
+    Contacts and dashpots are not included. Loads act at the centres of spheres and make no contribution.
 
     Args:
         model: model of beams or of the non-local law; bodies of cells have `bd.cell_stress`.
         result: result that `bd.bond_forces` accepts.
+
+    Returns:
+        Stresses [Pa] and couple stresses [N/m] of the elements, with their volumes and centres.
 
     Raises:
         InputError: a model of cells, or a result of another model.

@@ -124,6 +124,18 @@ class SoftSpheres:
         settled = ended == "converged" and not free
         return Rest(z, overlap / mean, largest / mean, taken, settled, free)
 
+    def deepest(self) -> float:
+        """Return the largest overlap of two spheres, over the smaller of their radii [-]."""
+        near = self.near(0.0, 0.0)
+        i = np.repeat(np.arange(len(self.sphere)), np.diff(near.start))
+        j = near.neighbour[: len(i)].astype(np.int64)
+        branch = self.sphere[j, :3] - self.sphere[i, :3]
+        period = self.table.period
+        branch -= period * np.rint(branch / np.where(period > 0.0, period, np.inf))
+        radius = self.sphere[:, 3]
+        overlap = radius[i] + radius[j] - np.linalg.norm(branch, axis=1)
+        return float(np.max(overlap / np.minimum(radius[i], radius[j]), initial=0.0))
+
     def near(self, skin: float, share: float, *, threads: int = 1) -> Near:
         """Return neighbours up to `skin` apart [m], valid until a centre moves by `share` of it.
 

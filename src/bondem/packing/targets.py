@@ -34,8 +34,13 @@ _STEPS, _ALL_STEPS = 10_000, 50_000
 _SCALES, _JUMPS = 60, 4
 _JAMMED_STEPS, _ALL_JAMMED_STEPS = 20_000, 400_000
 
-# Two spheres may overlap by this share of the smallest radius; `Particles` refuses more than half.
-_LARGEST_OVERLAP = 0.45
+# Two spheres may overlap by this share of the smaller radius; `Particles` refuses more than half.
+_LARGEST_OVERLAP = 0.49
+
+#: Coordination number of a packing without a target.
+USUAL = 6.2
+# Largest radius over the smallest from which radii are widely spread.
+_WIDE = 3.0
 
 # Jammed: the mean overlap [R̄] adds 0.05 contacts a sphere to the isostatic 6, and the worst pair stays below. Loose
 # is what has less; aimed at less than the last, spheres brought to rest roughly may bear load only until they come to
@@ -63,7 +68,7 @@ class Contacts:
     coordination_number: float
 
     def reach(self, spheres: SoftSpheres) -> None:
-        search = _ScaleSearch(self.coordination_number, math.log(spheres.scale))
+        search = _ScaleSearch(self.coordination_number, math.log(spheres.scale), wide=_spread_of(spheres) >= _WIDE)
         tolerance, first, tried = _ROUGH, spheres.steps, 0
         while True:
             tried += 1
@@ -72,10 +77,13 @@ class Contacts:
             if rest.settled and tolerance == _FINE and miss <= max(_ACCEPTED, 2.0 / len(spheres.sphere)):
                 break
             if tried >= _SCALES or search.jumps >= _JUMPS or spheres.steps - first > _ALL_STEPS:
+                narrow = (
+                    "they jam at about 4 to 6; ask for a larger coordination_number=, more spheres or another seed=,"
+                    " or for volume_fraction= or jamming=True"
+                )
                 raise PackingError(
                     f"{spheres} reached a coordination number of {rest.coordination_number:.2f} instead of"
-                    f" {self.coordination_number:.2f}; they jam at about 4 to 6; ask for a larger"
-                    " coordination_number=, more spheres or another seed=, or for volume_fraction= or jamming=True"
+                    f" {self.coordination_number:.2f}; {_advice(spheres, narrow, self)}"
                 )
             if rest.settled and tolerance == _ROUGH and miss < _NEAR:
                 tolerance = _FINE
@@ -83,7 +91,7 @@ class Contacts:
             else:
                 search.learn(rest)
         what = f"a coordination number of {self.coordination_number:.2f}"
-        _check_overlap(spheres, rest, what, "coordination_number=")
+        _check_overlap(spheres, what, "coordination_number=")
 
 
 @dataclass(frozen=True)
@@ -95,11 +103,12 @@ class Fraction:
     def reach(self, spheres: SoftSpheres) -> None:
         rest = spheres.relax(spheres.scale_for(self.volume_fraction), tolerance=_FINE, steps=_ALL_STEPS)
         if not (rest.settled or rest.loose):
+            narrow = "ask for jamming=True, another seed= or another volume_fraction="
             raise PackingError(
                 f"{spheres} did not come to rest at a volume fraction of {self.volume_fraction:.4f}, too near to"
-                " jamming; ask for jamming=True, another seed= or another volume_fraction="
+                f" jamming; {_advice(spheres, narrow, self)}"
             )
-        _check_overlap(spheres, rest, f"a volume fraction of {self.volume_fraction:.4f}", "volume_fraction=")
+        _check_overlap(spheres, f"a volume fraction of {self.volume_fraction:.4f}", "volume_fraction=")
 
 
 @dataclass(frozen=True)
@@ -127,17 +136,36 @@ class Jammed:
             elif rest.loose or rest.mean_overlap < _JAMMED_OVERLAP:  # too soft to come to rest is loose, too
                 size += max(step, 0.5 * _JAMMED_OVERLAP / _GROWTH)
                 step *= 1.5
-        raise PackingError(
-            f"{spheres} did not come to rest at jamming; ask for another seed=, more spheres or a"
-            " coordination_number="
-        )
+        narrow = "ask for another seed=, more spheres or a coordination_number="
+        raise PackingError(f"{spheres} did not come to rest at jamming; {_advice(spheres, narrow, self)}")
 
 
-def _check_overlap(spheres: SoftSpheres, rest: Rest, what: str, option: str) -> None:
-    if rest.largest_overlap * spheres.mean_radius > _LARGEST_OVERLAP * spheres.sphere[:, 3].min():
+def _advice(spheres: SoftSpheres, narrow: str, target: Target) -> str:
+    """Return what to ask for; targets of widely spread radii are no way out of each other's failures."""
+    spread = _spread_of(spheres)
+    if spread < _WIDE:
+        return narrow
+    usual = isinstance(target, Contacts) and target.coordination_number == USUAL
+    return (
+        f"their radii differ by a factor of {spread:.1f} and the largest diameter is"
+        f" {2.0 * spheres.sphere[:, 3].max():.3g} m;"
+        f" ask for more spheres{'' if usual else f', the coordination_number={USUAL} of packings without a target'}"
+        " or sizes that differ less"
+    )
+
+
+def _spread_of(spheres: SoftSpheres) -> float:
+    """Return the largest radius over the smallest [-]."""
+    radius = spheres.sphere[:, 3]
+    return float(radius.max() / radius.min())
+
+
+def _check_overlap(spheres: SoftSpheres, what: str, option: str) -> None:
+    deepest = spheres.deepest()
+    if deepest > _LARGEST_OVERLAP:
         raise PackingError(
-            f"{spheres} reach {what} only with overlaps of {rest.largest_overlap:.2f} mean radii; ask for more"
-            f" spheres or a smaller {option}"
+            f"{spheres} reach {what} only with overlaps of {deepest:.2f} of the smaller radius of a pair; ask for"
+            f" more spheres or a smaller {option}"
         )
 
 
@@ -160,7 +188,7 @@ def chosen(
         if phi > 0.8:
             raise InputError(f"volume_fraction = {phi}; give {wanted}")
         return Fraction(phi)
-    z = 6.2 if coordination_number is None else number("pack", "coordination_number", coordination_number)
+    z = USUAL if coordination_number is None else number("pack", "coordination_number", coordination_number)
     if not 0.0 < z < count:
         raise InputError(
             f"{count} spheres cannot touch {z} others each; give a positive coordination_number= and more spheres"
@@ -169,10 +197,15 @@ def chosen(
 
 
 class _ScaleSearch:
-    """A search for the scale of the radii at which the coordination number is on target."""
+    """A search for the scale of the radii at which the coordination number is on target.
 
-    def __init__(self, coordination_number: float, size: float) -> None:
+    Spheres that have not come to rest in time are taken as loose. Where radii are widely spread they come to rest so
+    slowly that those that press do not count as loose.
+    """
+
+    def __init__(self, coordination_number: float, size: float, *, wide: bool) -> None:
         self._wanted = _excess(coordination_number)
+        self._wide = wide
         self._size = size  # ln(scale)
         self.jumps = 0  # how often loose spheres and too many contacts were next to each other
         self.forget()
@@ -190,6 +223,8 @@ class _ScaleSearch:
     def learn(self, rest: Rest) -> None:
         """Add the result of the present scale, and choose the next scale."""
         excess = _excess(rest.coordination_number) if rest.settled else 0.0
+        if self._wide and not (rest.settled or rest.loose):
+            excess = max(_excess(rest.coordination_number), 0.0)
         if excess > self._wanted:
             self._above = (self._size, excess)
         else:

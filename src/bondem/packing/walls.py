@@ -2,15 +2,17 @@
 
 Plane walls across an axis are exact, wherever they are, and so are cylinders and balls about the origin. The rest
 of a shape is given by its depth on a grid, which rounds the edges between walls on it: spheres that touch two of them
-lie deeper there than they should.
+lie deeper there than they should. Where a gap between a plane and another wall is narrower than a sphere, exact walls
+would leave the sphere no place, and the grid has all of the shape.
 """
 
 import math
 from collections.abc import Callable
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
-from scipy.ndimage import map_coordinates
+from scipy.ndimage import map_coordinates, minimum_filter
 
 from bondem._types import Floats, PerElement, PerElement3
 from bondem.errors import InputError
@@ -26,6 +28,8 @@ from bondem.specimen.walled import BOX_FACES
 _SPACING = 0.4
 _MOST_NODES = 250_000_000  # 2 GB; about 100 a sphere in a box, more in a shape that fills its bounds less
 
+# Spacing of points on planes that look for narrow gaps, over the mean radius, and most of them along an edge.
+_GAP_SPACING, _MOST_ACROSS = 0.25, 400
 # Each coarse cell has this many spacings along its edges; only near walls are its nodes asked one by one.
 _COARSE = 4
 
@@ -52,6 +56,8 @@ def walls(shape: Shape, radius: PerElement) -> PackingWalls:
     lower, upper = _box(parts.planes)
     if parts.depth is None:
         return _plain(lower, upper, flat, np.inf)
+    if _has_narrow_gap(shape, lower, upper, parts.depth, radius):
+        return PackingWalls(none, everywhere, flat, np.inf, *_depth_grid(shape, shape.depth, radius))
     return PackingWalls(lower, upper, flat, np.inf, *_depth_grid(shape, parts.depth, radius))
 
 
@@ -123,6 +129,31 @@ def _box(planes: list[Planes]) -> tuple[Floats, Floats]:
         else:
             lower[axis] = max(lower[axis], at[axis])
     return lower, upper
+
+
+def _has_narrow_gap(
+    shape: Shape, lower: Floats, upper: Floats, depth: Callable[[PerElement3], PerElement], radius: PerElement
+) -> bool:
+    """Whether another wall comes nearer to a plane than a sphere is wide, without meeting it.
+
+    On the plane the depth behind other walls has a lowest place there, above 0.
+    """
+    low, high = shape.bounds
+    step = _GAP_SPACING * float(radius.mean())
+    for axis, side in product(range(3), (lower, upper)):
+        if not np.isfinite(side[axis]):
+            continue
+        across = [
+            np.linspace(low[k], high[k], min(int((high[k] - low[k]) / step) + 2, _MOST_ACROSS)) if k != axis
+            else side[axis : axis + 1]
+            for k in range(3)
+        ]
+        points = np.stack(np.meshgrid(*across, indexing="ij"), axis=-1)
+        found = np.squeeze(depth(points.reshape(-1, 3)).reshape(points.shape[:3]), axis=axis)
+        lowest = minimum_filter(found, size=3, mode="nearest") == found
+        if (lowest & (found > 0.0) & (found < 2.0 * radius.max()))[1:-1, 1:-1].any():
+            return True
+    return False
 
 
 def _plain(lower: Floats, upper: Floats, weight: Floats, radius: float) -> PackingWalls:

@@ -8,12 +8,14 @@ from matplotlib.figure import Figure
 
 from bondem.fracture.cracks import cracks
 from bondem.fracture.fragments import fragments
+from bondem.labtests.failure_record import TestFigure
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.ledger import PARTS
 from bondem.labtests.outcome import Outcome
 from bondem.report.crack_pictures import draw_cracks, draw_fragments
 from bondem.report.findings import Examined
 from bondem.report.numbers import with_unit
-from bondem.report.strength_figures import CRACKED, DRAWN, Drawn, arranged, broken_in, panels
+from bondem.report.strength_figures import CRACKED, arranged, broken_in, panels, view_of
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
 
@@ -29,10 +31,10 @@ def draw_pieces(path: Path, specimen: Examined) -> None:
     names = broken_in(specimen)
     with sheet(path, 8.2, 3.5 * len(names), len(names), 2, squeeze=False) as (figure, axes):
         for (left, right), name in zip(axes, names, strict=True):
-            _draw_test(figure, left, right, specimen.lattice, specimen.outcomes[name], DRAWN[name])
+            _draw_test(figure, left, right, specimen.lattice, specimen.outcomes[name], FAILURE_TESTS[name].figure)
 
 
-def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: Outcome, told: Drawn) -> None:
+def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: Outcome, told: TestFigure) -> None:
     state = outcome.state
     assert state is not None
     pieces = fragments(body, state, integrity=CRACKED)
@@ -40,11 +42,11 @@ def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: 
     size = float(np.ptp(body.centre, axis=0).max())
     reach = max(1.0, _EXAGGERATED * size / float(np.ptp(state.displacement, axis=0).max()))
     large = int((pieces.size >= _FEW).sum())
-    draw_fragments(left, body, state, pieces, view=told.view, reach=reach)
+    draw_fragments(left, body, state, pieces, view=view_of(told), reach=reach)
     crumbs = f", {_many(len(pieces) - large, 'crumb')}" if len(pieces) > large else ""
     left.set_title(f"{told.title}: {_many(large, 'piece')}{crumbs}", color=INK)
     left.text(0.02, 0.0, f"motion × {reach:.0f}", transform=left.transAxes, fontsize=8.5)
-    scale = draw_cracks(right, body, found, view=told.view)
+    scale = draw_cracks(right, body, found, view=view_of(told))
     right.set_title(f"cracks: {1e6 * found.area:.0f} mm² in {_many(len(found.surfaces), 'surface')}", color=INK)
     if len(found):
         bar = figure.colorbar(scale, ax=right, orientation="horizontal", shrink=0.6, aspect=30, pad=0.02)
@@ -71,7 +73,8 @@ def draw_energies(path: Path, specimen: Examined) -> None:
                 ax.fill_between(strain, top, top + energy[part], color=_COLOURS[part], linewidth=0.0, label=part)
                 top = top + energy[part]
             ax.plot(strain, energy["work"], color=INK, linestyle=(0, (4, 3)), linewidth=1.2, label="work of the load")
-            ax.set(xlabel=f"{DRAWN[name].strain} [10$^{{-3}}$]", ylabel="energy [J]", title=DRAWN[name].title)
+            told = FAILURE_TESTS[name].figure
+            ax.set(xlabel=f"{told.strain} [10$^{{-3}}$]", ylabel="energy [J]", title=told.title)
             ax.set_ylim(bottom=0.0)
             ax.text(0.02, 0.97, f"balance within {with_unit(float(missing), 'J', 2)}", transform=ax.transAxes,
                     va="top", fontsize=8.5)  # fmt: skip

@@ -32,7 +32,7 @@ CAPTIONS = {
     "wave": """Impact: mean velocity of both end faces [m/s] in time [µs]. One face is pushed at a held velocity;
         the wave has arrived when the far face, free and so twice as fast, passes half of its plateau.""",
     "strength": """Tests to failure: stress [MPa] over strain [10⁻³] as each test defines them (or force [kN] and
-        velocity [m/s] over time [µs]), every packing, and the strength that was put in [MPa], where that has a
+        velocity [m/s] over time [µs]), every packing, and the strength that was entered [MPa], where that has a
         closed form.""",
     "broken": """The first specimen as it broke, its motion exaggerated: cells as polyhedra, coloured by the damage
         of their facets [-], 0 intact to 1 broken, or by their plastic slip [%].""",

@@ -10,9 +10,9 @@ import numpy as np
 
 from bondem.errors import InputError
 from bondem.io.atomic import replacing
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.outcome import Outcome
 from bondem.report.findings import Examined, Findings
-from bondem.report.strength_figures import DRAWN
 from bondem.specimen.layering import wall_layering
 from bondem.specimen.radial_distribution import radial_distribution
 
@@ -53,8 +53,8 @@ def write_curves(findings: Findings, out: Path) -> dict[str, list[str]]:
 def _of_test(name: str, outcome: Outcome) -> dict[str, _Columns]:
     """Tables of a test by the ending of their names."""
     curves = outcome.curves
-    if name in DRAWN and "strain" in curves:
-        told = DRAWN[name]
+    if name in FAILURE_TESTS and "strain" in curves:
+        told = FAILURE_TESTS[name].figure
         columns = {
             f"{told.strain} [{_SI[told.across[1]]}]": curves["strain"],
             f"{told.stress} [{_SI[told.up[1]]}]": curves["stress"],

@@ -8,12 +8,13 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import to_rgb
 
 from bondem._types import Floats
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.model.state import State
 from bondem.report.cell_pictures import draw_cells, draw_section, section_through
 from bondem.report.crack_pictures import corners_moved
 from bondem.report.findings import Examined
 from bondem.report.spheres import View
-from bondem.report.strength_figures import DRAWN, arranged, broken_in, panels
+from bondem.report.strength_figures import arranged, broken_in, panels
 from bondem.report.style import BLUE, sheet
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
@@ -65,7 +66,7 @@ def draw_cut_open(path: Path, specimen: Examined) -> None:
             state = specimen.outcomes[name].state
             assert state is not None
             _draw_cut_open(ax, solid, body, state, colour, 0 if name == "brazilian" else 2)
-            ax.set_title(DRAWN[name].title)
+            ax.set_title(FAILURE_TESTS[name].figure.title)
 
 
 def _coloured(body: Lattice, stones: Aggregates) -> Floats:

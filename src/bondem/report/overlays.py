@@ -39,9 +39,11 @@ def draw_box(ax: Axes, lower: Floats, upper: Floats, view: View) -> None:
     long = 0.13 * SCALE * float(np.linalg.norm(size))
     for k, (name, colour) in enumerate(zip("xyz", _AXES, strict=True)):
         along = long * view.axes[:2, k]
-        ax.annotate("", anchor + along, anchor, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.4},
+        ax.annotate("", tuple(anchor + along), tuple(anchor),
+                    arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.4},
                     annotation_clip=False)  # fmt: skip
-        ax.text(*(anchor + 1.22 * along), name, color=colour, ha="center", va="center", fontsize=9.0, clip_on=False)
+        x, y = anchor + 1.22 * along
+        ax.text(x, y, name, color=colour, ha="center", va="center", fontsize=9.0, clip_on=False)
     ends = ", ".join(
         f"{name} {SCALE * low:.4g} … {SCALE * high:.4g}" for name, low, high in zip("xyz", lower, upper, strict=True)
     )

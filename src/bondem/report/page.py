@@ -16,6 +16,7 @@ from PIL import Image
 from bondem.errors import InputError
 from bondem.io.atomic import write_text
 from bondem.io.commit import commit
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.laws.catalogue import named
 from bondem.report.breakage_figures import draw_energies, draw_pieces
 from bondem.report.captions import CAPTIONS, OF_CELLS
@@ -29,7 +30,7 @@ from bondem.report.numbers import measures, percent, signed, signed_percent, wit
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_free_parameter, draw_profiles, draw_tension
-from bondem.report.strength_figures import DRAWN, draw_broken, draw_curves
+from bondem.report.strength_figures import draw_broken, draw_curves
 from bondem.report.style import narrow
 from bondem.report.summary_figures import draw_errors
 from bondem.report.turning import turning_of
@@ -39,6 +40,8 @@ from bondem.specimen.radial_distribution import radial_distribution
 
 #: Folder of the figures for phones within that of the figures.
 PHONE = "phone"
+# Width of a figure that fills the page, 8.2 inches [pixels].
+_PAGE = 1804
 
 
 @dataclass(frozen=True)
@@ -49,17 +52,22 @@ class Picture:
         caption: text below the figure.
         data: picture as base64, in WebP, which needs a fifth of the size of a PNG.
         narrow: picture for phones as base64, or "".
+        share: width over that of the page [-], so that the texts of all figures have one size.
     """
 
     caption: str
     data: str
     narrow: str = ""
+    share: float = 1.0
 
     @classmethod
     def of(cls, file: Path, caption: str) -> "Picture":
         """A PNG of a folder of figures, with that for phones where there is one."""
         slim = file.parent / PHONE / file.name
-        return cls(" ".join(caption.split()), *(_embedded(one) if one.exists() else "" for one in (file, slim)))
+        with Image.open(file) as picture:
+            share = min(picture.width / _PAGE, 1.0)
+        data = (_embedded(one) if one.exists() else "" for one in (file, slim))
+        return cls(" ".join(caption.split()), *data, share=share)
 
 
 def _embedded(file: Path) -> str:
@@ -132,13 +140,13 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         drawings["vibration"] = lambda path: draw_vibration(path, first)
     if "impact" in first.outcomes:
         drawings["wave"] = lambda path: draw_wave(path, first)
-    if any(name in first.outcomes for name in DRAWN):
+    if any(name in first.outcomes for name in FAILURE_TESTS):
         drawings["strength"] = lambda path: draw_curves(path, findings)
         drawings["broken"] = lambda path: draw_broken(path, first)
         drawings["pieces"] = lambda path: draw_pieces(path, first)
         if first.aggregates is not None:
             drawings["cut_open"] = lambda path: draw_cut_open(path, first)
-        if any(first.outcomes[name].energy for name in DRAWN if name in first.outcomes):
+        if any(first.outcomes[name].energy for name in FAILURE_TESTS if name in first.outcomes):
             drawings["energies"] = lambda path: draw_energies(path, first)
     if any(row["error"] is not None for row in findings.results["tests"].values()):
         drawings["errors"] = lambda path: draw_errors(path, findings)
@@ -210,9 +218,9 @@ def rows_of(findings: Findings) -> list[dict[str, Any]]:
     for name, row in findings.results["tests"].items():
         outcomes = [one.outcomes[name] for one in findings.specimens]
         rows.append({
-            "name": DRAWN[name].title if name in DRAWN else name.replace("_", " "),
+            "name": FAILURE_TESTS[name].figure.title if name in FAILURE_TESTS else name.replace("_", " "),
             "key": name,
-            "failing": name in DRAWN,
+            "failing": name in FAILURE_TESTS,
             **row,
             "error_timoshenko": _mean([one.error_timoshenko for one in outcomes]),
             "error_refined": _mean([one.error_refined for one in outcomes]),

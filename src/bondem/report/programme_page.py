@@ -19,7 +19,7 @@ from bondem.specimen.material import Material
 
 #: Figures of a specimen's own report that this one shows, in order.
 SHOWN = ("strength", "broken", "pieces", "cut_open", "energies")
-_TARGETS = """How far each test is off its target [%], and off what the strengths put in imply [%], where that has a
+_TARGETS = """How far each test is off its target [%], and off what the entered strengths imply [%], where that has a
     closed form."""
 _BARS = " Bars: standard deviation over the packings."
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +12,8 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from bondem._types import Floats
+from bondem.labtests.failure_record import TestFigure
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.observe.turned_vectors import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.findings import Examined, Findings
@@ -21,8 +22,6 @@ from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones,
 from bondem.specimen.cells.polyhedra import polyhedra
 from bondem.specimen.lattice import Lattice
 
-_ASIDE = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
-_ALONG = View(azimuth=math.radians(62.0), elevation=math.radians(14.0))
 #: Facets that have at most this integrity left are cracks, and join no pieces [-].
 CRACKED = 0.5
 # Largest opening drawn, over the length of the specimen.
@@ -31,49 +30,6 @@ _EXAGGERATED = 0.08
 _COLUMNS = 3
 
 
-@dataclass(frozen=True)
-class Drawn:
-    """Style of the figures of a test to failure.
-
-    Attributes:
-        title: title of its panels.
-        strain, stress: quantities of its curve.
-        view: direction of view.
-        slips: True to colour cells by their slip, if there is any.
-        halved: True to leave out the nearer half.
-        across, up: factor and unit of both axes.
-    """
-
-    title: str
-    strain: str = "strain"
-    stress: str = "stress"
-    view: View = _ASIDE
-    slips: bool = False
-    halved: bool = False
-    across: tuple[float, str] = (1e3, "10$^{-3}$")
-    up: tuple[float, str] = (1e-6, "MPa")
-
-
-#: Tests to failure, in the order of figures.
-DRAWN: Mapping[str, Drawn] = {
-    "direct_tension": Drawn("Direct tension"),
-    "ucs": Drawn("Uniaxial compression", slips=True),
-    "brazilian": Drawn("Brazilian test", strain="closing / D", stress="2 P / (π D t)", view=_ALONG),
-    "triaxial": Drawn("Triaxial compression", stress="axial stress", slips=True),
-    "three_point_bending": Drawn(
-        "Three-point bending", strain="deflection / span", stress="flexural stress",
-        view=View(azimuth=math.radians(8.0), elevation=math.radians(66.0)),
-    ),
-    "shear": Drawn("Shear test", strain="piston / ligament", stress="mean shear stress", halved=True),
-    "sphere_crushing": Drawn("Crushing of a ball", strain="closing / D", stress="2.8 F / (π D²)"),
-    "sphere_impact": Drawn(
-        "Impact of a ball", strain="time", stress="force on the plane", across=(1e6, "µs"), up=(1e-3, "kN"),
-    ),
-    "spall": Drawn(
-        "Spalling", strain="time", stress="velocity of the free end", across=(1e6, "µs"), up=(1.0, "m/s"),
-    ),
-}  # fmt: skip
-
 
 def draw_curves(path: Path, findings: Findings) -> None:
     """Draw stress over strain of every packing, with the strength of the material."""
@@ -81,14 +37,14 @@ def draw_curves(path: Path, findings: Findings) -> None:
     rows, columns = arranged(len(names))
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (_, axes):
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
-            told = DRAWN[name]
+            told = FAILURE_TESTS[name].figure
             (across, along), (up, of) = told.across, told.up
             for n, one in enumerate(findings.specimens):
                 outcome = one.outcomes[name]
                 ax.plot(across * outcome.curves["strain"], up * outcome.curves["stress"], color=BLUE, alpha=0.8,
                         linewidth=1.2, label="each packing" if n == 0 else None)  # fmt: skip
             theory = findings.specimens[0].outcomes[name].theory
-            if math.isfinite(theory) and name != "spall":
+            if math.isfinite(theory) and told.line:
                 ax.axhline(up * theory, color=ORANGE, linestyle=(0, (4, 3)), label="strength of the material")
             ax.set(xlabel=f"{told.strain} [{along}]", ylabel=f"{told.stress} [{of}]", title=told.title)
             ax.set_ylim(bottom=0.0)
@@ -101,10 +57,10 @@ def draw_broken(path: Path, specimen: Examined) -> None:
     rows, columns = arranged(len(names))
     with sheet(path, 4.1 * columns, 3.6 * rows, rows, columns, squeeze=False) as (figure, axes):
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
-            draw_failed(figure, ax, specimen.lattice, specimen.outcomes[name].curves, DRAWN[name])
+            draw_failed(figure, ax, specimen.lattice, specimen.outcomes[name].curves, FAILURE_TESTS[name].figure)
 
 
-def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Floats], told: Drawn) -> None:
+def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Floats], told: TestFigure) -> None:
     """Draw one broken specimen.
 
     Args:
@@ -116,6 +72,7 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     """
     solid = polyhedra(body)
     owner = np.repeat(solid.cell, np.diff(solid.start))
+    view = view_of(told)
     slipped = told.slips and float(curves["slip"].max()) > 0.0
     value = 100.0 * curves["slip"] if slipped else curves["damage"]
     norm = Normalize(0.0, (float(value.max()) or 1.0) if slipped else 1.0)
@@ -126,15 +83,20 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     colour = np.asarray(colormaps[SEQUENTIAL](norm(value)))[:, :3]
     shown = None
     if told.halved:
-        toward = told.view.axes[2] * (0.0, 1.0, 1.0)
+        toward = view.axes[2] * (0.0, 1.0, 1.0)
         shown = (body.centre - np.mean(body.particles.envelope.bounds, axis=0)) @ toward < 0.0
-    draw_cells(ax, solid, colour, view=told.view, moved=reach * moved, shown=shown, piece=curves.get("piece"))
+    draw_cells(ax, solid, colour, view=view, moved=reach * moved, shown=shown, piece=curves.get("piece"))
     ax.set_title(f"{told.title}, motion × {reach:.0f}", color=INK)
     bar = figure.colorbar(
         ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
     )
     bar.set_label("plastic slip of the cell [%]" if slipped else "largest damage of its facets, 1 − s [-]")
     bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
+
+
+def view_of(told: TestFigure) -> View:
+    """Direction of view of the figures of a test."""
+    return View(azimuth=told.azimuth, elevation=told.elevation)
 
 
 def reach_of(body: Lattice, moved: Floats) -> float:
@@ -150,7 +112,7 @@ def reach_of(body: Lattice, moved: Floats) -> float:
 
 def broken_in(specimen: Examined) -> list[str]:
     """Tests to failure of a specimen, in the order of figures."""
-    return [name for name in DRAWN if name in specimen.outcomes]
+    return [name for name in FAILURE_TESTS if name in specimen.outcomes]
 
 
 def arranged(count: int) -> tuple[int, int]:

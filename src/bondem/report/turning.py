@@ -8,8 +8,8 @@ from matplotlib import colormaps
 from matplotlib.colors import to_hex
 
 from bondem._types import Floats
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.findings import Examined
-from bondem.report.strength_figures import DRAWN
 from bondem.report.style import SEQUENTIAL
 
 # More than these are not drawn smoothly: of larger specimens only those near the surface are.
@@ -52,7 +52,7 @@ def turning_of(one: Examined) -> Turning:
         chosen = np.flatnonzero(particles.envelope.depth(particles.position) < _DEEP * particles.mean_radius)
     moved = [
         outcome.curves["displacement"] for name, outcome in one.outcomes.items()
-        if name in DRAWN and "displacement" in outcome.curves
+        if name in FAILURE_TESTS and "displacement" in outcome.curves
     ]  # fmt: skip
     value, caption = radius, "coloured by radius"
     if moved:

@@ -8,11 +8,12 @@ from matplotlib import colormaps
 
 from bondem._types import Floats, Ints
 from bondem.fracture.fragments import fragments
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.observe.turned_vectors import turned_vectors
 from bondem.report.cell_pictures import outlined
 from bondem.report.findings import Examined
 from bondem.report.piece_colours import piece_palette
-from bondem.report.strength_figures import CRACKED, DRAWN, reach_of
+from bondem.report.strength_figures import CRACKED, reach_of
 from bondem.report.style import SEQUENTIAL
 from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
 
@@ -40,7 +41,7 @@ def turning_cells_of(one: Examined) -> TurningCells:
     """Cells at rest, coloured by size; after a test to failure where they are, each piece in a colour of its own."""
     body, solid = one.lattice, polyhedra(one.lattice)
     assert body.cells is not None
-    broken = [name for name in DRAWN if name in one.outcomes and one.outcomes[name].state is not None]
+    broken = [name for name in FAILURE_TESTS if name in one.outcomes and one.outcomes[name].state is not None]
     if broken:
         state = one.outcomes[broken[0]].state
         assert state is not None
@@ -52,7 +53,7 @@ def turning_cells_of(one: Examined) -> TurningCells:
         place, label = solid.vertex + reach * (moved - moved.mean(axis=0)), pieces.label
         colour = piece_palette(len(pieces))[label]
         many = f"{len(pieces)} pieces" if len(pieces) > 1 else "1 piece"
-        title = DRAWN[broken[0]].title
+        title = FAILURE_TESTS[broken[0]].figure.title
         caption = f"{title}: the broken specimen, motion × {reach:.0f}, {many} in a colour each"
     else:
         size = np.cbrt(body.cells.volume / body.cells.volume.mean())

@@ -10,7 +10,10 @@ from bondem.model.state import State
 
 
 class Event(ABC):
-    """A condition evaluated with each record of a run."""
+    """A condition that ends a run when it occurs.
+
+    The run evaluates the condition at each record. Subclasses define `happened`.
+    """
 
     @abstractmethod
     def happened(self, state: State) -> bool:

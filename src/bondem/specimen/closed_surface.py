@@ -52,7 +52,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
     _require_closed(name, triangles)
     size = float(np.ptp(vertices, axis=0).max())
     part = _parts(triangles)
-    volume = np.bincount(part, weights=_cones(vertices, triangles))
+    volume: Floats = np.bincount(part, weights=_cones(vertices, triangles)).astype(float)
     if np.abs(volume).max() <= 1e-12 * size**3:
         raise InputError(f"{name} encloses no volume; close the surface")
     if volume.sum() < 0.0:

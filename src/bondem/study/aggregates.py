@@ -109,17 +109,17 @@ def read_aggregates(table: TomlTable) -> AggregatePlan:
         StudyError: a key that is unknown, missing or out of range.
     """
     with table:
-        diameters, passing = table.numbers("diameters", "m"), table.numbers("mass_passing", "-")
+        diameters, passing = table.numbers("diameters"), table.numbers("mass_passing")
         try:
             sieve = Sieve(diameters, passing)
         except InputError as error:
             raise StudyError(f"'{table.name('diameters')}': {error}") from None
         return AggregatePlan(
             sieve=sieve,
-            fraction=table.number("fraction", "-", above=0.0, below=0.6),
-            E=table.number("E", "Pa", above=0.0),
-            nu=table.number("nu", "-", above=-1.0, below=0.5),
-            gap=table.number("gap", "m", default=None, above=0.0),
+            fraction=table.number("fraction"),
+            E=table.number("E"),
+            nu=table.number("nu"),
+            gap=table.number("gap", default=None),
             failure=read_failure(table.section("failure")) if table.has("failure") else None,
             interface=read_failure(table.section("interface")) if table.has("interface") else None,
         )

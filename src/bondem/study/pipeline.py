@@ -17,14 +17,11 @@ from bondem.io.particles_file import save_particles
 from bondem.io.runfile import RunFile
 from bondem.io.vtk import write_vtkhdf
 from bondem.labtests.arguments import AnyLaw
-from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
-from bondem.labtests.celerity import impact
-from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
-from bondem.labtests.modal import natural_frequencies
+from bondem.labtests.elastic_tests import ELASTIC_TESTS, ElasticBar
+from bondem.labtests.failure_tests import FAILURE_TESTS, failure_outcome
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.strengths import STRENGTH_TESTS, strength_outcome
+from bondem.labtests.suited import broken_only
 from bondem.labtests.tension import static_tension, tension_model
-from bondem.labtests.vibration import free_vibration
 from bondem.laws.cell_bond import CellBond
 from bondem.model.cell_constants import CellAssignment
 from bondem.model.model import Model
@@ -43,18 +40,10 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 from bondem.study.results import collect
 from bondem.study.specimen import SpecimenPlan
-from bondem.study.strength_tests import broken_only
 from bondem.study.study import Study
 
 #: Told the name of a stage and the share of it that is done, 0 … 1.
 Progress = Callable[[str, float], None]
-
-_STATIC = {"static_tension": clamped_tension, "static_bending": static_bending, "static_torsion": static_torsion}
-_VIBRATION = {
-    "dynamic_tension": dynamic_tension,
-    "dynamic_bending": dynamic_bending,
-    "dynamic_torsion": dynamic_torsion,
-}
 
 
 def run_study(study: Study, out: str | Path, *, progress: Progress | None = None) -> dict[str, Any]:
@@ -180,12 +169,13 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
     tension = None if not whole else known[k] if k < len(known) else static_tension(lattice, law)
     volume = lattice.particles.volume if lattice.cells is None else lattice.cells.volume
     mass = density * volume[lattice.connected].sum()
+    rho = float(mass / lattice.particles.envelope.volume)
     specimen = Examined(
         seed=study.seed + k,
         lattice=lattice,
         quality=fabric(lattice),
         tension=tension,
-        rho=float(mass / lattice.particles.envelope.volume),
+        rho=rho,
         law=law,
         aggregates=body.aggregates,
     )
@@ -195,24 +185,16 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
             outcomes[name] = _to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
         tell(stage, 1.0)
         return replace(specimen, outcomes=outcomes)
-    own: dict[str, Any] = {"E": tension.E, "nu": tension.nu}
-    moving: dict[str, Any] = own | {"density": density, "rho": specimen.rho}
-    shared: dict[str, Any] = {}
-    if any(name in _VIBRATION for name in study.tests):
-        frequencies = natural_frequencies(lattice, law, density=density)
+    bar = ElasticBar(lattice, law, tension, density, rho)
+    if any(name in ELASTIC_TESTS and ELASTIC_TESTS[name].vibrates for name in study.tests):
+        specimen = replace(specimen, frequencies=bar.frequencies)
         tell(stage, 0.3)
-        shared = {"modes": frequencies, "vibration": free_vibration(lattice, law, **moving)}
-        specimen = replace(specimen, frequencies=frequencies)
     for done, name in enumerate(study.tests):
         tell(stage, 0.6 + 0.4 * done / len(study.tests))
-        if name in _STATIC:
-            outcomes[name] = _STATIC[name](lattice, law, **own, gyration=tension.gyration)
-        elif name in _VIBRATION:
-            outcomes[name] = _VIBRATION[name](lattice, law, **moving, **shared, gyration=tension.gyration)
-        elif name in STRENGTH_TESTS:
+        if name in FAILURE_TESTS:
             outcomes[name] = _to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
         else:
-            outcomes[name] = impact(lattice, law, **moving)
+            outcomes[name] = ELASTIC_TESTS[name].perform(bar)
     tell(stage, 1.0)
     return replace(specimen, outcomes=outcomes)
 
@@ -233,7 +215,7 @@ def _to_failure(
     if study.aggregates is not None and body.aggregates is not None:
         failure = study.aggregates.criteria(failure, body.aggregates)
     options = study.options.get(name)
-    return strength_outcome(
+    return failure_outcome(
         name, body.lattice, law, failure, density=bonds.density, options=options, progress=progress
     )
 

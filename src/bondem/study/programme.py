@@ -10,12 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from bondem.errors import StudyError
-from bondem.labtests.strengths import STRENGTH_TESTS
-from bondem.study.study import TESTS, Study, parse_study, read_toml, source_of
+from bondem.labtests.failure_tests import FAILURE_TESTS
+from bondem.study.keys import SEVERAL, STUDY
+from bondem.study.study import Study, parse_study, read_toml, source_of
 from bondem.study.toml_table import TomlTable
 
 # What a specimen of a programme says beside the keys of [specimen], and what a study has in their place.
-_OWN, _OPTIONS = ("name", "tests"), tuple(name for name, options in STRENGTH_TESTS.items() if options)
+_OWN, _OPTIONS = ("name", "tests"), tuple(name for name, test in FAILURE_TESTS.items() if test.options)
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _-]{0,59}")
 # Files of the programme itself.
 _TAKEN = ("figures",)
@@ -113,8 +114,8 @@ def parse_programme(data: Mapping[str, Any], *, folder: Path = Path()) -> Progra
     if not isinstance(tables, list) or not tables or not all(isinstance(one, Mapping) for one in tables):
         raise StudyError("'specimens' is not a list of tables; write [[specimens]] above each, at least once")
     shared = {key: value for key, value in data.items() if key not in ("specimens", "targets")}
-    top = TomlTable(data)
-    name, targets = top.text("name"), _targets(top.section("targets"), tuple(STRENGTH_TESTS))
+    top = TomlTable(data, STUDY)
+    name, targets = top.text("name"), _targets(top.section("targets"), tuple(FAILURE_TESTS))
     _refuse_bonds(shared)
     series = tuple(_series(name, shared, one, k, targets=targets, folder=folder) for k, one in enumerate(tables))
     _require_tests("failure" in data, targets, [one.study for one in series])
@@ -146,10 +147,10 @@ def _refuse_bonds(shared: Mapping[str, Any]) -> None:
 
 def _require_tests(failing: bool, targets: Mapping[str, float], studies: Sequence[Study]) -> None:
     """Check that [failure] and every target have a test, and that every target has a single test."""
-    asked = {test: [one.options.get(test) for one in studies if test in one.tests] for test in STRENGTH_TESTS}
+    asked = {test: [one.options.get(test) for one in studies if test in one.tests] for test in FAILURE_TESTS}
     if failing and not any(asked.values()):
         raise StudyError(
-            f"[failure] is given, but no specimen is tested to failure; add one of {', '.join(STRENGTH_TESTS)}"
+            f"[failure] is given, but no specimen is tested to failure; add one of {', '.join(FAILURE_TESTS)}"
             " to its 'tests'"
         )
     for test in targets:
@@ -172,14 +173,14 @@ def _series(
     folder: Path,
 ) -> Series:
     """Read specimen k as a study of its own."""
-    where = TomlTable(table, f"specimens[{k}]")
+    where = TomlTable(table, SEVERAL, f"specimens[{k}]")
     name = where.text("name")
     if not _NAME.fullmatch(name) or name.lower() in _TAKEN:
         raise StudyError(
             f"'specimens[{k}].name' = '{name}': not a folder name for its results; use letters, digits, spaces,"
             f" - and _ only, and not {', '.join(_TAKEN)}"
         )
-    tests = where.texts("tests", choices=(*TESTS, *STRENGTH_TESTS), default=())
+    tests = where.texts("tests", default=())
     if not tests:
         raise StudyError(
             f"'specimens[{k}].tests' is missing or empty; give the tests of '{name}', or leave out the specimen"
@@ -187,7 +188,7 @@ def _series(
     options = {key: table[key] for key in _OPTIONS if key in table}
     inside = {key: value for key, value in table.items() if key not in (*_OWN, *options, "targets")}
     document = dict(shared) | options | {"name": f"{title}: {name}", "specimen": inside, "tests": list(tests)}
-    if not any(test in STRENGTH_TESTS for test in tests):
+    if not any(test in FAILURE_TESTS for test in tests):
         document.pop("failure", None)
         grains = document.get("aggregates")
         if isinstance(grains, Mapping):
@@ -205,7 +206,7 @@ def _series(
 def _targets(table: TomlTable, tests: Sequence[str]) -> dict[str, float]:
     """Target strengths by test [Pa]."""
     with table:
-        found = {test: table.number(test, "Pa", default=None, above=0.0) for test in tests if test in STRENGTH_TESTS}
+        found = {test: table.number(test, default=None) for test in tests if test in FAILURE_TESTS}
     return {test: value for test, value in found.items() if value is not None}
 
 

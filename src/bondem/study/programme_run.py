@@ -12,9 +12,9 @@ from bondem._progress import reported
 from bondem.io.atomic import write_text
 from bondem.io.commit import commit
 from bondem.io.folder import only_writer
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.numbers import measures, with_unit
 from bondem.report.programme_page import Chapter, write_programme
-from bondem.report.strength_figures import DRAWN
 from bondem.study.pipeline import Progress, run_study
 from bondem.study.programme import Programme, Series
 from bondem.study.study import Study
@@ -146,6 +146,6 @@ def _against(measured: float, target: float | None, theory: float | None) -> dic
 
 def _label(study: Study, test: str) -> str:
     """Name of a test with its distinctive option."""
-    title = DRAWN[test].title if test in DRAWN else test.replace("_", " ").capitalize()
+    title = FAILURE_TESTS[test].figure.title if test in FAILURE_TESTS else test.replace("_", " ").capitalize()
     pressure = study.options.get(test, {}).get("pressure")
     return title if pressure is None else f"{title}, {with_unit(pressure, 'Pa', 3)}"

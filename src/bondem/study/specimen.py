@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.io.importing import read_particles
 from bondem.labtests.punching import punch_specimen
-from bondem.packing import EVEN, METHOD, METHODS, pack
+from bondem.packing import EVEN, METHOD, pack
 from bondem.packing.sizes import SPREAD, Lognormal, Sieve, SizeLaw, Uniform
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
@@ -88,12 +88,12 @@ def read_specimen(table: TomlTable, folder: Path) -> SpecimenPlan | ImportPlan:
             file = table.file("particles", folder)
             shape = _shape(table, folder) if table.has("shape") else None
             return ImportPlan(file=file, unit=table.unit("unit"), shape=shape)
-        method = table.text("method", default=METHOD, choices=METHODS)
+        method = table.text("method", default=METHOD)
         if method == EVEN:
             _refuse_sizes(table)
         return SpecimenPlan(
             shape=_shape(table, folder),
-            count=table.count("count", least=100),
+            count=table.count("count"),
             sizes=None if method == EVEN else _sizes(table),
             method=method,
             target={} if method == EVEN else _target(table),
@@ -111,7 +111,7 @@ def _refuse_sizes(table: TomlTable) -> None:
 
 
 def _shape(table: TomlTable, folder: Path) -> Shape:
-    kind = table.text("shape", choices=SHAPES)
+    kind = table.text("shape")
     if kind == "surface":
         file, unit = table.file("file", folder), table.unit("unit")
         return _made(table.name("file"), lambda: Surface(file, unit=unit))
@@ -131,15 +131,15 @@ def _shape(table: TomlTable, folder: Path) -> Shape:
 def _plain(kind: str, table: TomlTable) -> Shape:
     match kind:
         case "cylinder":
-            radius = table.number("radius", "m", above=0.0)
-            length = table.number("length", "m", above=0.0)
+            radius = table.number("radius")
+            length = table.number("length")
             return _made(table.name("radius"), lambda: Cylinder(radius=radius, length=length))
         case "ball":
-            ball = table.number("radius", "m", above=0.0)
+            ball = table.number("radius")
             return _made(table.name("radius"), lambda: Ball(radius=ball))
         case "punch":
             keys = ("diameter", "height", "ring", "width", "depth")
-            given = {key: table.number(key, "m", default=None, above=0.0) for key in keys}
+            given = {key: table.number(key, default=None) for key in keys}
             chosen = {key: value for key, value in given.items() if value is not None}
             return _made(table.name("shape"), lambda: punch_specimen(**chosen))
     size = table.lengths("size")
@@ -152,33 +152,33 @@ def _notched(table: TomlTable, size: tuple[float, float, float]) -> Shape:
     """Box along x with a notch from below across its middle."""
     length, height, thick = size
     with table.section("notch") as notch:
-        width = notch.number("width", "m", above=0.0, below=length)
-        depth = notch.number("depth", "m", above=0.0, below=height)
+        width = notch.number("width", below=length)
+        depth = notch.number("depth", below=height)
     slot = Box((width, 2.0 * depth, 3.0 * thick)).moved((0.5 * (length - width), -depth, -thick))
     return _made(table.name("notch"), lambda: Box(size).cut(slot, name="notch"))
 
 
 def _sizes(table: TomlTable) -> SizeLaw:
     if not table.has("sizes"):
-        return Uniform(table.number("spread", "-", default=SPREAD, above=-1e-12, below=2.0))
+        return Uniform(table.number("spread", default=SPREAD))
     if table.has("spread"):
         raise StudyError(
             f"'{table.name('spread')}' and [{table.name('sizes')}] are both given; give one of them, not both"
         )
     with table.section("sizes") as sizes:
-        match sizes.text("law", choices=SIZE_LAWS):
+        match sizes.text("law"):
             case "uniform":
-                return Uniform(sizes.number("spread", "-", above=-1e-12, below=2.0))
+                return Uniform(sizes.number("spread"))
             case "lognormal":
-                cv, cut = sizes.number("cv", "-"), sizes.number("cut", "-", default=Lognormal.cut)
+                cv, cut = sizes.number("cv"), sizes.number("cut", default=Lognormal.cut)
                 return _made(table.name("sizes"), lambda: Lognormal(cv, cut))
-        diameters, passing = sizes.numbers("diameters", "m"), sizes.numbers("mass_passing", "-")
+        diameters, passing = sizes.numbers("diameters"), sizes.numbers("mass_passing")
         return _made(table.name("sizes"), lambda: Sieve(diameters, passing))
 
 
 def _target(table: TomlTable) -> dict[str, Any]:
-    z = table.number("coordination_number", "-", default=None, above=0.0, below=12.0)
-    fraction = table.number("volume_fraction", "-", default=None, above=0.0, below=0.8)
+    z = table.number("coordination_number", default=None)
+    fraction = table.number("volume_fraction", default=None)
     jamming = table.flag("jamming", default=False) or None
     values = zip(TARGETS, (z, fraction, jamming), strict=True)
     given = {name: value for name, value in values if value is not None}

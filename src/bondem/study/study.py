@@ -6,14 +6,15 @@ import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypedDict, TypeVar
 
 from bondem.errors import StudyError
 from bondem.io.text_file import read_text
-from bondem.labtests.strengths import STRENGTH_TESTS
-from bondem.laws.bond import RADIUS_RULES, BondLaw
+from bondem.labtests.elastic_tests import ELASTIC_TESTS
+from bondem.labtests.suited import broken_only
+from bondem.laws.bond import BondLaw
 from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
-from bondem.laws.cell_bond import FACET_ROTATIONS, CellBond
+from bondem.laws.cell_bond import CellBond
 from bondem.laws.failure.criterion import Criterion
 from bondem.packing import EVEN, SEED
 from bondem.specimen import materials
@@ -21,17 +22,17 @@ from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
 from bondem.study.aggregates import AggregatePlan, read_aggregates
 from bondem.study.failure import read_failure, require_strength
+from bondem.study.keys import STUDY
 from bondem.study.lines import located
 from bondem.study.specimen import ImportPlan, SpecimenPlan, read_specimen
-from bondem.study.strength_tests import broken_only, read_options, require_specimen
+from bondem.study.strength_tests import read_options, require_specimen
 from bondem.study.toml_table import TomlTable
 
-STATIC_TESTS = ("static_tension", "static_bending", "static_torsion")
 Read = TypeVar("Read")
 # Quotation marks that word processors put in place of the straight ones.
 _CURLY = {*"\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}"}
-DYNAMIC_TESTS = ("dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact")
-TESTS = STATIC_TESTS + DYNAMIC_TESTS
+#: Elastic tests, which a study runs unless it has its own.
+TESTS = tuple(ELASTIC_TESTS)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -215,7 +216,7 @@ def read_study(path: str | Path) -> Study:
 
 def source_of(path: Path) -> tuple[str, str]:
     """Name and text of a study file, for its report."""
-    return path.name, path.read_text(encoding="utf-8-sig", errors="replace")
+    return path.name, read_text(path)
 
 
 def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
@@ -252,18 +253,16 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
     Raises:
         StudyError: a key that is unknown, missing or out of range.
     """
-    with TomlTable(data) as top:
+    with TomlTable(data, STUDY) as top:
         name = top.text("name")
         specimen = read_specimen(top.section("specimen"), folder)
         material = _material(top.section("material")) if top.has("material") else None
         bond = _bond(top.section("bond"))
         bar = specimen.shape is None or _is_bar(specimen.shape)
-        tests = top.texts(
-            "tests", choices=(*TESTS, *STRENGTH_TESTS), default=TESTS if material is not None and bar else ()
-        )
+        tests = top.texts("tests", default=TESTS if material is not None and bar else ())
         return Study(
             name=name,
-            seed=top.count("seed", default=Study.seed, least=0),
+            seed=top.count("seed", default=Study.seed),
             packings=top.count("packings", default=1 if isinstance(specimen, ImportPlan) else Study.packings),
             material=material,
             specimen=specimen,
@@ -284,39 +283,38 @@ def _material(table: TomlTable) -> Material:
         if not table.has("preset"):
             return Material(
                 table.text("name"),
-                E=table.number("E", "Pa", above=0.0),
-                nu=table.number("nu", "-", above=-1.0, below=0.5),
-                rho=table.number("rho", "kg/m³", above=0.0),
+                E=table.number("E"),
+                nu=table.number("nu"),
+                rho=table.number("rho"),
                 source=table.text("source", default=""),
             )
-        known = materials.get(table.text("preset", choices=materials.names()))
+        known = materials.get(table.text("preset"))
         own = [key for key in ("E", "nu", "rho") if table.has(key)]
         remark = f"; {', '.join(own)} overruled by the study" if own else ""
         return Material(
             table.text("name", default=known.name),
-            E=table.number("E", "Pa", default=known.E, above=0.0),
-            nu=table.number("nu", "-", default=known.nu, above=-1.0, below=0.5),
-            rho=table.number("rho", "kg/m³", default=known.rho, above=0.0),
+            E=table.number("E", default=known.E),
+            nu=table.number("nu", default=known.nu),
+            rho=table.number("rho", default=known.rho),
             source=table.text("source", default=known.source + remark),
         )
 
 
 def _bond(table: TomlTable) -> BondPlan:
     with table:
-        laws = tuple(CALIBRATED | CELL_LAWS)
-        law = table.text("law", choices=laws) if table.has("law") else None
+        law = table.text("law") if table.has("law") else None
         if law in CELL_LAWS:
             return _cells(table, law)
-        reach = table.number("reach", "-", default=None, above=0.0)
+        reach = table.number("reach", default=None)
         if reach is not None and table.has("tolerance"):
             raise StudyError(
                 f"'{table.name('tolerance')}' and '{table.name('reach')}' are both given; give one of them, not both"
             )
         return BondPlan(
             law=CALIBRATED[law] if law is not None else BondPlan.law,
-            nu_mu=table.number("nu_mu", "-", default=BondPlan.nu_mu, above=-1.0, below=0.5),
-            radius_rule=table.text("radius_rule", default=BondPlan.radius_rule, choices=RADIUS_RULES),
-            tolerance=table.number("tolerance", "-", default=BondPlan.tolerance) if reach is None else None,
+            nu_mu=table.number("nu_mu", default=BondPlan.nu_mu),
+            radius_rule=table.text("radius_rule", default=BondPlan.radius_rule),
+            tolerance=table.number("tolerance", default=BondPlan.tolerance) if reach is None else None,
             reach=reach,
         )
 
@@ -329,7 +327,7 @@ def _cells(table: TomlTable, law: str) -> BondPlan:
                 f"'{table.name(key)}' is an option of bonds between spheres; with law = \"{law}\" cells are joined at"
                 " their facets with E and nu of the material; leave it out"
             )
-    rotation = table.text("facet_rotation", default=BondPlan.facet_rotation, choices=FACET_ROTATIONS)
+    rotation = table.text("facet_rotation", default=BondPlan.facet_rotation)
     return BondPlan(cells=CELL_LAWS[law], facet_rotation=rotation)
 
 
@@ -343,19 +341,29 @@ def _calibrating(top: TomlTable, bond: BondPlan) -> int:
         return table.count("packings", default=Study.calibrating)
 
 
-def _output(table: TomlTable) -> dict[str, bool]:
+class _Output(TypedDict):
+    figures: bool
+    vtk: bool
+    run_files: bool
+    packing_files: bool
+
+
+def _output(table: TomlTable) -> _Output:
     with table:
-        flags = ("figures", "vtk", "run_files", "packing_files")
-        return {name: table.flag(name, default=getattr(Study, name)) for name in flags}
+        return _Output(
+            figures=table.flag("figures", default=Study.figures), vtk=table.flag("vtk", default=Study.vtk),
+            run_files=table.flag("run_files", default=Study.run_files),
+            packing_files=table.flag("packing_files", default=Study.packing_files),
+        )  # fmt: skip
 
 
 def _reference(table: TomlTable) -> Reference:
     with table:
         with table.section("errors") as errors:
-            published = {name: errors.number(name, "-") for name in TESTS if errors.has(name)}
+            published = {name: errors.number(name) for name in TESTS if errors.has(name)}
         return Reference(
             citation=table.text("citation"),
-            E_mu=table.number("E_mu", "Pa", default=None, above=0.0),
-            r_mu_ratio=table.number("r_mu_ratio", "-", default=None, above=0.0),
+            E_mu=table.number("E_mu", default=None),
+            r_mu_ratio=table.number("r_mu_ratio", default=None),
             errors=published,
         )

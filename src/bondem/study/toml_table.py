@@ -1,22 +1,28 @@
 """Strict reading of TOML: every value is requested by name and checked, and an unrequested key is an error.
 
-A number is in SI units; a text includes its unit: "72.5 GPa".
+A number is in SI units; a text includes its unit: "72.5 GPa". Units, ranges and choices are those with which the key
+is declared (`bondem.study.keys`).
 """
 
 import difflib
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from bondem._checks import shown
 from bondem.errors import InputError, StudyError
 from bondem.specimen.units import length_unit, quantity
+from bondem.study.declared import Count, Key, KeyTable, Number, Numbers, Text, Texts
+
+_Kind = TypeVar("_Kind", bound=Key)
 
 _NEEDED = object()
 # Nothing physical in SI units is larger, or smaller than one over it; their products are numbers still.
 _LARGEST = 1e60
+# Largest whole number.
+_MOST = 1 << 62
 
 
 class TomlTable:
@@ -26,11 +32,13 @@ class TomlTable:
 
     Args:
         data: the table.
+        keys: declared keys of the table.
         path: dotted name of the table, "" for the file itself.
     """
 
-    def __init__(self, data: Mapping[str, Any], path: str = "") -> None:
+    def __init__(self, data: Mapping[str, Any], keys: KeyTable, path: str = "") -> None:
         self._data = data
+        self._keys = keys.keys
         self._path = path
         self._asked: list[str] = []
 
@@ -59,6 +67,12 @@ class TomlTable:
             raise StudyError(f"key '{self.name(key)}' is missing; give {wanted}")
         return default
 
+    def _declared(self, key: str, kind: type[_Kind]) -> _Kind:
+        """Declaration of a key."""
+        found = self._keys[key]
+        assert isinstance(found, kind), key
+        return found
+
     def has(self, key: str) -> bool:
         """True if the key is given; the request makes the key known."""
         self._asked.append(key)
@@ -71,12 +85,14 @@ class TomlTable:
             raise StudyError(
                 f"'{self.name(key)}' = {shown(value)}: not a table; write it as a table [{self.name(key)}]"
             )
-        return TomlTable(value, self.name(key))
+        return TomlTable(value, self._declared(key, KeyTable), self.name(key))
 
     def number(
-        self, key: str, unit: str, *, default: Any = _NEEDED, above: float = -math.inf, below: float = math.inf
+        self, key: str, *, default: Any = _NEEDED, unit: str | None = None, below: float | None = None
     ) -> Any:
-        """Finite number strictly between `above` and `below`, or a text with its unit."""
+        """Finite number within its limits, or a text with its unit; `unit` and `below` replace those declared."""
+        known = self._declared(key, Number)
+        above, below, unit = known.above, known.below if below is None else below, unit or known.unit
         wanted = f"a number {_range(above, below)}[{unit}]"
         value = self._get(key, default, wanted)
         if value is default:
@@ -103,16 +119,18 @@ class TomlTable:
         given = [self._data.get(key) for key in keys]
         return any(isinstance(one, str) for item in given for one in (item if isinstance(item, list) else [item]))
 
-    def count(self, key: str, *, default: Any = _NEEDED, least: int = 1, most: int = 1 << 62) -> int:
-        """Whole number from `least` to `most`."""
-        wanted = f"a whole number of at least {least}" + (f" and at most {most}" if most < 1 << 62 else "")
+    def count(self, key: str, *, default: Any = _NEEDED) -> int:
+        """Whole number."""
+        least = self._declared(key, Count).least
+        wanted = f"a whole number of at least {least}"
         value = self._get(key, default, wanted)
-        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= _MOST:
             raise StudyError(f"'{self.name(key)}' = {shown(value)}; give {wanted}")
         return value
 
-    def text(self, key: str, *, default: Any = _NEEDED, choices: Sequence[str] = ()) -> str:
-        """Text, one of `choices` if there are any."""
+    def text(self, key: str, *, default: Any = _NEEDED) -> str:
+        """Text, one of the choices if there are any."""
+        choices = self._declared(key, Text).choices
         wanted = f"one of {', '.join(choices)}" if choices else "a text"
         value = self._get(key, default, wanted)
         if not isinstance(value, str) or (choices and value not in choices):
@@ -136,8 +154,9 @@ class TomlTable:
             raise StudyError(f"'{self.name(key)}' = {shown(value)}; give true or false")
         return value
 
-    def texts(self, key: str, *, choices: Sequence[str], default: tuple[str, ...]) -> tuple[str, ...]:
+    def texts(self, key: str, *, default: tuple[str, ...]) -> tuple[str, ...]:
         """List of different choices."""
+        choices = self._declared(key, Texts).choices
         values = self._get(key, default, "a list")
         if not isinstance(values, list | tuple):
             raise StudyError(f"'{self.name(key)}' = {shown(values)}; give a list of {', '.join(choices)}")
@@ -150,8 +169,9 @@ class TomlTable:
             raise StudyError(f"'{self.name(key)}' contains an entry twice; remove one")
         return tuple(values)
 
-    def numbers(self, key: str, unit: str) -> tuple[float, ...]:
+    def numbers(self, key: str) -> tuple[float, ...]:
         """List of finite numbers, each of which may be a text with its unit."""
+        unit = self._declared(key, Numbers).unit
         wanted = f"a list of numbers [{unit}]"
         values = self._get(key, _NEEDED, wanted)
         if not isinstance(values, list | tuple):

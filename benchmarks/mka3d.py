@@ -1,0 +1,232 @@
+"""The cell law beside the variant of Mka3D, on the same bodies.
+
+Mka3D (Mariotti 2007; Monasse and Mariotti 2012) is the elastic cell law with M = 1; its facets bend with E I/L and
+twist with G I_p/L, where those of bondem bend with 2G I/L and, outside layers one cell thick, do not twist. The
+variant is made here by replacing the functions that form these constants; bodies, masses, walls, free facets and
+solvers are the same. Mka3D's papers use Voronoi cells and its mesh generator cuts boxes into cubes, so both are here
+beside Laguerre cells. Measured are E and ν in bulk and of a bar, the first bending of clamped strips one to four
+cells thick, free sheets of the same thicknesses, the celerity of plane waves, and free frequencies of a beam and a
+plate, against triquadratic finite elements.
+
+Run: python benchmarks/mka3d.py [--counts 300] [--seeds 1 2 3] [--nu 0.2 0.4] [--out FILE]
+It writes benchmarks/results/mka3d.json; cases that this file has already are not measured again.
+"""
+
+import argparse
+import json
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import lru_cache, partial
+from itertools import product
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+from bondem.errors import FillingWarning, ThinBodyWarning, UnitWarning
+from bondem.model import cell_constants
+from cell_bodies import cut, free_modes, mesh
+from cell_moduli import bar_test
+from cell_waves import LENGTH, celerity
+from continuum import Continuum, Vibration
+from kept import RESULTS, keep, origin
+from matching import matched
+
+#: Variants: whether θ has M⁻¹, and how facets resist a relative rotation.
+VARIANTS = {
+    "bondem": (True, "bending"),
+    "bondem, facets with twist": (True, "full"),
+    "M⁻¹ with facets of Mka3D": (True, "Mka3D"),
+    "Mka3D": (False, "Mka3D"),
+}
+#: Plane waves in the length of the periodic cell.
+NUMBERS = (1, 2, 4, 8)
+#: Bodies, and how many times as many cells as asked for: 300 cannot be packed into them with every seed.
+SHAPES = {"beam": 2, "plate": 3}
+#: As many times as many cells in the periodic cell of waves: with fewer, cells are neighbours of their own images.
+WAVES = 4
+#: Edges of a sheet over its thickness.
+SHEET = (8, 7, 1)
+
+
+@contextmanager
+def variant(name: str, nu: float) -> Iterator[bd.CellBond]:
+    """Law for E = 1 of a variant; models that are made inside have its constants."""
+    corrected, rotation = VARIANTS[name]
+    corrections, resistance = cell_constants._corrections, cell_constants._resistance
+
+    def of_mka3d(S: np.ndarray, normal: np.ndarray, stiffness: np.ndarray, kind: str) -> np.ndarray:
+        """E I/L about the axes in the plane, G I_p/L about the normal; `stiffness` is 2 G / L."""
+        bending = (1.0 + nu) * resistance(S, normal, stiffness, "bending")
+        polar = 0.5 * stiffness * np.einsum("mii->m", S) * (kind == "full")
+        return bending + polar[:, None, None] * normal[:, :, None] * normal[:, None, :]
+
+    try:
+        if not corrected:
+            cell_constants._corrections = lambda body, facets, cells: np.tile(np.eye(3), (len(cells.volume), 1, 1))
+        if rotation == "Mka3D":
+            cell_constants._resistance = of_mka3d
+        # "full": without bondem's own twist in layers, and with twist of facets at walls that hold it
+        yield bd.CellBond(E=1.0, nu=nu, facet_rotation="full" if rotation == "Mka3D" else rotation)
+    finally:
+        cell_constants._corrections, cell_constants._resistance = corrections, resistance
+
+
+def tessellated(particles: bd.Particles, cells: str) -> bd.Lattice:
+    """Laguerre cells of spheres, or Voronoi cells of their centres."""
+    if cells == "Voronoi":
+        particles = bd.Particles(particles.position, particles.radius.min(), shape=particles.shape)
+    return bd.connect(particles, method="laguerre")
+
+
+def moduli(count: int, seed: int, nu: float) -> list[dict[str, Any]]:
+    """E and ν of a periodic cell and of a bar 4 × 1 × 1 between smooth platens."""
+    packings = [
+        bd.pack(shape, count=count, spread=0.25, seed=seed)
+        for shape in (bd.Cell((1.0, 1.0, 1.0)), bd.Box((4.0, 1.0, 1.0)))
+    ]
+    rows = []
+    for cells in ("Laguerre", "Voronoi"):
+        torus, bar = (tessellated(packing, cells) for packing in packings)
+        for name in VARIANTS:
+            with variant(name, nu) as law:
+                bulk, pulled = bd.bulk_moduli(torus, law), bar_test(bar, nu, law)
+            rows.append(
+                {"cells": cells, "variant": name, "bulk": {"E": bulk.E, "nu": bulk.nu}, "bar": pulled}
+            )  # fmt: skip
+    return rows
+
+
+def frequencies(shape: str, count: int, seed: int, nu: float) -> list[dict[str, Any]]:
+    """Errors of the first six free frequencies."""
+    part, theory = cut(shape, count, seed), free_modes(shape, nu)
+    middle = part.centre.mean(axis=0)
+    expected = mesh(shape).sampler(middle + 0.999 * (part.centre - middle))(theory.shape)
+    rows = []
+    for name in VARIANTS:
+        with variant(name, nu) as law:
+            found = bd.solve_modes(bd.Model(part, law, 1.0), count=len(theory.frequency) + 3)
+        pairs = matched(found, part.cells.volume, theory, expected)
+        rows.append({"variant": name, "errors": [p.measured / p.reference - 1.0 for p in pairs for _ in p.modes][:6]})
+    return rows
+
+
+def waves(count: int, seed: int, nu: float) -> list[dict[str, Any]]:
+    """Celerity of plane waves of several lengths over that of the material."""
+    body = bd.connect(bd.pack(bd.Cell((LENGTH, 1.0, 1.0)), count=count, spread=0.25, seed=seed), method="laguerre")
+    size, rows = (LENGTH / count) ** (1.0 / 3.0), []
+    for name in VARIANTS:
+        with variant(name, nu) as law:
+            model = bd.Model(body, law, 1.0)
+            for kind, axis, exact in (("P", 0, np.sqrt(law.lame + 2.0 * law.G)), ("S", 1, np.sqrt(law.G))):
+                for number in NUMBERS:
+                    ratio = celerity(model, number, axis, float(exact)) / float(exact)
+                    rows.append(
+                        {"variant": name, "wave": kind, "elements": LENGTH / number / size, "ratio": ratio}
+                    )  # fmt: skip
+    return rows
+
+
+def unit_cells(edges: tuple[int, ...], seed: int | None) -> bd.Lattice:
+    """A box of cubes of edge 1, or of unequal cells of that size, even where it is one cell thick."""
+    grid = np.stack(np.meshgrid(*(np.arange(n) for n in edges), indexing="ij"), axis=-1).reshape(-1, 3) + 0.5
+    if seed is not None:
+        grid += np.random.default_rng(seed).uniform(-0.15, 0.15, grid.shape) * (np.array(edges) > 1)
+    return bd.connect(bd.Particles(grid, 0.3, shape=bd.Box(edges)), method="laguerre")
+
+
+@lru_cache(maxsize=8)
+def continuum(edges: tuple[int, ...], nu: float, held: str | None) -> tuple[Continuum, Vibration]:
+    """The body of these edges and its lowest modes for E = ρ = 1."""
+    solid = Continuum.box(edges, cell=0.5 * min(edges))
+    return solid, solid.vibration(1.0, nu, 1.0, count=5, held=held)
+
+
+def strip(thick: int, seed: int | None, nu: float) -> list[dict[str, Any]]:
+    """Error of the first bending of a clamped strip, 12 times as long as thick and one cell wider."""
+    edges = (12 * thick, thick + 1, thick)
+    body, (_, exact) = unit_cells(edges, seed), continuum(edges, nu, "x_min")
+    rows = []
+    for name in VARIANTS:
+        with variant(name, nu) as law:
+            found = bd.solve_modes(bd.Model(body, law, 1.0, boundary=[bd.Fix(bd.Face("x_min"))]), count=3)
+        across = (found.shape[:, :, :3] ** 2).sum(axis=1)
+        first = int(np.flatnonzero(across.argmax(axis=1) == 2)[0])
+        rows.append({"variant": name, "errors": [float(found.frequency[first] / exact.frequency[0] - 1.0)]})
+    return rows
+
+
+def sheet(thick: int, seed: int | None, nu: float) -> list[dict[str, Any]]:
+    """Errors of the first three free frequencies of a sheet 8 × 7 times as wide as thick."""
+    edges = tuple(n * thick for n in SHEET)
+    body, (solid, exact) = unit_cells(edges, seed), continuum(edges, nu, None)
+    expected = solid.sampler(body.centre)(exact.shape)
+    rows = []
+    for name in VARIANTS:
+        with variant(name, nu) as law:
+            found = bd.solve_modes(bd.Model(body, law, 1.0), count=8)
+        pairs = matched(found, body.cells.volume, exact, expected)
+        rows.append({"variant": name, "errors": [p.measured / p.reference - 1.0 for p in pairs for _ in p.modes][:3]})
+    return rows
+
+
+class Report:
+    """Results in a file: cases that it has already are not measured again."""
+
+    def __init__(self, path: Path) -> None:
+        begun = origin()
+        self.path, self.commit = path, begun["commit"]
+        kept = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+        self.all: dict[str, Any] = begun | {part: kept.get(part, []) for part in PARTS}
+
+    def add(self, part: str, measure: Callable[[], list[dict[str, Any]]], **case: Any) -> None:
+        """Measure a case, one row for each variant, and write the file."""
+        if any(case.items() <= row.items() for row in self.all[part]):
+            return
+        started = perf_counter()
+        rows = measure()
+        self.all[part] += [case | row | {"commit": self.commit} for row in rows]
+        keep(self.path, self.all)
+        print(part, case, f"{perf_counter() - started:.0f} s", flush=True)
+
+
+def measure_thin(report: Report, nus: list[float], seeds: list[int]) -> None:
+    """Strips and sheets; the thickest sheet of unequal cells with the first seed alone."""
+    for nu, (body, (solve, thicknesses)) in product(nus, THIN.items()):
+        for thick in thicknesses:
+            some = seeds[:1] if body == "sheet" and thick > 2 else seeds
+            for seed in (None, *some):
+                case = {"body": body, "cells": "cubes" if seed is None else "unequal", "nu": nu, "thick": thick}
+                report.add("thin", partial(solve, thick, seed, nu), seed=seed, **case)
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--counts", type=int, nargs="+", default=[300], help="numbers of cells")
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3], help="seeds of the packings")
+    parser.add_argument("--nu", type=float, nargs="+", default=[0.2, 0.4], help="Poisson's ratios")
+    parser.add_argument("--out", type=Path, default=RESULTS / "mka3d.json", help="file of the results")
+    given = parser.parse_args(arguments)
+    for expected in (FillingWarning, ThinBodyWarning, UnitWarning):
+        warnings.simplefilter("ignore", expected)
+    report = Report(given.out)
+    measure_thin(report, given.nu, given.seeds)
+    for count, seed, nu in product(given.counts, given.seeds, given.nu):
+        case = {"nu": nu, "seed": seed}
+        report.add("moduli", partial(moduli, count, seed, nu), count=count, **case)
+        for shape, times in SHAPES.items():
+            most = times * count
+            report.add("bodies", partial(frequencies, shape, most, seed, nu), shape=shape, count=most, **case)
+        if seed == given.seeds[0]:
+            most = WAVES * count
+            report.add("waves", partial(waves, most, seed, nu), count=most, **case)
+
+
+THIN = {"strip": (strip, (1, 2, 4)), "sheet": (sheet, (1, 2, 4))}
+PARTS = ("thin", "moduli", "bodies", "waves")
+
+if __name__ == "__main__":
+    main()

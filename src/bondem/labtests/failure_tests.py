@@ -1,0 +1,187 @@
+"""Tests to failure of studies, a record each, and the outcome of one beside the strength of the material.
+
+A further test needs a record here, the function that runs it, and its name in `bondem.labtests`.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from bondem.errors import InputError
+from bondem.labtests.ball import BrokenBall
+from bondem.labtests.compression import uniaxial_compression
+from bondem.labtests.confined import triaxial
+from bondem.labtests.crushing import SphereCrushing, sphere_crushing
+from bondem.labtests.failure_record import FailureTest, TestFigure, TestOption
+from bondem.labtests.flexure import BendingTest, three_point_bending
+from bondem.labtests.ledger import AnyTest, energy_ledger
+from bondem.labtests.outcome import Outcome
+from bondem.labtests.punching import shear
+from bondem.labtests.rig import softening_of
+from bondem.labtests.spalling import SpallTest, spall
+from bondem.labtests.splitting import brazilian
+from bondem.labtests.suited import BALLS, BEAM, BORED, DISC
+from bondem.labtests.tearing import direct_tension
+from bondem.labtests.throwing import SphereImpact, sphere_impact
+from bondem.laws.cell_bond import CellBond
+from bondem.laws.failure.criterion import Criterion
+from bondem.laws.failure.softening import Softening
+from bondem.model.cell_constants import CellAssignment
+from bondem.model.failure_assignment import FailureAssignment
+from bondem.specimen.lattice import Lattice
+
+
+def _tensile(softening: Softening, asked: Mapping[str, float]) -> float:
+    return softening.tension
+
+
+def _compressive(softening: Softening, asked: Mapping[str, float]) -> float:
+    return math.nan if softening.slip is None else softening.slip.compressive(asked.get("pressure", 0.0))
+
+
+def _worked(test: AnyTest) -> dict[str, float]:
+    return {"work": test.work, "E": test.E}
+
+
+def _bend(
+    body: Lattice, law: CellAssignment, failure: FailureAssignment, *, density: float, **asked: Any
+) -> BendingTest:
+    """Bend a beam; a path of equilibria has no density."""
+    return three_point_bending(body, law, failure, **asked)
+
+
+def _pieces(broken: BrokenBall) -> dict[str, float | None]:
+    return {"damage [-]": broken.damage, "fragments [-]": float(len(broken.sizes.diameter)),
+            "heaviest fragment [-]": broken.largest, "fines [-]": broken.fines}  # fmt: skip
+
+
+def _crushed(test: SphereCrushing) -> dict[str, float | None]:
+    return {
+        "F [N]": test.force, "F/D² [Pa]": test.jaeger, **_pieces(test.broken),
+        "difference of plate forces [-]": test.asymmetry, "energy error [-]": test.residual,
+    }  # fmt: skip
+
+
+def _thrown(test: SphereImpact) -> dict[str, float | None]:
+    return {
+        "largest force [N]": test.peak, "restitution [-]": test.restitution, **_pieces(test.broken),
+        "momentum [-]": test.momentum, "energy error [-]": test.residual,
+    }  # fmt: skip
+
+
+def _spalled(test: SpallTest) -> dict[str, float | None]:
+    return {
+        "pull-back [m/s]": test.pull_back, "highest velocity [m/s]": test.highest, "spall at [m]": test.place,
+        "first failure [s]": test.first, "energy error [-]": test.residual,
+    }  # fmt: skip
+
+
+_PULSE = {"pressure": "Pa", "rise": "s", "fall": "s"}
+_RECORDS = (
+    FailureTest(
+        name="direct_tension", perform=direct_tension, theory=_tensile, more=_worked, energy=energy_ledger,
+        figure=TestFigure("Direct tension"),
+    ),
+    FailureTest(
+        name="ucs", perform=uniaxial_compression, yields=True, theory=_compressive, more=_worked,
+        energy=energy_ledger, figure=TestFigure("Uniaxial compression", slips=True),
+    ),
+    FailureTest(
+        name="brazilian", perform=brazilian, suited=DISC, options={"half_angle": TestOption("rad")}, theory=_tensile,
+        more=_worked, energy=energy_ledger,
+        figure=TestFigure(
+            "Brazilian test", strain="closing / D", stress="2 P / (π D t)", azimuth=math.radians(62.0),
+            elevation=math.radians(14.0),
+        ),
+    ),
+    FailureTest(
+        name="triaxial", perform=triaxial, options={"pressure": TestOption("Pa", needed=True)}, yields=True,
+        theory=_compressive, more=_worked, energy=energy_ledger,
+        figure=TestFigure("Triaxial compression", stress="axial stress", slips=True),
+    ),
+    FailureTest(
+        name="three_point_bending", perform=_bend, suited=BEAM, options={"span": TestOption("m")}, more=_worked,
+        energy=energy_ledger, integrity=lambda test: test.path.bond_integrity,
+        figure=TestFigure(
+            "Three-point bending", strain="deflection / span", stress="flexural stress", azimuth=math.radians(8.0),
+            elevation=math.radians(66.0),
+        ),
+    ),
+    FailureTest(
+        name="shear", perform=shear, suited=BORED, more=_worked, energy=energy_ledger,
+        figure=TestFigure("Shear test", strain="piston / ligament", stress="mean shear stress", halved=True),
+    ),
+    FailureTest(
+        name="sphere_crushing", perform=sphere_crushing, suited=BALLS, options={"friction": TestOption("-")},
+        told=_crushed, parted=True,
+        figure=TestFigure("Crushing of a ball", strain="closing / D", stress="2.8 F / (π D²)"),
+    ),
+    FailureTest(
+        name="sphere_impact", perform=sphere_impact, suited=BALLS,
+        options={"velocity": TestOption("m/s", needed=True), "friction": TestOption("-")},
+        measured=lambda test: test.damage, unit="-", curve=lambda test: (test.time, test.force), told=_thrown,
+        parted=True,
+        figure=TestFigure(
+            "Impact of a ball", strain="time", stress="force on the plane", across=(1e6, "µs"), up=(1e-3, "kN")
+        ),
+    ),
+    FailureTest(
+        name="spall", perform=spall, uniform=True,
+        options={key: TestOption(unit, needed=True) for key, unit in _PULSE.items()},
+        theory=_tensile, curve=lambda test: (test.time, test.velocity), told=_spalled, parted=True,
+        figure=TestFigure(
+            "Spalling", strain="time", stress="velocity of the free end", across=(1e6, "µs"), up=(1.0, "m/s"),
+            line=False,
+        ),
+    ),
+)  # fmt: skip
+#: Tests to failure by their names in studies, in the order of figures.
+FAILURE_TESTS: Mapping[str, FailureTest] = {one.name: one for one in _RECORDS}
+#: Tests of a ball.
+OF_BALLS = tuple(one.name for one in _RECORDS if one.suited is BALLS)
+
+
+def failure_outcome(
+    name: str,
+    body: Lattice,
+    law: CellAssignment,
+    failure: FailureAssignment,
+    *,
+    density: float,
+    options: Mapping[str, float] | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Outcome:
+    """Run a test of `FAILURE_TESTS` and compare its strength with that implied by the material.
+
+    The implied strength is f_t in direct tension, the Brazilian test and the spall test. In compression it follows
+    from the criterion. Bending, the shear test and crushing have no closed form; their theory is NaN. An impact has
+    no strength; its measured value is the share of broken facets [-].
+
+    Args:
+        name: name of the test.
+        body: specimen of cells.
+        law, failure: cell law and criterion, or mappings by region whose first value is the matrix; theory is then
+            NaN.
+        density: density of the material [kg/m³].
+        options: options of the test by name, in SI.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
+
+    Raises:
+        InputError: an unknown test, or a law or criterion that the test does not support.
+    """
+    softening = softening_of(name, failure, "a criterion with its fracture_energy")
+    asked, test = dict(options or {}), FAILURE_TESTS.get(name)
+    if test is None or (test.yields and softening.slip is None):
+        raise InputError(
+            f"labtests: test = {name}: not a test to failure of this material; give one of"
+            f" {', '.join(FAILURE_TESTS)}"
+        )
+    if test.uniform and not (isinstance(law, CellBond) and isinstance(failure, Criterion)):
+        raise InputError(f"labtests.{name}: law or failure is given by region; give one law and one criterion")
+    result = test.perform(body, law, failure, density=density, progress=progress, **asked)
+    return Outcome(
+        name=name, measured=test.measured(result), unit=test.unit,
+        theory=math.nan if isinstance(failure, Mapping) else test.theory(softening, asked),
+        curves=test.curves(result, body), state=result.state, energy=test.energy(result),
+        told={key: value for key, value in test.told(result).items() if value is not None},
+    )  # fmt: skip

@@ -1,0 +1,42 @@
+"""Specimens that laboratory tests need: uncut bars, notched beams, bored cylinders, balls."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from bondem.specimen.geometry import Ball, BoundingBox, Box, Cylinder
+from bondem.specimen.shape import Cut, Shape
+
+# Names of the faces that the cuts of specimens have; and of a specimen that is no bar either.
+NOTCH, BORING, BALL = "notch", "boring", "ball"
+
+
+@dataclass(frozen=True)
+class Suited:
+    """Specimens that a test needs.
+
+    Attributes:
+        fits: True for a suitable shape.
+        advice: key of a study that gives one.
+    """
+
+    fits: Callable[[Shape], bool]
+    advice: str
+
+
+def broken_only(shape: Shape) -> str | None:
+    """Reason why a specimen has no tension test: `NOTCH`, `BORING` or `BALL`; None for others."""
+    return BALL if isinstance(shape, Ball) else cut_as(shape)
+
+
+def cut_as(shape: Shape) -> str | None:
+    """Cut of a specimen, `NOTCH` or `BORING`; None for an uncut specimen or other cuts."""
+    return shape.name if isinstance(shape, Cut) and shape.name in (NOTCH, BORING) else None
+
+
+DISC = Suited(lambda shape: isinstance(shape, Cylinder), 'a specimen.shape of "cylinder"')
+BEAM = Suited(
+    lambda shape: isinstance(shape, Box | BoundingBox) or cut_as(shape) == NOTCH,
+    'a specimen.shape of "box", notched or not',
+)
+BORED = Suited(lambda shape: cut_as(shape) == BORING, 'specimen.shape = "punch"')
+BALLS = Suited(lambda shape: isinstance(shape, Ball), 'specimen.shape = "ball"')
