@@ -80,6 +80,7 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    BONDEM_DAMAGE_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -102,6 +103,7 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
+    BONDEM_DAMAGE_INDICES,
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P
@@ -130,12 +132,15 @@ const StepPassDescription step_passes[] = {
     S(elements_of_blocks, move_resisted),
     S(elements_of_blocks, move_resisted_rows),
     S(elements_of_blocks, add_body_work),
+    S(elements_of_blocks, reopen_elements),
+    S(elements_of_blocks, reopen_rows),
     S(of_bonds, check_beams),
     S(of_bonds, sum_beam_energies),
     S(of_elements, sum_element_energies),
     S(serial, judge_energy),
     S(serial, write_ledger),
     S(serial, read_gauges),
+    BONDEM_DAMAGE_PASSES,
 };
 #undef S
 

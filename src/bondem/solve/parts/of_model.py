@@ -25,7 +25,7 @@ def parts_of(
     if more is not None and len(more.group):
         parts.append(body_forces(shared, more))
     parts += [
-        beams(model, state, shared, dashpots),
+        *beams(model, state, shared, dashpots),
         motion(shared, dashpots, resistance_of(terms, more)),
         history(shared, gauges),
     ]
