@@ -21,12 +21,11 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
-    parts = [boundary(shared)]
-    if more is not None and len(more.group):
-        parts.append(body_forces(shared, more))
-    parts += [
+    parts = [
+        boundary(shared),
         *beams(model, state, shared, dashpots),
         motion(shared, dashpots, resistance_of(terms, more)),
-        history(shared, gauges),
     ]
-    return shared, parts
+    if more is not None and len(more.group):
+        parts.append(body_forces(shared, more))  # their work is that at the velocities after the kick
+    return shared, [*parts, history(shared, gauges)]
