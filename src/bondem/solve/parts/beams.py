@@ -7,7 +7,7 @@ from bondem.model.beam_tables import AlikeBeams, Beams, beam_tables
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import changing_strain
-from bondem.solve.parts.part import Part
+from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
 
@@ -28,6 +28,7 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
         bonds = bonds.separate()
     table, alike = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
     present = [] if strain is None else [(_follow_strains, shared.timeline, strain, moving, table, shared.rows)]
+    loads: Passes
     if alike is None:
         loads = [(_add_beam_loads, moving, table, cut)]
     else:
