@@ -11,7 +11,7 @@ from bondem.model.state import State
 from bondem.solve.added import changing_strain
 from bondem.solve.damage_tables import Candidates, FailureBounds
 from bondem.solve.parts.breakage import DamageTables, breakage, damage_of
-from bondem.solve.parts.part import Part
+from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
 
@@ -37,7 +37,7 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
     table, alike = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
     damage = damage_of(model, state, cut, len(table.i))
     present = [] if strain is None else [(_follow_strains, shared.timeline, strain, moving, table, shared.rows)]
-    loads = [_loads(moving, table, alike, cut, damage)]
+    loads: Passes = [_loads(moving, table, alike, cut, damage)]
     if dashpots is not None:
         loads.append((_add_dashpot_loads, moving, table, dashpots, cut))
     forces = Part(
