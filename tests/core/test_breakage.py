@@ -8,7 +8,7 @@ from bondem._compile import threads
 from bondem.model.model import Model
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_cpu import CpuLoop
 from tests.bits import assert_same_bits
 from tests.core.test_steps import HELD, LAWS, crooked, moving_state, plan_of
