@@ -12,15 +12,9 @@ from bondem.model.blocks import Blocks
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.loop_cpu import BLOCK, gauge_tables, noticeable
+from bondem.solve.parts.of_model import parts_of
+from bondem.solve.parts.part import FORCES, composed
 from bondem.solve.plan import Plan
-from bondem.solve.step_lists import (
-    StepTables,
-    passes_of_a_record,
-    passes_of_forces,
-    passes_of_opening,
-    passes_of_the_guard,
-    passes_of_the_present,
-)
 from bondem.solve.step_tables import HistoryRows, Portions, StepPasses, StepSpan
 
 # Bonds of a thread at least.
@@ -58,24 +52,29 @@ class CoreLoop:
         self._threads = current_threads() if self._m >= SERIAL_BONDS else 1
         domains = min(self._threads, max(self._m // _DOMAIN, 1))
         cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table()
-        self._tables = StepTables.of(model, terms, state, cut, gauge_tables(model, plan))
+        self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan))
         self._still = noticeable(model, dt)
         self._compose = Composer()
         self._lists = StepPasses(
-            present=self._compose(passes_of_the_present(self._tables)),
-            opening=self._compose(passes_of_opening(self._tables)),
-            forces=self._compose(passes_of_forces(self._tables)),
-            guard=self._compose(passes_of_the_guard(self._tables)),
+            present=self._list("present"),
+            opening=self._list("opening"),
+            forces=self._list(*FORCES),
+            guard=self._list("guard"),
             record=self._compose([]),
         )
+
+    def _list(self, *stages: str) -> np.ndarray:
+        return self._compose(composed(self._parts, *stages))
 
     def _take(self, steps: int, records: np.ndarray, *, looks: bool = False) -> tuple[str, list[int]]:
         """Take steps, or record the present; return the ending and counts of what was done."""
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
         span = StepSpan(state.step, steps, self._every, looks, looks and state.stale, self._n, self._m, done)
-        compose = Composer()  # lives as long as the records of this call
-        lists = self._lists._replace(record=compose(passes_of_a_record(t, HistoryRows(records))))
+        compose, history = Composer(), HistoryRows(records)  # live as long as this call
+        lists = self._lists._replace(record=compose(one for part in self._parts for one in part.record(history)))
         ending = _take_steps(lists, t.cut, self._scheme, span, t.portions, threads=self._threads)
+        for part in self._parts:
+            part.keep()
         return ending, done.tolist()
 
     def look(self) -> np.ndarray:

@@ -1,0 +1,1 @@
+"""Parts of a step: one module per subject, each with the passes that it adds to the stages of a step."""

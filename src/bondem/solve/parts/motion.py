@@ -1,0 +1,56 @@
+"""Motion of elements under the sum of their forces, with damping."""
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem.kernels.tables import Added, Rows, StepCut
+from bondem.laws.damping import DampingTerms
+from bondem.solve.parts.part import Part, Passes
+from bondem.solve.parts.shared_tables import SharedTables
+from bondem.solve.step_tables import Dashpots, Moving, Resistance
+
+_open_elements = StepPass("open_elements", Moving)
+_open_elements_and_rows = StepPass("open_elements_and_rows", Moving, Rows)
+_collect_sums = StepPass("collect_sums", StepCut)
+_collect_dashpots = StepPass("collect_dashpots", StepCut, Dashpots)
+_add_dashpots = StepPass("add_dashpots", StepCut, Dashpots)
+_move_elements = StepPass("move_elements", Moving, StepCut)
+_move_rows = StepPass("move_rows", Moving, StepCut, Rows)
+_move_resisted = StepPass("move_resisted", Moving, StepCut, Resistance)
+_move_resisted_rows = StepPass("move_resisted_rows", Moving, StepCut, Rows, Resistance)
+
+
+def motion(shared: SharedTables, dashpots: Dashpots | None, resistance: Resistance | None) -> Part:
+    """Return the part that gathers forces and moves elements."""
+    moving, cut, rows = shared.moving, shared.cut, shared.rows
+    opening: Passes = [(_open_elements_and_rows, moving, rows) if shared.owned else (_open_elements, moving)]
+    gather: Passes = [(_collect_sums, cut)]
+    if dashpots is not None:
+        gather += [(_collect_dashpots, cut, dashpots), (_add_dashpots, cut, dashpots)]
+    move: Passes
+    if resistance is None:
+        move = [(_move_elements, moving, cut)]
+        held = (_move_rows, moving, cut, rows)
+    else:
+        move = [(_move_resisted, moving, cut, resistance)]
+        held = (_move_resisted_rows, moving, cut, rows, resistance)
+    if shared.owned:
+        move.append(held)
+    return Part({"opening": opening, "gather": gather, "move": move})
+
+
+def dashpots_of(more: Added | None) -> Dashpots | None:
+    """Return the dashpots of bonds, or None."""
+    if more is None or len(more.dashed) == 0:
+        return None
+    return Dashpots(more.dashpot, more.share, more.dashed)
+
+
+def resistance_of(terms: DampingTerms, more: Added | None) -> Resistance | None:
+    """Return damping and dashpots that resist the motion of elements, or None."""
+    viscous = more is not None and more.viscous
+    if not viscous and terms.gamma == 0.0:
+        return None
+    if more is None:
+        return Resistance(terms.gamma, 0.0, False, np.zeros((0, 8)), np.zeros((0, 6)))
+    return Resistance(terms.gamma, more.alpha, viscous, more.dashed, more.absorbing)

@@ -1,0 +1,32 @@
+"""Parts of the step of a model."""
+
+from bondem.kernels.tables import Gauges, StepCut
+from bondem.laws.damping import DampingTerms
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.solve.added import added
+from bondem.solve.parts.beams import beams
+from bondem.solve.parts.body_forces import body_forces
+from bondem.solve.parts.boundary import boundary
+from bondem.solve.parts.history import history
+from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
+from bondem.solve.parts.part import Part
+from bondem.solve.parts.shared_tables import SharedTables
+
+
+def parts_of(
+    model: Model, terms: DampingTerms, state: State, cut: StepCut, gauges: Gauges
+) -> tuple[SharedTables, list[Part]]:
+    """Return the tables and the parts of a run from a state, whose arrays they share."""
+    shared = SharedTables.of(model, state, cut)
+    more = added(model, terms, state, len(cut.sums))
+    dashpots = dashpots_of(more)
+    parts = [boundary(shared)]
+    if more is not None and len(more.group):
+        parts.append(body_forces(shared, more))
+    parts += [
+        beams(model, state, shared, dashpots),
+        motion(shared, dashpots, resistance_of(terms, more)),
+        history(shared, gauges),
+    ]
+    return shared, parts
