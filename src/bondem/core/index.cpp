@@ -1,4 +1,5 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
+#include "cell_descriptions.hpp"
 #include "described.hpp"
 #include "instructions.hpp"
 #include "lanes.hpp"
@@ -81,6 +82,7 @@ const TableDescription tables[] = {
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
     BONDEM_DAMAGE_TABLES,
+    BONDEM_CELL_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -104,6 +106,7 @@ const PassDescription passes[] = {
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
     BONDEM_DAMAGE_INDICES,
+    BONDEM_CELL_PASSES,
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P
@@ -141,6 +144,7 @@ const StepPassDescription step_passes[] = {
     S(serial, write_ledger),
     S(serial, read_gauges),
     BONDEM_DAMAGE_PASSES,
+    BONDEM_CELL_STEP_PASSES,
 };
 #undef S
 
