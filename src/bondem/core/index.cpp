@@ -1,6 +1,7 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
 #include "described.hpp"
 #include "instructions.hpp"
+#include "lagged_descriptions.hpp"
 #include "lanes.hpp"
 #include "passes/assembly/stiffness.hpp"
 #include "passes/packing/growth.hpp"
@@ -80,6 +81,8 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    described<StoredLoads>(), described<LoadsOfEach>(), described<NonLocalBonds>(), described<LaggedStresses>(),
+    described<NonLocalWork>(),
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -102,6 +105,9 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
+    P(load_stored_beams, ""),
+    P(load_non_local_bonds, ""),
+    P(turn_all_stresses, ""),
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P
@@ -136,6 +142,15 @@ const StepPassDescription step_passes[] = {
     S(serial, judge_energy),
     S(serial, write_ledger),
     S(serial, read_gauges),
+    S(bonds_of_blocks, add_stored_loads),
+    S(of_bonds, sum_stored_energies),
+    S(of_elements, turn_stresses),
+    S(bonds_of_blocks, find_non_local_forces),
+    S(parts_of_shared, collect_moments),
+    S(of_elements, find_stresses),
+    S(bonds_of_blocks, add_non_local_loads),
+    S(of_bonds, sum_non_local_energies),
+    S(serial, write_non_local_work),
 };
 #undef S
 

@@ -2,15 +2,13 @@
 #include "record.hpp"
 
 #include "../motion/elements.hpp"
+#include "columns.hpp"
 
 namespace bondem {
 namespace {
 
-// Columns of a record before the gauges.
-enum Column : Index {
-    time, translation, rotation, normal, shear, bending, twisting, contact, work, loss, friction, non_local, fracture, plastic,
-    fixed_columns
-};
+using namespace column;
+
 // What a gauge reads of an element, and how it makes one number of many.
 enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
 enum Reduction : Index { mean, sum, largest };
