@@ -62,9 +62,11 @@ CASES: dict[str, tuple[Callable[[], bd.Model], object]] = {
 }  # fmt: skip
 
 
-def plan_and_state(model: bd.Model, damping: object, steps: int = 240, every: int = 20) -> tuple[Plan, State]:
-    """How a model runs, and where it begins: in motion."""
-    dt = 0.3 * 2.0 / highest_frequency(model)
+def plan_and_state(
+    model: bd.Model, damping: object, *, steps: int = 240, every: int = 20, share: float = 0.3
+) -> tuple[Plan, State]:
+    """How a model runs, at a share of the critical step of its springs, and where it begins: in motion."""
+    dt = share * 2.0 / highest_frequency(model)
     state, rng = State(model), np.random.default_rng(7)
     speed = 1e-3 * model.lattice.particles.mean_radius / dt
     state.set_motion(velocity=speed * rng.uniform(-1.0, 1.0, (len(state.pose), 3)))

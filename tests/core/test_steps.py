@@ -64,8 +64,10 @@ def test_beams_that_neither_break_nor_touch_run_by_the_core():
     breaking = bd.Model(lattice, law, density=1e3, failure=bd.PeripheralStress(tension=1e5, shear=1e5))
     touching = bd.Model(lattice, law, density=1e3, contact=bd.LinearContact(E=1e7))
     stored = bd.Model(lattice, bd.Timoshenko(E=1e7, nu=0.2, radius=0.2, formulation="incremental"), density=1e3)
-    assert [core_has(model) for model in (plain, breaking, touching, stored)] == [True, False, False, False]
-    for model, kind in ((plain, CoreLoop), (stored, CpuLoop)):
+    lagged = bd.Model(lattice, bd.NonLocal(E=1e7, nu=0.2, areas="weighted"), density=1e3)
+    models = (plain, stored, lagged, breaking, touching)
+    assert [core_has(model) for model in models] == [True, True, True, False, False]
+    for model, kind in ((plain, CoreLoop), (touching, CpuLoop)):
         plan = plan_of(model, 1)
         assert plan.dt is not None
         assert type(loop_on_cpu(model, plan, State(model), plan.dt)) is kind

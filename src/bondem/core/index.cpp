@@ -82,7 +82,7 @@ const TableDescription tables[] = {
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
     described<StoredLoads>(), described<LoadsOfEach>(), described<NonLocalBonds>(), described<LaggedStresses>(),
-    described<NonLocalWork>(),
+    described<NonLocalWork>(), described<SmallPairs>(), described<ExtraForces>(),
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -107,6 +107,7 @@ const PassDescription passes[] = {
     P(count_turned_beams, ""),
     P(load_stored_beams, ""),
     P(load_non_local_bonds, ""),
+    P(find_small_extra_forces, ""),
     P(turn_all_stresses, ""),
     P(take_steps, "sound not_finite runaway"),
 };

@@ -15,6 +15,9 @@ BONDEM_TABLE(NonLocalBonds, F(area, "m"), F(kn, "m"), F(kt, "m"), F(normal, "3 m
              F(nu, ""), F(limited, ""), F(history, "7 m"), F(output, "9 m"))
 BONDEM_TABLE(LaggedStresses, F(inverse, "n"), F(stress, "n 6"), F(space, "n 8"), F(moment, "* 8"), F(to_i, "m"))
 BONDEM_TABLE(NonLocalWork, F(taken, "bond_portions"))
+BONDEM_TABLE(SmallPairs, F(pairs, "m 2"), F(area, "m"), F(kt, "m"), F(nu, ""), F(limited, ""), F(normal, "m 3"),
+             F(stress, "n 6"), F(gap, "m 3"))
+BONDEM_TABLE(ExtraForces, F(force, "m 3"))
 
 #undef F
 

@@ -13,6 +13,7 @@ from bondem.kernels.tables import lines
 from bondem.model.beam_tables import Beams, Poses, beam_tables
 from bondem.model.bond_table import with_twins, with_zeros
 from bondem.model.model import Model
+from bondem.model.non_local_constants import NonLocalConstants
 from bondem.model.state import State
 
 
@@ -47,6 +48,26 @@ class NonLocalWork(NamedTuple):
     taken: Floats  #: in each portion of bonds [J]
 
 
+class SmallPairs(NamedTuple):
+    """Bonds at small strain, and the stresses and gaps of the iteration before."""
+
+    pairs: np.ndarray  #: elements of each bond, int64, (m, 2)
+    area: Floats  #: [m²], (m,)
+    kt: Floats  #: [N/m], (m,)
+    nu: float  #: ν [-]
+    limited: bool  #: whether the extra shear force is limited
+    normal: Floats  #: [-], (m, 3)
+    stress: Floats  #: of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    gap: Floats  #: [m], (m, 3)
+
+
+class ExtraForces(NamedTuple):
+    """Extra forces of bonds."""
+
+    force: Floats  #: [N], (m, 3)
+
+
+_find_small_extra_forces = Pass("find_small_extra_forces", SmallPairs, ExtraForces)
 _load_non_local_bonds = Pass("load_non_local_bonds", Poses, Beams, NonLocalBonds)
 
 
@@ -82,6 +103,15 @@ def lagged_stresses(model: Model, state: State, to_i: np.ndarray, more: int) -> 
     constants, n = model.non_local, len(state.stress)
     assert constants is not None
     return LaggedStresses(1.0 / constants.volume, state.stress, lines(n), lines(n + more), with_twins(to_i))
+
+
+def small_extra_forces(pairs: np.ndarray, constants: NonLocalConstants, stress: Floats, gap: Floats) -> Floats:
+    """Return extra forces at small strain from the stresses (n, 6) and gaps (m, 3) of the iteration before, (m, 3)."""
+    c, extra = constants, ExtraForces(np.empty_like(gap))
+    _find_small_extra_forces(
+        SmallPairs(pairs, c.area, c.kt, c.nu, c.limited, np.ascontiguousarray(c.normal), stress, gap), extra
+    )
+    return extra.force
 
 
 def loads_of_non_local(model: Model, state: State) -> Floats:

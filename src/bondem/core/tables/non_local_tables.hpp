@@ -27,5 +27,18 @@ struct LaggedStresses {
 struct NonLocalWork {
     Array<double, 1> taken;
 };
+// Bonds at small strain, and what their extra forces follow from, those of the iteration before.
+struct SmallPairs {
+    Array<const Index, 2> pairs;  // elements of each bond, (m, 2)
+    Array<const double, 1> area, kt;  // [m², N/m], (m,)
+    double nu;  // ν [-]
+    Index limited;  // whether the extra shear force is limited
+    Array<const double, 2> normal;  // [-], (m, 3)
+    Array<const double, 2> stress;  // of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    Array<const double, 2> gap;  // [m], (m, 3)
+};
+struct ExtraForces {
+    Array<double, 2> force;  // [N], (m, 3)
+};
 
 }  // namespace bondem

@@ -121,6 +121,16 @@ void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &be
     work.taken(turn.block) = taken;
 }
 
+Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces &extra) {
+    const PairLaw law = {pairs.nu, pairs.limited != 0};
+    for (Index k = 0; k < pairs.area.size(); k++) {
+        const auto stress = [&](Index end) { return pairs.stress.row<const Stress<double>>(pairs.pairs(k, end)); };
+        const Vector n = pairs.normal.row<const Vector>(k), slip = pairs.kt(k) * across(pairs.gap.row<const Vector>(k), n);
+        extra.force.row<Vector>(k) = extra_force(mean_of(stress(0), stress(1)), n, pairs.area(k), slip, law);
+    }
+    return 0;
+}
+
 Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const NonLocalBonds &bonds) {
     for_each_group(0, beams.i.size(), [&](Group group) {
         const Index k = group.first;

@@ -17,5 +17,7 @@ void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &be
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history);
 // Finds forces and torques of all bonds in any poses by what they have stored.
 Index load_non_local_bonds(Index threads, const Poses &all, const Beams &beams, const NonLocalBonds &bonds);
+// Finds extra forces at small strain, where frames of elements are those of space.
+Index find_small_extra_forces(Index threads, const SmallPairs &pairs, const ExtraForces &extra);
 
 }  // namespace bondem
