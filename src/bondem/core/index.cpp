@@ -13,6 +13,7 @@
 #include "passes/tessellation/laguerre.hpp"
 #include "passes/tessellation/measures.hpp"
 #include "passes/tessellation/ownership.hpp"
+#include "statics_descriptions.hpp"
 #include "step_descriptions.hpp"
 
 namespace bondem {
@@ -83,6 +84,7 @@ const TableDescription tables[] = {
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
     described<StoredLoads>(), described<LoadsOfEach>(), described<NonLocalBonds>(), described<LaggedStresses>(),
     described<NonLocalWork>(), described<SmallPairs>(), described<ExtraForces>(),
+    described<DynamicRelaxation>(), described<RelaxationSpan>(),
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -108,6 +110,8 @@ const PassDescription passes[] = {
     P(load_stored_beams, ""),
     P(load_non_local_bonds, ""),
     P(find_small_extra_forces, ""),
+    P(relax_beams, "balanced all_steps_done"),
+    P(relax_alike_beams, "balanced all_steps_done"),
     P(turn_all_stresses, ""),
     P(take_steps, "sound not_finite runaway"),
 };
