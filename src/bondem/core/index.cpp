@@ -82,9 +82,9 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
-    described<StoredLoads>(), described<LoadsOfEach>(), described<NonLocalBonds>(), described<LaggedStresses>(),
-    described<NonLocalWork>(), described<SmallPairs>(), described<ExtraForces>(),
-    described<DynamicRelaxation>(), described<RelaxationSpan>(),
+    BONDEM_LAGGED_TABLES,
+    BONDEM_STATICS_TABLES,
+    BONDEM_DAMAGE_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -107,12 +107,9 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
-    P(load_stored_beams, ""),
-    P(load_non_local_bonds, ""),
-    P(find_small_extra_forces, ""),
-    P(relax_beams, "balanced all_steps_done"),
-    P(relax_alike_beams, "balanced all_steps_done"),
-    P(turn_all_stresses, ""),
+    BONDEM_LAGGED_LOADS,
+    BONDEM_STATICS_PASSES,
+    BONDEM_DAMAGE_INDICES,
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P
@@ -141,21 +138,16 @@ const StepPassDescription step_passes[] = {
     S(elements_of_blocks, move_resisted),
     S(elements_of_blocks, move_resisted_rows),
     S(elements_of_blocks, add_body_work),
+    S(elements_of_blocks, reopen_elements),
+    S(elements_of_blocks, reopen_rows),
     S(of_bonds, check_beams),
     S(of_bonds, sum_beam_energies),
     S(of_elements, sum_element_energies),
     S(serial, judge_energy),
     S(serial, write_ledger),
     S(serial, read_gauges),
-    S(bonds_of_blocks, add_stored_loads),
-    S(of_bonds, sum_stored_energies),
-    S(of_elements, turn_stresses),
-    S(bonds_of_blocks, find_non_local_forces),
-    S(parts_of_shared, collect_moments),
-    S(of_elements, find_stresses),
-    S(bonds_of_blocks, add_non_local_loads),
-    S(of_bonds, sum_non_local_energies),
-    S(serial, write_non_local_work),
+    BONDEM_LAGGED_PASSES,
+    BONDEM_DAMAGE_PASSES,
 };
 #undef S
 

@@ -22,3 +22,14 @@ BONDEM_TABLE(ExtraForces, F(force, "m 3"))
 #undef F
 
 }  // namespace bondem
+
+// What `index.cpp` lists of them.
+#define BONDEM_LAGGED_TABLES                                                                                   \
+    described<StoredLoads>(), described<LoadsOfEach>(), described<NonLocalBonds>(), described<LaggedStresses>(), \
+        described<NonLocalWork>(), described<SmallPairs>(), described<ExtraForces>()
+#define BONDEM_LAGGED_LOADS \
+    P(load_stored_beams, ""), P(load_non_local_bonds, ""), P(find_small_extra_forces, ""), P(turn_all_stresses, "")
+#define BONDEM_LAGGED_PASSES                                                                                       \
+    S(bonds_of_blocks, add_stored_loads), S(of_bonds, sum_stored_energies), S(of_elements, turn_stresses),          \
+        S(bonds_of_blocks, find_non_local_forces), S(parts_of_shared, collect_moments), S(of_elements, find_stresses), \
+        S(bonds_of_blocks, add_non_local_loads), S(of_bonds, sum_non_local_energies), S(serial, write_non_local_work)

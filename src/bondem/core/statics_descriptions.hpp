@@ -14,3 +14,8 @@ BONDEM_TABLE(RelaxationSpan, F(first, ""), F(steps, ""), F(done, "1"), F(ratio, 
 #undef F
 
 }  // namespace bondem
+
+// What `index.cpp` lists of them.
+#define BONDEM_STATICS_TABLES described<DynamicRelaxation>(), described<RelaxationSpan>()
+#define BONDEM_STATICS_PASSES \
+    P(relax_beams, "balanced all_steps_done"), P(relax_alike_beams, "balanced all_steps_done")

@@ -23,11 +23,8 @@ _sum_non_local_energies = StepPass("sum_non_local_energies", Moving, Beams, NonL
 _write_non_local_work = StepPass("write_non_local_work", NonLocalWork, HistoryRows)
 
 
-def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> tuple[Part, Part]:
-    """Return the part of bonds of the non-local law, and that of their own entry of the ledger.
-
-    The ledger is written by the part of the history; the second part comes after it.
-    """
+def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+    """Return the parts of bonds of the non-local law, with dashpots beside them or without."""
     moving, cut, portions = shared.moving, shared.cut, shared.portions
     beams, bonds = non_local_tables(model, state)
     stresses = lagged_stresses(model, state, _rows_of_moments(model, cut), int(cut.part[-1]))
@@ -46,12 +43,13 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
         if bonds.history is not state.history:
             state.history[:] = bonds.history[:, : state.history.shape[1]]
 
-    part = Part(
-        {"prepare": prepare, "loads": loads, "guard": [(_check_beams, moving, beams, portions)]},
-        record=lambda _: [(_sum_non_local_energies, moving, beams, bonds, portions, work)],
-        keep=keep,
-    )
-    return part, Part({}, record=lambda history: [(_write_non_local_work, work, history)])
+    def record(history: HistoryRows) -> Passes:
+        return [
+            (_sum_non_local_energies, moving, beams, bonds, portions, work), (_write_non_local_work, work, history)
+        ]  # fmt: skip
+
+    stages = {"prepare": prepare, "loads": loads, "guard": [(_check_beams, moving, beams, portions)]}
+    return [Part(stages, record, keep)]
 
 
 def _rows_of_moments(model: Model, cut: StepCut) -> np.ndarray:

@@ -24,21 +24,20 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
-    bonds, ledger = _bonds(model, state, shared, dashpots)
-    parts = [boundary(shared), bonds, motion(shared, dashpots, resistance_of(terms, more))]
-    if more is not None and len(more.group):  # behind the motion, because a step opens with its kick
-        parts.append(body_forces(shared, more))
-    parts += [history(shared, gauges), *ledger]
-    return shared, parts
+    parts = [
+        boundary(shared),
+        *_bonds(model, state, shared, dashpots),
+        motion(shared, dashpots, resistance_of(terms, more)),
+    ]
+    if more is not None and len(more.group):
+        parts.append(body_forces(shared, more))  # their work is that at the velocities after the kick
+    return shared, [*parts, history(shared, gauges)]
 
 
-def _bonds(
-    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None
-) -> tuple[Part, list[Part]]:
-    """Return the part of the bonds, and parts that write entries of their own to the ledger."""
+def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+    """Return the parts of the bonds."""
     if model.non_local is not None:
-        bonds, work = non_local(model, state, shared, dashpots)
-        return bonds, [work]
+        return non_local(model, state, shared, dashpots)
     if model.formulation == "incremental":
-        return stored_beams(model, state, shared, dashpots), []
-    return beams(model, state, shared, dashpots), []
+        return [stored_beams(model, state, shared, dashpots)]
+    return beams(model, state, shared, dashpots)

@@ -79,7 +79,6 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
 
 void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
     double *const record = &history.record(turn.clock.record, 0);
-    for (Index c = 0; c < fixed_columns; c++) record[c] = 0.0;
     record[time] = turn.clock.time;
     for (Index q = 0; q < portions.elements.size(); q++) {
         record[translation] += portions.elements(q, 0);
