@@ -1,6 +1,8 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
+#include "cell_descriptions.hpp"
 #include "described.hpp"
 #include "instructions.hpp"
+#include "lagged_descriptions.hpp"
 #include "lanes.hpp"
 #include "passes/assembly/stiffness.hpp"
 #include "passes/packing/growth.hpp"
@@ -12,6 +14,7 @@
 #include "passes/tessellation/laguerre.hpp"
 #include "passes/tessellation/measures.hpp"
 #include "passes/tessellation/ownership.hpp"
+#include "statics_descriptions.hpp"
 #include "step_descriptions.hpp"
 
 namespace bondem {
@@ -80,7 +83,10 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    BONDEM_LAGGED_TABLES,
+    BONDEM_STATICS_TABLES,
     BONDEM_DAMAGE_TABLES,
+    BONDEM_CELL_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -103,7 +109,10 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
+    BONDEM_LAGGED_LOADS,
+    BONDEM_STATICS_PASSES,
     BONDEM_DAMAGE_INDICES,
+    BONDEM_CELL_PASSES,
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P
@@ -140,7 +149,9 @@ const StepPassDescription step_passes[] = {
     S(serial, judge_energy),
     S(serial, write_ledger),
     S(serial, read_gauges),
+    BONDEM_LAGGED_PASSES,
     BONDEM_DAMAGE_PASSES,
+    BONDEM_CELL_STEP_PASSES,
 };
 #undef S
 

@@ -74,6 +74,11 @@ class ElementPasses {
     ElementDivision division;
 };
 
+// Whether bonds follow elements: they need what all elements, and not only those of their block, have just become.
+bool begins_anew(const Entry *entry, Index p) {
+    return entry[p].kind == bonds_of_blocks && entry[p - 1].kind != bonds_of_blocks;
+}
+
 class Walk {
   public:
     Walk(Index threads, const StepCut &cut, const StepSpan &span) : threads(threads), cut(cut), span(span) {}
@@ -84,7 +89,8 @@ class Walk {
             const Entry *first = list.entry + p;
             if (goes_by_blocks(*first)) {
                 Index last = p;
-                while (last < list.count && goes_by_blocks(list.entry[last])) last++;
+                do last++;
+                while (last < list.count && goes_by_blocks(list.entry[last]) && !begins_anew(list.entry, last));
                 by_blocks(first, list.entry + last, clock);
                 p = last;
             } else {
