@@ -30,8 +30,9 @@ class StressCandidates(NamedTuple):
     @classmethod
     def of(cls, m: int) -> "StressCandidates":
         """Return room for those of m bonds; memory is used as they are written."""
+        portions = -(-m // _PORTION)
         return cls(
-            np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(-(-m // _PORTION), dtype=np.int64),
+            np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(portions, dtype=np.int64),
             np.zeros(1, dtype=np.int64),
         )  # fmt: skip
 

@@ -40,7 +40,7 @@ class SofteningTables:
     Attributes:
         bounds: bounds of the beams, and what presses on them.
         soft: beams that soften.
-        integrity: what failure changes of the beams.
+        integrity: integrity of the beams.
     """
 
     bounds: SofteningBounds
