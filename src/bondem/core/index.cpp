@@ -80,6 +80,10 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<Travel>(),
+    described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),
+    described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),
+    described<FoundWalls>(),
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -102,7 +106,10 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
-    P(take_steps, "sound not_finite runaway"),
+    P(list_pairs, ""),
+    P(count_wall_contacts, ""),
+    P(list_wall_contacts, ""),
+    P(take_steps, "sound not_finite runaway out_of_date"),
 };
 #undef P
 
@@ -136,6 +143,21 @@ const StepPassDescription step_passes[] = {
     S(serial, judge_energy),
     S(serial, write_ledger),
     S(serial, read_gauges),
+    S(serial, move_walls),
+    S(of_elements, measure_travel),
+    S(serial, check_travel),
+    S(of_elements, press_pairs),
+    S(of_ranges, add_pair_loads),
+    S(of_elements, press_walls),
+    S(of_elements, measure_wall_overlaps),
+    S(serial, load_walls),
+    S(serial, keep_measures),
+    S(elements_of_blocks, add_contact_loads),
+    S(of_elements, sum_pair_energies),
+    S(of_elements, sum_wall_energies),
+    S(serial, write_contact_energy),
+    S(serial, count_wall_work),
+    S(serial, write_walls),
 };
 #undef S
 

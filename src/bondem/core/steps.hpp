@@ -9,6 +9,7 @@
 //     elements   for each block of a domain: the elements whose last bond is in the block; and then for shared ones
 //     parts      for elements that domains share, before `elements`: collects what each domain has for them
 //     of_elements, of_bonds    for portions of all elements or bonds
+//     of_ranges  for as many ranges of all elements as there are threads
 //
 // Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to the
 // motion of its elements; each domain is on a thread of its own.
@@ -36,7 +37,7 @@ struct Turn {
     Index block;  // number of the block or portion; of shared elements the number of blocks
 };
 
-enum PassKind : Index { serial, bonds_of_blocks, elements_of_blocks, parts_of_shared, of_elements, of_bonds };
+enum PassKind : Index { serial, bonds_of_blocks, elements_of_blocks, parts_of_shared, of_elements, of_bonds, of_ranges };
 
 // Elements and bonds of a portion.
 constexpr Index elements_of_portion = 1024, bonds_of_portion = 2048;

@@ -26,8 +26,9 @@ FORCES = (
     "apply",  # failure of bonds, after the motion
     "resume",  # motion of elements that the failure delayed
 )
-#: Other stages: boundary conditions at the present time, opening of a step after a pause, guard.
-STAGES = ("present", "opening", *FORCES, "guard")
+#: Other stages: boundary conditions at the present time, opening of a step after a pause, what moves with the elements
+#: and may put lists of contacts out of date, guard.
+STAGES = ("present", "opening", "travel", *FORCES, "guard")
 
 
 def _nothing(_: HistoryRows) -> Passes:
@@ -46,11 +47,14 @@ class Part:
         stages: passes by stage.
         record: function that returns the passes of a record, for rows of the history.
         keep: function that writes data of the passes into the state, after each call of the core.
+        renewed: function that returns the part with a new list of contacts, or None if a number is not finite; None
+            for a part that has no such list.
     """
 
     stages: Mapping[str, Passes]
     record: Callable[[HistoryRows], Passes] = field(default=_nothing)
     keep: Callable[[], None] = field(default=_keep_nothing)
+    renewed: "Callable[[], Part | None] | None" = None
 
     def __post_init__(self) -> None:
         unknown = set(self.stages) - set(STAGES)
