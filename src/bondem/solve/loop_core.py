@@ -27,12 +27,11 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of both formulations, which may break but not soften, and of the non-local law without
+    It has those of beams of both formulations, which may break or soften, and of the non-local law without
     breakage; and of contacts and walls where bonds do not break.
     """
     return (
         model.cells is None
-        and model.beam_softening is None
         and (model.non_local is None or model.breaking is None)
         and (model.contacts is None or model.breaking is None)
     )
