@@ -24,7 +24,7 @@ def breaking(law: str, failure: bd.Criterion, shape: tuple[int, int, int] = (6, 
     return bd.Model(crooked(shape), LAWS[law], density=1e3, boundary=[*HELD, weight], failure=failure, **options)
 
 
-def assert_close(one: bd.Solution, other: bd.Solution) -> None:
+def assert_close(one: bd.ExplicitResult, other: bd.ExplicitResult) -> None:
     """Compare positions, velocities, energies and events."""
     a, b = one.state, other.state
     np.testing.assert_array_equal(a.broken[:, 1:4], b.broken[:, 1:4])

@@ -88,7 +88,7 @@ def test_candidates_of_portions_are_moved_together():
     some = stresses(4)
     for place, bond, stress in zip((0, 1, 2048, 4096), (7, 30, 2100, 4999), some, strict=True):
         candidates.bond[place], candidates.stress[place] = bond, stress
-    candidates.count[:] = 2, 1, 1
+    candidates.number[:] = 2, 1, 1
 
     def index(stress: np.ndarray) -> np.ndarray:
         calls.append(len(stress))
@@ -101,8 +101,8 @@ def test_candidates_of_portions_are_moved_together():
     assert calls == [4]
     assert candidates.total.tolist() == [4]
     assert candidates.bond[:4].tolist() == [7, 30, 2100, 4999]
-    np.testing.assert_array_equal(candidates.index[:4], some[:, 0, 0])
-    candidates.count[:] = 0
+    np.testing.assert_array_equal(candidates.found[:4], some[:, 0, 0])
+    candidates.number[:] = 0
     call_serial(entries[0])
     assert calls == [4]  # no call without candidates
 
