@@ -30,9 +30,15 @@ bool goes_by_blocks(const Entry &entry) {
     return entry.kind == bonds_of_blocks || entry.kind == elements_of_blocks || entry.kind == parts_of_shared;
 }
 
-// Whether bonds follow elements: they need what all elements, and not only those of their block, have just become.
-bool begins_anew(const Entry *entry, Index p) {
-    return entry[p - 1].kind == elements_of_blocks && entry[p].kind != elements_of_blocks;
+// Number of passes over blocks at the start of a list that go block by block together. Bonds that follow elements begin
+// anew: they need the results of all elements, and not only of those of their block.
+Index walked_together(const Entry *entry, Index count) {
+    Index together = 0;
+    for (bool elements = false; together < count && goes_by_blocks(entry[together]); together++) {
+        if (elements && entry[together].kind == bonds_of_blocks) break;
+        elements |= entry[together].kind == elements_of_blocks;
+    }
+    return together;
 }
 
 class Walk {
@@ -44,11 +50,9 @@ class Walk {
         for (Index p = 0; p < list.count;) {
             const Entry *first = list.entry + p;
             if (goes_by_blocks(*first)) {
-                Index last = p;
-                do last++;
-                while (last < list.count && goes_by_blocks(list.entry[last]) && !begins_anew(list.entry, last));
-                by_blocks(first, list.entry + last, clock);
-                p = last;
+                const Index together = walked_together(first, list.count - p);
+                by_blocks(first, first + together, clock);
+                p += together;
             } else {
                 p++;
                 if (first->kind == serial)

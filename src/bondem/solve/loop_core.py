@@ -27,11 +27,10 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of the total formulation that neither break nor touch.
+    It has those of beams of the total formulation, and of elastic bodies of cells, that neither break nor touch.
     """
     return (
-        model.cells is None
-        and model.non_local is None
+        model.non_local is None
         and model.formulation == "total"
         and model.breaking is None
         and model.contacts is None

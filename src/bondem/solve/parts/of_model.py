@@ -8,10 +8,12 @@ from bondem.solve.added import added
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
+from bondem.solve.parts.cells import BodyOfCells, cells
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
 from bondem.solve.parts.part import Part
 from bondem.solve.parts.shared_tables import SharedTables
+from bondem.solve.step_tables import Dashpots
 
 
 def parts_of(
@@ -25,8 +27,14 @@ def parts_of(
     if more is not None and len(more.group):
         parts.append(body_forces(shared, more))
     parts += [
-        beams(model, state, shared, dashpots),
+        _bonds(model, state, shared, dashpots),
         motion(shared, dashpots, resistance_of(terms, more)),
         history(shared, gauges),
     ]
     return shared, parts
+
+
+def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> Part:
+    if model.cells is None:
+        return beams(model, state, shared, dashpots)
+    return cells(shared, model, state, BodyOfCells.of(model, state, shared.cut), dashpots)
