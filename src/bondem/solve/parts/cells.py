@@ -17,16 +17,23 @@ from bondem.model.cell_tables import (
     FacetTractions,
     WallConstraints,
     cell_tables,
+    facet_release,
     wall_constraints,
 )
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import changing_cells
+from bondem.solve.damage_tables import Candidates, FailureBounds
+from bondem.solve.parts.breakage import DamageTables, damage_of
+from bondem.solve.parts.facet_breakage import facet_breakage, judging
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
 
 _accumulate_dilatation = StepPass("accumulate_dilatation", Moving, ElasticFacets, CellDilatation)
+_accumulate_and_mark = StepPass(
+    "accumulate_and_mark", Moving, ElasticFacets, CellDilatation, FailureBounds, Candidates
+)
 _collect_dilatation = StepPass("collect_dilatation", StepCut, CellDilatation)
 _stress_cells = StepPass("stress_cells", Moving, CellDilatation)
 _add_facet_loads = StepPass("add_facet_loads", Moving, ElasticFacets, StepCut)
@@ -68,28 +75,53 @@ class BodyOfCells(NamedTuple):
         return cls(beams, facets._replace(integrity=beams.integrity), cells, wall_constraints(walls))
 
 
-def cells(shared: SharedTables, model: Model, state: State, body: BodyOfCells, dashpots: Dashpots | None) -> Part:
-    """Return the part of an elastic body of cells, with dashpots beside its facets or without."""
+def cells(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+    """Return the parts of a body of cells, with dashpots beside its facets or without: forces and breakage."""
+    body = BodyOfCells.of(model, state, shared.cut)
+    damage = damage_of(model, state, shared.cut, len(body.facets.i))
+    if damage is None:
+        return [_forces(shared, model, state, body, dashpots, None, [])]
+    assert model.cells is not None
+    release = facet_release(model.cells, model.layout, body.facets, body.cells)
+    judge = judging(damage, shared, body.facets, release)
+    return [
+        _forces(shared, model, state, body, dashpots, damage, judge),
+        facet_breakage(damage, state, shared, body.beams, body.facets, body.walls, release, dashpots),
+    ]
+
+
+def _forces(
+    shared: SharedTables,
+    model: Model,
+    state: State,
+    body: BodyOfCells,
+    dashpots: Dashpots | None,
+    damage: DamageTables | None,
+    judge: Passes,
+) -> Part:
     moving, cut, rows, portions = shared.moving, shared.cut, shared.rows, shared.portions
     walls, held = body.walls, len(body.walls.cell) > 0
-    dilate: Passes = [(_add_wall_dilatation, moving, walls, body.cells)] if held else []
-    dilate += [(_accumulate_dilatation, moving, body.facets, body.cells), (_collect_dilatation, cut, body.cells)]
+    first: Passes = [(_add_wall_dilatation, moving, walls, body.cells)] if held else []
+    accumulate: Passes = [(_accumulate_dilatation, moving, body.facets, body.cells)]
+    mark = accumulate
+    if damage is not None:
+        mark = [(_accumulate_and_mark, moving, body.facets, body.cells, damage.bounds, damage.candidates)]
+    collect: Passes = [(_collect_dilatation, cut, body.cells)]
     loads: Passes = [(_add_facet_loads, moving, body.facets, cut)]
     if dashpots is not None:
         loads.append((_add_dashpot_loads, moving, body.beams, dashpots, cut))
-    tractions, strains = _tractions(model), _strains(model, state, portions)
-    present, beside, behind = _changing(shared, body, tractions, strains)
-    prepare: Passes = [*beside, *dilate, (_stress_cells, moving, body.cells), *beside]
+    present, beside, behind = _changing(shared, body, _tractions(model), _strains(model, state, portions))
+    prepare: Passes = [*beside, *first, *mark, *collect, (_stress_cells, moving, body.cells), *beside]
     if held:
         prepare.append((_apply_walls, moving, walls, rows))
     energy = DilatationEnergy(np.zeros(len(portions.elements)))
-    energies = [
-        *dilate, (_sum_dilatation_energies, body.cells, energy), (_sum_facet_energies, moving, body.facets, portions),
-        (_add_cell_energies, moving, walls, energy, portions),
+    energies: Passes = [
+        *first, *accumulate, *collect, (_sum_dilatation_energies, body.cells, energy),
+        (_sum_facet_energies, moving, body.facets, portions), (_add_cell_energies, moving, walls, energy, portions),
     ]  # fmt: skip
     return Part(
         {
-            "present": present, "prepare": [*prepare, *behind], "loads": loads,
+            "present": present, "prepare": [*prepare, *behind, *judge], "loads": loads,
             "add": [(_add_wall_loads, rows, cut)] if held else [],
             "guard": [(_check_facets, moving, body.beams, body.facets, portions)],
         },
