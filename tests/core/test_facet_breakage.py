@@ -23,10 +23,10 @@ def breaking(conditions: str, count: int = 120, failure: bd.Criterion = BRITTLE)
 
 
 def test_breakage_is_that_of_the_loops_of_numba():
-    model = breaking("held")
+    model, damping = breaking("held"), bd.BondDamping(eta=0.05)
     assert core_has(model)
     with threads(1):
-        old, new = (run_of(model, 300, kind, every=50, damping=bd.BondDamping(eta=0.05)) for kind in (CpuLoop, CoreLoop))
+        old, new = (run_of(model, 300, kind, every=50, damping=damping) for kind in (CpuLoop, CoreLoop))
     assert len(new.state.broken) > 30
     np.testing.assert_array_equal(new.state.broken[:, 1:4], old.state.broken[:, 1:4])
     np.testing.assert_array_equal(new.state.integrity, old.state.integrity)

@@ -221,12 +221,12 @@ def load_body(
     _load_body(all_cells, facets, cells, walls, BeamSums(facets.i, facets.j, sums))
 
 
-def load_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None:
+def load_all_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None:
     """Add force and torque of all facets to rows of the sums, at the stresses in the poses."""
     _load_facets(Poses(pose), facets, sums)
 
 
-def cell_energies(
+def body_energies(
     all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
 ) -> tuple[float, float, float, float]:
     """Return normal (with dilatation), shear, bending and twisting energy of facets, cells and walls [J]."""
@@ -236,6 +236,6 @@ def cell_energies(
     return normal, shear, bending, twisting
 
 
-def place_walls(walls: WallConstraints, time: float) -> None:
+def place_held_walls(walls: WallConstraints, time: float) -> None:
     """Bring walls to a time [s]."""
     _place_walls(walls, WallTime(time))

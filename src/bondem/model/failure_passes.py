@@ -49,7 +49,7 @@ def beam_indices(pose: Floats, beams: Beams, table: FailureTable) -> PerBond:
     return found[: len(table.station)]
 
 
-def facet_indices(pose: Floats, facets: ElasticFacets, table: FailureTable) -> PerBond:
+def indices_of_facets(pose: Floats, facets: ElasticFacets, table: FailureTable) -> PerBond:
     """Return the index of every facet at the stresses in the poses [-], 0 where broken, internal order, (m,)."""
     found = np.zeros(len(facets.i))
     _index_facets[table.kind](Poses(pose), facets, strengths_of(table), FailureIndices(found))

@@ -37,7 +37,7 @@ def turned_rows(quaternion: Floats, vectors: Floats) -> Floats:
     return turned
 
 
-def add_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats, sign: float) -> None:
+def add_force_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats, sign: float) -> None:
     """Add sign · sym b⊗f of forces to the moments of their owners: xx, yy, zz, xy, yz, zx, (n, 6)."""
     own = np.ascontiguousarray(owner, dtype=np.int64)
     _add_moments(MomentsOfForces(moment, own, _contiguous(arm), _contiguous(force), sign))

@@ -21,7 +21,7 @@ from bondem.kernels.tables import (
 from bondem.laws.failure.criterion import MODES
 from bondem.model.beam_tables import beam_tables
 from bondem.model.cell_tables import STRESS, cell_tables
-from bondem.model.failure_passes import beam_indices, facet_indices
+from bondem.model.failure_passes import beam_indices, indices_of_facets
 from bondem.model.model import Model
 from bondem.model.origin import difference
 from bondem.model.state import State
@@ -116,7 +116,7 @@ def failure_index(model: Model, state: State) -> PerBond:
         pose[:, STRESS] = CellForces.of(model, state).stress[layout.order]
         strained = model.cells.stretched(state.rest_strain, layout)
         facets, _ = cell_tables(strained, layout, model.period, state.integrity, layout.i)
-        found = facet_indices(pose, facets, table)
+        found = indices_of_facets(pose, facets, table)
     own = np.empty_like(found)
     own[layout.bond_order] = found
     return own

@@ -1,4 +1,4 @@
-"""Bodies of cells: dilatation, forces of facets, walls that hold facets, tractions on them, and strains that change."""
+"""Bodies of cells: dilatation, forces of facets, walls that hold facets, tractions, and strains that change."""
 
 from typing import NamedTuple
 
@@ -142,7 +142,8 @@ def _changing(
         beside.append((_add_traction_work, moving, tractions, rows))
     if strains is not None:
         present.append((_follow_cell_strains, timeline, strains, body.facets, walls))
-        behind += [(_sum_strain_powers, moving, strains, body.facets), (_add_strain_work, moving, strains, walls, rows)]
+        behind.append((_sum_strain_powers, moving, strains, body.facets))
+        behind.append((_add_strain_work, moving, strains, walls, rows))
     if len(walls.cell):
         present.append((_follow_walls, moving, walls, rows))
     if strains is not None:
