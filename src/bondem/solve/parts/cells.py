@@ -24,7 +24,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import changing_cells
 from bondem.solve.damage_tables import Candidates, FailureBounds
-from bondem.solve.parts.breakage import DamageTables, damage_of
+from bondem.solve.parts.damage import DamageTables, damage_of
 from bondem.solve.parts.facet_breakage import facet_breakage, judging
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables

@@ -7,7 +7,7 @@ from bondem.model.cell_tables import ElasticFacets, FacetRelease, WallConstraint
 from bondem.model.failure_passes import CRITERION_NAMES, Strengths, strengths_of
 from bondem.model.state import State
 from bondem.solve.damage_tables import Candidates, EventLog, Postponed
-from bondem.solve.parts.breakage import DamageTables
+from bondem.solve.parts.damage import DamageTables
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving
