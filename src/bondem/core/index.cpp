@@ -1,4 +1,5 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
+#include "crack_descriptions.hpp"
 #include "described.hpp"
 #include "instructions.hpp"
 #include "lanes.hpp"
@@ -80,6 +81,7 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    BONDEM_CRACK_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -102,6 +104,9 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
+    P(evaluate_softening, ""),
+    P(evaluate_cracks, ""),
+    P(evaluate_yielding, ""),
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P
