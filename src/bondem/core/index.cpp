@@ -1,4 +1,5 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
+#include "cell_descriptions.hpp"
 #include "crack_descriptions.hpp"
 #include "described.hpp"
 #include "instructions.hpp"
@@ -81,6 +82,7 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    BONDEM_CELL_TABLES,
     BONDEM_CRACK_TABLES,
 };
 
@@ -104,6 +106,7 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
+    BONDEM_CELL_PASSES,
     P(evaluate_softening, ""),
     P(evaluate_cracks, ""),
     P(evaluate_yielding, ""),
@@ -141,6 +144,7 @@ const StepPassDescription step_passes[] = {
     S(serial, judge_energy),
     S(serial, write_ledger),
     S(serial, read_gauges),
+    BONDEM_CELL_STEP_PASSES,
 };
 #undef S
 

@@ -30,6 +30,11 @@ bool goes_by_blocks(const Entry &entry) {
     return entry.kind == bonds_of_blocks || entry.kind == elements_of_blocks || entry.kind == parts_of_shared;
 }
 
+// Whether bonds follow elements: they need what all elements, and not only those of their block, have just become.
+bool begins_anew(const Entry *entry, Index p) {
+    return entry[p - 1].kind == elements_of_blocks && entry[p].kind != elements_of_blocks;
+}
+
 class Walk {
   public:
     Walk(Index threads, const StepCut &cut, const StepSpan &span) : threads(threads), cut(cut), span(span) {}
@@ -40,7 +45,8 @@ class Walk {
             const Entry *first = list.entry + p;
             if (goes_by_blocks(*first)) {
                 Index last = p;
-                while (last < list.count && goes_by_blocks(list.entry[last])) last++;
+                do last++;
+                while (last < list.count && goes_by_blocks(list.entry[last]) && !begins_anew(list.entry, last));
                 by_blocks(first, list.entry + last, clock);
                 p = last;
             } else {

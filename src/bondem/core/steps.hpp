@@ -11,7 +11,8 @@
 //     of_elements, of_bonds    for portions of all elements or bonds
 //
 // Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to the
-// motion of its elements; each domain is on a thread of its own.
+// motion of its elements; each domain is on a thread of its own. Bonds that follow elements in the list begin when all
+// elements are done.
 #pragma once
 #include "tables/step_tables.hpp"
 

@@ -25,17 +25,10 @@
 // and dissipation add up to zero.
 #pragma once
 #include "../select.hpp"
-#include "beam.hpp"
-#include "stress.hpp"
+#include "cell.hpp"
 
 namespace bondem {
 
-// A facet in the reference.
-template <class T> struct FacetShape {
-    Vector3<T> lever_i, lever_j;  // from the centres to the facet [m]
-    Vector3<T> share_i, share_j;  // A w M⁻¹ n of both sides [m²]
-    Vector3<T> normal;  // from i to j [-]
-};
 template <class T> struct FacetCompliance {
     T k;  // [N/m]
     T part;  // w of cell i; that of j is 1 - w [-]
@@ -52,11 +45,12 @@ template <class T> struct FacedFaces {
     CrackFaces<T> faces;
     T facing;
 };
-template <class T> BONDEM_INLINE FacedFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T> &shape) {
-    const Vector3<T> a = rotate(ends.i, shape.lever_i), b = rotate(ends.j, shape.lever_j);
-    const Vector3<T> n = rotate(ends.i, shape.normal), m = rotate(ends.j, shape.normal), both = n + m;
-    return {{ends.branch + b - a, (1.0 / length(both)) * both, rotate(ends.i, shape.share_i), rotate(ends.j, shape.share_j),
-             a, b, n},
+template <class T>
+BONDEM_INLINE FacedFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T> &shape, Vector3<T> normal) {
+    const OpenFacet<T> open = opened(ends, shape);
+    const Vector3<T> n = turned_by(ends.i, normal), m = turned_by(ends.j, normal), both = n + m;
+    return {{open.gap, (1.0 / length(both)) * both, turned_by(ends.i, shape.share_i), turned_by(ends.j, shape.share_j),
+             open.arm_i, open.arm_j, n},
             dot(n, m)};
 }
 
@@ -84,14 +78,14 @@ template <class T> struct CrackHalves {
     CrackHalf<T> i, j;
 };
 template <class T>
-BONDEM_INLINE CrackHalves<T> crack_halves(const FacetCompliance<T> &facet, const CrackFaces<T> &at, T stress_i, T stress_j) {
-    return {crack_half(facet.k, facet.part, at.gap, at.share_i, stress_i, at.normal),
-            crack_half(facet.k, T(1.0 - facet.part), at.gap, at.share_j, stress_j, at.normal)};
+BONDEM_INLINE CrackHalves<T> crack_halves(const FacetCompliance<T> &facet, const CrackFaces<T> &at, OfCells<T> stress) {
+    return {crack_half(facet.k, facet.part, at.gap, at.share_i, stress.i, at.normal),
+            crack_half(facet.k, T(1.0 - facet.part), at.gap, at.share_j, stress.j, at.normal)};
 }
 // The force that a facet would have if it were whole [N].
 template <class T>
-BONDEM_INLINE Vector3<T> whole_force(T k, const CrackFaces<T> &at, T stress_i, T stress_j) {
-    return plus(plus(k * at.gap, stress_i, at.share_i), stress_j, at.share_j);
+BONDEM_INLINE Vector3<T> whole_force(T k, const CrackFaces<T> &at, OfCells<T> stress) {
+    return plus(plus(k * at.gap, stress.i, at.share_i), stress.j, at.share_j);
 }
 
 // What a half adds to V θ of its cell, a piecewise linear function of the stress σ of the cell:
@@ -110,28 +104,20 @@ BONDEM_INLINE SwellingHalf<T> swelling_half(T k, T part, T s, Vector3<T> gap, Ve
     return {swollen, k * swollen, dot(share, share) * inverse, along, pressed, closed, (1.0 - s) / k, -closed / pressed};
 }
 
-// Energy [J] of the bending of a whole facet between cells turned by i and j, T_b² over 2 k / A² of it, and torque on i [N·m].
+// Energy of the bending of a whole facet [J], and its torque on i [N·m].
 template <class T> struct FacetBending {
     T energy;
     Vector3<T> torque;
 };
-template <class T> BONDEM_INLINE Vector3<T> resisted(const Stress<T> &H, Vector3<T> v) { return traction(H, v); }
-// Vector part of q_i* q_j, in the reference.
-template <class T> BONDEM_INLINE Vector3<T> turn_in_reference(const Quaternion<T> &i, const Quaternion<T> &j) {
-    const Vector3<T> p = {i.x, i.y, i.z}, q = {j.x, j.y, j.z};
-    return minus(i.w * q, j.w, p) - cross(p, q);
-}
-template <class T>
-BONDEM_INLINE FacetBending<T> facet_bending(const Quaternion<T> &i, const Quaternion<T> &j, const Stress<T> &H) {
-    const Vector3<T> p = {i.x, i.y, i.z}, q = {j.x, j.y, j.z}, plain = minus(i.w * q, j.w, p), crossed = cross(p, q);
-    const Vector3<T> v = plain - crossed, space = plain + crossed, turned = resisted(H, v), h = rotate(i, turned);
-    return {2.0 * dot(v, turned), plus(all<T>(2.0) * cross(space, h), T(2.0 * relative_cosine(i, j)), h)};
+template <class T> BONDEM_INLINE FacetBending<T> facet_bending(const Ends<T> &ends, const Symmetric3<T> &H) {
+    const RelativeTurn<T> turn = relative_turn(ends.i, ends.j);
+    const Vector3<T> resisted = H * turn.v, h = turned_by(ends.i, resisted);
+    const Vector3<T> c = plus_cross(turn.w * h, turn.space, h);
+    return {2.0 * dot(turn.v, resisted), c + c};
 }
 // T_b [Pa]; `factor` is 4 k / A².
-template <class T>
-BONDEM_INLINE T bending_traction(const Quaternion<T> &i, const Quaternion<T> &j, const Stress<T> &H, T factor) {
-    const Vector3<T> v = turn_in_reference(i, j);
-    return root(positive(factor * dot(v, resisted(H, v))));
+template <class T> BONDEM_INLINE T bending_traction(const Ends<T> &ends, T factor, const Symmetric3<T> &H) {
+    return root(positive(bending_square(ends, factor, H)));
 }
 
 // Friction q on what is broken [N], and the slip that belongs to it [m]; `limit` is μ times the pressure on it [N].
@@ -159,16 +145,16 @@ BONDEM_INLINE Vector3<T> half_couple(T k, T w, T s, Vector3<T> gap, Vector3<T> s
     return (stress / w) * cross(minus(w * gap, T((1.0 - s) * w / k), opening), share);
 }
 template <class T>
-BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const CrackFaces<T> &at, T s, T stress_i, T stress_j,
+BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const CrackFaces<T> &at, T s, OfCells<T> stress,
                                         Vector3<T> slip, T friction) {
     const T k = facet.k, w = facet.part, v = 1.0 - w;
-    const CrackHalves<T> half = crack_halves(facet, at, stress_i, stress_j);
+    const CrackHalves<T> half = crack_halves(facet, at, stress);
     const T along = w * half.i.press + v * half.j.press;
     const CrackFriction<T> rub = crack_friction(k, s, at.gap, at.normal, slip, T(-friction * (1.0 - s) * along));
     const Vector3<T> sheared = plus(plus(rub.force, T(s * w), half.i.opening), T(s * v), half.j.opening);
     const Vector3<T> f = plus(sheared, along, at.normal);
-    const Vector3<T> ci = half_couple(k, w, s, at.gap, at.share_i, stress_i, half.i.opening);
-    const Vector3<T> cj = half_couple(k, v, s, at.gap, at.share_j, stress_j, half.j.opening);
+    const Vector3<T> ci = half_couple(k, w, s, at.gap, at.share_i, stress.i, half.i.opening);
+    const Vector3<T> cj = half_couple(k, v, s, at.gap, at.share_j, stress.j, half.j.opening);
     // the normal n = (n_i + n_j) / |n_i + n_j| turns with both cells, and the slip with cell i
     const Vector3<T> both = cross(at.gap, f) - ci - cj, slid = cross(rub.slip, rub.force), turning = both - slid;
     const T half_inverse = 0.5 / dot(at.normal_i, at.normal);  // 1 / |n_i + n_j|

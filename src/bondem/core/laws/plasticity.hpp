@@ -67,8 +67,8 @@ BONDEM_INLINE PlasticStep<T> cone_step(const PrincipalStress<T> &s, const Stress
     return {gamma, {along(0), along(1), along(2)}};
 }
 // Δε in space.
-template <class T> BONDEM_INLINE Stress<T> plastic_strain(const PrincipalStress<T> &s, const PlasticStep<T> &step) {
-    Stress<T> sum = {};
+template <class T> BONDEM_INLINE Symmetric3<T> plastic_strain(const PrincipalStress<T> &s, const PlasticStep<T> &step) {
+    Symmetric3<T> sum = {};
     for (int d = 0; d < 3; d++) {
         const Vector3<T> e = s.direction[d], a = step.along[d] * e;
         sum = {sum.xx + a.x * e.x, sum.yy + a.y * e.y, sum.zz + a.z * e.z,
@@ -77,7 +77,7 @@ template <class T> BONDEM_INLINE Stress<T> plastic_strain(const PrincipalStress<
     return sum;
 }
 // σ:Δε [Pa]
-template <class T> BONDEM_INLINE T work_of(const Stress<T> &s, const Stress<T> &strain) {
+template <class T> BONDEM_INLINE T work_of(const Symmetric3<T> &s, const Symmetric3<T> &strain) {
     return s.xx * strain.xx + s.yy * strain.yy + s.zz * strain.zz +
            2.0 * (s.xy * strain.xy + s.xz * strain.xz + s.yz * strain.yz);
 }
@@ -88,7 +88,7 @@ template <class T> struct PlasticDeformation {
 };
 // (1 + Δε) P, with Δε in the frame of the cell.
 template <class T>
-BONDEM_INLINE PlasticDeformation<T> deformed(const PlasticDeformation<T> &P, const Stress<T> &strain) {
+BONDEM_INLINE PlasticDeformation<T> deformed(const PlasticDeformation<T> &P, const Symmetric3<T> &strain) {
     const auto row = [&](Vector3<T> before, Vector3<T> e, Vector3<T> one) {
         return before + plus(plus(plus(one, e.x, P.x), e.y, P.y), e.z, P.z);
     };

@@ -10,7 +10,7 @@
 // Source: Golub and Van Loan, Matrix Computations, 4th ed., section 8.5.
 #pragma once
 #include "../select.hpp"
-#include "stress.hpp"
+#include "../symmetric3.hpp"
 
 namespace bondem {
 
@@ -24,12 +24,12 @@ template <class T> struct PrincipalStress {
 template <class T> struct StressInvariants {
     T mean, deviator;
 };
-template <class T> BONDEM_INLINE StressInvariants<T> invariants(const Stress<T> &s) {
+template <class T> BONDEM_INLINE StressInvariants<T> invariants(const Symmetric3<T> &s) {
     const T p = (1.0 / 3.0) * trace(s), a = s.xx - p, b = s.yy - p, c = s.zz - p;
     return {p, root(0.5 * (a * a + b * b + c * c) + s.xy * s.xy + s.xz * s.xz + s.yz * s.yz)};
 }
 // σ:σ [Pa²]
-template <class T> BONDEM_INLINE T square_of(const Stress<T> &s) {
+template <class T> BONDEM_INLINE T square_of(const Symmetric3<T> &s) {
     return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
 }
 // A bound of the largest principal stress: that of uniaxial tension with the same invariants [Pa].
@@ -37,7 +37,7 @@ template <class T> BONDEM_INLINE T largest_at_most(const StressInvariants<T> &s)
     return s.mean + 1.1547005383792515 * s.deviator;
 }
 // Whether all principal stresses are below a limit, that is, whether limit - σ is positive definite.
-template <class T> BONDEM_INLINE Mask<T> is_below(const Stress<T> &s, T limit) {
+template <class T> BONDEM_INLINE Mask<T> is_below(const Symmetric3<T> &s, T limit) {
     const T a = limit - s.xx, b = limit - s.yy, c = limit - s.zz, zero = {};
     const T det = a * (b * c - s.yz * s.yz) - s.xy * (s.xy * c + s.yz * s.xz) - s.xz * (s.xy * s.yz + b * s.xz);
     return (a > zero) & (a * b - s.xy * s.xy > zero) & (det > zero);
@@ -65,7 +65,7 @@ BONDEM_INLINE void clear_component(T *on, T *off, Vector3<T> *v, T floor) {
     v[q] = plus(s * vp, c, vq);
 }
 
-template <class T> BONDEM_INLINE PrincipalStress<T> principal(const Stress<T> &s) {
+template <class T> BONDEM_INLINE PrincipalStress<T> principal(const Symmetric3<T> &s) {
     const T zero = {}, one = zero + 1.0, floor = rounding_square * square_of(s);
     PrincipalStress<T> found = {{s.xx, s.yy, s.zz}, {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
     T off[3] = {s.xy, s.xz, s.yz};

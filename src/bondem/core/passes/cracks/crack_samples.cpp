@@ -30,7 +30,7 @@ template <class T> struct ReadColumns {
         const T w = number(), x = number(), y = number(), z = number();
         return {w, x, y, z};
     }
-    Stress<T> tensor() {
+    Symmetric3<T> tensor() {
         const Vector3<T> a = vector(), b = vector();
         return {a.x, a.y, a.z, b.x, b.y, b.z};
     }
@@ -83,18 +83,20 @@ template <class T> T swelling(const SwellingHalf<T> &half, T stress) {
 template <class T> void crack(const CrackSamples &samples, Index e) {
     ReadColumns<T> of(samples.given, e);
     const Ends<T> ends = {of.vector(), of.quaternion(), of.quaternion()};
-    const FacetShape<T> shape = {of.vector(), of.vector(), of.vector(), of.vector(), of.vector()};
-    const Stress<T> H = of.tensor();
+    const FacetShape<T> shape = {of.vector(), of.vector(), of.vector(), of.vector()};
+    const Vector3<T> normal = of.vector();
+    const Symmetric3<T> H = of.tensor();
     const FacetCompliance<T> facet = {of.number(), of.number()};
-    const T s = of.number(), stress_i = of.number(), stress_j = of.number();
+    const T s = of.number();
+    const OfCells<T> stress = {of.number(), of.number()};
     const Vector3<T> slip = of.vector();
     const T friction = of.number(), s_before = of.number(), rate_before = of.number();
     const Vector3<T> rub_before = of.vector();
-    const CrackFaces<T> at = crack_faces(ends, shape).faces;
-    const CrackLoads<T> loads = crack_loads(facet, at, s, stress_i, stress_j, slip, friction);
-    const FacetBending<T> bending = facet_bending(ends.i, ends.j, H);
+    const CrackFaces<T> at = crack_faces(ends, shape, normal).faces;
+    const CrackLoads<T> loads = crack_loads(facet, at, s, stress, slip, friction);
+    const FacetBending<T> bending = facet_bending(ends, H);
     const CrackEnergy<T> energy =
-        crack_energy(facet, at, s, crack_halves(facet, at, stress_i, stress_j), loads.friction.force);
+        crack_energy(facet, at, s, crack_halves(facet, at, stress), loads.friction.force);
     const CrackStep<T> step = {s_before, s, rate_before, loads.rate + bending.energy,
                                rub_before, loads.friction.force, loads.friction.slip - slip};
     const CrackLosses<T> lost = crack_losses(facet.k, step);
@@ -102,18 +104,18 @@ template <class T> void crack(const CrackSamples &samples, Index e) {
     found(loads.force), found(loads.on_i), found(loads.on_j), found(loads.friction.force), found(loads.friction.slip);
     found(loads.rate), found(bending.energy), found(bending.torque), found(energy.across), found(energy.along);
     found(lost.cracked), found(lost.rubbed);
-    found(swelling(swelling_half(facet.k, facet.part, s, at.gap, at.share_i, at.normal), stress_i));
-    found(swelling(swelling_half(facet.k, T(1.0 - facet.part), s, at.gap, at.share_j, at.normal), stress_j));
+    found(swelling(swelling_half(facet.k, facet.part, s, at.gap, at.share_i, at.normal), stress.i));
+    found(swelling(swelling_half(facet.k, T(1.0 - facet.part), s, at.gap, at.share_j, at.normal), stress.j));
 }
 
 template <class T> void flow(const YieldSamples &samples, Index e) {
     ReadColumns<T> stress(samples.stress, e), of(samples.strength, e);
-    const Stress<T> s = stress.tensor();
+    const Symmetric3<T> s = stress.tensor();
     const YieldStrength<T> by = {of.number(), of.number(), of.number(), of.number()};
     const StressInvariants<T> at = invariants(s);
     const PrincipalStress<T> p = principal(s);
     const PlasticStep<T> step = samples.cone ? cone_step(p, at, by) : slip_step(p, by);
-    const Stress<T> strain = plastic_strain(p, step);
+    const Symmetric3<T> strain = plastic_strain(p, step);
     WriteColumns<T> found(samples.found, e);
     found(yield_bound(at, by, samples.cone != 0)), found(step.gamma);
     found(Vector3<T>{strain.xx, strain.yy, strain.zz}), found(Vector3<T>{strain.xy, strain.xz, strain.yz});

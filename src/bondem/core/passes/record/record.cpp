@@ -2,15 +2,12 @@
 #include "record.hpp"
 
 #include "../motion/elements.hpp"
+#include "columns.hpp"
 
 namespace bondem {
 namespace {
 
-// Columns of a record before the gauges.
-enum Column : Index {
-    time, translation, rotation, normal, shear, bending, twisting, contact, work, loss, friction, non_local, fracture, plastic,
-    fixed_columns
-};
+using namespace column;
 // What a gauge reads of an element, and how it makes one number of many.
 enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
 enum Reduction : Index { mean, sum, largest };
@@ -44,7 +41,8 @@ double read(const Moving &all, const Rows &rows, Index quantity, Index p, Index 
     }
     const Index r = rows.of(p);
     if (r < 0) return 0.0;
-    return rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis);
+    const double of_walls = rows.grip.size() > 0 ? rows.grip(r, axis) : 0.0;  // that hold facets of the cell
+    return of_walls + (rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis));
 }
 
 }  // namespace
