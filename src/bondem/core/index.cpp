@@ -107,9 +107,7 @@ const PassDescription passes[] = {
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
     BONDEM_CELL_PASSES,
-    P(evaluate_softening, ""),
-    P(evaluate_cracks, ""),
-    P(evaluate_yielding, ""),
+    BONDEM_CRACK_PASSES,
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P
@@ -145,6 +143,7 @@ const StepPassDescription step_passes[] = {
     S(serial, write_ledger),
     S(serial, read_gauges),
     BONDEM_CELL_STEP_PASSES,
+    BONDEM_CRACK_STEP_PASSES,
 };
 #undef S
 

@@ -52,7 +52,7 @@ class Walk {
             } else {
                 p++;
                 if (first->kind == serial)
-                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0}, first->tables);
+                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0, threads}, first->tables);
                 else if (first->kind == of_elements)
                     by_portions(*first, clock, span.n, elements_of_portion);
                 else
@@ -65,7 +65,7 @@ class Walk {
     void by_portions(const Entry &entry, const Clock &clock, Index count, Index size) const {
         for_each_task(threads, portions(count, size), [&](Index task) {
             const Index first = task * size, last = least(first + size, count);
-            entry.call(Turn{clock, first, last, last, nullptr, nullptr, task}, entry.tables);
+            entry.call(Turn{clock, first, last, last, nullptr, nullptr, task, 1}, entry.tables);
         });
     }
 
@@ -73,9 +73,9 @@ class Walk {
         const Index domains = cut.domain.size() - 1, blocks = cut.held.size();
         for_each_task(threads, domains, [&](Index d) {
             for (Index b = cut.domain(d); b < cut.domain(d + 1); b++) {
-                const Turn bonds = {clock, cut.bond(b), cut.bond(b + 1), cut.bond(b + 1), nullptr, nullptr, b};
+                const Turn bonds = {clock, cut.bond(b), cut.bond(b + 1), cut.bond(b + 1), nullptr, nullptr, b, 1};
                 const Turn elements = {clock, cut.move(b), cut.move(b + 1), cut.held(b), cut.ready.data,
-                                       cut.ready_row.data, b};
+                                       cut.ready_row.data, b, 1};
                 for (const Entry *entry = first; entry < last; entry++)
                     if (entry->kind != parts_of_shared)
                         entry->call(entry->kind == bonds_of_blocks ? bonds : elements, entry->tables);
@@ -86,7 +86,7 @@ class Walk {
         for_each_task(threads, domains, [&](Index d) {
             const Index begin = shared * d / domains, end = shared * (d + 1) / domains;
             const Index held = within(cut.shared_held, begin, end);
-            const Turn elements = {clock, begin, end, held, cut.shared.data, cut.shared_row.data, blocks};
+            const Turn elements = {clock, begin, end, held, cut.shared.data, cut.shared_row.data, blocks, 1};
             for (const Entry *entry = first; entry < last; entry++)
                 if (entry->kind != bonds_of_blocks) entry->call(elements, entry->tables);
         });

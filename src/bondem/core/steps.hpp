@@ -35,6 +35,7 @@ struct Turn {
     Index held;  // elements held … last - 1 of the list own rows of the boundary
     const Short *element, *row;  // the list, and rows of their sums
     Index block;  // number of the block or portion; of shared elements the number of blocks
+    Index threads;  // that a serial pass may share its own tasks with; else 1
 };
 
 enum PassKind : Index { serial, bonds_of_blocks, elements_of_blocks, parts_of_shared, of_elements, of_bonds };
