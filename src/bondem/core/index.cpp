@@ -3,6 +3,7 @@
 #include "crack_descriptions.hpp"
 #include "described.hpp"
 #include "instructions.hpp"
+#include "lagged_descriptions.hpp"
 #include "lanes.hpp"
 #include "passes/assembly/stiffness.hpp"
 #include "passes/packing/growth.hpp"
@@ -14,6 +15,7 @@
 #include "passes/tessellation/laguerre.hpp"
 #include "passes/tessellation/measures.hpp"
 #include "passes/tessellation/ownership.hpp"
+#include "statics_descriptions.hpp"
 #include "step_descriptions.hpp"
 
 namespace bondem {
@@ -82,6 +84,9 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    BONDEM_LAGGED_TABLES,
+    BONDEM_STATICS_TABLES,
+    BONDEM_DAMAGE_TABLES,
     BONDEM_CELL_TABLES,
     BONDEM_CRACK_TABLES,
 };
@@ -106,6 +111,9 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
+    BONDEM_LAGGED_LOADS,
+    BONDEM_STATICS_PASSES,
+    BONDEM_DAMAGE_INDICES,
     BONDEM_CELL_PASSES,
     BONDEM_CRACK_PASSES,
     P(take_steps, "sound not_finite runaway"),
@@ -136,12 +144,16 @@ const StepPassDescription step_passes[] = {
     S(elements_of_blocks, move_resisted),
     S(elements_of_blocks, move_resisted_rows),
     S(elements_of_blocks, add_body_work),
+    S(elements_of_blocks, reopen_elements),
+    S(elements_of_blocks, reopen_rows),
     S(of_bonds, check_beams),
     S(of_bonds, sum_beam_energies),
     S(of_elements, sum_element_energies),
     S(serial, judge_energy),
     S(serial, write_ledger),
     S(serial, read_gauges),
+    BONDEM_LAGGED_PASSES,
+    BONDEM_DAMAGE_PASSES,
     BONDEM_CELL_STEP_PASSES,
     BONDEM_CRACK_STEP_PASSES,
 };

@@ -65,6 +65,13 @@ BONDEM_INLINE Lanes load(const int32_t *from) {
 BONDEM_INLINE Lanes load(const float *from) {
     return __builtin_convertvector(*reinterpret_cast<const SingleInMemory *>(from), Lanes);
 }
+// Writes lanes known … lanes - 1.
+BONDEM_INLINE void store_behind(double *to, Lanes a, int known) {
+    if (__builtin_expect(known == 0, 1))
+        store(to, a);
+    else
+        for (int n = known; n < lanes; n++) to[n] = a[n];
+}
 
 // A row of eight numbers of a table, or as many rows as there are lanes, column by column.
 template <class T> struct Row {

@@ -15,6 +15,9 @@ from bondem.model.bond_table import with_twins, with_zeros
 from bondem.model.cell_constants import CellConstants
 from bondem.model.layout import Layout
 
+#: Column of a pose that holds the stress λ θ of a cell [Pa].
+STRESS = 3
+
 
 class ElasticFacets(NamedTuple):
     """Bonded facets, m of them, and a few without force behind them where they are fewer than a group."""
@@ -178,7 +181,7 @@ def wall_constraints(grips: GripTable) -> WallConstraints:
 def load_body(
     all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints, sums: Floats
 ) -> None:
-    """Set the stresses of the cells in the poses, add the loads of facets to the sums, (n, 8), and set those of walls."""
+    """Set the stresses of the cells in the poses, and add the loads of facets and walls to the sums, (n, 8)."""
     _load_body(all_cells, facets, cells, walls, BeamSums(facets.i, facets.j, sums))
 
 

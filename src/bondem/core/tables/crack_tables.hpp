@@ -1,4 +1,4 @@
-// What the passes over cracked facets and cells that yield take. Named once more in `bondem/solve/crack_tables_core.py`.
+// What the passes over cracked facets and cells that yield take. Named once more in `bondem/solve/cohesive_tables.py`.
 #pragma once
 #include "../array.hpp"
 
@@ -7,7 +7,7 @@ namespace bondem {
 using Byte = uint8_t;
 
 // Mean stresses of n cells, and what their cracks carry.
-struct CellStresses {
+struct StressesOfCells {
     Array<const double, 1> volume;  // [m³], (n,)
     Array<double, 2> tensor;  // in the last step, in space, xx, yy, zz, xy, xz, yz [Pa], Σ T_b² [Pa²], size √(σ:σ) [Pa], (n, 8)
     Array<double, 2> carried;  // Σ b⊗f of cracks on their own, b in the reference: b_x f, b_y f, b_z f, each and 0 [J], (n, 12)
@@ -56,9 +56,7 @@ struct Cracks {
     Array<Short, 1> i, j;  // cells
     Array<Byte, 1> listed;  // of each facet: 0 whole, else 1 and how its crack is treated, (m,)
     Array<double, 1> integrity;  // of each facet, (m,)
-    Array<Index, 1> size;  // numbers of cracks, of rows logged, whether lists are out of date, (3,)
-    Array<double, 1> released;  // energy that cracks have dissipated since the start of the run [J], (1,)
-    Array<double, 2> log;  // what broke in this call, (m, 9)
+    Array<Index, 1> size;  // number of cracks, and whether lists are out of date, (2,)
 };
 // What cells lose with facets that are treated as facets of less integrity.
 struct CellSlack {
@@ -83,13 +81,13 @@ struct CrackLists {
     Array<double, 2> measured;  // gap, normal, shares of i and j, levers of i and j, normal of i, (21, room)
     Array<double, 2> half;  // `SwellingHalf` by number of the half, (2 room + 1, 8)
     Array<double, 2> output;  // force, energy rubbed away, torque, 0 on the cell of a half, (2 room + 1, 8)
-    Array<double, 2> lost;  // energy dissipated by portions [J], (portions, 1)
+    Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (portions, 2)
 };
-// Energies of cracks: elastic across and along them and of bending [J], and dilatation of cells.
+// Energies of cells with cracks.
 struct CrackEnergies {
-    Array<double, 1> dilatation;  // (element portions,)
-    Array<double, 1> heat;  // dissipated by yielding, (element portions,)
-    Array<double, 1> cracked;  // normal, shear, bending [J], (3,)
+    Array<double, 1> dilatation;  // of portions of cells [J]
+    Array<double, 1> heat;  // that these have dissipated by yielding [J]
+    Array<double, 1> cracked;  // elastic energy across and along cracks, and of bending [J], (3,)
 };
 
 }  // namespace bondem

@@ -158,6 +158,8 @@ struct StepPasses {
     Array<const Index, 2> present;  // bring boundary conditions to the time of the clock
     Array<const Index, 2> opening;  // elements open a step after a pause
     Array<const Index, 2> forces;  // forces, and what elements do with them
+    Array<const Index, 2> resume;  // postponed elements find their acceleration without what failed
+    Array<const Index, 2> reopening;  // and open the next step
     Array<const Index, 2> guard;  // whether the run is sound
     Array<const Index, 2> record;  // a row of the history
 };

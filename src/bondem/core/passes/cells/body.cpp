@@ -22,7 +22,13 @@ Index load_body(Index, const CellPoses &all, const ElasticFacets &facets, const 
     dilate(all, facets, cells, walls);
     for (Index p = 0; p < all.pose.size(); p++) stress_cell(all.pose, cells, p);
     add_loads_of_facets(0, facets.i.size(), all.pose.data, facets, to.row_i.data, to.row_j.data, to.sums.data);
-    for (Index g = 0; g < walls.cell.size(); g++) load_hold(all.pose, all.rest, walls, g);
+    for (Index g = 0; g < walls.cell.size(); g++) {
+        load_hold(all.pose, all.rest, walls, g);
+        for (Index axis = 0; axis < 3; axis++) {
+            to.sums(walls.cell(g), axis) += walls.load(g, axis);
+            to.sums(walls.cell(g), 4 + axis) += walls.load(g, 3 + axis);
+        }
+    }
     return 0;
 }
 

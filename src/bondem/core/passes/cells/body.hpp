@@ -4,8 +4,7 @@
 
 namespace bondem {
 
-// Sets the stresses of all cells in any poses, adds force and torque of their facets to the sums, and sets the forces of
-// walls.
+// Sets the stresses of all cells in any poses, and adds force and torque of facets and walls to the sums.
 Index load_body(Index threads, const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells,
                 const WallConstraints &walls, const BeamSums &to);
 // Adds force and torque of all facets at the stresses in the poses; rows of the sums are given.

@@ -12,7 +12,7 @@ struct Carried {
         for (int r = 0; r < 3; r++)
             for (int d = 0; d < 4; d++) sum[4 * r + d] += b[r] * f[d];
     }
-    BONDEM_INLINE void put(const CellStresses &stresses, Index p) const {
+    BONDEM_INLINE void put(const StressesOfCells &stresses, Index p) const {
         for (int c = 0; c < 12; c++) stresses.carried(p, c) = sum[c];
     }
 };

@@ -121,7 +121,7 @@ BONDEM_INLINE CrackStrength<Lanes> strength_of(const CrackGroup &group, const Cr
 }
 
 // The mean stress of two cells.
-BONDEM_INLINE Symmetric3<Lanes> mean_stress(const CellStresses &stresses, const Short *i, const Short *j) {
+BONDEM_INLINE Symmetric3<Lanes> mean_stress(const StressesOfCells &stresses, const Short *i, const Short *j) {
     const Row<Lanes> a = gather(stresses.tensor.data, i), b = gather(stresses.tensor.data, j);
     const auto mean = [&](int c) { return 0.5 * (a.column[c] + b.column[c]); };
     return {mean(0), mean(1), mean(2), mean(3), mean(4), mean(5)};

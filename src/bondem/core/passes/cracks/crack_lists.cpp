@@ -29,8 +29,8 @@ void fill_treated(const Cracks &, const CrackLists &lists) {
 }
 
 void list_cracks(const Turn &, const Cracks &cracks, const CrackLists &lists) {
-    if (cracks.size(2) == 0) return;
-    cracks.size(2) = 0;
+    if (cracks.size(1) == 0) return;
+    cracks.size(1) = 0;
     for (Index q = 0; q < lists.size(2); q++) lists.head(lists.cell(q)) = 0;
     Index treated = 0, resting = 0, cells = 0;
     const auto push = [&](Short p, Index number) {
@@ -69,7 +69,7 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
         treat(facets, cracks, c, int(cracks.row(c, crack::status)));
     }
     clear_half(lists, 0);
-    cracks.size(2) = 1;
+    cracks.size(1) = 1;
     list_cracks(turn, cracks, lists);
 }
 
@@ -80,7 +80,7 @@ void weigh_cracked_cells(const Turn &, const CellDilatation &cells, const CellSl
     }
 }
 
-void carry_cracks(const Turn &, const CellStresses &stresses, const Cracks &cracks, const CrackLists &lists) {
+void carry_cracks(const Turn &, const StressesOfCells &stresses, const Cracks &cracks, const CrackLists &lists) {
     for (Index q = 0; q < lists.size(2); q++) {
         const Index p = lists.cell(q);
         Carried sum = {};

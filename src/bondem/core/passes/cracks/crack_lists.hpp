@@ -14,6 +14,6 @@ void fill_treated(const Cracks &cracks, const CrackLists &lists);
 // Makes the lists anew where they are out of date.
 void list_cracks(const Turn &turn, const Cracks &cracks, const CrackLists &lists);
 // Sums b⊗f of the cracks of each cell from their forces of the last step.
-void carry_cracks(const Turn &turn, const CellStresses &stresses, const Cracks &cracks, const CrackLists &lists);
+void carry_cracks(const Turn &turn, const StressesOfCells &stresses, const Cracks &cracks, const CrackLists &lists);
 
 }  // namespace bondem

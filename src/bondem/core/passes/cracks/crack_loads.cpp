@@ -3,12 +3,13 @@
 
 #include "../cells/walls.hpp"
 #include "../record/columns.hpp"
+#include "../damage/pipeline.hpp"
 #include "carried.hpp"
 
 namespace bondem {
 namespace {
 
-constexpr double tension = 1.0, shear = 2.0;  // modes of a break
+
 constexpr Index rubbed_loss = 2;  // column of the losses of an element
 
 // Energy dissipated by the cracks of a group, the places of the list alone.
@@ -83,29 +84,28 @@ void load_cracks(const Turn &turn, const Moving &all, const FacetStrengths &, co
     });
 }
 
-void log_cracks(const Turn &turn, const Moving &all, const Cracks &cracks, const CrackLists &lists) {
+void log_cracks(const Turn &turn, const Moving &all, const Cracks &cracks, const CrackLists &lists, const EventLog &log) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(0);
     double lost = 0.0;
+    log.written(1) = log.written(0);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
-        lost += lists.lost(q, 0);
+        lost += lists.lost(q, 0) + lists.lost(q, 1);
         if (lists.flagged(q) != 2) continue;
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
             if (lists.flag(e) != crack::fell) continue;
             const Index c = lists.treated(e);
             const auto measured = [&](Index r) { return lists.measured(r, e); };
             const double gap = measured(0) * measured(3) + measured(1) * measured(4) + measured(2) * measured(5);
-            double *const row = &cracks.log(cracks.size(1)++, 0);
-            const double written[6] = {turn.clock.time, double(turn.clock.step), double(cracks.facet(c)),
-                                       gap > 0.0 ? tension : shear, gap, cracks.row(c, crack::spent)};
-            for (Index d = 0; d < 6; d++) row[d] = written[d];
-            for (Index d = 0; d < 3; d++) row[6 + d] = all.pose(cracks.i(c), d) + measured(12 + d);
+            const Vector place = {all.pose(cracks.i(c), 0) + measured(12), all.pose(cracks.i(c), 1) + measured(13),
+                                  all.pose(cracks.i(c), 2) + measured(14)};
+            log_event(turn.clock, log, cracks.facet(c), gap > 0.0 ? tension_mode : shear_mode, {cracks.row(c, crack::spent), gap, place});
         }
     }
-    cracks.released(0) += lost;
+    log.released(0) += lost;
 }
 
-void add_crack_loads(const Turn &turn, const Moving &all, const CellStresses &stresses, const Cracks &cracks,
+void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses, const Cracks &cracks,
                      const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
         const Short p = turn.element[at];
@@ -133,7 +133,7 @@ void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDila
     found.dilatation(turn.block) = sum;
 }
 
-void sum_heat(const Turn &turn, const CellStresses &stresses, const YieldingCells &cells, const CrackEnergies &found) {
+void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells, const CrackEnergies &found) {
     double sum = 0.0;
     for (Index p = turn.first; p < turn.last; p++) {
         const double *const row = &cells.plastic(p, 0), *const s = &stresses.tensor(p, 0), *const e = row + 10;
@@ -161,17 +161,21 @@ void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &fa
     found.cracked(0) = normal, found.cracked(1) = along, found.cracked(2) = bend;
 }
 
-void add_crack_energies(const Turn &turn, const Moving &all, const WallConstraints &walls, const Cracks &cracks,
-                        const CrackEnergies &found, const HistoryRows &history) {
-    double *const record = &history.record(turn.clock.record, 0);
-    double dilatation = 0.0, heat = 0.0;
-    for (Index q = 0; q < found.dilatation.size(); q++) dilatation += found.dilatation(q), heat += found.heat(q);
+void add_crack_energies(const Turn &, const Moving &all, const WallConstraints &walls, const CrackEnergies &found,
+                        const Portions &portions) {
+    if (portions.bonds.size() == 0) return;
+    double dilatation = 0.0;
+    for (Index q = 0; q < found.dilatation.size(); q++) dilatation += found.dilatation(q);
     for (Index g = 0; g < walls.cell.size(); g++) dilatation += energy_of_hold(all.pose, all.rest, walls, g);
-    record[column::normal] += dilatation + found.cracked(0);
-    record[column::shear] += found.cracked(1);
-    record[column::bending] += found.cracked(2);
-    record[column::fracture] = cracks.released(0);
-    record[column::plastic] = heat;
+    portions.bonds(0, 0) += dilatation + found.cracked(0);
+    portions.bonds(0, 1) += found.cracked(1);
+    portions.bonds(0, 2) += found.cracked(2);
+}
+
+void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows &history) {
+    double heat = 0.0;
+    for (Index q = 0; q < found.heat.size(); q++) heat += found.heat(q);
+    history.record(turn.clock.record, column::plastic) = heat;
 }
 
 }  // namespace bondem

@@ -44,7 +44,7 @@ BONDEM_INLINE RestingCrack resting_crack(const CrackGroup &group, const Moving &
 }
 
 void watch_group(const CrackGroup &group, const Moving &all, const double *period,
-                 const FacetStrengths &strengths, const CellStresses &stresses, const Cracks &cracks,
+                 const FacetStrengths &strengths, const StressesOfCells &stresses, const Cracks &cracks,
                  const CrackLists &lists, Index portion) {
     const Lanes zero = {}, endless = bondem::all<Lanes>(infinity);
     const RestingCrack now = resting_crack(group, all, period, cracks);
@@ -152,7 +152,7 @@ struct Softened {
     Lanes top;  // force below which a crack does not soften [N]
 };
 BONDEM_INLINE Softened softened_group(const SofteningGroup &of, Vector3<Lanes> whole, const Ends<Lanes> &ends,
-                                      const FacetStrengths &strengths, const CellStresses &stresses, const Cracks &cracks) {
+                                      const FacetStrengths &strengths, const StressesOfCells &stresses, const Cracks &cracks) {
     const CrackGroup &group = of.group;
     const CurveShape curve = {strengths.kink, strengths.steep};
     const CrackJudgement facet = judgement_of(group, cracks);
@@ -181,7 +181,7 @@ BONDEM_INLINE Softened softened_group(const SofteningGroup &of, Vector3<Lanes> w
 }
 
 void soften_group(const CrackGroup &group, const Moving &all, const FacetStrengths &strengths,
-                  const CellStresses &stresses, const Cracks &cracks, const CrackLists &lists, Index portion) {
+                  const StressesOfCells &stresses, const Cracks &cracks, const CrackLists &lists, Index portion) {
     const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
     const Lanes zero = {};
     SofteningGroup of = {group, group.state(cracks, 0), group.state(cracks, 8), {},
@@ -264,7 +264,7 @@ void leave(const ElasticFacets &facets, const Cracks &cracks, const CrackLists &
 }  // namespace
 
 void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
-                          const CellStresses &stresses, const Cracks &cracks, const CrackLists &lists) {
+                          const StressesOfCells &stresses, const Cracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(1);
     over_places(turn, count, [&](Index first, Index last, Index portion) {
@@ -299,7 +299,7 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
     if (lists.size(0) > before) fill_treated(cracks, lists);
 }
 
-void soften_cracks(const Turn &turn, const Moving &all, const FacetStrengths &strengths, const CellStresses &stresses,
+void soften_cracks(const Turn &turn, const Moving &all, const FacetStrengths &strengths, const StressesOfCells &stresses,
                    const Cracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(0);
@@ -315,6 +315,7 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(0);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
+        lists.lost(q, 1) = 0.0;
         if (lists.flagged(q) == 0) continue;
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
             const Byte flag = lists.flag(e);
@@ -327,7 +328,7 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
             }
             const SingleCrack one(all.pose, facets.period.data, cracks, c);
             if (flag == crack::parts) {
-                cracks.released(0) += energy_of_parting(one, all, cells, cracks, lists, e);
+                lists.lost(q, 1) += energy_of_parting(one, all, cells, cracks, lists, e);
                 leave(facets, cracks, lists, e, crack::parted);
             } else {
                 leave(facets, cracks, lists, e, crack::resting);

@@ -40,7 +40,7 @@ BONDEM_INLINE Vector3<Lanes> traction_of(const FacetForces &kept, Index m, Index
     const double *const f = kept.force.data + k;
     return (1.0 / area) * Vector3<Lanes>{load(f), load(f + m), load(f + 2 * m)};
 }
-BONDEM_INLINE Lanes of_cells(const CellStresses &stresses, const Short *i, const Short *j, Index column, bool smaller) {
+BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, const Short *j, Index column, bool smaller) {
     Lanes all;
     for (int n = 0; n < lanes; n++) {
         const double a = stresses.tensor.data[8 * Index(i[n]) + column], b = stresses.tensor.data[8 * Index(j[n]) + column];
@@ -52,7 +52,7 @@ BONDEM_INLINE Lanes of_cells(const CellStresses &stresses, const Short *i, const
 }  // namespace
 
 void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
-                          const FacetStrengths &strengths, const CellStresses &stresses,
+                          const FacetStrengths &strengths, const StressesOfCells &stresses,
                           const CrackOnset &onset) {
     const FacetColumns columns(facets);
     const Index m = columns.m;

@@ -7,7 +7,7 @@ namespace bondem {
 
 // Marks facets of the material that begin to crack, and those of planes.
 void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
-                          const FacetStrengths &strengths, const CellStresses &stresses, const CrackOnset &onset);
+                          const FacetStrengths &strengths, const StressesOfCells &stresses, const CrackOnset &onset);
 void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const CrackOnset &onset);
 // Facets that are marked begin to crack.

@@ -46,7 +46,7 @@ inline void treat(const ElasticFacets &facets, const Cracks &cracks, Index c, in
     cracks.row(c, crack::status) = status;
     cracks.listed(k) = Byte(1 + status);
     facets.integrity(k) = status == crack::active ? 0.0 : cracks.integrity(k);
-    cracks.size(2) = 1;
+    cracks.size(1) = 1;
 }
 
 // λ / V of a cell: of what its cracks lack that are not treated one by one, they are free facets.

@@ -10,11 +10,11 @@
 namespace bondem {
 namespace {
 
-Symmetric3<double> tensor_of(const CellStresses &stresses, Index p) {
+Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
     const double *s = &stresses.tensor(p, 0);
     return {s[0], s[1], s[2], s[3], s[4], s[5]};
 }
-void put_size(const CellStresses &stresses, Index p) {
+void put_size(const StressesOfCells &stresses, Index p) {
     stresses.tensor(p, 7) = root(square_of(tensor_of(stresses, p)));
 }
 
@@ -27,7 +27,7 @@ Symmetric3<double> turned_moment(Quaternion<double> q, const double *c) {
 
 }  // namespace
 
-void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const CellStresses &stresses) {
+void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
     for (Index p = turn.first; p < turn.last; p++) {
         const double *m = &kept.moment(p, 0), *c = &stresses.carried(p, 0);
         const double one = 1.0 / stresses.volume(p);
@@ -41,7 +41,7 @@ void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &
 }
 
 void add_surface_stresses(const Turn &, const Moving &all, const WallConstraints &walls, const FacetTractions &tractions,
-                          const CellStresses &stresses) {
+                          const StressesOfCells &stresses) {
     for (Index l = 0; l < stresses.pressed.shape[0]; l++)
         for (Index p = 0; p < stresses.volume.size(); p++) {
             for (Index d = 0; d < 6; d++)
@@ -58,7 +58,7 @@ void add_surface_stresses(const Turn &, const Moving &all, const WallConstraints
     }
 }
 
-void judge_cells(const Turn &turn, const FacetStrengths &strengths, const CellStresses &stresses, const CrackOnset &onset) {
+void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses, const CrackOnset &onset) {
     for (Index p = turn.first; p < turn.last; p++) {
         const StressInvariants<double> s = invariants(tensor_of(stresses, p));
         const double bent = root(positive(stresses.tensor(p, 6)));

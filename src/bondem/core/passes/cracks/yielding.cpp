@@ -16,13 +16,13 @@ Symmetric3<double> strain_of(const YieldingCells &cells, Index p) {
     const double *e = &cells.plastic(p, increment);
     return {e[0], e[1], e[2], e[3], e[4], e[5]};
 }
-Symmetric3<double> tensor_of(const CellStresses &stresses, Index p) {
+Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
     const double *s = &stresses.tensor(p, 0);
     return {s[0], s[1], s[2], s[3], s[4], s[5]};
 }
 
 // Takes over what the last increment dissipated, and returns which share of the cohesion is left.
-double close_increment(const CellStresses &stresses, const YieldingCells &cells, Index p) {
+double close_increment(const StressesOfCells &stresses, const YieldingCells &cells, Index p) {
     if (!(cells.plastic(p, gamma) > 0.0)) return 1.0;
     cells.plastic(p, heat) += 0.5 * stresses.volume(p) * work_of(tensor_of(stresses, p), strain_of(cells, p));
     for (Index d = 0; d < 6; d++) cells.plastic(p, increment + d) = 0.0;
@@ -38,7 +38,7 @@ Symmetric3<double> in_frame(Quaternion<double> q, const Symmetric3<double> &s) {
                  c = turned_by(back, Vector{x.z, y.z, z.z});
     return {a.x, b.y, c.z, a.y, a.z, b.z};
 }
-void flow(const Moving &all, const CellStresses &stresses, const YieldingCells &cells, Index p, double g,
+void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Index p, double g,
           const Symmetric3<double> &strain) {
     double *const row = &cells.plastic(p, 0);
     auto &P = *reinterpret_cast<PlasticDeformation<double> *>(row + deformation);
@@ -54,7 +54,7 @@ struct Batch {
     Index count = 0, cell[lanes];
     double cohesion[lanes];
 };
-void flow_together(const Moving &all, const CellStresses &stresses, const YieldingCells &cells, Batch &batch) {
+void flow_together(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Batch &batch) {
     if (batch.count == 0) return;
     for (Index n = batch.count; n < lanes; n++) {
         batch.cell[n] = batch.cell[0];
@@ -103,7 +103,7 @@ bool grows(const YieldingCells &cells, Index p) {
 
 }  // namespace
 
-void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, const CellStresses &stresses,
+void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, const StressesOfCells &stresses,
                  const YieldingCells &cells, const CrackOnset &onset) {
     Batch batch;
     for (Index p = turn.first; p < turn.last; p++) {
@@ -140,7 +140,7 @@ void stretch_walls_and_cracks(const Turn &, const ElasticFacets &facets, const W
         if (cells.plastic(cracks.i(c), gamma) + cells.plastic(cracks.j(c), gamma) > 0.0) write_levers(facets, cracks, c);
 }
 
-void add_yielding_work(const Turn &, const FacetTractions &tractions, const CellStresses &stresses,
+void add_yielding_work(const Turn &, const FacetTractions &tractions, const StressesOfCells &stresses,
                        const YieldingCells &cells, const Rows &rows) {
     for (Index l = 0; l < stresses.pressed.shape[0]; l++) {
         double power = 0.0;

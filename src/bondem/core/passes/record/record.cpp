@@ -8,6 +8,7 @@ namespace bondem {
 namespace {
 
 using namespace column;
+
 // What a gauge reads of an element, and how it makes one number of many.
 enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
 enum Reduction : Index { mean, sum, largest };
@@ -79,7 +80,6 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
 
 void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
     double *const record = &history.record(turn.clock.record, 0);
-    for (Index c = 0; c < fixed_columns; c++) record[c] = 0.0;
     record[time] = turn.clock.time;
     for (Index q = 0; q < portions.elements.size(); q++) {
         record[translation] += portions.elements(q, 0);
