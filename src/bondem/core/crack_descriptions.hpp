@@ -25,7 +25,7 @@ BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(brittleness, "m")
              F(friction, "m"), F(plane, "m"), F(cohesion, "m"), F(slip_brittleness, "m"), F(planes, "*"), F(kink, ""),
              F(steep, ""), F(hot, ""))
 BONDEM_TABLE(CrackOnset, F(cracked, "n"), F(judged, "n"), F(marked, "m"), F(listed, "m"), F(found, "bond_portions+1"))
-BONDEM_TABLE(Cracks, F(row, "room 16"), F(constant, "room 40"), F(pull, "room 4"), F(facet, "room"), F(i, "room"),
+BONDEM_TABLE(CohesiveCracks, F(row, "room 16"), F(constant, "room 40"), F(pull, "room 4"), F(facet, "room"), F(i, "room"),
              F(j, "room"), F(listed, "m"), F(integrity, "*"), F(size, "2"))
 BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(slack_i, "m"), F(slack_j, "m"),
              F(weight, "n"))
@@ -42,11 +42,12 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
 #define BONDEM_CRACK_TABLES                                                                                   \
     described<SofteningSamples>(), described<CrackSamples>(), described<YieldSamples>(),                      \
         described<StressesOfCells>(), described<YieldingCells>(), described<FacetStrengths>(),                   \
-        described<CrackOnset>(), described<Cracks>(), described<CellSlack>(), described<CrackLists>(),        \
+        described<CrackOnset>(), described<CohesiveCracks>(), described<CellSlack>(), described<CrackLists>(),        \
         described<CrackEnergies>()
 #define BONDEM_CRACK_PASSES P(evaluate_softening, ""), P(evaluate_cracks, ""), P(evaluate_yielding, "")
 #define BONDEM_CRACK_STEP_PASSES                                                                              \
-    S(of_elements, find_cell_stresses), S(serial, add_surface_stresses), S(of_elements, judge_cells),         \
+    S(of_elements, find_cell_stresses), S(serial, add_surface_stresses), S(of_elements, find_still_stresses), \
+        S(serial, add_still_surface_stresses), S(serial, follow_levers), S(of_elements, judge_cells),         \
         S(of_elements, yield_cells), S(of_elements, stretch_cells), S(serial, stretch_walls_and_cracks),      \
         S(of_elements, stretch_all_cells), S(serial, add_yielding_work), S(of_bonds, mark_cracking_facets),   \
         S(serial, mark_cracking_planes), S(serial, begin_cracks), S(serial, link_cracks),                     \

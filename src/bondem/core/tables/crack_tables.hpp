@@ -43,12 +43,12 @@ struct CrackOnset {
     Array<Byte, 1> cracked;  // 1 for cells with cracks, (n,)
     Array<Byte, 1> judged;  // 1 for cells whose facets are judged, 2 for those without cohesion, (n,)
     Array<Byte, 1> marked;  // 1 for facets that begin to crack, 2 for those of a cell without cohesion, zero between steps, (m,)
-    Array<Byte, 1> listed;  // that of `Cracks`, (m,)
+    Array<Byte, 1> listed;  // that of `CohesiveCracks`, (m,)
     Array<Index, 1> found;  // how many of a portion of facets are marked, and at the end of the planes
 };
 
 // Cracked facets, in the order in which they began; room for all facets.
-struct Cracks {
+struct CohesiveCracks {
     Array<double, 2> row;  // see `passes/cracks/crack_groups.hpp`, (room, 16)
     Array<double, 2> constant;  // (room, 40)
     Array<double, 2> pull;  // force on cell i [N], (room, 4)

@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-inline void write_levers(const ElasticFacets &facets, const Cracks &cracks, Index c) {
+inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &cracks, Index c) {
     const Index k = cracks.facet(c);
     double *const a = constants_of(cracks, c);
     for (Index d = 0; d < 3; d++) {
@@ -14,7 +14,7 @@ inline void write_levers(const ElasticFacets &facets, const Cracks &cracks, Inde
 }
 
 inline void write_constants(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
-                            const Cracks &cracks, Index c) {
+                            const CohesiveCracks &cracks, Index c) {
     const Index k = cracks.facet(c);
     cracks.i(c) = facets.i(k);
     cracks.j(c) = facets.j(k);

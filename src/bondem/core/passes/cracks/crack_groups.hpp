@@ -1,4 +1,4 @@
-// Cracks as passes read them: as many as there are lanes, from rows by number and from columns by place.
+// CohesiveCracks as passes read them: as many as there are lanes, from rows by number and from columns by place.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/softening.hpp"
@@ -50,7 +50,7 @@ BONDEM_INLINE void scatter_rows(double *const *row, Row<Lanes> all) {
 #endif
 }
 
-// Cracks of a list from place e on.
+// CohesiveCracks of a list from place e on.
 struct CrackGroup {
     Index e;
     int known;  // how many there are; lanes behind repeat one, and are not written
@@ -79,7 +79,7 @@ struct CrackGroup {
     BONDEM_INLINE void put(const Array<double, 2> &table, int width, int column, Lanes all) const {
         for (int n = 0; n < known; n++) table.data[width * crack[n] + column] = all[n];
     }
-    BONDEM_INLINE Row<Lanes> state(const Cracks &cracks, int first) const {
+    BONDEM_INLINE Row<Lanes> state(const CohesiveCracks &cracks, int first) const {
         return columns(cracks.row, crack::row_width, first);
     }
 };
@@ -91,7 +91,7 @@ struct CrackConstants {
     FacetCompliance<Lanes> facet;
     Lanes area, friction;
 };
-BONDEM_INLINE CrackConstants constants_of(const CrackGroup &group, const Cracks &cracks) {
+BONDEM_INLINE CrackConstants constants_of(const CrackGroup &group, const CohesiveCracks &cracks) {
     const Row<Lanes> on_i = group.columns(cracks.constant, crack::constant_width, 0);
     const Row<Lanes> on_j = group.columns(cracks.constant, crack::constant_width, 8);
     const Lanes *const a = on_i.column, *const b = on_j.column;
@@ -103,13 +103,13 @@ struct CrackJudgement {
     Symmetric3<Lanes> H;
     Lanes plane;
 };
-BONDEM_INLINE CrackJudgement judgement_of(const CrackGroup &group, const Cracks &cracks) {
+BONDEM_INLINE CrackJudgement judgement_of(const CrackGroup &group, const CohesiveCracks &cracks) {
     const Row<Lanes> a = group.columns(cracks.constant, crack::constant_width, 16);
     const Row<Lanes> b = group.columns(cracks.constant, crack::constant_width, 24);
     const Lanes *const p = a.column, *const q = b.column;
     return {{p[0], p[1], p[2]}, p[3], p[4], p[5], p[6], p[7], {q[0], q[1], q[2], q[3], q[4], q[5]}, q[6]};
 }
-BONDEM_INLINE CrackStrength<Lanes> strength_of(const CrackGroup &group, const Cracks &cracks, const CrackJudgement &of,
+BONDEM_INLINE CrackStrength<Lanes> strength_of(const CrackGroup &group, const CohesiveCracks &cracks, const CrackJudgement &of,
                                                Lanes strength) {
     const Mask<Lanes> on_plane = of.plane > all<Lanes>(0.5);
     PlaneStrength<Lanes> plane = {all<Lanes>(infinity), Lanes{}, Lanes{}};

@@ -21,14 +21,14 @@ void fill(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<
 
 }  // namespace
 
-void fill_treated(const Cracks &, const CrackLists &lists) {
+void fill_treated(const CohesiveCracks &, const CrackLists &lists) {
     fill(lists.treated, lists.treated_i, lists.treated_j, lists.size(0));
     const Index cells = lists.size(2);
     if (cells > 0)
         for (Index q = cells; q < cells + lanes; q++) lists.cell(q) = lists.cell(cells - 1);
 }
 
-void list_cracks(const Turn &, const Cracks &cracks, const CrackLists &lists) {
+void list_cracks(const Turn &, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (cracks.size(1) == 0) return;
     cracks.size(1) = 0;
     for (Index q = 0; q < lists.size(2); q++) lists.head(lists.cell(q)) = 0;
@@ -60,7 +60,7 @@ void list_cracks(const Turn &, const Cracks &cracks, const CrackLists &lists) {
 }
 
 void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
-                 const Cracks &cracks, const CrackLists &lists) {
+                 const CohesiveCracks &cracks, const CrackLists &lists) {
     for (Index c = 0; c < cracks.size(0); c++) {
         const Index k = Index(cracks.row(c, crack::facet));
         cracks.facet(c) = k;
@@ -73,14 +73,18 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
     list_cracks(turn, cracks, lists);
 }
 
-void weigh_cracked_cells(const Turn &, const CellDilatation &cells, const CellSlack &slack, const Cracks &cracks) {
+void follow_levers(const Turn &, const ElasticFacets &facets, const CohesiveCracks &cracks) {
+    for (Index c = 0; c < cracks.size(0); c++) write_levers(facets, cracks, c);
+}
+
+void weigh_cracked_cells(const Turn &, const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks) {
     for (Index c = 0; c < cracks.size(0); c++) {
         weigh_cracked(cells, slack, cracks, cracks.i(c));
         weigh_cracked(cells, slack, cracks, cracks.j(c));
     }
 }
 
-void carry_cracks(const Turn &, const StressesOfCells &stresses, const Cracks &cracks, const CrackLists &lists) {
+void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     for (Index q = 0; q < lists.size(2); q++) {
         const Index p = lists.cell(q);
         Carried sum = {};

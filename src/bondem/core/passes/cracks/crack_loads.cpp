@@ -13,7 +13,7 @@ namespace {
 constexpr Index rubbed_loss = 2;  // column of the losses of an element
 
 // Energy dissipated by the cracks of a group, the places of the list alone.
-double load_group(const CrackGroup &group, const Moving &all, const Cracks &cracks, const CrackLists &lists,
+double load_group(const CrackGroup &group, const Moving &all, const CohesiveCracks &cracks, const CrackLists &lists,
                   Index portion, bool changes) {
     const Index e = group.e;
     const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
@@ -72,7 +72,7 @@ double load_group(const CrackGroup &group, const Moving &all, const Cracks &crac
 
 }  // namespace
 
-void load_cracks(const Turn &turn, const Moving &all, const FacetStrengths &, const Cracks &cracks, const CrackLists &lists) {
+void load_cracks(const Turn &turn, const Moving &all, const FacetStrengths &, const CohesiveCracks &cracks, const CrackLists &lists) {
     const Index count = lists.size(0);
     const bool changes = turn.clock.dt > 0.0;
     over_places(turn, count, [&](Index first, Index last, Index portion) {
@@ -84,7 +84,7 @@ void load_cracks(const Turn &turn, const Moving &all, const FacetStrengths &, co
     });
 }
 
-void log_cracks(const Turn &turn, const Moving &all, const Cracks &cracks, const CrackLists &lists, const EventLog &log) {
+void log_cracks(const Turn &turn, const Moving &all, const CohesiveCracks &cracks, const CrackLists &lists, const EventLog &log) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(0);
     double lost = 0.0;
@@ -105,7 +105,7 @@ void log_cracks(const Turn &turn, const Moving &all, const Cracks &cracks, const
     log.released(0) += lost;
 }
 
-void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses, const Cracks &cracks,
+void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                      const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
         const Short p = turn.element[at];
@@ -144,7 +144,7 @@ void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingC
     found.heat(turn.block) = sum;
 }
 
-void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &facets, const Cracks &cracks,
+void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                         const CrackEnergies &found) {
     double normal = 0.0, along = 0.0, bend = 0.0;
     for (Index c = 0; c < cracks.size(0); c++) {

@@ -33,7 +33,7 @@ struct RestingCrack {
     Lanes area;
 };
 BONDEM_INLINE RestingCrack resting_crack(const CrackGroup &group, const Moving &all, const double *period,
-                                         const Cracks &cracks) {
+                                         const CohesiveCracks &cracks) {
     const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
     const Ends<Lanes> ends = ends_of(a, b, period);
     const CrackConstants of = constants_of(group, cracks);
@@ -44,7 +44,7 @@ BONDEM_INLINE RestingCrack resting_crack(const CrackGroup &group, const Moving &
 }
 
 void watch_group(const CrackGroup &group, const Moving &all, const double *period,
-                 const FacetStrengths &strengths, const StressesOfCells &stresses, const Cracks &cracks,
+                 const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                  const CrackLists &lists, Index portion) {
     const Lanes zero = {}, endless = bondem::all<Lanes>(infinity);
     const RestingCrack now = resting_crack(group, all, period, cracks);
@@ -72,7 +72,7 @@ void watch_group(const CrackGroup &group, const Moving &all, const double *perio
 }
 
 // Adds what a crack that is not treated one by one does to V θ of its cells to their bases, or takes it off.
-void hand_over(const SingleCrack &one, const CellDilatation &cells, const CellSlack &slack, const Cracks &cracks,
+void hand_over(const SingleCrack &one, const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks,
                const CrackLists &lists, Index c, double sign) {
     const double s = sign * cracks.integrity(one.facet);
     const CrackFaces<double> &at = one.now.faces;
@@ -95,7 +95,7 @@ void insert_half(const CrackLists &lists, Short p, Index number, Index c) {
 }
 
 // Treats a resting crack one by one: at the end of the list in this step, in order in the next.
-void append(const SingleCrack &one, const Cracks &cracks, const CrackLists &lists, Index c) {
+void append(const SingleCrack &one, const CohesiveCracks &cracks, const CrackLists &lists, Index c) {
     const Index e = lists.size(0)++, pitch = lists.measured.shape[1];
     lists.treated(e) = c;
     lists.treated_i(e) = cracks.i(c);
@@ -115,7 +115,7 @@ void append(const SingleCrack &one, const Cracks &cracks, const CrackLists &list
     insert_half(lists, cracks.j(c), 2 * e + 2, c);
 }
 
-void wake(const SingleCrack &one, const ElasticFacets &facets, const Cracks &cracks, const CrackLists &lists, Index c) {
+void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists, Index c) {
     treat(facets, cracks, c, crack::active);
     append(one, cracks, lists, c);
     cracks.row(c, crack::before) = crack::fresh;
@@ -152,7 +152,7 @@ struct Softened {
     Lanes top;  // force below which a crack does not soften [N]
 };
 BONDEM_INLINE Softened softened_group(const SofteningGroup &of, Vector3<Lanes> whole, const Ends<Lanes> &ends,
-                                      const FacetStrengths &strengths, const StressesOfCells &stresses, const Cracks &cracks) {
+                                      const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks) {
     const CrackGroup &group = of.group;
     const CurveShape curve = {strengths.kink, strengths.steep};
     const CrackJudgement facet = judgement_of(group, cracks);
@@ -181,7 +181,7 @@ BONDEM_INLINE Softened softened_group(const SofteningGroup &of, Vector3<Lanes> w
 }
 
 void soften_group(const CrackGroup &group, const Moving &all, const FacetStrengths &strengths,
-                  const StressesOfCells &stresses, const Cracks &cracks, const CrackLists &lists, Index portion) {
+                  const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index portion) {
     const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
     const Lanes zero = {};
     SofteningGroup of = {group, group.state(cracks, 0), group.state(cracks, 8), {},
@@ -233,7 +233,7 @@ double stiffness_without(const Moving &all, const CellDilatation &cells, const C
 
 // Energy of a broken facet whose faces no longer bear on each other: of each half that of the force that presses, less what
 // its cell takes up as its stress changes by it; and that of friction [J].
-double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDilatation &cells, const Cracks &cracks,
+double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDilatation &cells, const CohesiveCracks &cracks,
                          const CrackLists &lists, Index e) {
     const Index c = lists.treated(e);
     const double k = one.stiffness.k, w = one.stiffness.part;
@@ -250,7 +250,7 @@ double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDi
 }
 
 // A crack is no longer treated one by one.
-void leave(const ElasticFacets &facets, const Cracks &cracks, const CrackLists &lists, Index e, int status) {
+void leave(const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists, Index e, int status) {
     const Index c = lists.treated(e);
     treat(facets, cracks, c, status);
     if (cracks.row(c, crack::integrity) == 0.0) cracks.row(c, crack::top) = infinity;
@@ -264,7 +264,7 @@ void leave(const ElasticFacets &facets, const Cracks &cracks, const CrackLists &
 }  // namespace
 
 void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
-                          const StressesOfCells &stresses, const Cracks &cracks, const CrackLists &lists) {
+                          const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(1);
     over_places(turn, count, [&](Index first, Index last, Index portion) {
@@ -277,7 +277,7 @@ void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFace
 }
 
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
-                 const CellSlack &slack, const Cracks &cracks, const CrackLists &lists) {
+                 const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(1), before = lists.size(0);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
@@ -300,7 +300,7 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
 }
 
 void soften_cracks(const Turn &turn, const Moving &all, const FacetStrengths &strengths, const StressesOfCells &stresses,
-                   const Cracks &cracks, const CrackLists &lists) {
+                   const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(0);
     over_places(turn, count, [&](Index first, Index last, Index portion) {
@@ -311,7 +311,7 @@ void soften_cracks(const Turn &turn, const Moving &all, const FacetStrengths &st
 }
 
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
-                  const CellSlack &slack, const Cracks &cracks, const CrackLists &lists) {
+                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(0);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {

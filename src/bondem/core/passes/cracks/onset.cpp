@@ -54,6 +54,7 @@ BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, co
 void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const StressesOfCells &stresses,
                           const CrackOnset &onset) {
+    if (!(turn.clock.dt > 0.0)) return;
     const FacetColumns columns(facets);
     const Index m = columns.m;
     const Short *const at_i = facets.i.data, *const at_j = facets.j.data;
@@ -103,8 +104,9 @@ void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFace
     onset.found(turn.block) = found;
 }
 
-void mark_cracking_planes(const Turn &, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const CrackOnset &onset) {
+    if (!(turn.clock.dt > 0.0)) return;
     const FacetColumns columns(facets);
     Index found = 0;
     for (Index e = 0; e < strengths.planes.size(); e++) {
@@ -125,8 +127,9 @@ void mark_cracking_planes(const Turn &, const Moving &all, const ElasticFacets &
     onset.found(onset.found.size() - 1) = found;
 }
 
-void begin_cracks(const Turn &, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
-                  const CrackOnset &onset, const Cracks &cracks) {
+void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+                  const CrackOnset &onset, const CohesiveCracks &cracks) {
+    if (!(turn.clock.dt > 0.0)) return;
     const Index portions = onset.found.size() - 1;
     const auto begin = [&](Index k) {
         const Index c = cracks.size(0)++;

@@ -12,7 +12,7 @@ namespace {
 constexpr int most_steps = 30;
 constexpr double rounding_of_stress = 1e-14;
 
-void measure(const CrackGroup &group, const Moving &all, const double *period, const Cracks &cracks,
+void measure(const CrackGroup &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
              const CrackLists &lists, Index portion, bool changes) {
     const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
     const CrackConstants of = constants_of(group, cracks);
@@ -95,7 +95,7 @@ void begin_bases(const Turn &turn, const Moving &all, const CellDilatation &cell
     }
 }
 
-void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Cracks &cracks,
+void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                     const CrackLists &lists) {
     const Index count = lists.size(0);
     over_places(turn, count, [&](Index first, Index last, Index portion) {

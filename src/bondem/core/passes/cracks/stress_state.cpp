@@ -25,9 +25,7 @@ Symmetric3<double> turned_moment(Quaternion<double> q, const double *c) {
     return {x.x, y.y, z.z, 0.5 * (y.x + x.y), 0.5 * (z.x + x.z), 0.5 * (z.y + y.z)};
 }
 
-}  // namespace
-
-void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+void find_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
     for (Index p = turn.first; p < turn.last; p++) {
         const double *m = &kept.moment(p, 0), *c = &stresses.carried(p, 0);
         const double one = 1.0 / stresses.volume(p);
@@ -40,8 +38,8 @@ void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &
     }
 }
 
-void add_surface_stresses(const Turn &, const Moving &all, const WallConstraints &walls, const FacetTractions &tractions,
-                          const StressesOfCells &stresses) {
+void add_of_surface(const Moving &all, const WallConstraints &walls, const FacetTractions &tractions,
+                    const StressesOfCells &stresses) {
     for (Index l = 0; l < stresses.pressed.shape[0]; l++)
         for (Index p = 0; p < stresses.volume.size(); p++) {
             for (Index d = 0; d < 6; d++)
@@ -58,7 +56,25 @@ void add_surface_stresses(const Turn &, const Moving &all, const WallConstraints
     }
 }
 
+}  // namespace
+
+void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+    if (turn.clock.dt > 0.0) find_stresses(turn, all, kept, stresses);
+}
+void find_still_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+    if (!(turn.clock.dt > 0.0)) find_stresses(turn, all, kept, stresses);
+}
+void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
+                          const FacetTractions &tractions, const StressesOfCells &stresses) {
+    if (turn.clock.dt > 0.0) add_of_surface(all, walls, tractions, stresses);
+}
+void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
+                                const FacetTractions &tractions, const StressesOfCells &stresses) {
+    if (!(turn.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);
+}
+
 void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses, const CrackOnset &onset) {
+    if (!(turn.clock.dt > 0.0)) return;
     for (Index p = turn.first; p < turn.last; p++) {
         const StressInvariants<double> s = invariants(tensor_of(stresses, p));
         const double bent = root(positive(stresses.tensor(p, 6)));

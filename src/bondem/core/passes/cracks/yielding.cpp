@@ -105,6 +105,7 @@ bool grows(const YieldingCells &cells, Index p) {
 
 void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, const StressesOfCells &stresses,
                  const YieldingCells &cells, const CrackOnset &onset) {
+    if (!(turn.clock.dt > 0.0)) return;
     Batch batch;
     for (Index p = turn.first; p < turn.last; p++) {
         const double size = stresses.tensor(p, 7), whole = cells.cohesion(p);
@@ -122,6 +123,7 @@ void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, co
 }
 
 void stretch_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells, const YieldingCells &cells) {
+    if (!(turn.clock.dt > 0.0)) return;
     for (Index p = turn.first; p < turn.last; p++)
         if (grows(cells, p)) stretch_cell(facets, of_cells, cells, p);
 }
@@ -130,8 +132,9 @@ void stretch_all_cells(const Turn &turn, const ElasticFacets &facets, const Face
     for (Index p = turn.first; p < turn.last; p++)
         if (cells.plastic(p, gamma) != 0.0) stretch_cell(facets, of_cells, cells, p);
 }
-void stretch_walls_and_cracks(const Turn &, const ElasticFacets &facets, const WallConstraints &walls,
-                              const YieldingCells &cells, const Cracks &cracks) {
+void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, const WallConstraints &walls,
+                              const YieldingCells &cells, const CohesiveCracks &cracks) {
+    if (!(turn.clock.dt > 0.0)) return;
     for (Index g = 0; g < walls.cell.size(); g++) {
         const Vector b = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<const Vector>(g));
         for (Index d = 0; d < 3; d++) walls.arm(g, d) = b[d];
@@ -140,8 +143,9 @@ void stretch_walls_and_cracks(const Turn &, const ElasticFacets &facets, const W
         if (cells.plastic(cracks.i(c), gamma) + cells.plastic(cracks.j(c), gamma) > 0.0) write_levers(facets, cracks, c);
 }
 
-void add_yielding_work(const Turn &, const FacetTractions &tractions, const StressesOfCells &stresses,
+void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
                        const YieldingCells &cells, const Rows &rows) {
+    if (!(turn.clock.dt > 0.0)) return;
     for (Index l = 0; l < stresses.pressed.shape[0]; l++) {
         double power = 0.0;
         for (Index p = 0; p < cells.plastic.size(); p++) {
