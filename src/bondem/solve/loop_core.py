@@ -28,10 +28,12 @@ def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
     It has those of beams of both formulations, which may break but not soften, and of the non-local law without
-    breakage; those of elastic bodies of cells; and no contacts yet.
+    breakage; those of bodies of cells whose facets soften and whose cells yield, but not of facets that break one by
+    one, nor of criteria of cracks other than the largest principal stress; and no contacts yet.
     """
     return (
-        (model.cells is None or model.breaking is None and model.softening is None)
+        (model.cells is None or model.breaking is None)
+        and (model.softening is None or model.softening.judge is None)
         and model.beam_softening is None
         and (model.non_local is None or model.breaking is None)
         and model.contacts is None
@@ -54,7 +56,7 @@ class CoreLoop:
         # elements that a failure delays keep their sums in rows of their own
         kept = 0 if model.breaking is None else self._n
         cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table(kept)
-        self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan))
+        self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan), dt)
         self._still = noticeable(model, dt)
         self._compose = Composer()
         self._lists = StepPasses(
@@ -66,6 +68,19 @@ class CoreLoop:
             guard=self._list("guard"),
             record=self._compose([]),
         )
+        self._begin()
+
+    def _begin(self) -> None:
+        """Call the passes that begin a run, at the time of the state."""
+        first = composed(self._parts, "begin")
+        if not first:
+            return
+        nothing = self._compose([])
+        lists = StepPasses(*[nothing] * len(StepPasses._fields))
+        lists = lists._replace(present=self._compose([*composed(self._parts, "present"), *first]))
+        done = np.zeros(4, dtype=np.int64)
+        span = StepSpan(self.state.step, 0, 0, True, False, self._n, self._m, done)
+        _take_steps(lists, self._tables.cut, self._scheme, span, self._tables.portions, threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:
         return self._compose(composed(self._parts, *stages))

@@ -9,6 +9,7 @@ from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
 from bondem.solve.parts.cells import BodyOfCells, cells
+from bondem.solve.parts.cohesive_cracks import CrackingBody
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
 from bondem.solve.parts.non_local import non_local
@@ -19,7 +20,7 @@ from bondem.solve.step_tables import Dashpots
 
 
 def parts_of(
-    model: Model, terms: DampingTerms, state: State, cut: StepCut, gauges: Gauges
+    model: Model, terms: DampingTerms, state: State, cut: StepCut, gauges: Gauges, dt: float
 ) -> tuple[SharedTables, list[Part]]:
     """Return the tables and the parts of a run from a state, whose arrays they share."""
     shared = SharedTables.of(model, state, cut)
@@ -27,7 +28,7 @@ def parts_of(
     dashpots = dashpots_of(more)
     parts = [
         boundary(shared),
-        *_bonds(model, state, shared, dashpots),
+        *_bonds(model, state, shared, dashpots, dt),
         motion(shared, dashpots, resistance_of(terms, more)),
     ]
     if more is not None and len(more.group):
@@ -35,8 +36,12 @@ def parts_of(
     return shared, [*parts, history(shared, gauges)]
 
 
-def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+def _bonds(
+    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
+) -> list[Part]:  # fmt: skip
     """Return the parts of the bonds."""
+    if model.softening is not None:
+        return CrackingBody(model, state, shared, dt).parts(model, dashpots)
     if model.cells is not None:
         return [cells(shared, model, state, BodyOfCells.of(model, state, shared.cut), dashpots)]
     if model.non_local is not None:
