@@ -28,7 +28,7 @@ BONDEM_TABLE(FacetRelease, F(whole, "n"), F(weight, "n"), F(given, "n"), F(slack
              F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "bonds"), F(changed, "n"), F(changes, "1"))
 BONDEM_TABLE(WallConstraints, F(cell, "held"), F(row, "held"), F(k, "held"), F(lever, "held 3"), F(arm, "held 3"),
              F(share, "held 3"), F(H, "held 6"), F(base, "held 7"), F(axes, "held 3"), F(drive, "held 3"),
-             F(rate, "wall_schedules"), F(times, "wall_times"), F(values, "wall_times"), F(start, "wall_schedules+1"),
+             F(rate, "hold_schedules"), F(times, "hold_times"), F(values, "hold_times"), F(start, "hold_schedules+1"),
              F(place, ""), F(wall, "held 3"), F(came, "held 3"), F(load, "held 6"))
 BONDEM_TABLE(FacetTractions, F(value, "tractions n"), F(schedule, "tractions"), F(place, ""), F(factor, "tractions"),
              F(came, "tractions"))

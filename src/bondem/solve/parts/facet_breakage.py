@@ -3,11 +3,13 @@
 from bondem._core_steps import StepPass
 from bondem.kernels.tables import Rows
 from bondem.model.beam_tables import Beams
-from bondem.model.cell_tables import ElasticFacets, FacetRelease, WallConstraints
+from bondem.model.cell_tables import ElasticFacets, FacetRelease, WallConstraints, facet_release
 from bondem.model.failure_passes import CRITERION_NAMES, Strengths, strengths_of
+from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.damage_tables import Candidates, EventLog, Postponed
-from bondem.solve.parts.damage import DamageTables
+from bondem.solve.parts.cells import BodyOfCells, cells
+from bondem.solve.parts.damage import DamageTables, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving
@@ -24,33 +26,39 @@ _renew_wall_rows = StepPass("renew_wall_rows", WallConstraints, Rows, Candidates
 _withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Candidates, Postponed)
 
 
-def judging(damage: DamageTables, shared: SharedTables, facets: ElasticFacets, release: FacetRelease) -> Passes:
-    """Return the passes that find which facets fail, between dilatation and forces."""
-    strengths, judge = strengths_of(damage.table), _judge_facets[damage.table.kind]
-    return [(judge, shared.moving, facets, release, strengths, damage.candidates, damage.postponed)]
+def body_of_cells(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+    """Return the parts of a body of cells whose facets are elastic or break at once."""
+    body = BodyOfCells.of(model, state, shared.cut)
+    damage = damage_of(model, state, shared.cut, len(body.facets.i))
+    forces = cells(shared, model, state, body, dashpots, damage=damage)
+    return [forces] if damage is None else [forces, _breakage(model, damage, state, shared, body, dashpots)]
 
 
-def facet_breakage(
+def _breakage(
+    model: Model,
     damage: DamageTables,
     state: State,
     shared: SharedTables,
-    beams: Beams,
-    facets: ElasticFacets,
-    walls: WallConstraints,
-    release: FacetRelease,
+    body: BodyOfCells,
     dashpots: Dashpots | None,
 ) -> Part:
     """Return the part of facets that break."""
-    exchanged = shared.moving, facets, walls, release, damage.candidates
+    assert model.cells is not None
+    moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
+    release = facet_release(model.cells, model.layout, body.facets, body.cells)
+    strengths = strengths_of(damage.table)
+    judge = (_judge_facets[damage.table.kind], moving, body.facets, release, strengths, candidates, postponed)
+    exchanged = moving, body.facets, body.walls, release, candidates
     remove: Passes = []
     if dashpots is not None:
-        remove.append((_withdraw_dashpots, shared.moving, beams, dashpots, damage.candidates, damage.postponed))
+        remove.append((_withdraw_dashpots, moving, body.beams, dashpots, candidates, postponed))
     remove += [
-        (_withdraw_facets, *exchanged, damage.postponed),
+        (_withdraw_facets, *exchanged, postponed),
         (_break_facets, *exchanged, damage.log),
-        (_restore_facets, *exchanged, damage.postponed),
+        (_restore_facets, *exchanged, postponed),
     ]
-    if len(walls.cell):
-        remove.append((_renew_wall_rows, walls, shared.rows, damage.candidates))
+    if len(body.walls.cell):
+        remove.append((_renew_wall_rows, body.walls, shared.rows, candidates))
     part = damage.part(shared, [], remove, dashpots)
-    return Part(part.stages, part.record, lambda: damage.keep(facets.integrity, state))
+    stages = {**part.stages, "constrain": [judge]}  # before any cell moves, as stresses change those of neighbours
+    return Part(stages, part.record, lambda: damage.keep(body.facets.integrity, state))
