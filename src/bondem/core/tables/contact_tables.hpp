@@ -35,7 +35,8 @@ struct ContactPairs {
 struct NearPairs {
     Array<Short, 1> near;  // pairs that may touch, ascending, (c,)
     Array<Short, 1> close;  // those of them that touch or have just parted, (c,)
-    Array<double, 2> output;  // of these: force on the later element [N], torque over the radius [N], losses [J], (c, 8)
+    // of these: force on the later element [N], lost to dashpots [J], torque over the radius [N], lost to friction [J]
+    Array<double, 2> output;  // (c, 8)
     Array<Index, 2> count;  // of near and of close pairs of each portion, (portions, 2)
     double width;  // motion of an element after which distances are measured anew [m]
 };
@@ -49,9 +50,9 @@ struct Travel {
     Array<double, 1> far;  // (2,)
     double reach;  // motion of an element or a wall for which the list is made [m]
 };
-// Forces of contacts on elements: force, 0, torque, 0 [N, N·m], zero between steps.
+// What contacts do to elements, zero between steps.
 struct ContactSums {
-    Array<double, 2> sums;  // (n, 8)
+    Array<double, 2> sums;  // force [N], lost to dashpots [J], torque [N·m], lost to friction [J], (n, 8)
 };
 // Elastic energy of contacts.
 struct ContactEnergies {

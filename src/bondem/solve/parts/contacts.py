@@ -29,12 +29,12 @@ _move_walls = StepPass("move_walls", WallMotions, Walls)
 _measure_travel = StepPass("measure_travel", Moving, Travel)
 _check_travel = StepPass("check_travel", Travel, Walls, Portions)
 _press_pairs = StepPass("press_pairs", Moving, ContactConstants, ContactPairs, NearPairs, Travel)
-_add_pair_loads = StepPass("add_pair_loads", Moving, ContactConstants, ContactPairs, NearPairs, ContactSums)
+_add_pair_loads = StepPass("add_pair_loads", ContactConstants, ContactPairs, NearPairs, ContactSums)
 _press_walls = StepPass("press_walls", Moving, ContactConstants, WallContacts, Walls, ContactSums)
 _measure_walls = StepPass("measure_wall_overlaps", Moving, ContactConstants, WallContacts, Walls, NearPairs, Travel)
 _keep_measures = StepPass("keep_measures", NearPairs, Travel)
 _load_walls = StepPass("load_walls", WallContacts, WallMotions, Walls)
-_add_contact_loads = StepPass("add_contact_loads", StepCut, ContactSums)
+_add_contact_loads = StepPass("add_contact_loads", Moving, StepCut, ContactSums)
 _sum_pair_energies = StepPass("sum_pair_energies", Moving, ContactConstants, ContactPairs, ContactEnergies)
 _sum_wall_energies = StepPass("sum_wall_energies", Moving, ContactConstants, WallContacts, Walls, ContactEnergies)
 _write_contact_energy = StepPass("write_contact_energy", ContactEnergies, HistoryRows)
@@ -112,7 +112,7 @@ class ContactTables:
         travel: Passes = [(_measure_travel, s.moving, self._travel), (_check_travel, self._travel, walls, s.portions)]
         contacts: Passes = [
             (_press_pairs, s.moving, law, self._pairs, self._near, self._travel),
-            (_add_pair_loads, s.moving, law, self._pairs, self._near, self._sums),
+            (_add_pair_loads, law, self._pairs, self._near, self._sums),
         ]
         guard: Passes = []
         if walled:
@@ -124,7 +124,7 @@ class ContactTables:
             ]
             guard.append((_count_wall_work, walls, s.portions))
         contacts.append((_keep_measures, self._near, self._travel))
-        add: Passes = [(_add_contact_loads, s.cut, self._sums)]
+        add: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
         stages = {"travel": travel, "contacts": contacts, "add": add, "guard": guard}
         return [Part(stages, keep=self._keep, renewed=self._renewed), Part({}, record=self._record)]
 
