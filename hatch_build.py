@@ -23,7 +23,7 @@ class CompiledCore(BuildHookInterface):
         build = module_from_spec(spec)
         sys.modules[spec.name] = build  # dataclasses look their module up
         spec.loader.exec_module(build)
-        target = build.Target.named(os.environ.get("BONDEM_TARGET"))
+        target = build.Platform.named(os.environ.get("BONDEM_TARGET"))
         made = build.compile_core(target, target.levels)
         if version != "editable":
             build_data["force_include"] |= {str(path): f"bondem/core/{build.LIBRARIES}/{path.name}" for path in made}

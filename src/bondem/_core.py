@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem._core_build import LIBRARIES, SOURCES, Target, compile_core, source_digest
+from bondem._core_build import LIBRARIES, SOURCES, Platform, compile_core, source_digest
 from bondem._lock import alone
 from bondem.errors import InputError
 
@@ -51,7 +51,7 @@ def _found(level: str, suffix: str, digest: str = "*") -> Path | None:
     return max(made, key=lambda path: path.stat().st_mtime_ns, default=None)
 
 
-def _compiled(target: Target, level: str) -> Path:
+def _compiled(target: Platform, level: str) -> Path:
     """The library of a level, of the sources as they are.
 
     Raises:
@@ -80,7 +80,7 @@ def _compiled(target: Target, level: str) -> Path:
             raise ImportError(str(error)) from None
 
 
-def _level(target: Target) -> str:
+def _level(target: Platform) -> str:
     """The level of instructions to use: of this CPU, or the one that BONDEM_ISA names.
 
     Raises:
@@ -193,7 +193,7 @@ def _library() -> _Library:
     Raises:
         ImportError: there is none, or it does not lay tables out as this module does.
     """
-    target = Target.named(None)
+    target = Platform.named(None)
     level = _level(target)
     loaded = ctypes.CDLL(os.environ.get("BONDEM_CORE") or str(_compiled(target, level)))
     tables = {}
@@ -254,7 +254,7 @@ class Pass:
     """A pass of the core. It is called with its tables, and returns the name of how it ended.
 
     Args:
-        name: of the pass.
+        name: name of the pass.
         kinds: named tuples of its tables, each with the name and the fields that the header declares.
 
     Raises:
@@ -274,7 +274,7 @@ class Pass:
 
         Args:
             tables: in the order of their kinds.
-            threads: how many share the work; no result depends on it.
+            threads: number of threads; no result depends on it.
 
         Returns:
             How it ended, one of the names that the library gives; "" where it can end in one way only.

@@ -41,7 +41,7 @@ _SYSTEMS = {"Linux": "linux", "Darwin": "macos", "Windows": "windows"}
 
 
 @dataclass(frozen=True)
-class Target:
+class Platform:
     """A kind of machine that libraries are compiled for.
 
     Attributes:
@@ -53,8 +53,8 @@ class Target:
     system: str
 
     @classmethod
-    def named(cls, name: str | None) -> "Target":
-        """The target of a name such as "aarch64-linux"; None is the machine that runs this.
+    def named(cls, name: str | None) -> "Platform":
+        """Return the platform of a name such as "aarch64-linux"; None is this machine.
 
         Raises:
             ValueError: a machine or system for which the core is not compiled.
@@ -69,7 +69,7 @@ class Target:
 
     @property
     def triple(self) -> str:
-        """What the compiler calls it."""
+        """Name of the platform for the compiler."""
         return {
             "linux": f"{self.machine}-linux-gnu.2.17",
             "macos": f"{self.machine}-macos.11.0",
@@ -87,7 +87,7 @@ class Target:
 
     @property
     def suffix(self) -> str:
-        """Of its libraries."""
+        """Suffix of its libraries."""
         return {"linux": ".so", "macos": ".dylib", "windows": ".dll"}[self.system]
 
     @property
@@ -114,7 +114,7 @@ def compiler() -> list[str] | None:
     return [sys.executable, "-m", "ziglang", "cc"] if importlib.util.find_spec("ziglang") else None
 
 
-def compile_core(target: Target, levels: Iterable[str], *, folder: Path = SOURCES) -> list[Path]:
+def compile_core(target: Platform, levels: Iterable[str], *, folder: Path = SOURCES) -> list[Path]:
     """Compile libraries of some levels, and remove older ones of these levels.
 
     The compiler keeps the objects of sources in the folder `build`, and compiles those again that have changed.
@@ -122,7 +122,7 @@ def compile_core(target: Target, levels: Iterable[str], *, folder: Path = SOURCE
     Args:
         target: the machine to compile for.
         levels: some of its levels.
-        folder: of the sources.
+        folder: folder of the sources.
 
     Returns:
         The libraries.

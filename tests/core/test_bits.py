@@ -63,7 +63,7 @@ def test_a_build_without_optimisation_has_the_same_bits(tmp_path, monkeypatch):
     monkeypatch.setenv("ZIG_GLOBAL_CACHE_DIR", str(_core_build.SOURCES / "build"))
     folder = tmp_path / "core"
     shutil.copytree(_core_build.SOURCES, folder, ignore=shutil.ignore_patterns("build", "libraries"))
-    (debug,) = _core_build.compile_core(_core_build.Target.named(None), [compiled_level()], folder=folder)
+    (debug,) = _core_build.compile_core(_core_build.Platform.named(None), [compiled_level()], folder=folder)
     level = levels()[-1]
     assert run_at(level, debug) == run_at(level)
 

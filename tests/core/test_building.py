@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from bondem import _core_build
-from bondem._core_build import SOURCES, Target, compile_core, source_digest
+from bondem._core_build import SOURCES, Platform, compile_core, source_digest
 
 ROOT = Path(__file__).resolve().parents[2]
 SMALL = 'extern "C" __attribute__((visibility("default"))) int answer() { return %s; }\n'
@@ -26,7 +26,7 @@ def small_core(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @needs_compiler
 def test_a_changed_source_is_another_library_which_replaces_the_former(tmp_path, monkeypatch):
-    folder, target = small_core(tmp_path, monkeypatch), Target.named(None)
+    folder, target = small_core(tmp_path, monkeypatch), Platform.named(None)
     level = target.levels[0]
     (first,) = compile_core(target, [level], folder=folder)
     assert first.name == f"{level}.{source_digest(folder)}{target.suffix}"
@@ -39,7 +39,7 @@ def test_a_changed_source_is_another_library_which_replaces_the_former(tmp_path,
 
 @needs_compiler
 def test_a_source_that_does_not_compile_is_named(tmp_path, monkeypatch):
-    folder, target = small_core(tmp_path, monkeypatch), Target.named(None)
+    folder, target = small_core(tmp_path, monkeypatch), Platform.named(None)
     (folder / "index.cpp").write_text("int answer() { return unknown; }\n")
     with pytest.raises(RuntimeError, match=r"(?s)does not compile.*index.cpp:1.*unknown"):
         compile_core(target, target.levels[:1], folder=folder)
@@ -48,7 +48,7 @@ def test_a_source_that_does_not_compile_is_named(tmp_path, monkeypatch):
 def test_without_a_compiler_it_is_said_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setattr(_core_build, "compiler", lambda: None)
     with pytest.raises(RuntimeError, match="pip install ziglang"):
-        compile_core(Target.named(None), ["x86_64_v2"], folder=tmp_path)
+        compile_core(Platform.named(None), ["x86_64_v2"], folder=tmp_path)
 
 
 def test_targets_have_the_tags_of_their_wheels():
@@ -56,9 +56,9 @@ def test_targets_have_the_tags_of_their_wheels():
         "x86_64-linux": "py3-none-manylinux_2_17_x86_64", "aarch64-linux": "py3-none-manylinux_2_17_aarch64",
         "aarch64-macos": "py3-none-macosx_11_0_arm64", "x86_64-windows": "py3-none-win_amd64",
     }  # fmt: skip
-    assert {name: Target.named(name).tag for name in tags} == tags
+    assert {name: Platform.named(name).tag for name in tags} == tags
     with pytest.raises(ValueError, match="target = riscv64-linux"):
-        Target.named("riscv64-linux")
+        Platform.named("riscv64-linux")
 
 
 def test_the_core_needs_no_standard_library_and_allocates_nothing():

@@ -37,4 +37,17 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
 
 #undef F
 
+#define BONDEM_CONTACT_TABLES                                                                                            \
+    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<Travel>(),               \
+        described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),           \
+        described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),           \
+        described<FoundWalls>()
+#define BONDEM_CONTACT_SEARCH P(list_pairs, ""), P(count_wall_contacts, ""), P(list_wall_contacts, "")
+#define BONDEM_CONTACT_PASSES                                                                                            \
+    S(serial, move_walls), S(of_elements, measure_travel), S(serial, check_travel), S(of_elements, press_pairs),         \
+        S(of_ranges, add_pair_loads), S(of_elements, press_walls), S(of_elements, measure_wall_overlaps),                \
+        S(serial, load_walls), S(serial, keep_measures), S(elements_of_blocks, add_contact_loads),                       \
+        S(of_elements, sum_pair_energies), S(of_elements, sum_wall_energies), S(serial, write_contact_energy),           \
+        S(serial, count_wall_work), S(serial, write_walls)
+
 }  // namespace bondem

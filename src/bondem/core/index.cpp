@@ -1,6 +1,8 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
+#include "cell_descriptions.hpp"
 #include "described.hpp"
 #include "instructions.hpp"
+#include "lagged_descriptions.hpp"
 #include "lanes.hpp"
 #include "passes/assembly/stiffness.hpp"
 #include "passes/packing/growth.hpp"
@@ -12,6 +14,7 @@
 #include "passes/tessellation/laguerre.hpp"
 #include "passes/tessellation/measures.hpp"
 #include "passes/tessellation/ownership.hpp"
+#include "statics_descriptions.hpp"
 #include "step_descriptions.hpp"
 
 namespace bondem {
@@ -80,10 +83,11 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
-    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<Travel>(),
-    described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),
-    described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),
-    described<FoundWalls>(),
+    BONDEM_LAGGED_TABLES,
+    BONDEM_STATICS_TABLES,
+    BONDEM_DAMAGE_TABLES,
+    BONDEM_CELL_TABLES,
+    BONDEM_CONTACT_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -106,9 +110,11 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
-    P(list_pairs, ""),
-    P(count_wall_contacts, ""),
-    P(list_wall_contacts, ""),
+    BONDEM_LAGGED_LOADS,
+    BONDEM_STATICS_PASSES,
+    BONDEM_DAMAGE_INDICES,
+    BONDEM_CELL_PASSES,
+    BONDEM_CONTACT_SEARCH,
     P(take_steps, "sound not_finite runaway out_of_date"),
 };
 #undef P
@@ -137,27 +143,18 @@ const StepPassDescription step_passes[] = {
     S(elements_of_blocks, move_resisted),
     S(elements_of_blocks, move_resisted_rows),
     S(elements_of_blocks, add_body_work),
+    S(elements_of_blocks, reopen_elements),
+    S(elements_of_blocks, reopen_rows),
     S(of_bonds, check_beams),
     S(of_bonds, sum_beam_energies),
     S(of_elements, sum_element_energies),
     S(serial, judge_energy),
     S(serial, write_ledger),
     S(serial, read_gauges),
-    S(serial, move_walls),
-    S(of_elements, measure_travel),
-    S(serial, check_travel),
-    S(of_elements, press_pairs),
-    S(of_ranges, add_pair_loads),
-    S(of_elements, press_walls),
-    S(of_elements, measure_wall_overlaps),
-    S(serial, load_walls),
-    S(serial, keep_measures),
-    S(elements_of_blocks, add_contact_loads),
-    S(of_elements, sum_pair_energies),
-    S(of_elements, sum_wall_energies),
-    S(serial, write_contact_energy),
-    S(serial, count_wall_work),
-    S(serial, write_walls),
+    BONDEM_LAGGED_PASSES,
+    BONDEM_DAMAGE_PASSES,
+    BONDEM_CELL_STEP_PASSES,
+    BONDEM_CONTACT_PASSES,
 };
 #undef S
 

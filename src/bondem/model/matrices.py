@@ -42,7 +42,7 @@ class FacetRows(NamedTuple):
 
 
 class BlockRows(NamedTuple):
-    """Block rows of a matrix, one an element: earlier neighbours, the diagonal, later neighbours."""
+    """Block rows of a matrix, one per element: earlier neighbours, the diagonal, later neighbours."""
 
     in_start: Ints  #: bonds in_start[p] … in_start[p + 1] - 1 end in p, (n + 1,)
     out_start: Ints  #: those that begin in p are in …, (n + 1,)
@@ -61,7 +61,7 @@ class BlockRows(NamedTuple):
 
 
 class DilatationRows(NamedTuple):
-    """What the dilatation of each cell is a sum of, in the same rows."""
+    """Forms whose sum is the dilatation of each cell, in the same rows."""
 
     forms: Floats  #: V θ under unit motions [m², m³], (b, 1, 6)
 

@@ -46,7 +46,7 @@ class Near(NamedTuple):
 
 
 class Relaxing(NamedTuple):
-    """When a relaxation ends, and what the descent keeps between calls."""
+    """Criteria for the end of a relaxation, and data that the descent keeps between calls."""
 
     tolerance: float  #: converged when the rms force is below this share of the mean contact force [-]
     loose: float  #: spheres with a mean overlap below this do not press on each other [m]
@@ -63,7 +63,7 @@ class Relaxing(NamedTuple):
 
 
 class Growing(NamedTuple):
-    """How spheres grow while they fly, and how that ended."""
+    """Growth of flying spheres, and a report of its end."""
 
     scale: float  #: of the radii at the beginning [-]
     rate: float  #: scale gained per unit of time
@@ -73,12 +73,12 @@ class Growing(NamedTuple):
 
     @classmethod
     def of(cls, scale: float, rate: float, duration: float, events: int) -> "Growing":
-        """The same with an empty report."""
+        """Return a growth with an empty report."""
         return cls(scale, rate, duration, events, np.zeros(_GROWING))
 
 
 class Flight(NamedTuple):
-    """What is known of each of n flying spheres; passes write all."""
+    """Times and next events of n flying spheres; passes write all."""
 
     since: Floats  #: when its centre was true, (n,)
     when: Floats  #: time of its next event, (n,)

@@ -27,13 +27,14 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of the total formulation that do not break, with or without contacts and walls.
+    It has those of beams of both formulations, which may break but not soften, of contacts and walls of beams that do
+    not break, and of the non-local law without breakage and contacts.
     """
     return (
         model.cells is None
-        and model.non_local is None
-        and model.formulation == "total"
-        and model.breaking is None
+        and model.beam_softening is None
+        and (model.non_local is None or model.breaking is None)
+        and (model.contacts is None or (model.breaking is None and model.non_local is None))
     )
 
 
@@ -51,7 +52,9 @@ class CoreLoop:
         busy = self._m if model.contacts is None else self._m + self._n
         self._threads = current_threads() if busy >= SERIAL_BONDS else 1
         domains = min(self._threads, max(busy // _DOMAIN, 1))
-        cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table()
+        # elements that a failure delays keep their sums in rows of their own
+        kept = 0 if model.breaking is None else self._n
+        cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table(kept)
         self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan), dt)
         self._still = noticeable(model, dt)
         self._make_lists()
@@ -64,6 +67,8 @@ class CoreLoop:
             opening=self._list("opening"),
             travel=self._list("travel"),
             forces=self._list(*FORCES),
+            resume=self._list("resume"),
+            reopening=self._list("reopening"),
             guard=self._list("guard"),
             record=self._compose([]),
         )
@@ -99,7 +104,7 @@ class CoreLoop:
         """Bring the acceleration up to date and record the present."""
         state, budget = self.state, self._tables.portions.budget
         begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
-        records = np.empty((1, self._width))
+        records = np.zeros((1, self._width))
         self._take(0, records, looks=True)
         state.stale = False
         if begins:
@@ -110,7 +115,7 @@ class CoreLoop:
         """Take steps; return the records, bonds turned wide, bonds lost, and whether the run is sound."""
         if self.state.stale:
             self.look()
-        records = np.empty((steps // self._every + 1 if self._every else 0, self._width))
+        records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))
         done, written, wide, moved = 0, 0, 0, False
         while True:
             ending, (gone, new, turned, lost) = self._take(steps - done, records[written:], moved=moved)

@@ -110,6 +110,8 @@ class StepPasses(NamedTuple):
     opening: Ints  #: elements open a step after a pause
     travel: Ints  #: walls move, and lists of contacts may be out of date
     forces: Ints  #: forces, and what elements do with them
+    resume: Ints  #: elements that a failure has delayed find their acceleration without what failed
+    reopening: Ints  #: and open the next step
     guard: Ints  #: whether the run is sound
     record: Ints  #: a row of the history
 

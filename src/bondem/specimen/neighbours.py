@@ -48,7 +48,7 @@ def neighbours(
         period: periodic edge lengths [m], (3,), 0 where an axis is not periodic. A periodic edge exceeds four largest
             radii plus two skins.
         skin: largest gap [m].
-        threads: how many share the work.
+        threads: number of threads.
 
     Returns:
         Where the list of each sphere begins, shape (n + 1,), and the lists one after the other, uint32.

@@ -105,8 +105,8 @@ class ContactTables:
         )  # fmt: skip
         self._walls.listed[:] = self._walls.body[:, :4]
 
-    def parts(self) -> list[Part]:
-        """Return the part of contacts, and that which writes them to the history, after the ledger."""
+    def part(self) -> Part:
+        """Return the part of contacts with their present list."""
         s, law, walls = self._shared, self._law, self._walls
         walled = len(walls.body) > 0
         travel: Passes = [(_measure_travel, s.moving, self._travel), (_check_travel, self._travel, walls, s.portions)]
@@ -126,7 +126,7 @@ class ContactTables:
         contacts.append((_keep_measures, self._near, self._travel))
         add: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
         stages = {"travel": travel, "contacts": contacts, "add": add, "guard": guard}
-        return [Part(stages, keep=self._keep, renewed=self._renewed), Part({}, record=self._record)]
+        return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
 
     def _record(self, history: HistoryRows) -> Passes:
         moving, law, energies = self._shared.moving, self._law, self._energies
@@ -156,4 +156,4 @@ class ContactTables:
         if found is None:
             return None
         self._list(found)
-        return self.parts()[0]
+        return self.part()

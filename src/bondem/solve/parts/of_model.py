@@ -12,8 +12,11 @@ from bondem.solve.parts.boundary import boundary
 from bondem.solve.parts.contacts import ContactTables
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
+from bondem.solve.parts.non_local import non_local
 from bondem.solve.parts.part import Part
 from bondem.solve.parts.shared_tables import SharedTables
+from bondem.solve.parts.stored_beams import stored_beams
+from bondem.solve.step_tables import Dashpots
 
 
 def parts_of(
@@ -23,18 +26,29 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
-    parts = [boundary(shared)]
-    if more is not None and len(more.group):
-        parts.append(body_forces(shared, more))
-    contacts: list[Part] = []
-    if model.contacts is not None:
-        joined = joints(model, state, state.integrity)
-        contacts = ContactTables(model, model.contacts, state, shared, gauges, joined, dt).parts()
-    parts += [
-        *contacts[:1],
-        beams(model, state, shared, dashpots),
+    parts = [
+        boundary(shared),
+        *_contacts(model, state, shared, gauges, dt),
+        *_bonds(model, state, shared, dashpots),
         motion(shared, dashpots, resistance_of(terms, more)),
-        history(shared, gauges),
-        *contacts[1:],
     ]
-    return shared, parts
+    if more is not None and len(more.group):
+        parts.append(body_forces(shared, more))  # their work is that at the velocities after the kick
+    return shared, [*parts, history(shared, gauges)]
+
+
+def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+    """Return the parts of the bonds."""
+    if model.non_local is not None:
+        return non_local(model, state, shared, dashpots)
+    if model.formulation == "incremental":
+        return [stored_beams(model, state, shared, dashpots)]
+    return beams(model, state, shared, dashpots)
+
+
+def _contacts(model: Model, state: State, shared: SharedTables, gauges: Gauges, dt: float) -> list[Part]:
+    """Return the part of contacts and walls, if the model has any."""
+    if model.contacts is None:
+        return []
+    joined = joints(model, state, state.integrity)
+    return [ContactTables(model, model.contacts, state, shared, gauges, joined, dt).part()]

@@ -11,7 +11,7 @@ from bondem.specimen.cells.solids import Solids
 
 
 class Dividing(NamedTuple):
-    """Which solids are divided among which elements, and in what room."""
+    """Solids, the elements among which they are divided, and room for the parts."""
 
     sphere: Floats  #: centres and radii of all elements [m], (n, 4)
     near: Ints  #: solid s is divided among near[start[s]] … near[start[s + 1] - 1]
@@ -25,7 +25,7 @@ class Dividing(NamedTuple):
     done: Ints  #: solids divided, parts made, (2,)
 
     def with_more_parts(self) -> "Dividing":
-        """The same with room for more parts."""
+        """Return a copy with room for more parts."""
         cell, owner, end = (room_for(values, 2 * len(values)) for values in (self.cell, self.owner, self.end))
         return self._replace(cell=cell, owner=owner, end=end)
 

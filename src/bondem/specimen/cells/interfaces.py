@@ -15,7 +15,7 @@ from bondem.specimen.cells.solids import SPLIT, Solids, polygon_measures, ranges
 
 
 class FaceGroups(NamedTuple):
-    """Faces in one plane: of group g, from one side plus[first[g]] …, and from the other minus[second[g]] …"""
+    """Faces in one plane: those of group g begin at plus[first[g]] on one side, minus[second[g]] on the other."""
 
     of_face: Ints  #: the solid that each face is of, (f,)
     plus: Ints

@@ -26,12 +26,12 @@ class Pile(NamedTuple):
 
     @property
     def size(self) -> int:
-        """How many polygons there are."""
+        """Number of polygons."""
         return int(self.used[0])
 
     @property
     def corner(self) -> Ints:
-        """Where the corners of each polygon begin, and where the last one ends, shape (size + 1,)."""
+        """First corner of each polygon, and the end of the last one, shape (size + 1,)."""
         return np.append(self.what[: self.size, START], self.used[1])
 
     @property
@@ -40,7 +40,7 @@ class Pile(NamedTuple):
         return self.vertex[: self.used[1]]
 
     def roomier(self) -> "Pile":
-        """The same polygons with twice the room."""
+        """Return a copy with twice the room."""
         used = np.array([*self.used[:2], 0])
         what, plane, vertex = (room_for(values, 2 * len(values)) for values in self[:3])
         return Pile(what, plane, vertex, used)

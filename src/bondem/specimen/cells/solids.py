@@ -97,7 +97,7 @@ def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floa
 
 
 class Bulk(NamedTuple):
-    """What solids are as wholes, all about the centre of the element.
+    """Volumes, surfaces and moments of solids, all about the centre of the element.
 
     Attributes:
         volume: ∫ dV [m³], shape (k,).

@@ -16,7 +16,7 @@ from bondem.specimen.cells.walls import WallTree
 
 
 class Splitting(NamedTuple):
-    """How solids are split, and in what room."""
+    """Data of the splitting of solids, and room for the pieces."""
 
     position: PerElement3  #: centres of all elements [m], (n, 3)
     tolerance: float  #: what reaches in less than this splits nothing [m]
@@ -37,12 +37,12 @@ class Splitting(NamedTuple):
         return cls(position, tolerance, found, below, lid, work, other, cell, end, np.zeros(2, np.int64))
 
     def with_more_scratch(self) -> "Splitting":
-        """The same with longer lists."""
+        """Return a copy with longer lists."""
         found, below = (room_for(values, 2 * len(values)) for values in (self.found, self.below))
         return self._replace(found=found, below=below)
 
     def with_more_pieces(self) -> "Splitting":
-        """The same with room for more pieces."""
+        """Return a copy with room for more pieces."""
         cell, end = (room_for(values, 2 * len(values)) for values in (self.cell, self.end))
         return self._replace(cell=cell, end=end)
 

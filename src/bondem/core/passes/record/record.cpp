@@ -2,15 +2,13 @@
 #include "record.hpp"
 
 #include "../motion/elements.hpp"
+#include "columns.hpp"
 
 namespace bondem {
 namespace {
 
-// Columns of a record before the gauges.
-enum Column : Index {
-    time, translation, rotation, normal, shear, bending, twisting, contact, work, loss, friction, non_local, fracture, plastic,
-    fixed_columns
-};
+using namespace column;
+
 // What a gauge reads of an element, and how it makes one number of many.
 enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
 enum Reduction : Index { mean, sum, largest };
@@ -44,7 +42,8 @@ double read(const Moving &all, const Rows &rows, Index quantity, Index p, Index 
     }
     const Index r = rows.of(p);
     if (r < 0) return 0.0;
-    return rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis);
+    const double of_walls = rows.grip.size() > 0 ? rows.grip(r, axis) : 0.0;  // that hold facets of the cell
+    return of_walls + (rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis));
 }
 
 }  // namespace
@@ -81,7 +80,6 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
 
 void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
     double *const record = &history.record(turn.clock.record, 0);
-    for (Index c = 0; c < fixed_columns; c++) record[c] = 0.0;
     record[time] = turn.clock.time;
     for (Index q = 0; q < portions.elements.size(); q++) {
         record[translation] += portions.elements(q, 0);
