@@ -10,7 +10,8 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import changing_strain
 from bondem.solve.damage_tables import Candidates, FailureBounds
-from bondem.solve.parts.breakage import DamageTables, breakage, damage_of
+from bondem.solve.parts.breakage import breakage
+from bondem.solve.parts.damage import DamageTables, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
@@ -51,9 +52,8 @@ def _loads(
     moving: Moving, table: Beams, alike: AlikeBeams | None, cut: StepCut, damage: DamageTables | None
 ) -> tuple[Any, ...]:
     """Return the pass of forces: of beams that share their constants or not, and that may break or not."""
+    shared = () if alike is None else (alike,)
     if damage is None:
-        return (_add_beam_loads, moving, table, cut) if alike is None else (_add_alike_beam_loads, moving, table, alike, cut)
-    marks = damage.bounds, damage.candidates
-    if alike is None:
-        return _add_marked_beam_loads, moving, table, cut, *marks
-    return _add_marked_alike_beam_loads, moving, table, alike, cut, *marks
+        return _add_beam_loads if alike is None else _add_alike_beam_loads, moving, table, *shared, cut
+    loads = _add_marked_beam_loads if alike is None else _add_marked_alike_beam_loads
+    return loads, moving, table, *shared, cut, damage.bounds, damage.candidates
