@@ -33,6 +33,7 @@ class ContactPairs(NamedTuple):
     touch: np.ndarray  #: uint8, (c,)
     bond: Ints  #: the bond of each pair, or -1, (c,)
     joined: Floats  #: above 0 of bonds that join their elements, which then do not touch, (m,)
+    of_bond: Ints  #: the pair of each bond, or -1, (m,)
     period: Floats  #: edges of the periodic cell and their inverses, (6,)
 
 

@@ -27,14 +27,14 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of both formulations, which may break but not soften, of contacts and walls of beams that do
-    not break, and of the non-local law without breakage and contacts.
+    It has those of beams of both formulations, which may break but not soften, with contacts and walls, and of the
+    non-local law without breakage and contacts.
     """
     return (
         model.cells is None
         and model.beam_softening is None
         and (model.non_local is None or model.breaking is None)
-        and (model.contacts is None or (model.breaking is None and model.non_local is None))
+        and (model.contacts is None or model.non_local is None)
     )
 
 

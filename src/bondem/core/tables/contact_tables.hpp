@@ -3,11 +3,10 @@
 // Pairs stand once, sorted by their later element and then by their earlier one, as bonds are. A portion of elements
 // (`steps.hpp`) owns the pairs whose later element is in it.
 #pragma once
-#include "../array.hpp"
+#include "damage_tables.hpp"
+#include "step_tables.hpp"
 
 namespace bondem {
-
-using Byte = uint8_t;
 
 // The law of all contacts, and the radii of the elements.
 struct ContactConstants {
@@ -28,6 +27,7 @@ struct ContactPairs {
     Array<Byte, 1> touch;  // apart, touching or parted, (c,)
     Array<const Index, 1> bond;  // the bond of each pair, or -1; while it joins them they do not touch, (c,)
     Array<double, 1> joined;  // above 0 of bonds that join their elements
+    Array<const Index, 1> of_bond;  // the pair of each bond, or -1, (m,)
     Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
 };
 // Pairs that are looked at in every step, until an element has moved so far that distances are measured anew. Those of a

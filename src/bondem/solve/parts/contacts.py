@@ -3,7 +3,6 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem._types import PerBond
 from bondem.kernels.tables import Gauges, StepCut, lines
 from bondem.model.contact_search import Walls
 from bondem.model.contacts import ContactModel
@@ -20,7 +19,9 @@ from bondem.solve.contact_tables import (
     WallContacts,
     WallMotions,
 )
+from bondem.solve.damage_tables import EventLog, Postponed
 from bondem.solve.neighbour_list import ContactSearch, FoundContacts
+from bondem.solve.parts.damage import Joints
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import HistoryRows, Moving, Portions
@@ -39,6 +40,9 @@ _sum_pair_energies = StepPass("sum_pair_energies", Moving, ContactConstants, Con
 _sum_wall_energies = StepPass("sum_wall_energies", Moving, ContactConstants, WallContacts, Walls, ContactEnergies)
 _write_contact_energy = StepPass("write_contact_energy", ContactEnergies, HistoryRows)
 _count_wall_work = StepPass("count_wall_work", Walls, Portions)
+_begin_contacts = StepPass(
+    "begin_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
+)
 _write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
 
 # Distances of all pairs are measured again when an element has moved this share of the reach of the list.
@@ -54,18 +58,18 @@ class ContactTables:
         state: state of the run; its arrays are shared.
         shared: tables of all parts.
         gauges: gauges of the run.
-        joints: result of `bondem.solve.cracks.joints`.
+        joints: what joins the elements.
         dt: time step [s].
     """
 
     def __init__(
         self, model: Model, contacts: ContactModel, state: State, shared: SharedTables, gauges: Gauges,
-        joints: tuple[PerBond, PerBond], dt: float,
+        joints: Joints, dt: float,
     ) -> None:  # fmt: skip
         self._state, self._shared, self._gauges = state, shared, gauges
-        self._search = ContactSearch(model, contacts, state, joints)
+        self._search = ContactSearch(model, contacts, state, (joints.integrity, joints.apart))
         self._check = ContactCheck(contacts, dt)
-        self._period, self._joined = model.period, joints[0]
+        self._period, self._joints = model.period, joints
         n, portions = len(state.pose), len(shared.portions.elements)
         modulus, soft, friction, damping, hertzian = contacts.law.parameters.tolist()
         self._law = ContactConstants(modulus, soft, friction, damping, bool(hertzian), contacts.radius)
@@ -89,7 +93,7 @@ class ContactTables:
         c, portions = len(pairs.first), len(self._energies.energy)
         self._pairs = ContactPairs(
             pairs.first, pairs.second, pairs.start, radius[pairs.first] + radius[pairs.second] + pairs.gap, found.own,
-            pairs.memory, pairs.touch, pairs.bond, self._joined, self._period,
+            pairs.memory, pairs.touch, pairs.bond, self._joints.integrity, found.of_bond, self._period,
         )  # fmt: skip
         self._near = NearPairs(
             np.zeros(c + 1, dtype=np.uint32), np.zeros(c + 1, dtype=np.uint32), np.empty((c, 8)),
@@ -125,7 +129,13 @@ class ContactTables:
             guard.append((_count_wall_work, walls, s.portions))
         contacts.append((_keep_measures, self._near, self._travel))
         add: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
-        stages = {"travel": travel, "contacts": contacts, "add": add, "guard": guard}
+        hand_over: Passes = []
+        if self._joints.damage is not None:
+            damage = self._joints.damage
+            hand_over.append(
+                (_begin_contacts, s.moving, law, self._pairs, self._near, damage.log, damage.postponed)
+            )
+        stages = {"hand_over": hand_over, "travel": travel, "contacts": contacts, "add": add, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
 
     def _record(self, history: HistoryRows) -> Passes:

@@ -5,11 +5,11 @@ from bondem.laws.damping import DampingTerms
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added
-from bondem.solve.cracks import joints
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
 from bondem.solve.parts.contacts import ContactTables
+from bondem.solve.parts.damage import Joints
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
 from bondem.solve.parts.non_local import non_local
@@ -26,10 +26,14 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
+    bonds, joints = _bonds(model, state, shared, dashpots)
+    contacts: list[Part] = []
+    if model.contacts is not None:
+        contacts.append(ContactTables(model, model.contacts, state, shared, gauges, joints, dt).part())
     parts = [
         boundary(shared),
-        *_contacts(model, state, shared, gauges, dt),
-        *_bonds(model, state, shared, dashpots),
+        *contacts,
+        *bonds,
         motion(shared, dashpots, resistance_of(terms, more)),
     ]
     if more is not None and len(more.group):
@@ -37,18 +41,14 @@ def parts_of(
     return shared, [*parts, history(shared, gauges)]
 
 
-def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
-    """Return the parts of the bonds."""
+def _bonds(
+    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None
+) -> tuple[list[Part], Joints]:
+    """Return the parts of the bonds, and the bonds as joints of their elements."""
+    if model.non_local is None and model.formulation == "total":
+        return beams(model, state, shared, dashpots)
     if model.non_local is not None:
-        return non_local(model, state, shared, dashpots)
-    if model.formulation == "incremental":
-        return [stored_beams(model, state, shared, dashpots)]
-    return beams(model, state, shared, dashpots)
-
-
-def _contacts(model: Model, state: State, shared: SharedTables, gauges: Gauges, dt: float) -> list[Part]:
-    """Return the part of contacts and walls, if the model has any."""
-    if model.contacts is None:
-        return []
-    joined = joints(model, state, state.integrity)
-    return [ContactTables(model, model.contacts, state, shared, gauges, joined, dt).part()]
+        parts = non_local(model, state, shared, dashpots)
+    else:
+        parts = [stored_beams(model, state, shared, dashpots)]
+    return parts, Joints.of(model, state, state.integrity, None)
