@@ -186,8 +186,8 @@ void soften_group(const CrackGroup &group, const Moving &all, const FacetStrengt
     const Lanes zero = {};
     SofteningGroup of = {group, group.state(cracks, 0), group.state(cracks, 8), {},
                          {a.column[stress_column], b.column[stress_column]}};
-    of.at = {measured_row(lists, group.e, 0), measured_row(lists, group.e, 1), measured_row(lists, group.e, 2),
-             measured_row(lists, group.e, 3), {}, {}, {}};
+    of.at = CrackFaces<Lanes>{measured_row(lists, group.e, 0), measured_row(lists, group.e, 1),
+                              measured_row(lists, group.e, 2), measured_row(lists, group.e, 3), {}, {}, {}};
     const FacetCompliance<Lanes> facet = {group.number(cracks.constant, crack::constant_width, 6),
                                           group.number(cracks.constant, crack::constant_width, 7)};
     const Vector3<Lanes> whole = whole_force(facet.k, of.at, of.stress);
