@@ -27,15 +27,9 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of both formulations, which may break but not soften, and of the non-local law without
-    breakage; and no contacts yet.
+    It has those of beams of both formulations and of the non-local law, which may break but neither soften nor touch.
     """
-    return (
-        model.cells is None
-        and model.beam_softening is None
-        and (model.non_local is None or model.breaking is None)
-        and model.contacts is None
-    )
+    return model.cells is None and model.beam_softening is None and model.contacts is None
 
 
 class CoreLoop:

@@ -7,6 +7,7 @@
 // 4e-7 (interpolated at Chebyshev's points). A margin for that and for rounding is added, so that a criterion that is not
 // reached by the bounds is not reached.
 #pragma once
+#include "../select.hpp"
 #include "../symmetric3.hpp"
 #include "rotations.hpp"
 
@@ -34,7 +35,7 @@ template <class T> struct PrincipalBounds {
 
 // 2 cos(arccos(r) / 3), within 4e-7.
 template <class T> BONDEM_INLINE T trisected(T r) {
-    const T one = T{} + 1.0, c = r < -one ? -one : r > one ? one : r;
+    const T one = T{} + 1.0, c = select(r < -one, -one, select(r > one, one, r));
     const T x = root(0.5 * (1.0 + c));
     return 1.0000003719387707 +
            x * (1.1546638041491451 +

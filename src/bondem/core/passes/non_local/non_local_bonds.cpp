@@ -5,20 +5,13 @@
 // stresses do not change.
 #include "non_local_bonds.hpp"
 
+#include "../../select.hpp"
 #include "../record/columns.hpp"
 #include "pairs.hpp"
 
 namespace bondem {
 namespace {
 
-// First columns of what a bond stores, and of what it does.
-enum Stored : Index { gap_column, extra_column = 3, taken_column = 6 };
-enum Output : Index { force_column, on_i_column = 3, on_j_column = 6 };
-
-BONDEM_INLINE Vector3<Lanes> where_positive(Lanes s, Vector3<Lanes> a, Vector3<Lanes> b) {
-    const Lanes zero = {};
-    return {s > zero ? a.x : b.x, s > zero ? a.y : b.y, s > zero ? a.z : b.z};
-}
 BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
     const Lanes zero = {};
     return {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}};
@@ -35,8 +28,9 @@ BONDEM_INLINE void keep(const NonLocalBonds &bonds, Group group, Lanes s, const 
                         const PairStore<Lanes> &before) {
     double *const data = bonds.history.data;
     const Index m = bonds.history.shape[1];
-    keep_vector(data, m, gap_column, group, where_positive(s, now.gap, before.gap));
-    keep_vector(data, m, extra_column, group, where_positive(s, now.extra, before.extra));
+    const Mask<Lanes> unbroken = s > Lanes{};
+    keep_vector(data, m, gap_column, group, select(unbroken, now.gap, before.gap));
+    keep_vector(data, m, extra_column, group, select(unbroken, now.extra, before.extra));
     store_behind(data + taken_column * m + group.first, now.taken, group.known);
 }
 BONDEM_INLINE void put_output(const NonLocalBonds &bonds, Group group, Lanes s, const PairLoads<Lanes> &loads) {
