@@ -15,6 +15,10 @@ X_MIN, X_MAX = bd.Face("x_min", depth=0.5), bd.Face("x_max", depth=0.5)
 GRAVITY = [bd.Fix(X_MIN), bd.BodyForce(acceleration=(0.0, 0.0, -9.81))]
 
 
+SHEARED = bd.MohrCoulomb(tension=3e5, cohesion=1e5, friction_angle=0.6)
+PULLED = bd.Rankine(tension=5e4)
+
+
 def stored(name: str) -> bd.Model:
     """A model of beams of the incremental formulation, of the law of a name."""
     law = replace(LAWS[name], formulation="incremental")
@@ -29,17 +33,17 @@ def periodic_beams() -> bd.Model:
     return bd.Model(lattice, law, density=1e3)
 
 
-def non_local_cells(**options) -> bd.Model:
+def non_local_cells(failure: bd.Criterion | None = None) -> bd.Model:
     """A box of Laguerre cells with the non-local law, held and loaded."""
     particles = bd.pack(bd.Box((4.0, 3.0, 3.0)), count=200, spread=0.25, seed=1)
     body = bd.connect(particles, method="laguerre")
-    return bd.Model(body, bd.NonLocal(E=1e7, nu=0.2, **options), density=1e3, boundary=HELD)
+    return bd.Model(body, bd.NonLocal(E=1e7, nu=0.2), density=1e3, boundary=HELD, failure=failure)
 
 
-def non_local_spheres(**options) -> bd.Model:
+def non_local_spheres(failure: bd.Criterion | None = None) -> bd.Model:
     """A lattice of spheres with weighted areas, under its weight."""
-    law = bd.NonLocal(E=1e7, nu=0.25, areas="weighted", **options)
-    return bd.Model(crooked((6, 5, 5)), law, density=1e3, boundary=GRAVITY)
+    law = bd.NonLocal(E=1e7, nu=0.25, areas="weighted")
+    return bd.Model(crooked((6, 5, 5)), law, density=1e3, boundary=GRAVITY, failure=failure)
 
 
 def non_local_period(**options) -> bd.Model:
@@ -59,6 +63,8 @@ CASES: dict[str, tuple[Callable[[], bd.Model], object]] = {
     ),
     "non-local, spheres": (non_local_spheres, bd.BondDamping(eta=0.2)),
     "non-local, periodic": (non_local_period, None),
+    "non-local, cells that break": (lambda: non_local_cells(SHEARED), bd.BondDamping(eta=0.1)),
+    "non-local, spheres that break": (lambda: non_local_spheres(PULLED), bd.LocalDamping(0.1)),
 }  # fmt: skip
 
 

@@ -8,10 +8,12 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._core import Pass
-from bondem._types import Floats
+from bondem._types import Floats, PerBond
 from bondem.kernels.tables import lines
 from bondem.model.beam_tables import Beams, Poses, beam_tables
 from bondem.model.bond_table import with_twins, with_zeros
+from bondem.model.failure_passes import FailureIndices, Strengths, strengths_of
+from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model
 from bondem.model.non_local_constants import NonLocalConstants
 from bondem.model.state import State
@@ -69,6 +71,8 @@ class ExtraForces(NamedTuple):
 
 _find_small_extra_forces = Pass("find_small_extra_forces", SmallPairs, ExtraForces)
 _load_non_local_bonds = Pass("load_non_local_bonds", Poses, Beams, NonLocalBonds)
+_turn_all_stresses = Pass("turn_all_stresses", Poses, LaggedStresses)
+_index_pairs = Pass("index_pairs", Beams, LaggedStresses, Strengths, FailureIndices)
 
 
 def non_local_tables(model: Model, state: State) -> tuple[Beams, NonLocalBonds]:
@@ -120,6 +124,16 @@ def loads_of_non_local(model: Model, state: State) -> Floats:
     _load_non_local_bonds(Poses(state.pose), beams, bonds)
     own = bonds.output[:, : len(state.integrity)].T
     return np.hstack([-own[:, :3], own[:, 3:6], -own[:, 6:]])
+
+
+def pair_indices(model: Model, state: State, table: FailureTable) -> PerBond:
+    """Return the index of each bond by the stresses of a state [-], 0 where broken, internal order, (m,)."""
+    beams, _ = non_local_tables(model, state)
+    stresses = lagged_stresses(model, state, model.layout.i, 0)
+    _turn_all_stresses(Poses(state.pose), stresses)
+    found = FailureIndices(np.zeros(len(beams.i)))
+    _index_pairs(beams, stresses, strengths_of(table), found)
+    return found.index[: len(state.integrity)]
 
 
 # Rows of the present loads of bonds.
