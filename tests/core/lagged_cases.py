@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 import bondem as bd
+from bondem.laws.damping import AnyDamping
 from bondem.model.state import State
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import highest_frequency
@@ -52,7 +53,7 @@ def non_local_period(**options) -> bd.Model:
     return bd.Model(body, bd.NonLocal(E=40e9, nu=0.2, **options), density=2400.0)
 
 
-CASES: dict[str, tuple[Callable[[], bd.Model], object]] = {
+CASES: dict[str, tuple[Callable[[], bd.Model], AnyDamping | None]] = {
     "stored, Timoshenko": (lambda: stored("Timoshenko"), None),
     "stored, Euler–Bernoulli, local damping": (lambda: stored("Euler–Bernoulli"), bd.LocalDamping(0.1)),
     "stored, parallel, bond damping": (lambda: stored("parallel"), bd.BondDamping(eta=0.1)),
@@ -69,7 +70,7 @@ CASES: dict[str, tuple[Callable[[], bd.Model], object]] = {
 
 
 def plan_and_state(
-    model: bd.Model, damping: object, *, steps: int = 240, every: int = 20, share: float = 0.3
+    model: bd.Model, damping: AnyDamping | None, *, steps: int = 240, every: int = 20, share: float = 0.3
 ) -> tuple[Plan, State]:
     """How a model runs, at a share of the critical step of its springs, and where it begins: in motion."""
     dt = share * 2.0 / highest_frequency(model)

@@ -17,8 +17,14 @@ from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from tests.bits import EnoughError, assert_same_bits
 from tests.core.lagged_cases import (
-    CASES, PULLED, SHEARED, non_local_cells, non_local_spheres, plan_and_state, stored,
-)  # fmt: skip
+    CASES,
+    PULLED,
+    SHEARED,
+    non_local_cells,
+    non_local_spheres,
+    plan_and_state,
+    stored,
+)
 from tests.core.test_steps import HELD, LAWS, crooked
 
 STORED = replace(LAWS["Timoshenko"], formulation="incremental")
@@ -104,15 +110,21 @@ def test_forces_of_an_unchanged_state_are_found_again(name):
 def test_a_run_resumed_has_the_bits_of_a_whole_one(name, tmp_path: Path):
     model = MODELS[name]()
     plan, start = plan_and_state(model, None, steps=200, share=0.05)
-    options = dict(duration=plan.duration, dt=plan.dt, every=10, damping=bd.LocalDamping(0.1), save_every=50)
-    whole = bd.solve_explicit(model, state=start.copy(), out=tmp_path / "whole", **options)
+
+    def run(**options) -> bd.ExplicitResult:
+        return bd.solve_explicit(
+            model, duration=plan.duration, dt=plan.dt, every=10, damping=bd.LocalDamping(0.1), save_every=50,
+            state=start.copy(), **options,
+        )  # fmt: skip
+
+    whole = run(out=tmp_path / "whole")
 
     def stop(done: float) -> None:
         if done > 0.6:
             raise EnoughError
 
     with pytest.raises(EnoughError):
-        bd.solve_explicit(model, state=start.copy(), out=tmp_path / "cut", progress=stop, **options)
+        run(out=tmp_path / "cut", progress=stop)
     assert 0 < bd.read_run(tmp_path / "cut").state.step < 200
     assert_same_bits(whole, bd.resume(tmp_path / "cut"))
 
@@ -147,7 +159,8 @@ def test_stored_loads_of_a_driven_beam():
     dt, steps = 1e-4, 100
     done = integrate(model, Plan(duration=steps * dt, dt=dt, every=steps), loop_of=CoreLoop)
     kn, kt, t = float(model.stiffness.kn[0]), float(model.stiffness.kt[0]), steps * dt
-    np.testing.assert_allclose(done.state.history[:, 0], [kn * 1e-3 * t, 0, 0, kt * 2e-3 * t, 0, 0], rtol=1e-12, atol=1e-9)
+    expected = [kn * 1e-3 * t, 0.0, 0.0, kt * 2e-3 * t, 0.0, 0.0]
+    np.testing.assert_allclose(done.state.history[:, 0], expected, rtol=1e-12, atol=1e-9)
     ledger = done.history.energy
     assert ledger["normal"][-1] == pytest.approx(0.5 * kn * (1e-3 * t) ** 2, rel=1e-12)
     assert ledger["twisting"][-1] == pytest.approx(0.5 * kt * (2e-3 * t) ** 2, rel=1e-12)
@@ -190,7 +203,7 @@ def test_extra_forces_have_an_entry_of_their_own():
 
 
 def test_bonds_break_by_the_mean_stress_of_their_elements():
-    """Their indices are those of the principal stresses of the mean, by the eigenvalues of NumPy; none above 1 is left."""
+    """Their indices are those of its eigenvalues, and none above 1 is left."""
     model = non_local_cells(SHEARED)
     plan, state = plan_and_state(model, bd.BondDamping(eta=0.1))
     done = integrate(model, plan, state=state, loop_of=CoreLoop)
@@ -211,7 +224,8 @@ def test_bonds_break_by_the_mean_stress_of_their_elements():
     assert broken.sum() > 100
     assert index[broken].max() == 0.0
     assert 0.9 < index.max() < 1.0
-    np.testing.assert_allclose(index[~broken], np.maximum(sheared, high / SHEARED.tension)[~broken], rtol=0, atol=1e-12)
+    expected = np.maximum(sheared, high / SHEARED.tension)
+    np.testing.assert_allclose(index[~broken], expected[~broken], rtol=0, atol=1e-12)
 
 
 def test_a_failure_releases_the_energy_of_the_springs_between_two_steps():

@@ -45,7 +45,7 @@ class LaggedStresses(NamedTuple):
 
 
 class NonLocalWork(NamedTuple):
-    """Work that extra forces have taken up."""
+    """Work of extra forces."""
 
     taken: Floats  #: in each portion of bonds [J]
 
@@ -100,7 +100,7 @@ def lagged_stresses(model: Model, state: State, to_i: np.ndarray, more: int) -> 
 
     Args:
         model: model of the non-local law.
-        state: its state.
+        state: state of the model.
         to_i: row of the moment that each bond adds to for its element i, uint32, (m,).
         more: number of rows of moments behind those of the elements.
     """
@@ -109,8 +109,8 @@ def lagged_stresses(model: Model, state: State, to_i: np.ndarray, more: int) -> 
     return LaggedStresses(1.0 / constants.volume, state.stress, lines(n), lines(n + more), with_twins(to_i))
 
 
-def small_extra_forces(pairs: np.ndarray, constants: NonLocalConstants, stress: Floats, gap: Floats) -> Floats:
-    """Return extra forces at small strain from the stresses (n, 6) and gaps (m, 3) of the iteration before, (m, 3)."""
+def lagged_extra_forces(pairs: np.ndarray, constants: NonLocalConstants, stress: Floats, gap: Floats) -> Floats:
+    """Return extra forces (m, 3) at small strain, from stresses (n, 6) and gaps (m, 3) of the iteration before."""
     c, extra = constants, ExtraForces(np.empty_like(gap))
     _find_small_extra_forces(
         SmallPairs(pairs, c.area, c.kt, c.nu, c.limited, np.ascontiguousarray(c.normal), stress, gap), extra
@@ -126,7 +126,7 @@ def loads_of_non_local(model: Model, state: State) -> Floats:
     return np.hstack([-own[:, :3], own[:, 3:6], -own[:, 6:]])
 
 
-def pair_indices(model: Model, state: State, table: FailureTable) -> PerBond:
+def indices_of_pairs(model: Model, state: State, table: FailureTable) -> PerBond:
     """Return the index of each bond by the stresses of a state [-], 0 where broken, internal order, (m,)."""
     beams, _ = non_local_tables(model, state)
     stresses = lagged_stresses(model, state, model.layout.i, 0)

@@ -23,7 +23,7 @@ from bondem.laws.failure.criterion import MODES
 from bondem.model.beam_tables import beam_tables
 from bondem.model.failure_passes import beam_indices
 from bondem.model.model import Model
-from bondem.model.non_local_tables import pair_indices
+from bondem.model.non_local_tables import indices_of_pairs
 from bondem.model.origin import difference
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
@@ -103,7 +103,7 @@ def failure_index(model: Model, state: State) -> PerBond:
     constants = model.bonds.stretched(state.rest_strain)
     bonds = constants.rows(layout, model.period, state.integrity)
     if model.non_local is not None:
-        found = pair_indices(model, state, table)
+        found = indices_of_pairs(model, state, table)
     elif model.cells is None:
         beams, _ = beam_tables(constants, layout, model.period, state.integrity, may_share=False)
         found = beam_indices(state.pose, beams, table)

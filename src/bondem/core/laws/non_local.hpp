@@ -49,7 +49,7 @@ template <class T> struct PairPose {
 // What a bond stores, in the frame of its element i.
 template <class T> struct PairStore {
     Vector3<T> gap, extra;  // δ [m], e [N]
-    T taken;  // work that e has taken up [J]
+    T taken;  // work of e [J]
 };
 // What a bond does to its elements.
 template <class T> struct PairLoads {

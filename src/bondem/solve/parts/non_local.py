@@ -7,7 +7,13 @@ from bondem.kernels.tables import StepCut
 from bondem.model.beam_tables import Beams
 from bondem.model.failure_passes import Strengths, strengths_of
 from bondem.model.model import Model
-from bondem.model.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork, lagged_stresses, non_local_tables
+from bondem.model.non_local_tables import (
+    LaggedStresses,
+    NonLocalBonds,
+    NonLocalWork,
+    lagged_stresses,
+    non_local_tables,
+)
 from bondem.model.state import State
 from bondem.solve.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
 from bondem.solve.parts.breakage import DamageTables, damage_of
@@ -27,9 +33,7 @@ _mark_pairs = StepPass("mark_pairs", Beams, LaggedStresses, Strengths, Candidate
 _judge_pairs = StepPass("judge_pairs", Beams, LaggedStresses, Strengths, Candidates, Postponed)
 _withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Candidates, Postponed)
 _break_pairs = StepPass("break_pairs", Moving, Beams, NonLocalBonds, Candidates, Postponed, EventLog)
-_relieve_pairs = StepPass(
-    "relieve_pairs", Moving, Beams, NonLocalBonds, LaggedStresses, BeamIntegrity, Candidates
-)
+_relieve_pairs = StepPass("relieve_pairs", Moving, Beams, NonLocalBonds, LaggedStresses, BeamIntegrity, Candidates)
 _write_non_local_work = StepPass("write_non_local_work", NonLocalWork, HistoryRows)
 
 
@@ -59,8 +63,10 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
         ]  # fmt: skip
 
     stages = {"prepare": prepare, "loads": loads, "guard": [(_check_beams, moving, beams, portions)]}
-    forces, damage = Part(stages, record, keep), damage_of(model, state, cut, len(beams.i))
-    return [forces] if damage is None else [forces, _breakage(damage, state, shared, beams, bonds, stresses, dashpots)]
+    parts, damage = [Part(stages, record, keep)], damage_of(model, state, cut, len(beams.i))
+    if damage is not None:
+        parts.append(_breakage(damage, state, shared, beams, bonds, stresses, dashpots))
+    return parts
 
 
 def _breakage(
