@@ -1,4 +1,5 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
+#include "cell_descriptions.hpp"
 #include "described.hpp"
 #include "instructions.hpp"
 #include "lagged_descriptions.hpp"
@@ -85,6 +86,8 @@ const TableDescription tables[] = {
     BONDEM_LAGGED_TABLES,
     BONDEM_STATICS_TABLES,
     BONDEM_DAMAGE_TABLES,
+    BONDEM_CELL_TABLES,
+    BONDEM_CONTACT_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -110,7 +113,9 @@ const PassDescription passes[] = {
     BONDEM_LAGGED_LOADS,
     BONDEM_STATICS_PASSES,
     BONDEM_DAMAGE_INDICES,
-    P(take_steps, "sound not_finite runaway"),
+    BONDEM_CELL_PASSES,
+    BONDEM_CONTACT_SEARCHES,
+    P(take_steps, "sound not_finite runaway out_of_date"),
 };
 #undef P
 
@@ -148,6 +153,8 @@ const StepPassDescription step_passes[] = {
     S(serial, read_gauges),
     BONDEM_LAGGED_PASSES,
     BONDEM_DAMAGE_PASSES,
+    BONDEM_CELL_STEP_PASSES,
+    BONDEM_CONTACT_PASSES,
 };
 #undef S
 

@@ -41,7 +41,8 @@ double read(const Moving &all, const Rows &rows, Index quantity, Index p, Index 
     }
     const Index r = rows.of(p);
     if (r < 0) return 0.0;
-    return rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis);
+    const double of_walls = rows.grip.size() > 0 ? rows.grip(r, axis) : 0.0;  // that hold facets of the cell
+    return of_walls + (rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis));
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
         lost += portions.turned(q, 1);
         not_finite |= portions.turned(q, 2);
     }
-    double kinetic = 0.0, supplied = 0.0;
+    double kinetic = 0.0, supplied = portions.budget(2);
     for (Index q = 0; q < portions.elements.size(); q++) kinetic += portions.elements(q, 0) + portions.elements(q, 1);
     for (Index r = 0; r < rows.work.size(); r++) supplied += absolute(rows.work(r));
     portions.found(0) = wide;
