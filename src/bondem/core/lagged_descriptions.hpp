@@ -4,6 +4,8 @@
 #include "passes/non_local/element_stresses.hpp"
 #include "passes/non_local/non_local_bonds.hpp"
 #include "passes/non_local/pair_failure.hpp"
+#include "passes/non_local/touch_moments.hpp"
+#include "contact_descriptions.hpp"
 #include "damage_descriptions.hpp"
 #include "step_descriptions.hpp"
 
@@ -36,4 +38,5 @@ BONDEM_TABLE(ExtraForces, F(force, "m 3"))
     S(bonds_of_blocks, add_stored_loads), S(of_bonds, sum_stored_energies), S(of_elements, turn_stresses),          \
         S(bonds_of_blocks, find_non_local_forces), S(parts_of_shared, collect_moments), S(of_elements, find_stresses), \
         S(bonds_of_blocks, add_non_local_loads), S(of_bonds, sum_non_local_energies), S(serial, write_non_local_work), \
-        S(bonds_of_blocks, mark_pairs), S(bonds_of_blocks, judge_pairs), S(serial, break_pairs), S(serial, relieve_pairs)
+        S(bonds_of_blocks, mark_pairs), S(bonds_of_blocks, judge_pairs), S(serial, break_pairs), S(serial, relieve_pairs), \
+        S(of_ranges, add_pair_moments), S(of_elements, add_wall_moments)

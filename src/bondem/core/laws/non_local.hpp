@@ -52,7 +52,7 @@ template <class T> struct PairStore {
     T taken;  // work of e [J]
 };
 // What a bond does to its elements.
-template <class T> struct PairLoads {
+template <class T> struct NonLocalLoads {
     Vector3<T> force;  // on i; its opposite on j [N]
     Vector3<T> on_i, on_j;  // torque on i, and minus the torque on j [N·m]
 };
@@ -99,17 +99,17 @@ BONDEM_INLINE PairStore<T> after_step(const PairStore<T> &before, const Stress<T
 }
 
 template <class T>
-BONDEM_INLINE PairLoads<T> pair_loads(const PairPose<T> &now, Vector3<T> extra, const PairStiffness<T> &k) {
+BONDEM_INLINE NonLocalLoads<T> non_local_loads(const PairPose<T> &now, Vector3<T> extra, const PairStiffness<T> &k) {
     const T middle = T{} + 0.5;
     const Vector3<T> force = spring_force(now, k) + extra, half = middle * now.gap;
     return {force, cross(now.lever_i + half, force), cross(now.lever_j - half, force)};
 }
 
 // Energy of the springs [J].
-template <class T> struct PairEnergy {
+template <class T> struct SpringEnergy {
     T normal, shear;
 };
-template <class T> BONDEM_INLINE PairEnergy<T> pair_energy(const PairPose<T> &now, const PairStiffness<T> &k) {
+template <class T> BONDEM_INLINE SpringEnergy<T> spring_energy(const PairPose<T> &now, const PairStiffness<T> &k) {
     const T along = dot(now.gap, now.normal);
     return {0.5 * k.kn * along * along, 0.5 * k.kt * (dot(now.gap, now.gap) - along * along)};
 }

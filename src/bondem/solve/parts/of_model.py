@@ -26,14 +26,15 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
-    contacts: list[Part] = []
+    touching: ContactTables | None = None
     if model.contacts is not None:
         joined = joints(model, state, state.integrity)
-        contacts = ContactTables(model, model.contacts, state, shared, gauges, joined, dt).parts()
+        touching = ContactTables(model, model.contacts, state, shared, gauges, joined, dt)
+    contacts = [] if touching is None else touching.parts()
     parts = [
         boundary(shared),
         *contacts[:1],
-        *_bonds(model, state, shared, dashpots),
+        *_bonds(model, state, shared, dashpots, touching),
         motion(shared, dashpots, resistance_of(terms, more)),
     ]
     if more is not None and len(more.group):
@@ -41,10 +42,12 @@ def parts_of(
     return shared, [*parts, history(shared, gauges), *contacts[1:]]
 
 
-def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+def _bonds(
+    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, contacts: ContactTables | None
+) -> list[Part]:
     """Return the parts of the bonds."""
     if model.non_local is not None:
-        return non_local(model, state, shared, dashpots)
+        return non_local(model, state, shared, dashpots, contacts)
     if model.formulation == "incremental":
         return [stored_beams(model, state, shared, dashpots)]
     return beams(model, state, shared, dashpots)

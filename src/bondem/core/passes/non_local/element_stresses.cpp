@@ -4,7 +4,7 @@
 // where bonds take the mean of both ends. Forces of dashpots of bonds do not count.
 #include "element_stresses.hpp"
 
-#include "pairs.hpp"
+#include "bond_columns.hpp"
 
 namespace bondem {
 namespace {

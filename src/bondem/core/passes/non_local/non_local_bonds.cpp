@@ -7,7 +7,7 @@
 
 #include "../../select.hpp"
 #include "../record/columns.hpp"
-#include "pairs.hpp"
+#include "bond_columns.hpp"
 
 namespace bondem {
 namespace {
@@ -33,7 +33,7 @@ BONDEM_INLINE void keep(const NonLocalBonds &bonds, Group group, Lanes s, const 
     keep_vector(data, m, extra_column, group, select(unbroken, now.extra, before.extra));
     store_behind(data + taken_column * m + group.first, now.taken, group.known);
 }
-BONDEM_INLINE void put_output(const NonLocalBonds &bonds, Group group, Lanes s, const PairLoads<Lanes> &loads) {
+BONDEM_INLINE void put_output(const NonLocalBonds &bonds, Group group, Lanes s, const NonLocalLoads<Lanes> &loads) {
     double *const data = bonds.output.data;
     const Index m = bonds.output.shape[1];
     keep_vector(data, m, force_column, group, s * loads.force);
@@ -60,7 +60,7 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
             after = after_step(before, mean, now, ends.i, s, stiffness, law);
         }
         keep(bonds, group, s, after, before);
-        const PairLoads<Lanes> loads = pair_loads(now, rotate(ends.i, after.extra), stiffness);
+        const NonLocalLoads<Lanes> loads = non_local_loads(now, rotate(ends.i, after.extra), stiffness);
         const Vector3<Lanes> force = s * loads.force;
         add_rows(stresses.moment.data, stresses.to_i.data + k, j + k, moment_row(symmetric_product(now.lever_i, force)),
                  moment_row(symmetric_product(-now.lever_j, force)), group.known);
@@ -103,8 +103,8 @@ void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &be
     for (Index k = turn.first; k < turn.last; k++) {
         const double s = beams.integrity(k);
         if (s > 0.0) {
-            const PairEnergy<double> energy =
-                pair_energy(pair_pose(all.pose.data, beams, bonds, k), pair_stiffness<double>(bonds, k));
+            const SpringEnergy<double> energy =
+                spring_energy(pair_pose(all.pose.data, beams, bonds, k), pair_stiffness<double>(bonds, k));
             normal += s * energy.normal;
             shear += s * energy.shear;
         }
@@ -132,7 +132,7 @@ Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const No
                                          beams.period.data);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
         const Vector3<Lanes> extra = rotate(ends.i, stored_at(bonds, k).extra);
-        put_output(bonds, group, load(beams.integrity.data + k), pair_loads(now, extra, pair_stiffness<Lanes>(bonds, k)));
+        put_output(bonds, group, load(beams.integrity.data + k), non_local_loads(now, extra, pair_stiffness<Lanes>(bonds, k)));
     });
     return 0;
 }

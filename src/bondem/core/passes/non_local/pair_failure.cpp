@@ -9,7 +9,7 @@
 #include "../../laws/criteria/principal_stress.hpp"
 #include "../../laws/principal.hpp"
 #include "../damage/pipeline.hpp"
-#include "pairs.hpp"
+#include "bond_columns.hpp"
 
 namespace bondem {
 namespace {
@@ -80,7 +80,7 @@ void break_pairs(const Turn &turn, const Moving &all, const Beams &beams, const 
         take_off(&postponed.kept(i, 0), 1.0, force, 1.0, output_at(bonds, on_i_column, k));
         take_off(&postponed.kept(j, 0), -1.0, force, -1.0, output_at(bonds, on_j_column, k));
         const PairPose<double> now = pair_pose(pose, beams, bonds, k);
-        const PairEnergy<double> energy = pair_energy(now, pair_stiffness<double>(bonds, k));
+        const SpringEnergy<double> energy = spring_energy(now, pair_stiffness<double>(bonds, k));
         const Vector centre = {pose[8 * i], pose[8 * i + 1], pose[8 * i + 2]};
         return {beams.integrity(k) * (energy.normal + energy.shear), dot(now.gap, now.normal),
                 plus(centre + now.lever_i, 0.5, now.gap)};
