@@ -62,8 +62,8 @@ constexpr double nothing = 1e-200;
 
 template <class T>
 BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, Quaternion<T> i, Quaternion<T> j, const PairShape<T> &shape) {
-    const Vector3<T> both = rotate(i, shape.normal) + rotate(j, shape.normal);
-    const Vector3<T> a = rotate(i, shape.lever_i), b = rotate(j, shape.lever_j);
+    const Vector3<T> both = turned_by(i, shape.normal) + turned_by(j, shape.normal);
+    const Vector3<T> a = turned_by(i, shape.lever_i), b = turned_by(j, shape.lever_j);
     return {1.0 / root(dot(both, both) + nothing) * both, a, b, branch + b - a};
 }
 template <class T> BONDEM_INLINE Vector3<T> across(Vector3<T> a, Vector3<T> n) { return minus(a, dot(a, n), n); }
@@ -92,9 +92,9 @@ template <class T> BONDEM_INLINE Vector3<T> spring_force(const PairPose<T> &now,
 template <class T>
 BONDEM_INLINE PairStore<T> after_step(const PairStore<T> &before, const Stress<T> &mean, const PairPose<T> &now,
                                       Quaternion<T> i, T s, const PairStiffness<T> &k, const PairLaw &law) {
-    const Vector3<T> slip = k.kt * across(rotate(i, before.gap), now.normal);
-    const Vector3<T> gap = rotate(inverse(i), now.gap);
-    const Vector3<T> extra = rotate(inverse(i), extra_force(mean, now.normal, k.area, slip, law));
+    const Vector3<T> slip = k.kt * across(turned_by(i, before.gap), now.normal);
+    const Vector3<T> gap = turned_by(inverse(i), now.gap);
+    const Vector3<T> extra = turned_by(inverse(i), extra_force(mean, now.normal, k.area, slip, law));
     return {gap, extra, before.taken + 0.5 * s * dot(before.extra + extra, gap - before.gap)};
 }
 

@@ -12,6 +12,9 @@
 namespace bondem {
 namespace {
 
+// Bonds ahead of the loop whose first elements are asked for.
+constexpr Index ahead = 32;
+
 BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
     const Lanes zero = {};
     return {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}};
@@ -48,19 +51,20 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
     const PairLaw law = pair_law(bonds);
     for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
+        prefetch(pose, i + least(k + ahead, turn.last - lanes));
         const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), beams.period.data);
         const Lanes s = load(beams.integrity.data + k);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
         const PairStiffness<Lanes> stiffness = pair_stiffness<Lanes>(bonds, k);
         const PairStore<Lanes> before = stored_at(bonds, k);
-        PairStore<Lanes> after = {rotate(inverse(ends.i), now.gap), before.extra, before.taken};
+        PairStore<Lanes> after = {turned_by(inverse(ends.i), now.gap), before.extra, before.taken};
         if constexpr (steps) {
             const double *const space = stresses.space.data;
             const Stress<Lanes> mean = mean_of(stress_of(gather(space, i + k)), stress_of(gather(space, j + k)));
             after = after_step(before, mean, now, ends.i, s, stiffness, law);
         }
         keep(bonds, group, s, after, before);
-        const NonLocalLoads<Lanes> loads = non_local_loads(now, rotate(ends.i, after.extra), stiffness);
+        const NonLocalLoads<Lanes> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
         const Vector3<Lanes> force = s * loads.force;
         add_rows(stresses.moment.data, stresses.to_i.data + k, j + k, moment_row(symmetric_product(now.lever_i, force)),
                  moment_row(symmetric_product(-now.lever_j, force)), group.known);
@@ -131,7 +135,7 @@ Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const No
         const Ends<Lanes> ends = ends_of(gather(all.pose.data, beams.i.data + k), gather(all.pose.data, beams.j.data + k),
                                          beams.period.data);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
-        const Vector3<Lanes> extra = rotate(ends.i, stored_at(bonds, k).extra);
+        const Vector3<Lanes> extra = turned_by(ends.i, stored_at(bonds, k).extra);
         put_output(bonds, group, load(beams.integrity.data + k), non_local_loads(now, extra, pair_stiffness<Lanes>(bonds, k)));
     });
     return 0;

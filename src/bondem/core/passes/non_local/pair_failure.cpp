@@ -26,7 +26,7 @@ Verdict<double> verdict_of(const Beams &beams, const LaggedStresses &stresses, c
 
 // Takes from the stress of an element, in its own frame, what ± a force does at a lever.
 void relieve(const double *pose, const LaggedStresses &stresses, Short p, Vector lever, Vector force, double sign) {
-    const Vector own = rotate(inverse(orientation(gather(pose, p))), force);
+    const Vector own = turned_by(inverse(orientation(gather(pose, p))), force);
     const Stress<double> s = (sign * stresses.inverse(p)) * symmetric_product(lever, own);
     const double all[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
     for (Index c = 0; c < 6; c++) stresses.stress(p, c) -= all[c];
