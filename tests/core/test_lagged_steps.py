@@ -24,6 +24,7 @@ from tests.core.lagged_cases import (
     non_local_spheres,
     plan_and_state,
     stored,
+    touching_spheres,
 )
 from tests.core.test_steps import HELD, LAWS, crooked
 
@@ -55,17 +56,28 @@ def test_numbers_are_those_of_the_loops_of_numba(case):
 # ---- bits
 
 
-@pytest.mark.parametrize(
-    ("law", "failure"), [(STORED, None), (LAGGED, None), (LAGGED, PULLED)], ids=["stored", "non-local", "breaking"]
-)
-def test_threads_and_pauses_change_no_bit(law, failure, monkeypatch):
-    model = bd.Model(crooked((12, 10, 10)), law, density=1e3, boundary=HELD, failure=failure)
+OPTIONS = {
+    "stored": (STORED, {}),
+    "non-local": (LAGGED, {}),
+    "breaking": (LAGGED, {"failure": PULLED}),
+    "touching": (LAGGED, {
+        "contact": bd.LinearContact(E=1e7, friction=0.4, damping=0.1),
+        "walls": [bd.PlaneWall((0, 0, -0.35), (0, 0, 1)), bd.PlaneWall((0, -0.35, 0), (0, 1, 0))],
+    }),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OPTIONS)
+def test_threads_and_pauses_change_no_bit(name, monkeypatch):
+    law, options = OPTIONS[name]
+    model = bd.Model(crooked((12, 10, 10)), law, density=1e3, boundary=HELD, **options)
     results = []
     for count, every in ((1, 25), (2, 25), (3, 7), (4, 0)):
         monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
         plan, state = plan_and_state(model, bd.BondDamping(eta=0.1), steps=75, every=every)
         results.append(integrate(model, plan, state=state, loop_of=CoreLoop))
-    assert (len(results[0].events) > 10) == (failure is not None)
+    assert (len(results[0].events) > 10) == (name == "breaking")
+    assert (len(results[0].state.wall_touching) > 10) == (name == "touching")
     for other in results[1:]:
         assert_same_bits(results[0], other)
     np.testing.assert_array_equal(results[0].history.records, results[1].history.records)
@@ -222,6 +234,29 @@ def test_bonds_break_by_the_mean_stress_of_their_elements():
     assert 0.9 < index.max() < 1.0
     expected = np.maximum(sheared, high / SHEARED.tension)
     np.testing.assert_allclose(index[~broken], expected[~broken], rtol=0, atol=1e-12)
+
+
+def test_contacts_count_in_the_stress_of_an_element():
+    """A loose sphere that touches one other has σ = sym l⊗F / V, with F that accelerates it."""
+    model = touching_spheres()
+    plan, state = plan_and_state(model, None, every=0, steps=120)
+    state = integrate(model, plan, state=state, loop_of=CoreLoop).state
+    order, radius = model.layout.order, model.lattice.particles.radius
+    touching, weight, found = state.touching, np.array([5.0, 0.0, -100.0]), 0
+    for p in np.flatnonzero(order >= 48):
+        pairs = touching[(touching == p).any(axis=1)]
+        if len(pairs) != 1 or p in state.wall_touching[:, 0]:
+            continue
+        q = pairs[0].sum() - p
+        own, other = radius[order[[p, q]]]
+        lever = own / (own + other) * (state.pose[q, :3] - state.pose[p, :3])
+        force = (state.acceleration[p, :3] - weight) / state.motion[p, 3]
+        dyad = np.outer(lever, force) / (4.0 / 3.0 * np.pi * own**3)
+        stress = state.stress[p, [0, 3, 4, 3, 1, 5, 4, 5, 2]].reshape(3, 3)
+        expected = np.linalg.eigvalsh(0.5 * (dyad + dyad.T))
+        np.testing.assert_allclose(np.linalg.eigvalsh(stress), expected, rtol=0, atol=1e-10 * np.abs(expected).max())
+        found += 1
+    assert found > 0
 
 
 def test_a_failure_releases_the_energy_of_the_springs_between_two_steps():

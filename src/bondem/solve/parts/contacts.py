@@ -41,12 +41,8 @@ _sum_wall_energies = StepPass("sum_wall_energies", Moving, ContactConstants, Wal
 _write_contact_energy = StepPass("write_contact_energy", ContactEnergies, HistoryRows)
 _count_wall_work = StepPass("count_wall_work", Walls, Portions)
 _write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
-_add_pair_moments = StepPass(
-    "add_pair_moments", Moving, ContactConstants, ContactPairs, NearPairs, LaggedStresses
-)
-_add_wall_moments = StepPass(
-    "add_wall_moments", Moving, ContactConstants, WallContacts, Walls, LaggedStresses
-)
+_add_pair_moments = StepPass("add_pair_moments", Moving, ContactConstants, ContactPairs, NearPairs, LaggedStresses)
+_add_wall_moments = StepPass("add_wall_moments", Moving, ContactConstants, WallContacts, Walls, LaggedStresses)
 
 # Distances of all pairs are measured again when an element has moved this share of the reach of the list.
 _FRESH = 0.1
