@@ -1,5 +1,6 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
 #include "cell_descriptions.hpp"
+#include "crack_descriptions.hpp"
 #include "described.hpp"
 #include "instructions.hpp"
 #include "lagged_descriptions.hpp"
@@ -88,6 +89,7 @@ const TableDescription tables[] = {
     BONDEM_DAMAGE_TABLES,
     BONDEM_CELL_TABLES,
     BONDEM_CONTACT_TABLES,
+    BONDEM_CRACK_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -115,6 +117,7 @@ const PassDescription passes[] = {
     BONDEM_DAMAGE_INDICES,
     BONDEM_CELL_PASSES,
     BONDEM_CONTACT_SEARCHES,
+    BONDEM_CRACK_PASSES,
     P(take_steps, "sound not_finite runaway out_of_date"),
 };
 #undef P
@@ -155,6 +158,7 @@ const StepPassDescription step_passes[] = {
     BONDEM_DAMAGE_PASSES,
     BONDEM_CELL_STEP_PASSES,
     BONDEM_CONTACT_PASSES,
+    BONDEM_CRACK_STEP_PASSES,
 };
 #undef S
 

@@ -9,7 +9,9 @@ from bondem.solve.cracks import joints
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
+from bondem.solve.parts.cohesive_cracks import CrackingBody
 from bondem.solve.parts.contacts import ContactTables
+from bondem.solve.parts.facet_breakage import body_of_cells
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
 from bondem.solve.parts.non_local import non_local
@@ -34,7 +36,7 @@ def parts_of(
     parts = [
         boundary(shared),
         *contacts[:1],
-        *_bonds(model, state, shared, dashpots, touching),
+        *_bonds(model, state, shared, dashpots, touching, dt),
         motion(shared, dashpots, resistance_of(terms, more)),
     ]
     if more is not None and len(more.group):
@@ -43,9 +45,18 @@ def parts_of(
 
 
 def _bonds(
-    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, contacts: ContactTables | None
+    model: Model,
+    state: State,
+    shared: SharedTables,
+    dashpots: Dashpots | None,
+    contacts: ContactTables | None,
+    dt: float,
 ) -> list[Part]:
     """Return the parts of the bonds."""
+    if model.softening is not None:
+        return CrackingBody(model, state, shared, dt).parts(model, dashpots)
+    if model.cells is not None:
+        return body_of_cells(model, state, shared, dashpots)
     if model.non_local is not None:
         return non_local(model, state, shared, dashpots, contacts)
     if model.formulation == "incremental":
