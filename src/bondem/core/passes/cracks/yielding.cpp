@@ -34,7 +34,7 @@ void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCell
           const Symmetric3<double> &strain) {
     double *const row = &cells.plastic(p, 0);
     auto &P = *reinterpret_cast<PlasticDeformation<double> *>(row + deformation);
-    P = deformed(P, rotate(inverse(orientation(gather(all.pose.data, Short(p)))), strain));
+    P = deformed(P, turned_by(inverse(orientation(gather(all.pose.data, Short(p)))), strain));
     const double parts[6] = {strain.xx, strain.yy, strain.zz, strain.xy, strain.xz, strain.yz};
     for (Index d = 0; d < 6; d++) row[increment + d] += parts[d];
     row[gamma] += g;
