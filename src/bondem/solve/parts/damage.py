@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.kernels.soft_tables import SOFT_BOND
 from bondem._types import PerBond
+from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.kernels.tables import BROKEN_COLUMNS, Rows, StepCut
 from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model
