@@ -38,6 +38,7 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
 
 #undef F
 
+// Lines of the lists in `index.cpp`.
 #define BONDEM_CONTACT_TABLES                                                                                            \
     described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<Travel>(),               \
         described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),           \

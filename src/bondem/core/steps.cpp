@@ -98,7 +98,7 @@ class Walk {
             } else {
                 p++;
                 if (first->kind == serial)
-                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0, nullptr}, first->tables);
+                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0, nullptr, threads}, first->tables);
                 else if (first->kind == of_elements)
                     by_portions(*first, clock, span.n, elements_of_portion);
                 else if (first->kind == of_ranges)

@@ -51,6 +51,7 @@ struct Turn {
     const Short *element, *row;  // the list, and rows of their sums
     Index block;  // number of the block or portion; of shared elements the number of blocks
     ElementDivision *division;  // of what a pass divides, else none
+    Index threads;  // that a serial pass may share tasks of its own with; 0 for all others
 };
 
 enum PassKind : Index {

@@ -27,14 +27,14 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of both formulations, which may break but not soften, with contacts and walls, and of the
-    non-local law without breakage and contacts.
+    It has those of beams of both formulations, which may break or soften, and of the non-local law without
+    breakage; of bodies of cells whose facets break or soften by the largest principal stress, and whose cells yield;
+    and of contacts and walls where nothing softens, except with the non-local law.
     """
     return (
-        model.cells is None
-        and model.beam_softening is None
+        (model.softening is None or model.softening.judge is None)
         and (model.non_local is None or model.breaking is None)
-        and (model.contacts is None or model.non_local is None)
+        and (model.contacts is None or model.non_local is model.beam_softening is model.softening is None)
     )
 
 
@@ -75,6 +75,19 @@ class CoreLoop:
             guard=self._list("guard"),
             record=self._compose([]),
         )
+        self._begin()
+
+    def _begin(self) -> None:
+        """Call the passes that begin a run, at the time of the state."""
+        first = composed(self._parts, "begin")
+        if not first:
+            return
+        nothing = self._compose([])
+        lists = StepPasses(*[nothing] * len(StepPasses._fields))
+        lists = lists._replace(present=self._compose([*composed(self._parts, "present"), *first]))
+        done = np.zeros(4, dtype=np.int64)
+        span = StepSpan(self.state.step, 0, 0, True, False, self._n, self._m, done)
+        _take_steps(lists, self._tables.cut, self._scheme, span, self._tables.portions, threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:
         return self._compose(composed(self._parts, *stages))

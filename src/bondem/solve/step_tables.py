@@ -90,7 +90,7 @@ class Portions(NamedTuple):
     @classmethod
     def of(cls, n: int, m: int) -> "Portions":
         """Room for those of n elements and m bonds."""
-        element, bond = -(-n // _ELEMENTS), -(-m // _BONDS)
+        element, bond = -(-n // _ELEMENTS), -(-m // BONDS_OF_PORTION)
         return cls(
             np.zeros((element, 4)), np.zeros((bond, 4)), np.zeros((bond, 3), dtype=np.int64), np.zeros(3),
             np.zeros(4, dtype=np.int64),
@@ -131,4 +131,4 @@ class StepSpan(NamedTuple):
 
 
 # Elements and bonds of a portion, as in `core/steps.hpp`.
-_ELEMENTS, _BONDS = 1024, 2048
+_ELEMENTS, BONDS_OF_PORTION = 1024, 2048

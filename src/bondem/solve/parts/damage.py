@@ -21,7 +21,7 @@ _postpone_elements = StepPass("postpone_elements", StepCut, Candidates, Postpone
 _keep_sums = StepPass("keep_sums", StepCut, Postponed)
 _keep_dashpots = StepPass("keep_dashpots", Dashpots, Postponed)
 _list_postponed = StepPass("list_postponed", Rows, Candidates, Postponed)
-_write_released = StepPass("write_released", EventLog, HistoryRows)
+write_released = StepPass("write_released", EventLog, HistoryRows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +90,7 @@ class DamageTables:
                 "apply": remove,
                 "resume": [(_list_postponed, shared.rows, self.candidates, self.postponed)],
             },
-            record=lambda history: [(_write_released, self.log, history)],
+            record=lambda history: [(write_released, self.log, history)],
         )
 
     def keep(self, integrity: np.ndarray, state: State) -> None:

@@ -8,8 +8,10 @@ from bondem.solve.added import added
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
+from bondem.solve.parts.cohesive_cracks import CrackingBody
 from bondem.solve.parts.contacts import ContactTables
 from bondem.solve.parts.damage import Joints
+from bondem.solve.parts.facet_breakage import body_of_cells
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
 from bondem.solve.parts.non_local import non_local
@@ -26,7 +28,7 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
-    bonds, joints = _bonds(model, state, shared, dashpots)
+    bonds, joints = _bonds(model, state, shared, dashpots, dt)
     contacts: list[Part] = []
     if model.contacts is not None:
         contacts.append(ContactTables(model, model.contacts, state, shared, gauges, joints, dt).part())
@@ -42,9 +44,14 @@ def parts_of(
 
 
 def _bonds(
-    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None
+    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
 ) -> tuple[list[Part], Joints]:
     """Return the parts of the bonds, and the bonds as joints of their elements."""
+    if model.softening is not None:
+        parts = CrackingBody(model, state, shared, dt).parts(model, dashpots)
+        return parts, Joints.of(model, state, state.integrity, None)
+    if model.cells is not None:
+        return body_of_cells(model, state, shared, dashpots)
     if model.non_local is None and model.formulation == "total":
         return beams(model, state, shared, dashpots)
     if model.non_local is not None:
