@@ -61,7 +61,7 @@ class ContactTables:
         state: state of the run; its arrays are shared.
         shared: tables of all parts.
         gauges: gauges of the run.
-        joints: what joins the elements.
+        joints: bonds that join the elements.
         dt: time step [s].
     """
 
