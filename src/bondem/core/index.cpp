@@ -119,7 +119,7 @@ const PassDescription passes[] = {
     BONDEM_DAMAGE_INDICES,
     BONDEM_CELL_PASSES,
     BONDEM_QUASISTATIC_PASSES,
-    BONDEM_CONTACT_SEARCHES,
+    BONDEM_CONTACT_SEARCH,
     BONDEM_CRACK_PASSES,
     P(take_steps, "sound not_finite runaway out_of_date"),
 };

@@ -26,6 +26,7 @@
 #pragma once
 #include "../select.hpp"
 #include "cell.hpp"
+#include "stress.hpp"
 
 namespace bondem {
 

@@ -25,9 +25,7 @@ from bondem.solve.cohesive_tables import (
     FacetStrengths,
     StressesOfCells,
     YieldingCells,
-    cracks_of,
     facet_forces,
-    keep_cohesive,
     strengths_of,
     yielding_of,
 )
@@ -75,10 +73,12 @@ _watch_resting_cracks = StepPass(
     "watch_resting_cracks", Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
 )
 _wake_cracks = StepPass("wake_cracks", Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists)
-_soften_cracks = StepPass("soften_cracks", Moving, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists)
+_soften_cracks = StepPass(
+    "soften_cracks", Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
+)
 _leave_cracks = StepPass("leave_cracks", Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists)
-_load_cracks = StepPass("load_cracks", Moving, FacetStrengths, CohesiveCracks, CrackLists)
-_log_cracks = StepPass("log_cracks", Moving, CohesiveCracks, CrackLists, EventLog)
+_load_cracks = StepPass("load_cracks", Moving, ElasticFacets, CohesiveCracks, CrackLists)
+_log_cracks = StepPass("log_cracks", Moving, ElasticFacets, CohesiveCracks, CrackLists, EventLog)
 _add_crack_loads = StepPass("add_crack_loads", Moving, StressesOfCells, CohesiveCracks, CrackLists, StepCut)
 _sum_stressed_dilatation = StepPass("sum_stressed_dilatation", Moving, CellDilatation, CrackEnergies)
 _sum_heat = StepPass("sum_heat", StressesOfCells, YieldingCells, CrackEnergies)
@@ -103,7 +103,7 @@ class CrackingBody:
         self.strengths = strengths_of(table, LOSS * np.minimum(dt * swing, 1.0))
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
         listed[m:] = 1  # no facets: they fill a group of lanes
-        self.cracks = cracks_of(state, listed)
+        self.cracks = CohesiveCracks.of(state, listed)
         cracked, facet = np.zeros(n, dtype=np.uint8), state.cracks[:, FACET].astype(np.int64)
         cracked[layout.i[facet]] = cracked[layout.j[facet]] = 1
         self.onset = CrackOnset(
@@ -182,11 +182,11 @@ class CrackingBody:
             (_watch_resting_cracks, moving, body.facets, strengths, stresses, cracks, lists),
             (_wake_cracks, moving, body.facets, body.cells, self.slack, cracks, lists),
             again,
-            (_soften_cracks, moving, strengths, stresses, cracks, lists),
+            (_soften_cracks, moving, body.facets, strengths, stresses, cracks, lists),
             (_leave_cracks, moving, body.facets, body.cells, self.slack, cracks, lists),
             again,
-            (_load_cracks, moving, strengths, cracks, lists),
-            (_log_cracks, moving, cracks, lists, self.log),
+            (_load_cracks, moving, body.facets, cracks, lists),
+            (_log_cracks, moving, body.facets, cracks, lists, self.log),
         ]
         still: Passes = []
         if self.yielding is not None:  # what cells dissipate is found by their stresses
@@ -219,7 +219,7 @@ class CrackingBody:
 
     def keep(self) -> None:
         """Write cracks, forces and events of the last call into the state."""
-        keep_cohesive(self.cracks, self.kept, self.state)
+        self.cracks.keep(self.kept, self.state)
         count = int(self.log.written[0])
         if count:
             self.state.broken = np.concatenate([self.state.broken, self.log.event[:count]])

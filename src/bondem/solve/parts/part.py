@@ -26,6 +26,7 @@ FORCES = (
     "move",  # closes the step of elements, and opens the next one
     "settle",  # works and losses of the motion
     "apply",  # failure of bonds, after the motion
+    "hand_over",  # contact where bonds have failed
 )
 #: Stages of elements that a failure has delayed: they find their acceleration, and open the next step.
 RESUME = ("resume", "reopening")

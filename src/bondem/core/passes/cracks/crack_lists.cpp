@@ -4,7 +4,6 @@
 #include "crack_lists.hpp"
 
 #include "carried.hpp"
-#include "constants.hpp"
 
 namespace bondem {
 namespace {
@@ -21,7 +20,7 @@ void fill(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<
 
 }  // namespace
 
-void fill_treated(const CohesiveCracks &, const CrackLists &lists) {
+void fill_treated(const CrackLists &lists) {
     fill(lists.treated, lists.treated_i, lists.treated_j, lists.size(0));
     const Index cells = lists.size(2);
     if (cells > 0)
@@ -32,41 +31,52 @@ void list_cracks(const Turn &, const CohesiveCracks &cracks, const CrackLists &l
     if (cracks.size(1) == 0) return;
     cracks.size(1) = 0;
     for (Index q = 0; q < lists.size(2); q++) lists.head(lists.cell(q)) = 0;
-    Index treated = 0, resting = 0, cells = 0;
-    const auto push = [&](Short p, Index number) {
+    const Index count = cracks.size(0);
+    const auto status_of = [&](Index c) { return int(cracks.listed(cracks.facet(c))) - 1; };
+    const auto is_broken = [&](Index c) { return cracks.integrity(cracks.facet(c)) == 0.0; };
+    // broken cracks stand behind the others, so that groups of lanes have one or the other
+    Index treated[2] = {}, resting[2] = {}, cells = 0;
+    for (Index c = 0; c < count; c++) {
+        const int status = status_of(c);
+        const bool broken = is_broken(c);
+        treated[1] += status == crack::active && !broken;
+        resting[1] += status == crack::resting && !broken;
+    }
+    const Index unbroken = resting[1];
+    const auto push = [&](Short p, Index number, const int32_t *lever) {
         if (lists.head(p) == 0) lists.cell(cells++) = p;
-        lists.after(number) = lists.head(p);
+        put_node(lists, number, lists.head(p), lever);
         lists.head(p) = int32_t(number);
     };
-    for (Index c = 0; c < cracks.size(0); c++) {
-        const Byte status = cracks.listed(cracks.facet(c));
-        if (status == 1 + crack::active) {
-            lists.treated(treated) = c;
-            lists.treated_i(treated) = cracks.i(c);
-            lists.treated_j(treated) = cracks.j(c);
-            push(cracks.i(c), 2 * treated + 1);
-            push(cracks.j(c), 2 * treated + 2);
-            treated++;
-        } else if (status == 1 + crack::resting) {
-            lists.resting(resting) = c;
-            lists.resting_i(resting) = cracks.i(c);
-            lists.resting_j(resting) = cracks.j(c);
-            resting++;
+    const auto put = [&](const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j, Index e,
+                         Index c) {
+        list(e) = c;
+        at_i(e) = cracks.i(c);
+        at_j(e) = cracks.j(c);
+    };
+    for (Index c = 0; c < count; c++) {
+        const int status = status_of(c);
+        if (status == crack::active) {
+            const Index e = treated[is_broken(c)]++;
+            put(lists.treated, lists.treated_i, lists.treated_j, e, c);
+            push(cracks.i(c), 2 * e + 1, shape_of(cracks, c).lever_i);
+            push(cracks.j(c), 2 * e + 2, shape_of(cracks, c).lever_j);
+        } else if (status == crack::resting) {
+            put(lists.resting, lists.resting_i, lists.resting_j, resting[is_broken(c)]++, c);
         }
     }
-    lists.size(0) = treated, lists.size(1) = resting, lists.size(2) = cells;
-    fill_treated(cracks, lists);
-    fill(lists.resting, lists.resting_i, lists.resting_j, resting);
+    lists.size(0) = treated[1], lists.size(1) = resting[1], lists.size(2) = cells, lists.size(3) = unbroken;
+    fill_treated(lists);
+    fill(lists.resting, lists.resting_i, lists.resting_j, resting[1]);
 }
 
 void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
                  const CohesiveCracks &cracks, const CrackLists &lists) {
+    for (Index d = 0; d < 3; d++) cracks.pitch(d) = facets.pitch(d);
     for (Index c = 0; c < cracks.size(0); c++) {
-        const Index k = Index(cracks.row(c, crack::facet));
-        cracks.facet(c) = k;
-        cracks.row(c, crack::integrity) = cracks.integrity(k);
+        cracks.facet(c) = Index(history_of(cracks, c).facet);
         write_constants(facets, kept, strengths, cracks, c);
-        treat(facets, cracks, c, int(cracks.row(c, crack::status)));
+        treat(facets, cracks, c, int(history_of(cracks, c).status));
     }
     clear_half(lists, 0);
     cracks.size(1) = 1;
@@ -88,13 +98,13 @@ void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveC
     for (Index q = 0; q < lists.size(2); q++) {
         const Index p = lists.cell(q);
         Carried sum = {};
-        for (Index h = lists.head(p); h > 0; h = lists.after(h)) {
-            const Index c = lists.treated((h - 1) >> 1);
+        for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
+            const double *const pull = &cracks.pull(lists.treated((h - 1) >> 1), 0);
             double f[4];
-            for (int d = 0; d < 4; d++) f[d] = h & 1 ? cracks.pull(c, d) : -cracks.pull(c, d);
-            sum.add(constants_of(cracks, c) + (h & 1 ? 0 : 8), f);
+            for (int d = 0; d < 4; d++) f[d] = h & 1 ? pull[d] : -pull[d];
+            sum.add(&lists.node(h, 1), f);
         }
-        sum.put(stresses, p);
+        sum.put(stresses, cracks.pitch.data, p);
     }
 }
 

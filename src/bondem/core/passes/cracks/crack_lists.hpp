@@ -12,7 +12,7 @@ void weigh_cracked_cells(const Turn &turn, const CellDilatation &cells, const Ce
 // Takes over the levers of facets, where strains of cells change them.
 void follow_levers(const Turn &turn, const ElasticFacets &facets, const CohesiveCracks &cracks);
 // Repeats the last of the lists of cracks that are treated one by one, for lanes behind it.
-void fill_treated(const CohesiveCracks &cracks, const CrackLists &lists);
+void fill_treated(const CrackLists &lists);
 // Makes the lists anew where they are out of date.
 void list_cracks(const Turn &turn, const CohesiveCracks &cracks, const CrackLists &lists);
 // Sums b⊗f of the cracks of each cell from their forces of the last step.
