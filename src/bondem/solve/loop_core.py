@@ -84,7 +84,7 @@ class CoreLoop:
         lists = StepPasses(*[nothing] * len(StepPasses._fields))
         lists = lists._replace(present=self._compose([*composed(self._parts, "present"), *first]))
         done = np.zeros(4, dtype=np.int64)
-        span = StepSpan(self.state.step, 0, 0, True, False, self._n, self._m, done)
+        span = StepSpan(self.state.step, 0, 0, True, False, False, self._n, self._m, done)
         _take_steps(lists, self._tables.cut, self._scheme, span, self._tables.portions, threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:

@@ -28,7 +28,7 @@ _withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Cand
 
 def body_of_cells(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
     """Return the parts of a body of cells whose facets are elastic or break at once."""
-    body = BodyOfCells.of(model, state, shared.cut)
+    body = BodyOfCells.of(model, state, shared)
     damage = damage_of(model, state, shared.cut, len(body.facets.i))
     forces = cells(shared, model, state, body, dashpots, damage=damage)
     parts = [forces] if damage is None else [forces, _breakage(model, damage, state, shared, body, dashpots)]

@@ -135,6 +135,21 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
         if (grows(cells, cracks.i(c)) || grows(cells, cracks.j(c))) write_levers(facets, cracks, c);
 }
 
+void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+                  const WallConstraints &walls, const YieldingCells &cells) {
+    if (!strains.due(1)) return;
+    for (Index e = 0; e < cells.base_i.all(); e++) {
+        cells.base_i.data[e] = facets.lever_i.data[e];
+        cells.base_j.data[e] = facets.lever_j.data[e];
+    }
+    for (Index p = 0; p < cells.plastic.size(); p++)
+        if (cells.plastic(p, gamma) != 0.0) stretch_cell(facets, of_cells, cells, p);
+    for (Index g = 0; g < walls.cell.size(); g++) {
+        cells.base_wall.row<Vector>(g) = walls.arm.row<Vector>(g);
+        walls.arm.row<Vector>(g) = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<Vector>(g));
+    }
+}
+
 void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
                        const YieldingCells &cells, const Rows &rows) {
     if (!(turn.clock.dt > 0.0)) return;
