@@ -1,5 +1,7 @@
 """Models with contacts and walls, for tests of the passes of contact."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 import bondem as bd
@@ -38,7 +40,7 @@ def all_walls(size: float) -> list:
         bd.PlaneWall((size, 0, 0), (-1, 0, 0), motion=bd.Free(2e5, velocity=(-3.0, 0, 0), force=(-1e5, 0, 0))),
         bd.PlaneWall((0, size, 0), (0, -1, 0), motion=bd.Driven(y=bd.Ramp(0.0, -0.3, 0.1), vx=0.5)),
         bd.CylinderWall(0.6 * size, (0, middle, middle), (1, 0, 0), motion=bd.Driven(vgrowth=-0.4)),
-        bd.CylinderWall(0.12, (1.15, 1.0, 2.3), (0, 1, 0), outside=True, motion=bd.Driven(growth=bd.Ramp(0, 0.2, 0.1))),
+        bd.CylinderWall(0.12, (1.15, 1, 2.3), (0, 1, 0), outside=True, motion=bd.Driven(growth=bd.Ramp(0, 0.2, 0.1))),
         bd.SphereWall(size, (middle, middle, middle), inside=True, motion=bd.Servo(3e5, speed=20.0)),
         bd.SphereWall(0.15, (middle, middle, middle), motion=bd.Free(1e5, velocity=(3.0, 1.0, 0.0))),
     ]
@@ -72,12 +74,37 @@ def touching_beams(law, *, shape=(6, 3, 4), **options) -> bd.Model:
     )
 
 
-def plan_of(model: bd.Model, steps: int, *, share: float = 0.5, gauges: bool = True, **options) -> Plan:
+def moving_beams(law, **options) -> tuple[bd.Model, State]:
+    """Return that bar with random velocities, in a model and a state."""
+    model = touching_beams(law, **options)
+    state = State(model)
+    state.set_motion(velocity=np.random.default_rng(7).uniform(-0.5, 0.5, (len(state.pose), 3)))
+    return model, state
+
+
+def plan_of(model: bd.Model, steps: int, *, share: float = 0.5, **options) -> Plan:
     """Return a plan of some steps of a share of the critical step, with gauges of all walls."""
     dt = share * critical_step(model, bd.VelocityVerlet())
     quantities = ("force", "displacement", "velocity", "growth")
-    names = {
-        f"{quantity} {wall}": bd.WallGauge(wall, quantity)
-        for wall in range(len(model.walls) if gauges else 0) for quantity in quantities
-    }  # fmt: skip
-    return Plan(duration=steps * dt, dt=dt, gauges=names, **options)
+    walls = range(len(model.walls))
+    gauges = {f"{quantity} {w}": bd.WallGauge(w, quantity) for w in walls for quantity in quantities}
+    return Plan(duration=steps * dt, dt=dt, gauges=gauges, **options)
+
+
+WEAK = bd.PeripheralStress(tension=1.2e6, shear=1.2e6)
+PARALLEL = bd.LinearContact(E=E / 10, friction=0.3, damping=0.2, parallel=True)
+STRESSED = bd.LinearContact(E=E / 20, friction=0.2, stress_free=False)
+#: Models, their states, and the damping of their runs.
+CASES: dict[str, tuple[Callable[[], tuple[bd.Model, State]], object]] = {
+    "spheres and walls": (lambda: cloud(4, LINEAR, walls=all_walls(9.2)), None),
+    "Hertzian spheres and walls": (lambda: cloud(4, HERTZIAN, walls=all_walls(9.2)), None),
+    "periodic cell": (lambda: cloud(5, LINEAR, period=(11.5, 11.5, 11.5)), None),
+    "beams, damped": (lambda: moving_beams(LINEAR), bd.LocalDamping(0.1)),
+    "beams, Hertzian": (lambda: moving_beams(HERTZIAN), None),
+    "beams, no friction": (lambda: moving_beams(bd.LinearContact(E=E, damping=0.2)), None),
+    "beams, parallel": (lambda: moving_beams(PARALLEL), None),
+    "beams break, Hertzian": (lambda: moving_beams(HERTZIAN, failure=WEAK), None),
+    "beams break, parallel": (lambda: moving_beams(PARALLEL, failure=WEAK), None),
+    "beams break, stressed": (lambda: moving_beams(STRESSED, failure=WEAK), None),
+}
+STEPS = 400

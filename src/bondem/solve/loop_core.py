@@ -27,14 +27,11 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of both formulations, which may break or soften, and of the non-local law without
-    breakage; of bodies of cells whose facets break or soften, and whose cells yield;
-    and of contacts and walls where nothing softens, except with the non-local law.
+    It has those of beams of both formulations, which may break or soften, and of the non-local law, which may break;
+    of bodies of cells whose facets break or soften, and whose cells yield; and of contacts and walls where nothing
+    softens.
     """
-    return (
-        (model.non_local is None or model.breaking is None)
-        and (model.contacts is None or model.non_local is model.beam_softening is model.softening is None)
-    )
+    return model.contacts is None or model.beam_softening is model.softening is None
 
 
 class CoreLoop:
@@ -85,7 +82,7 @@ class CoreLoop:
         lists = StepPasses(*[nothing] * len(StepPasses._fields))
         lists = lists._replace(present=self._compose([*composed(self._parts, "present"), *first]))
         done = np.zeros(4, dtype=np.int64)
-        span = StepSpan(self.state.step, 0, 0, True, False, self._n, self._m, done)
+        span = StepSpan(self.state.step, 0, 0, True, False, False, self._n, self._m, done)
         _take_steps(lists, self._tables.cut, self._scheme, span, self._tables.portions, threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:

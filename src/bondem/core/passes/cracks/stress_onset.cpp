@@ -14,7 +14,7 @@
 #include "../../laws/criteria/cone.hpp"
 #include "../../laws/criteria/mean_stress.hpp"
 #include "../damage/stress_criteria.hpp"
-#include "constants.hpp"
+#include "single_cracks.hpp"
 
 namespace bondem {
 namespace {
