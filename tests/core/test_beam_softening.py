@@ -121,3 +121,31 @@ def test_a_softened_beam_carries_pressure_as_a_whole_one():
     force = state.acceleration[:, 0] / state.motion[:, 3]
     np.testing.assert_allclose(force, [-0.01 * kn, 0.01 * kn], rtol=1e-10)
     assert record[3] == pytest.approx(0.5 * kn * 0.01**2, rel=1e-10)
+
+
+def test_contact_carries_the_pressure_on_a_beam_from_the_step_in_which_it_breaks():
+    """A beam that is pressed and twisted loses its integrity in one step: the force on its ends does not jump."""
+    lattice = bd.connect(bd.Particles(np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]), np.full(2, 0.5)), reach=2.0)
+    failure = bd.PeripheralStress(tension=8e4, shear=8e4, fracture_energy=800.0)
+    law = bd.Timoshenko(E=1e7, nu=0.2, radius=0.2)
+    model = bd.Model(lattice, law, density=1e3, failure=failure, contact=bd.LinearContact(E=1e7))
+    kn, state, turn = float(model.bonds.kn[0]), State(model), 0.02
+    state.integrity[0] = 0.3
+    state.softened = np.array([[0.0, 1e-6, 2e-6, 0.0, 0.0, 2.0]])
+    state.pose[1, 0] -= 0.01
+    state.pose[1, 4:6] = np.cos(turn / 2), np.sin(turn / 2)  # a twist, so that -∂U/∂s is not zero
+    state.stale = True
+    plan = plan_of_pair(model)
+    assert plan.dt is not None
+    loop = CoreLoop(model, plan, state, plan.dt)
+    before = loop.look()[0]
+    force = state.acceleration[:, 0] / state.motion[:, 3]
+    np.testing.assert_allclose(force, [-0.01 * kn, 0.01 * kn], rtol=1e-3)
+    loop.run(1)
+    assert state.integrity[0] == 0.0
+    assert len(state.broken) == 1
+    np.testing.assert_allclose(state.acceleration[:, 0] / state.motion[:, 3], force, rtol=1e-3)
+    after = loop.look()[0]
+    assert after[3] == 0.0
+    assert after[7] == pytest.approx(before[3], rel=1e-3)  # of contact, and of normal force before
+    assert state.released[0] > 0.0

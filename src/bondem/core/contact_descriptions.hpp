@@ -50,6 +50,6 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
         S(of_ranges, add_pair_loads), S(of_elements, press_walls), S(of_elements, measure_wall_overlaps),                \
         S(serial, load_walls), S(serial, keep_measures), S(elements_of_blocks, add_contact_loads),                       \
         S(of_elements, sum_pair_energies), S(of_elements, sum_wall_energies), S(serial, write_contact_energy),           \
-        S(serial, count_wall_work), S(serial, write_walls), S(serial, begin_contacts)
+        S(serial, count_wall_work), S(serial, write_walls), S(serial, begin_contacts), S(serial, begin_softened_contacts)
 
 }  // namespace bondem

@@ -28,10 +28,10 @@ def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
     It has those of beams of both formulations, which may break or soften, and of the non-local law, which may break;
-    of bodies of cells whose facets break or soften, and whose cells yield; and of contacts and walls where nothing
-    softens.
+    of bodies of cells whose facets break or soften, and whose cells yield; and of contacts and walls where cells
+    do not soften.
     """
-    return model.contacts is None or model.beam_softening is model.softening is None
+    return model.contacts is None or model.softening is None
 
 
 class CoreLoop:

@@ -20,9 +20,9 @@ from bondem.solve.contact_tables import (
     WallContacts,
     WallMotions,
 )
-from bondem.solve.damage_tables import EventLog, Postponed
+from bondem.solve.damage_tables import EventLog, Postponed, SofteningBounds
 from bondem.solve.neighbour_list import ContactSearch, FoundContacts
-from bondem.solve.parts.damage import Joints
+from bondem.solve.parts.damage import DamageTables, Joints
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import HistoryRows, Moving, Portions
@@ -43,6 +43,10 @@ _write_contact_energy = StepPass("write_contact_energy", ContactEnergies, Histor
 _count_wall_work = StepPass("count_wall_work", Walls, Portions)
 _begin_contacts = StepPass(
     "begin_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
+)
+_release_pressed_beams = StepPass("release_pressed_beams", EventLog, SofteningBounds)
+_begin_softened_contacts = StepPass(
+    "begin_softened_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, ContactSums
 )
 _write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
 _add_pair_moments = StepPass("add_pair_moments", Moving, ContactConstants, ContactPairs, NearPairs, LaggedStresses)
@@ -133,13 +137,21 @@ class ContactTables:
         contacts.append((_keep_measures, self._near, self._travel))
         add: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
         hand_over: Passes = []
-        if self._joints.damage is not None:
+        if self._joints.damage is not None and self._joints.softening is None:
             damage = self._joints.damage
             hand_over.append(
                 (_begin_contacts, s.moving, law, self._pairs, self._near, damage.log, damage.postponed)
             )
         stages = {"hand_over": hand_over, "travel": travel, "contacts": contacts, "add": add, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
+
+    def of_softened_beams(self, damage: DamageTables, bounds: SofteningBounds) -> Part:
+        """Return the part of contacts that begin where beams have softened until they broke."""
+        passes: Passes = [
+            (_release_pressed_beams, damage.log, bounds),
+            (_begin_softened_contacts, self._shared.moving, self._law, self._pairs, self._near, damage.log, self._sums),
+        ]
+        return Part({"prepare": passes}, renewed=lambda: self.of_softened_beams(damage, bounds))
 
     def moments(self, stresses: LaggedStresses) -> Part:
         """Return the part of contacts in stresses of elements (`bondem.solve.parts.non_local`)."""

@@ -13,7 +13,7 @@ from bondem.model.model import Model
 from bondem.model.non_local_tables import LaggedStresses
 from bondem.model.state import State
 from bondem.solve.cracks import joints
-from bondem.solve.damage_tables import Candidates, EventLog, FailureBounds, Postponed
+from bondem.solve.damage_tables import Candidates, EventLog, FailureBounds, Postponed, SofteningBounds
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, HistoryRows
@@ -111,16 +111,25 @@ class Joints:
         integrity: above 0 of bonds that join their elements, (m,) or longer; the passes write it.
         apart: distance of the centres at which the elements of a bond touch without it [m], (m,).
         damage: tables of the damage pipeline, or None if bonds do not fail.
+        softening: bounds of beams that soften, and the pressure on them, or None.
     """
 
     integrity: PerBond
     apart: PerBond
     damage: DamageTables | None
+    softening: SofteningBounds | None = None
 
     @classmethod
-    def of(cls, model: Model, state: State, integrity: PerBond, damage: DamageTables | None) -> "Joints":
+    def of(
+        cls,
+        model: Model,
+        state: State,
+        integrity: PerBond,
+        damage: DamageTables | None,
+        softening: SofteningBounds | None = None,
+    ) -> "Joints":
         """Return those of a run, given the integrity in the form of the loop over the bonds."""
-        return cls(*joints(model, state, integrity), damage)
+        return cls(*joints(model, state, integrity), damage, softening)
 
 
 @dataclass(frozen=True, eq=False)

@@ -34,6 +34,8 @@ def parts_of(
         touching = ContactTables(model, model.contacts, state, shared, gauges, bonds.joints, dt)
         contacts = [touching.part()]
         moments = [] if bonds.stresses is None else [touching.moments(bonds.stresses)]
+        if bonds.joints.damage is not None and bonds.joints.softening is not None:
+            moments = [touching.of_softened_beams(bonds.joints.damage, bonds.joints.softening)]
     parts = [
         boundary(shared),
         *contacts,

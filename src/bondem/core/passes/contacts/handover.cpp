@@ -66,4 +66,9 @@ void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, 
     });
 }
 
+void begin_softened_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                             const NearPairs &near, const EventLog &log, const ContactSums &sums) {
+    for_each_event(log, [&](Index bond, Index) { hand_over(all, c, pairs, near, bond, sums.sums.data); });
+}
+
 }  // namespace bondem

@@ -30,5 +30,9 @@ double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &
 // Begins contact where beams have broken in this step, on the sums that are kept for their ends.
 void begin_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const EventLog &log, const Postponed &postponed);
+// Begins contact where beams have lost all their integrity in this step, whose pressure `release_pressed_beams` has ended:
+// on the sums of contacts, before the forces of bonds. The contact stores what the pressure stored.
+void begin_softened_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                             const NearPairs &near, const EventLog &log, const ContactSums &sums);
 
 }  // namespace bondem
