@@ -27,7 +27,7 @@ BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(brittleness, "m")
              F(friction, "m"), F(plane, "m"), F(cohesion, "m"), F(slip_brittleness, "m"), F(planes, "*"), F(kink, ""),
              F(steep, ""), F(hot, ""))
 BONDEM_TABLE(CrackOnset, F(cracked, "n"), F(judged, "n"), F(marked, "m"), F(listed, "m"), F(found, "bond_portions+1"))
-BONDEM_TABLE(StressOnset, F(scale, "m"), F(area, "m"), F(tension, ""), F(least, ""), F(hot, ""), F(along, "m"),
+BONDEM_TABLE(CandidateFacets, F(scale, "m"), F(area, "m"), F(tension, ""), F(least, ""), F(hot, ""), F(along, "m"),
              F(bond, "candidates"), F(stress, "candidates 3 3"), F(found, "candidates"), F(number, "bond_portions"),
              F(total, "1"))
 BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state, "facets 8"), F(softening, "facets 8"),
@@ -48,7 +48,7 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
 #define BONDEM_CRACK_TABLES                                                                                   \
     described<SofteningSamples>(), described<CrackSamples>(), described<YieldSamples>(),                      \
         described<StressesOfCells>(), described<YieldingCells>(), described<FacetStrengths>(),                   \
-        described<CrackOnset>(), described<StressOnset>(), described<CohesiveCracks>(), described<CellSlack>(), described<CrackLists>(),        \
+        described<CrackOnset>(), described<CandidateFacets>(), described<CohesiveCracks>(), described<CellSlack>(), described<CrackLists>(),        \
         described<CrackEnergies>()
 #define BONDEM_CRACK_PASSES P(evaluate_softening, ""), P(evaluate_cracks, ""), P(evaluate_yielding, "")
 #define BONDEM_STRESS_ONSET_PASSES                                                                            \

@@ -190,7 +190,7 @@ class CrackEnergies(NamedTuple):
     cracked: Floats  #: across and along cracks, and of bending [J], (3,)
 
 
-def strengths_of(table: SofteningTable, fastest: Floats) -> FacetStrengths:
+def facet_strengths(table: SofteningTable, fastest: Floats) -> FacetStrengths:
     """Return the strengths of facets; `fastest` is the largest loss of integrity in a step of brittle ones."""
     with np.errstate(divide="ignore"):
         brittleness, slip = 1.0 / table.last, 1.0 / table.last_slip

@@ -17,7 +17,7 @@ from bondem.solve.cohesive_tables import CrackOnset, FacetStrengths, StressesOfC
 from bondem.solve.step_tables import Moving
 
 
-class StressOnset(NamedTuple):
+class CandidateFacets(NamedTuple):
     """Facets that begin to crack by a function of the stress."""
 
     scale: Floats  #: f_t without scatter over f_t of each facet, 0 of material planes [-], (m,)
@@ -35,14 +35,14 @@ class StressOnset(NamedTuple):
 
 _OF_CORE = {mean_index: "mean_stress", cone_index: "cone"}
 _judge_cells = {
-    name: StepPass(f"judge_cells_by_{name}", StressesOfCells, StressFunction, StressOnset, CrackOnset)
+    name: StepPass(f"judge_cells_by_{name}", StressesOfCells, StressFunction, CandidateFacets, CrackOnset)
     for name in _OF_CORE.values()
 }
-_judge_cells_by_size = StepPass("judge_cells_by_size", StressesOfCells, StressOnset, CrackOnset)
-_FACETS = Moving, ElasticFacets, FacetForces, StressesOfCells, CrackOnset, StressOnset
+_judge_cells_by_size = StepPass("judge_cells_by_size", StressesOfCells, CandidateFacets, CrackOnset)
+_FACETS = Moving, ElasticFacets, FacetForces, StressesOfCells, CrackOnset, CandidateFacets
 _find_stress_candidates = StepPass("find_stress_candidates", *_FACETS)
 _mark_failing_facets = StepPass("mark_failing_facets", *_FACETS)
-_find_strengths_along = StepPass("find_strengths_along", StressOnset)
+_find_strengths_along = StepPass("find_strengths_along", CandidateFacets)
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +58,7 @@ class OnsetByStress:
 
     passes: StressPasses
     candidates: StressCandidates
-    onset: StressOnset
+    onset: CandidateFacets
     strengths: FacetStrengths
 
     @classmethod
@@ -75,7 +75,7 @@ class OnsetByStress:
         candidates = StressCandidates.of(m)._replace(number=np.zeros(portions, dtype=np.int64))
         scale = with_twins(np.where(table.plane, 0.0, table.tension / table.strength))
         along = strengths.strength.copy()
-        onset = StressOnset(scale, strengths.area, table.tension, table.least, table.hot, along, *candidates)
+        onset = CandidateFacets(scale, strengths.area, table.tension, table.least, table.hot, along, *candidates)
         return cls(passes, candidates, onset, strengths._replace(strength=along))
 
     def judge(self, stresses: StressesOfCells, cracks: CrackOnset) -> tuple[Any, ...]:

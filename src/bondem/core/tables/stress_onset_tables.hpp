@@ -5,7 +5,7 @@
 namespace bondem {
 
 // Facets that begin to crack by a function of the stress.
-struct StressOnset {
+struct CandidateFacets {
     Array<const double, 1> scale;  // f_t without scatter over f_t of each facet, 0 of material planes [-], (m,)
     Array<const double, 1> area;  // [m²], (m,)
     double tension;  // f_t without scatter [Pa]

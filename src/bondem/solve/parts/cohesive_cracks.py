@@ -27,7 +27,7 @@ from bondem.solve.cohesive_tables import (
     StressesOfCells,
     YieldingCells,
     facet_forces,
-    strengths_of,
+    facet_strengths,
     yielding_of,
 )
 from bondem.solve.cracks import LOSS, pressed_moments
@@ -107,7 +107,7 @@ class CrackingBody:
         self.body = body = BodyOfCells.of(model, state, shared)
         self.kept = facet_forces(state, body.facets, table.area, len(shared.cut.sums))
         swing = np.sqrt(constants.k * (state.motion[layout.i, 3] + state.motion[layout.j, 3]))
-        self.strengths = strengths_of(table, LOSS * np.minimum(dt * swing, 1.0))
+        self.strengths = facet_strengths(table, LOSS * np.minimum(dt * swing, 1.0))
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
         listed[m:] = 1  # no facets: they fill a group of lanes
         self.by_stress = OnsetByStress.of(model, self.strengths, len(shared.portions.bonds))

@@ -137,7 +137,7 @@ class BondParts:
     """Parts of the bonds of a run.
 
     Attributes:
-        parts: their parts.
+        parts: parts of a step.
         joints: the bonds as joints of their elements.
         stresses: stresses of elements that contacts are a part of, or None for laws without.
     """

@@ -47,7 +47,7 @@ void judge_cells(const Turn &turn, const StressesOfCells &stresses, const CrackO
     }
 }
 template <class Criterion>
-void judge_cells_by(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by, const StressOnset &onset,
+void judge_cells_by(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by, const CandidateFacets &onset,
                     const CrackOnset &cracks) {
     const double scale = onset.tension / onset.hot;
     const auto reaches = [&](const Stress<double> &s) {
@@ -75,7 +75,7 @@ struct JudgedFacet {
 };
 
 // Whether the stresses of a facet are far below the criterion, by bounds that need no angle.
-bool is_far_below(const StressesOfCells &stresses, const StressOnset &onset, Index i, Index j, Index k, Vector t) {
+bool is_far_below(const StressesOfCells &stresses, const CandidateFacets &onset, Index i, Index j, Index k, Vector t) {
     const double size = 0.5 * (stresses.tensor(i, 7) + stresses.tensor(j, 7));
     const double bends = least(stresses.tensor(i, 6), stresses.tensor(j, 6));
     const double bound = (1.0 + root_two) * size + root_two * (length(t) + root(positive(bends)));
@@ -85,14 +85,14 @@ bool is_far_below(const StressesOfCells &stresses, const StressOnset &onset, Ind
 }  // namespace
 
 void judge_cells_by_mean_stress(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by,
-                                const StressOnset &onset, const CrackOnset &cracks) {
+                                const CandidateFacets &onset, const CrackOnset &cracks) {
     judge_cells_by<MeanStress>(turn, stresses, by, onset, cracks);
 }
 void judge_cells_by_cone(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by,
-                         const StressOnset &onset, const CrackOnset &cracks) {
+                         const CandidateFacets &onset, const CrackOnset &cracks) {
     judge_cells_by<Cone>(turn, stresses, by, onset, cracks);
 }
-void judge_cells_by_size(const Turn &turn, const StressesOfCells &stresses, const StressOnset &onset,
+void judge_cells_by_size(const Turn &turn, const StressesOfCells &stresses, const CandidateFacets &onset,
                          const CrackOnset &cracks) {
     const double scale = onset.tension / onset.hot;
     judge_cells(turn, stresses, cracks, [&](const Stress<double> &s, double more) {
@@ -101,7 +101,7 @@ void judge_cells_by_size(const Turn &turn, const StressesOfCells &stresses, cons
 }
 
 void find_stress_candidates(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
-                            const StressesOfCells &stresses, const CrackOnset &cracks, const StressOnset &onset) {
+                            const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
     Index next = turn.first, marked = 0;
     if (turn.clock.dt > 0.0)
         for (Index k = turn.first; k < turn.last; k++) {
@@ -129,7 +129,7 @@ void find_stress_candidates(const Turn &turn, const Moving &all, const ElasticFa
 }
 
 void mark_failing_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
-                         const StressesOfCells &stresses, const CrackOnset &cracks, const StressOnset &onset) {
+                         const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
     Index next = 0;
     for (Index c = 0; c < onset.total(0); c++) {
         if (onset.found(c) < 1.0) continue;
@@ -143,7 +143,7 @@ void mark_failing_facets(const Turn &, const Moving &all, const ElasticFacets &f
     if (next > 0) onset.number(0) = next;  // one after the other, as from one portion
 }
 
-void find_strengths_along(const Turn &, const StressOnset &onset) {
+void find_strengths_along(const Turn &, const CandidateFacets &onset) {
     for (Index c = 0; c < onset.total(0); c++) {
         const double *const s = onset.stress.data + 9 * c;
         const double largest = largest_of(principal(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}));
