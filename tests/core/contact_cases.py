@@ -40,7 +40,7 @@ def all_walls(size: float) -> list:
         bd.PlaneWall((size, 0, 0), (-1, 0, 0), motion=bd.Free(2e5, velocity=(-3.0, 0, 0), force=(-1e5, 0, 0))),
         bd.PlaneWall((0, size, 0), (0, -1, 0), motion=bd.Driven(y=bd.Ramp(0.0, -0.3, 0.1), vx=0.5)),
         bd.CylinderWall(0.6 * size, (0, middle, middle), (1, 0, 0), motion=bd.Driven(vgrowth=-0.4)),
-        bd.CylinderWall(0.12, (1.15, 1.0, 2.3), (0, 1, 0), outside=True, motion=bd.Driven(growth=bd.Ramp(0, 0.2, 0.1))),
+        bd.CylinderWall(0.12, (1.15, 1, 2.3), (0, 1, 0), outside=True, motion=bd.Driven(growth=bd.Ramp(0, 0.2, 0.1))),
         bd.SphereWall(size, (middle, middle, middle), inside=True, motion=bd.Servo(3e5, speed=20.0)),
         bd.SphereWall(0.15, (middle, middle, middle), motion=bd.Free(1e5, velocity=(3.0, 1.0, 0.0))),
     ]
@@ -86,7 +86,8 @@ def plan_of(model: bd.Model, steps: int, *, share: float = 0.5, **options) -> Pl
     """Return a plan of some steps of a share of the critical step, with gauges of all walls."""
     dt = share * critical_step(model, bd.VelocityVerlet())
     quantities = ("force", "displacement", "velocity", "growth")
-    gauges = {f"{quantity} {w}": bd.WallGauge(w, quantity) for w in range(len(model.walls)) for quantity in quantities}
+    walls = range(len(model.walls))
+    gauges = {f"{quantity} {w}": bd.WallGauge(w, quantity) for w in walls for quantity in quantities}
     return Plan(duration=steps * dt, dt=dt, gauges=gauges, **options)
 
 

@@ -210,25 +210,21 @@ def test_the_list_has_all_pairs_that_no_bond_joins_and_their_memory():
     ))  # fmt: skip
     listed = ~bonded
     listed[np.flatnonzero(bonded)[wanted]] = True
-    np.testing.assert_array_equal(np.column_stack([found.second, found.first]), np.argwhere(gap_table(later, earlier, listed, n)))
+    expected = np.column_stack([later[listed], earlier[listed]])  # np.nonzero sorts by the later element
+    np.testing.assert_array_equal(np.column_stack([found.second, found.first]), expected)
     np.testing.assert_array_equal(found.touch, touching[listed])
     np.testing.assert_array_equal(found.memory[found.touch == 1, :6], memory[listed[touching]])
     np.testing.assert_allclose(found.gap, np.minimum(gap[later, earlier][listed], 0.0), atol=0)
-    np.testing.assert_array_equal(np.flatnonzero(bonded)[found.bond[found.bond >= 0]], np.flatnonzero(bonded & listed))
-
-
-def gap_table(later: np.ndarray, earlier: np.ndarray, listed: np.ndarray, n: int) -> np.ndarray:
-    """Return a mask of listed pairs, (n, n)."""
-    table = np.zeros((n, n), dtype=bool)
-    table[later[listed], earlier[listed]] = True
-    return table
+    of_bond = np.flatnonzero(bonded)[found.bond[found.bond >= 0]]
+    np.testing.assert_array_equal(of_bond, np.flatnonzero(bonded & listed))
 
 
 def test_the_list_has_all_walls_in_reach():
     rng, walls = np.random.default_rng(4), all_walls(9.2)
     model, state = cloud(4, LINEAR, walls=walls)
-    table = model.contacts.walls
-    pose, radius, skin = state.pose, model.contacts.radius, 0.5
+    contacts = model.contacts
+    assert contacts is not None
+    pose, table, radius, skin = state.pose, contacts.walls, contacts.radius, 0.5
     sources = WallSources.without_memory(radius, skin)
     state.walls[:, :4] = rng.uniform(-0.2, 0.2, (len(walls), 4))
     found = found_walls(pose, Walls(table.shape, state.walls, table.friction, np.zeros((len(walls), 4))), sources)

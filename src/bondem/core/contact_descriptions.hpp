@@ -14,7 +14,7 @@ namespace bondem {
 BONDEM_TABLE(ContactConstants, F(modulus, ""), F(soft, ""), F(friction, ""), F(damping, ""), F(hertzian, ""), F(radius, "n"))
 BONDEM_TABLE(ContactPairs, F(first, "pairs"), F(second, "pairs"), F(start, "n+1"), F(reach, "pairs"), F(own, "pairs"),
              F(memory, "pairs 8"), F(touch, "pairs"), F(bond, "pairs"), F(joined, "*"), F(of_bond, "*"), F(period, "6"))
-BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pairs 8"), F(count, "element_portions 2"),
+BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pairs 8"), F(counts, "element_portions 2"),
              F(width, ""))
 BONDEM_TABLE(Travel, F(listed, "n 3"), F(measured, "n 3"), F(portion, "element_portions 3"), F(far, "2"), F(reach, ""))
 BONDEM_TABLE(ContactSums, F(sums, "n 8"))

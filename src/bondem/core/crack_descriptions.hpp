@@ -26,12 +26,12 @@ BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(brittleness, "m")
              F(friction, "m"), F(plane, "m"), F(cohesion, "m"), F(slip_brittleness, "m"), F(planes, "*"), F(kink, ""),
              F(steep, ""), F(hot, ""))
 BONDEM_TABLE(CrackOnset, F(cracked, "n"), F(judged, "n"), F(marked, "m"), F(listed, "m"), F(found, "bond_portions+1"))
-BONDEM_TABLE(CohesiveCracks, F(shape, "room 8"), F(face, "room 8"), F(state, "room 8"), F(softening, "room 8"),
-             F(history, "room 8"), F(pull, "room 4"), F(pitch, "3"), F(facet, "room"), F(i, "room"), F(j, "room"),
-             F(listed, "m"), F(integrity, "*"), F(size, "2"))
+BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state, "facets 8"), F(softening, "facets 8"),
+             F(history, "facets 8"), F(pull, "facets 4"), F(pitch, "3"), F(order, "facets"), F(listed, "m"),
+             F(integrity, "facets"), F(size, "2"))
 BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(slack_i, "m"), F(slack_j, "m"),
              F(weight, "n"))
-BONDEM_TABLE(CrackLists, F(size, "4"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"),
+BONDEM_TABLE(CrackLists, F(size, "3"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"),
              F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(cell, "*"), F(head, "n"),
              F(node, "halves 4"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"),
              F(woken, "crack_portions"), F(stale, "n"), F(base, "n"), F(half, "halves 8"), F(output, "halves 8"),

@@ -27,14 +27,12 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of both formulations, which may break or soften, and of the non-local law without
-    breakage; of bodies of cells whose facets break or soften by the largest principal stress, and whose cells yield;
-    and of contacts and walls where nothing softens, except with the non-local law.
+    It has those of beams of both formulations, which may break or soften, and of the non-local law, which may break;
+    of bodies of cells whose facets break or soften by the largest principal stress, and whose cells yield; and of
+    contacts and walls where nothing softens.
     """
-    return (
-        (model.softening is None or model.softening.judge is None)
-        and (model.non_local is None or model.breaking is None)
-        and (model.contacts is None or model.non_local is model.beam_softening is model.softening is None)
+    return (model.softening is None or model.softening.judge is None) and (
+        model.contacts is None or model.beam_softening is model.softening is None
     )
 
 

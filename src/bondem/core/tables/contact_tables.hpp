@@ -37,7 +37,7 @@ struct NearPairs {
     Array<Short, 1> close;  // those of them that touch or have just parted, (c,)
     // of these: force on the later element [N], lost to dashpots [J], torque over the radius [N], lost to friction [J]
     Array<double, 2> output;  // (c, 8)
-    Array<Index, 2> count;  // of near and of close pairs of each portion, (portions, 2)
+    Array<Index, 2> counts;  // of near and of close pairs of each portion, (portions, 2)
     double width;  // motion of an element after which distances are measured anew [m]
 };
 // How far elements have moved since their distances were measured, and since the list was made.
@@ -77,7 +77,7 @@ struct Walls {
     Array<const double, 1> friction;  // μ, (w,)
     Array<double, 2> listed;  // displacement and growth when the list was made [m], (w, 4)
 };
-// What moves walls.
+// Prescribed motions of walls, servos, and free walls.
 struct WallMotions {
     Array<const double, 1> times, values;  // schedules, as those of `Timeline`
     Array<const Index, 1> start;

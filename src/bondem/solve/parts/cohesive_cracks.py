@@ -66,9 +66,9 @@ _mark_cracking_planes = StepPass(
 )  # fmt: skip
 _begin_cracks = StepPass("begin_cracks", ElasticFacets, FacetForces, FacetStrengths, CrackOnset, CohesiveCracks)
 _link_cracks = StepPass("link_cracks", ElasticFacets, FacetForces, FacetStrengths, CohesiveCracks, CrackLists)
-_weigh_cracked_cells = StepPass("weigh_cracked_cells", CellDilatation, CellSlack, CohesiveCracks)
+_weigh_cracked_cells = StepPass("weigh_cracked_cells", ElasticFacets, CellDilatation, CellSlack, CohesiveCracks)
 _follow_levers = StepPass("follow_levers", ElasticFacets, CohesiveCracks)
-_list_cracks = StepPass("list_cracks", CohesiveCracks, CrackLists)
+_list_cracks = StepPass("list_cracks", ElasticFacets, CohesiveCracks, CrackLists)
 _carry_cracks = StepPass("carry_cracks", StressesOfCells, CohesiveCracks, CrackLists)
 _sum_moments = StepPass("sum_moments", Moving, ElasticFacets, FacetsOfCells, FacetForces)
 _begin_bases = StepPass("begin_bases", Moving, CellDilatation, CrackLists)
@@ -157,7 +157,7 @@ class CrackingBody:
             passes.append((_stretch_all_cells, body.facets, self.of_cells, self.yielding))
         passes += [
             (_link_cracks, body.facets, self.kept, self.strengths, cracks, self.lists),
-            (_weigh_cracked_cells, body.cells, self.slack, cracks),
+            (_weigh_cracked_cells, body.facets, body.cells, self.slack, cracks),
         ]
         if self.yielding is not None:
             passes.append((_stretch_walls_and_cracks, body.facets, body.walls, self.yielding, cracks))
@@ -194,7 +194,7 @@ class CrackingBody:
         strengths, stresses = self.strengths, self.stresses
         again = (_relax_stale_cells, moving, body.cells, lists)
         crack: Passes = [
-            (_list_cracks, cracks, lists),
+            (_list_cracks, body.facets, cracks, lists),
             (_begin_bases, moving, body.cells, lists),
             (_measure_cracks, moving, body.facets, cracks, lists),
             (_relax_cracked_cells, moving, body.cells, lists),

@@ -7,6 +7,7 @@ from bondem.kernels.tables import Gauges, StepCut, lines
 from bondem.model.contact_search import Walls
 from bondem.model.contacts import ContactModel
 from bondem.model.model import Model
+from bondem.model.non_local_tables import LaggedStresses
 from bondem.model.state import State
 from bondem.solve.contact_check import ContactCheck, ListedContacts
 from bondem.solve.contact_tables import (
@@ -44,6 +45,8 @@ _begin_contacts = StepPass(
     "begin_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
 )
 _write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
+_add_pair_moments = StepPass("add_pair_moments", Moving, ContactConstants, ContactPairs, NearPairs, LaggedStresses)
+_add_wall_moments = StepPass("add_wall_moments", Moving, ContactConstants, WallContacts, Walls, LaggedStresses)
 
 # Distances of all pairs are measured again when an element has moved this share of the reach of the list.
 _FRESH = 0.1
@@ -58,7 +61,7 @@ class ContactTables:
         state: state of the run; its arrays are shared.
         shared: tables of all parts.
         gauges: gauges of the run.
-        joints: what joins the elements.
+        joints: bonds that join the elements.
         dt: time step [s].
     """
 
@@ -137,6 +140,14 @@ class ContactTables:
             )
         stages = {"hand_over": hand_over, "travel": travel, "contacts": contacts, "add": add, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
+
+    def moments(self, stresses: LaggedStresses) -> Part:
+        """Return the part of contacts in stresses of elements (`bondem.solve.parts.non_local`)."""
+        s, law, walls = self._shared, self._law, self._walls
+        passes: Passes = [(_add_pair_moments, s.moving, law, self._pairs, self._near, stresses)]
+        if len(walls.body):
+            passes.append((_add_wall_moments, s.moving, law, self._at_walls, walls, stresses))
+        return Part({"prepare": passes}, renewed=lambda: self.moments(stresses))
 
     def _record(self, history: HistoryRows) -> Passes:
         moving, law, energies = self._shared.moving, self._law, self._energies

@@ -10,6 +10,7 @@ from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.kernels.tables import BROKEN_COLUMNS, Rows, StepCut
 from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model
+from bondem.model.non_local_tables import LaggedStresses
 from bondem.model.state import State
 from bondem.solve.cracks import joints
 from bondem.solve.damage_tables import Candidates, EventLog, FailureBounds, Postponed
@@ -120,6 +121,21 @@ class Joints:
     def of(cls, model: Model, state: State, integrity: PerBond, damage: DamageTables | None) -> "Joints":
         """Return those of a run, given the integrity in the form of the loop over the bonds."""
         return cls(*joints(model, state, integrity), damage)
+
+
+@dataclass(frozen=True, eq=False)
+class BondParts:
+    """Parts of the bonds of a run.
+
+    Attributes:
+        parts: their parts.
+        joints: the bonds as joints of their elements.
+        stresses: stresses of elements that contacts are a part of, or None for laws without.
+    """
+
+    parts: list[Part]
+    joints: Joints
+    stresses: LaggedStresses | None = None
 
 
 def damage_of(model: Model, state: State, cut: StepCut, filled: int) -> DamageTables | None:

@@ -6,13 +6,13 @@ namespace bondem {
 
 void examine(const ContactPairs &pairs, const NearPairs &near, Index k) {
     const Index portion = pairs.second(k) / elements_of_portion, begin = pairs.start(portion * elements_of_portion);
-    Index e = begin + near.count(portion, 0);
+    Index e = begin + near.counts(portion, 0);
     const Index end = e;
     while (e > begin && near.near(e - 1) > k) e--;
     if (e > begin && near.near(e - 1) == k) return;
     for (Index q = end; q > e; q--) near.near(q) = near.near(q - 1);
     near.near(e) = Short(k);
-    near.count(portion, 0)++;
+    near.counts(portion, 0)++;
 }
 
 BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index k) {

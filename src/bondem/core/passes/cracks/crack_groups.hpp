@@ -151,7 +151,7 @@ BONDEM_INLINE CrackJudgement judgement_of(const CrackGroup &group, const Cohesiv
     PlaneStrength<Lanes> more = {all<Lanes>(infinity), Lanes{}, Lanes{}};
     if (any(on_plane)) {
         const Row<Lanes> rows = group.lines(cracks.history);
-        more = {rows.column[3], rows.column[4], rows.column[5]};
+        more = {rows.column[2], rows.column[3], rows.column[4]};
     }
     return {H, column(4), column(6), {{column(7), column(5)}, more, on_plane}};
 }

@@ -132,16 +132,15 @@ void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForc
     if (!(turn.clock.dt > 0.0)) return;
     const Index portions = onset.found.size() - 1;
     const auto begin = [&](Index k) {
-        const Index c = cracks.size(0)++;
-        state_of(cracks, c) = {};
-        state_of(cracks, c).before = crack::fresh;
-        history_of(cracks, c) = {};
-        softening_of(cracks, c).strength = onset.marked(k) == 1 ? strengths.strength(k) : 0.0;
-        shape_of(cracks, c).top = 0.0;
-        cracks.facet(c) = k;
-        write_constants(facets, kept, strengths, cracks, c);
-        for (Index d = 0; d < 3; d++) cracks.pull(c, d) = kept.force(d, k);
-        treat(facets, cracks, c, crack::active);
+        cracks.order(cracks.size(0)++) = k;
+        state_of(cracks, k) = {};
+        state_of(cracks, k).before = crack::fresh;
+        history_of(cracks, k) = {};
+        softening_of(cracks, k).strength = onset.marked(k) == 1 ? strengths.strength(k) : 0.0;
+        shape_of(cracks, k).top = 0.0;
+        write_constants(facets, kept, strengths, cracks, k);
+        for (Index d = 0; d < 3; d++) cracks.pull(k, d) = kept.force(d, k);
+        treat(facets, cracks, k, crack::active);
         onset.cracked(facets.i(k)) = onset.cracked(facets.j(k)) = 1;
         onset.marked(k) = 0;
     };

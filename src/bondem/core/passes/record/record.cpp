@@ -8,7 +8,6 @@ namespace bondem {
 namespace {
 
 using namespace column;
-
 // What a gauge reads of an element, and how it makes one number of many.
 enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
 enum Reduction : Index { mean, sum, largest };
