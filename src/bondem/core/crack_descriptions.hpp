@@ -7,6 +7,7 @@
 #include "passes/cracks/crack_states.hpp"
 #include "passes/cracks/onset.hpp"
 #include "passes/cracks/opening.hpp"
+#include "passes/cracks/crack_strains.hpp"
 #include "passes/cracks/stress_state.hpp"
 
 namespace bondem {
@@ -49,6 +50,7 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
 #define BONDEM_CRACK_STEP_PASSES                                                                              \
     S(of_elements, find_cell_stresses), S(serial, add_surface_stresses), S(of_elements, find_still_stresses), \
         S(serial, add_still_surface_stresses), S(serial, follow_levers), S(of_elements, judge_cells),         \
+        S(serial, stretch_anew), S(serial, sum_crack_powers), S(serial, begin_crack_powers), \
         S(of_elements, yield_cells), S(of_elements, stretch_cells), S(serial, stretch_walls_and_cracks),      \
         S(of_elements, stretch_all_cells), S(serial, add_yielding_work), S(of_bonds, mark_cracking_facets),   \
         S(serial, mark_cracking_planes), S(serial, begin_cracks), S(serial, link_cracks),                     \

@@ -13,7 +13,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.loop_cpu import BLOCK, gauge_tables, noticeable
 from bondem.solve.parts.of_model import parts_of
-from bondem.solve.parts.part import FORCES, composed
+from bondem.solve.parts.part import FORCES, STAGES, composed
 from bondem.solve.plan import Plan
 from bondem.solve.step_tables import HistoryRows, Portions, StepPasses, StepSpan
 
@@ -27,16 +27,12 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of both formulations, which may break but not soften, and of the non-local law without
-    breakage; those of bodies of cells whose facets soften and whose cells yield, but not of facets that break one by
-    one, nor of criteria of cracks other than the largest principal stress; and no contacts yet.
+    It has those of beams of both formulations, which may break or soften, and of the non-local law, which may break;
+    of bodies of cells whose facets break or soften by the largest principal stress, and whose cells yield; and of
+    contacts and walls where nothing softens.
     """
-    return (
-        (model.cells is None or model.breaking is None)
-        and (model.softening is None or model.softening.judge is None)
-        and model.beam_softening is None
-        and (model.non_local is None or model.breaking is None)
-        and model.contacts is None
+    return (model.softening is None or model.softening.judge is None) and (
+        model.contacts is None or model.beam_softening is model.softening is None
     )
 
 
@@ -51,17 +47,26 @@ class CoreLoop:
         self._n, self._m = len(state.pose), len(model.layout.i)
         terms = DampingTerms.of(plan.damping)
         self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, self._origin)
-        self._threads = current_threads() if self._m >= SERIAL_BONDS else 1
-        domains = min(self._threads, max(self._m // _DOMAIN, 1))
+        busy = self._m if model.contacts is None else self._m + self._n
+        self._threads = current_threads() if busy >= SERIAL_BONDS else 1
+        domains = min(self._threads, max(busy // _DOMAIN, 1))
         # elements that a failure delays keep their sums in rows of their own
         kept = 0 if model.breaking is None else self._n
         cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table(kept)
         self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan), dt)
         self._still = noticeable(model, dt)
-        self._compose = Composer()
+        # tables of all parts whose lists are not renewed
+        self._lasting = Composer()
+        self._lasting(composed([part for part in self._parts if part.renewed is None], *STAGES))
+        self._make_lists()
+
+    def _make_lists(self) -> None:
+        """Compose the lists of passes of the present parts."""
+        self._compose = Composer(self._lasting)
         self._lists = StepPasses(
             present=self._list("present"),
             opening=self._list("opening"),
+            travel=self._list("travel"),
             forces=self._list(*FORCES),
             resume=self._list("resume"),
             reopening=self._list("reopening"),
@@ -79,19 +84,32 @@ class CoreLoop:
         lists = StepPasses(*[nothing] * len(StepPasses._fields))
         lists = lists._replace(present=self._compose([*composed(self._parts, "present"), *first]))
         done = np.zeros(4, dtype=np.int64)
-        span = StepSpan(self.state.step, 0, 0, True, False, self._n, self._m, done)
+        span = StepSpan(self.state.step, 0, 0, True, False, False, self._n, self._m, done)
         _take_steps(lists, self._tables.cut, self._scheme, span, self._tables.portions, threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:
         return self._compose(composed(self._parts, *stages))
 
-    def _take(self, steps: int, records: np.ndarray, *, looks: bool = False) -> tuple[str, list[int]]:
+    def _renew(self) -> bool:
+        """Renew lists of contacts that are out of date; return False if a number is not finite."""
+        parts = [part if part.renewed is None else part.renewed() for part in self._parts]
+        self._parts = [part for part in parts if part is not None]
+        self._make_lists()
+        return None not in parts
+
+    def _take(
+        self, steps: int, records: np.ndarray, *, looks: bool = False, moved: bool = False
+    ) -> tuple[str, list[int]]:
         """Take steps, or record the present; return the ending and counts of what was done."""
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
-        span = StepSpan(state.step, steps, self._every, looks, looks and state.stale, self._n, self._m, done)
-        compose, history = Composer(), HistoryRows(records)  # live as long as this call
+        stale = looks and state.stale
+        span = StepSpan(state.step, steps, self._every, looks, stale, moved, self._n, self._m, done)
+        compose, history = Composer(self._compose), HistoryRows(records)  # live as long as this call
         lists = self._lists._replace(record=compose(one for part in self._parts for one in part.record(history)))
         ending = _take_steps(lists, t.cut, self._scheme, span, t.portions, threads=self._threads)
+        if done[0]:
+            state.step += int(done[0])
+            state.time = self._origin + state.step * self._scheme.dt
         for part in self._parts:
             part.keep()
         return ending, done.tolist()
@@ -111,9 +129,15 @@ class CoreLoop:
         """Take steps; return the records, bonds turned wide, bonds lost, and whether the run is sound."""
         if self.state.stale:
             self.look()
-        state = self.state
         records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))
-        ending, (done, written, wide, lost) = self._take(steps, records)
-        state.step += done
-        state.time = self._origin + state.step * self._scheme.dt
+        done, written, wide, moved = 0, 0, 0, False
+        while True:
+            ending, (gone, new, turned, lost) = self._take(steps - done, records[written:], moved=moved)
+            done, written, wide = done + gone, written + new, max(wide, turned)
+            if ending != "out_of_date":
+                break
+            if not self._renew():
+                ending = "not_finite"
+                break
+            moved = True
         return records[:written], wide, lost, _ENDINGS[ending]

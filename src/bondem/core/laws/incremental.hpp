@@ -50,12 +50,14 @@ template <class T> struct StoredStiffness {
 // The unit branch, and the distances of the contact point from both centres [m].
 template <class T> struct PresentBond {
     Vector3<T> axis;
-    T length, near, far;
+    T inverse, near, far;  // one over the length [1/m]; [m]
 
-    BONDEM_INLINE PresentBond(Vector3<T> branch, const StoredShape<T> &shape) : length(bondem::length(branch)) {
-        axis = branch / length;
-        near = shape.lever + 0.5 * (length - shape.rest);
-        far = length - near;
+    BONDEM_INLINE PresentBond(Vector3<T> branch, const StoredShape<T> &shape) {
+        const T present = length(branch);
+        inverse = 1.0 / present;
+        axis = inverse * branch;
+        near = shape.lever + 0.5 * (present - shape.rest);
+        far = present - near;
     }
 };
 
@@ -83,7 +85,7 @@ BONDEM_INLINE StoredLoad<T> integrated(const StoredLoad<T> &stored, Vector3<T> b
     const PresentBond<T> middle(minus(branch, h, motion.velocity), shape);
     const Vector3<T> n = middle.axis, p = motion.spin_i, q = motion.spin_j;
     const T about = 0.5 * dot(p + q, n);
-    const Vector3<T> spin = plus(cross(n, motion.velocity) / middle.length, about, n);
+    const Vector3<T> spin = plus(middle.inverse * cross(n, motion.velocity), about, n);
     const Vector3<T> slip = motion.velocity - cross(plus(middle.near * p, middle.far, q), n);
     return {integrated(stored.force, spin, slip, n, {k.kn, k.ks}, h), integrated(stored.moment, spin, q - p, n, {k.kt, k.kb}, h)};
 }

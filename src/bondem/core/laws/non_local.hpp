@@ -49,10 +49,10 @@ template <class T> struct PairPose {
 // What a bond stores, in the frame of its element i.
 template <class T> struct PairStore {
     Vector3<T> gap, extra;  // δ [m], e [N]
-    T taken;  // work that e has taken up [J]
+    T taken;  // work of e [J]
 };
 // What a bond does to its elements.
-template <class T> struct PairLoads {
+template <class T> struct NonLocalLoads {
     Vector3<T> force;  // on i; its opposite on j [N]
     Vector3<T> on_i, on_j;  // torque on i, and minus the torque on j [N·m]
 };
@@ -62,8 +62,8 @@ constexpr double nothing = 1e-200;
 
 template <class T>
 BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, Quaternion<T> i, Quaternion<T> j, const PairShape<T> &shape) {
-    const Vector3<T> both = rotate(i, shape.normal) + rotate(j, shape.normal);
-    const Vector3<T> a = rotate(i, shape.lever_i), b = rotate(j, shape.lever_j);
+    const Vector3<T> both = turned_by(i, shape.normal) + turned_by(j, shape.normal);
+    const Vector3<T> a = turned_by(i, shape.lever_i), b = turned_by(j, shape.lever_j);
     return {1.0 / root(dot(both, both) + nothing) * both, a, b, branch + b - a};
 }
 template <class T> BONDEM_INLINE Vector3<T> across(Vector3<T> a, Vector3<T> n) { return minus(a, dot(a, n), n); }
@@ -92,24 +92,24 @@ template <class T> BONDEM_INLINE Vector3<T> spring_force(const PairPose<T> &now,
 template <class T>
 BONDEM_INLINE PairStore<T> after_step(const PairStore<T> &before, const Stress<T> &mean, const PairPose<T> &now,
                                       Quaternion<T> i, T s, const PairStiffness<T> &k, const PairLaw &law) {
-    const Vector3<T> slip = k.kt * across(rotate(i, before.gap), now.normal);
-    const Vector3<T> gap = rotate(inverse(i), now.gap);
-    const Vector3<T> extra = rotate(inverse(i), extra_force(mean, now.normal, k.area, slip, law));
+    const Vector3<T> slip = k.kt * across(turned_by(i, before.gap), now.normal);
+    const Vector3<T> gap = turned_by(inverse(i), now.gap);
+    const Vector3<T> extra = turned_by(inverse(i), extra_force(mean, now.normal, k.area, slip, law));
     return {gap, extra, before.taken + 0.5 * s * dot(before.extra + extra, gap - before.gap)};
 }
 
 template <class T>
-BONDEM_INLINE PairLoads<T> pair_loads(const PairPose<T> &now, Vector3<T> extra, const PairStiffness<T> &k) {
+BONDEM_INLINE NonLocalLoads<T> non_local_loads(const PairPose<T> &now, Vector3<T> extra, const PairStiffness<T> &k) {
     const T middle = T{} + 0.5;
     const Vector3<T> force = spring_force(now, k) + extra, half = middle * now.gap;
     return {force, cross(now.lever_i + half, force), cross(now.lever_j - half, force)};
 }
 
 // Energy of the springs [J].
-template <class T> struct PairEnergy {
+template <class T> struct SpringEnergy {
     T normal, shear;
 };
-template <class T> BONDEM_INLINE PairEnergy<T> pair_energy(const PairPose<T> &now, const PairStiffness<T> &k) {
+template <class T> BONDEM_INLINE SpringEnergy<T> spring_energy(const PairPose<T> &now, const PairStiffness<T> &k) {
     const T along = dot(now.gap, now.normal);
     return {0.5 * k.kn * along * along, 0.5 * k.kt * (dot(now.gap, now.gap) - along * along)};
 }

@@ -20,8 +20,8 @@ struct YieldingCells {
     Array<const double, 1> slope, dilation, stiffness;  // (n,)
     Array<const double, 1> fade;  // share of the cohesion lost by Δγ of 1, (n,)
     Array<double, 2> plastic;  // P - 1 by rows, Σ Δγ, last increment of strain in space, energy dissipated [J], (n, 17)
-    Array<const int32_t, 2> base_i, base_j;  // levers of facets without plastic strain [pitch], (3, m)
-    Array<const double, 2> base_wall;  // those of walls [m], (g, 3)
+    Array<int32_t, 2> base_i, base_j;  // levers of facets without plastic strain [pitch], (3, m)
+    Array<double, 2> base_wall;  // those of walls [m], (g, 3)
 };
 
 // m facets as softening has them (`laws/softening.hpp`).

@@ -23,7 +23,7 @@ struct LaggedStresses {
     Array<double, 2> moment;  // what forces add to V σ, zero between steps; rows of shared elements follow [N·m], (*, 8)
     Array<const Short, 1> to_i;  // row of the moment of element i of each bond, (m,)
 };
-// Work that extra forces have taken up, over portions of bonds [J].
+// Work of extra forces, over portions of bonds [J].
 struct NonLocalWork {
     Array<double, 1> taken;
 };

@@ -8,6 +8,7 @@ from bondem.kernels.tables import BROKEN_COLUMNS, Rows, StepCut, lines
 from bondem.model.bond_table import with_zeros
 from bondem.model.cell_tables import (
     CellDilatation,
+    CellStrains,
     ElasticFacets,
     FacetForces,
     FacetsOfCells,
@@ -51,6 +52,11 @@ _stretch_all_cells = StepPass("stretch_all_cells", ElasticFacets, FacetsOfCells,
 _stretch_walls_and_cracks = StepPass(
     "stretch_walls_and_cracks", ElasticFacets, WallConstraints, YieldingCells, CohesiveCracks
 )
+_stretch_anew = StepPass(
+    "stretch_anew", CellStrains, ElasticFacets, FacetsOfCells, WallConstraints, YieldingCells
+)  # fmt: skip
+_sum_crack_powers = StepPass("sum_crack_powers", Moving, CellStrains, ElasticFacets, CohesiveCracks)
+_begin_crack_powers = StepPass("begin_crack_powers", Moving, CellStrains, ElasticFacets, CohesiveCracks)
 _add_yielding_work = StepPass("add_yielding_work", FacetTractions, StressesOfCells, YieldingCells, Rows)
 _mark_cracking_facets = StepPass(
     "mark_cracking_facets", Moving, ElasticFacets, FacetForces, FacetStrengths, StressesOfCells, CrackOnset
@@ -97,7 +103,7 @@ class CrackingBody:
         n, m = len(state.pose), len(state.integrity)
         constants, adjacency, layout = constants_of(model, state), model.layout.adjacency, model.layout
         self.shared, self.state = shared, state
-        self.body = body = BodyOfCells.of(model, state, shared.cut)
+        self.body = body = BodyOfCells.of(model, state, shared)
         self.kept = facet_forces(state, body.facets, table.area, len(shared.cut.sums))
         swing = np.sqrt(constants.k * (state.motion[layout.i, 3] + state.motion[layout.j, 3]))
         self.strengths = strengths_of(table, LOSS * np.minimum(dt * swing, 1.0))
@@ -126,9 +132,22 @@ class CrackingBody:
 
     def parts(self, model: Model, dashpots: Dashpots | None) -> list[Part]:
         """Return the parts of the body: what its stresses lead to, the elastic body, and its cracks."""
-        elastic = cells(self.shared, model, self.state, self.body, dashpots, self.kept)
-        changing = len(model.constraints.strain_part) > 0
-        return [Part({"prepare": self._onset()}), elastic, self._cracks(changing)]
+        stretch, begin, behind = self._straining()
+        elastic = cells(
+            self.shared, model, self.state, self.body, dashpots, self.kept, stretch=stretch, powers=begin
+        )  # fmt: skip
+        return [Part({"prepare": self._onset()}), elastic, self._cracks(behind)]
+
+    def _straining(self) -> tuple[Passes, Passes, Passes]:
+        """Return passes of strains that change: of levers, and of powers at cracks as a run begins and in a step."""
+        strains, body = self.body.strains, self.body
+        if strains is None:
+            return [], [], []
+        powers = self.shared.moving, strains, body.facets, self.cracks
+        stretch: Passes = []
+        if self.yielding is not None:
+            stretch.append((_stretch_anew, strains, body.facets, self.of_cells, body.walls, self.yielding))
+        return stretch, [(_begin_crack_powers, *powers)], [(_sum_crack_powers, *powers)]
 
     def _begin(self) -> Passes:
         """A run begins: levers, lists, weights and stresses from what the state has."""
@@ -169,7 +188,7 @@ class CrackingBody:
             passes.append((_mark_cracking_planes, moving, body.facets, self.kept, self.strengths, onset))
         return [*passes, (_begin_cracks, body.facets, self.kept, self.strengths, onset, self.cracks)]
 
-    def _cracks(self, changing: bool) -> Part:
+    def _cracks(self, powers: Passes) -> Part:
         """Cracks open, close, soften, rest and part, and bear forces."""
         moving, body, cracks, lists = self.shared.moving, self.body, self.cracks, self.lists
         strengths, stresses = self.strengths, self.stresses
@@ -187,6 +206,7 @@ class CrackingBody:
             again,
             (_load_cracks, moving, body.facets, cracks, lists),
             (_log_cracks, moving, body.facets, cracks, lists, self.log),
+            *powers,
         ]
         still: Passes = []
         if self.yielding is not None:  # what cells dissipate is found by their stresses
@@ -197,7 +217,7 @@ class CrackingBody:
         return Part(
             {
                 "begin": self._begin(),
-                "present": [(_follow_levers, body.facets, cracks)] if changing else [],
+                "present": [(_follow_levers, body.facets, cracks)] if body.strains is not None else [],
                 "prepare": crack,
                 "add": [(_add_crack_loads, moving, stresses, cracks, lists, self.shared.cut)],
                 "settle": still,

@@ -17,6 +17,7 @@ Passes = list[tuple[Any, ...]]
 FORCES = (
     "contacts",  # forces of contacts and walls
     "prepare",  # quantities of elements that bonds need
+    "stress",  # stresses of elements, from all that "prepare" has added
     "constrain",  # walls and conditions that depend on these
     "loads",  # forces of bonds; marks bonds near to failure
     "judge",  # finds which marked bonds fail
@@ -26,11 +27,13 @@ FORCES = (
     "move",  # closes the step of elements, and opens the next one
     "settle",  # works and losses of the motion
     "apply",  # failure of bonds, after the motion
+    "hand_over",  # contact where bonds have failed
 )
 #: Stages of elements that a failure has delayed: they find their acceleration, and open the next step.
 RESUME = ("resume", "reopening")
-#: Other stages: the beginning of a run, boundary conditions at the present time, opening of a step after a pause, guard.
-STAGES = ("begin", "present", "opening", *FORCES, *RESUME, "guard")
+#: Other stages: the beginning of a run, boundary conditions at the present time, opening of a step after a pause,
+#: what moves with the elements and may put lists of contacts out of date, guard.
+STAGES = ("begin", "present", "opening", "travel", *FORCES, *RESUME, "guard")
 
 
 def _nothing(_: HistoryRows) -> Passes:
@@ -49,11 +52,14 @@ class Part:
         stages: passes by stage.
         record: function that returns the passes of a record, for rows of the history.
         keep: function that writes data of the passes into the state, after each call of the core.
+        renewed: function that returns the part with a new list of contacts, or None if a number is not finite; None
+            for a part that has no such list.
     """
 
     stages: Mapping[str, Passes]
     record: Callable[[HistoryRows], Passes] = field(default=_nothing)
     keep: Callable[[], None] = field(default=_keep_nothing)
+    renewed: "Callable[[], Part | None] | None" = None
 
     def __post_init__(self) -> None:
         unknown = set(self.stages) - set(STAGES)

@@ -40,7 +40,8 @@ double load_group(const CrackGroup &group, const Moving &all, const double *peri
         lost = crack_losses(at.facet.k, step);
         lost = {kept(lost.cracked), kept(lost.rubbed)};
         const Vector3<Lanes> own = turned_by(inverse(at.ends.i), now);
-        const Vector3<Lanes> own_kept = select<Lanes>(treated, own, {}), rub_kept = select<Lanes>(treated, rub, {});
+        const Vector3<Lanes> none = {};
+        const Vector3<Lanes> own_kept = select<Lanes>(treated, own, none), rub_kept = select<Lanes>(treated, rub, none);
         group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, s_before, rate}});
         if (any(lost.cracked != zero))
             group.put(cracks.history, 1, group.number(cracks.history, 1) + lost.cracked);

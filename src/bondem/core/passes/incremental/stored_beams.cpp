@@ -7,6 +7,9 @@
 namespace bondem {
 namespace {
 
+// Bonds ahead of the loop whose first elements are asked for.
+constexpr Index ahead = 32;
+
 // Columns of what beams store.
 template <class T> class StoredColumns {
   public:
@@ -50,6 +53,8 @@ void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, c
     const StoredColumns<Lanes> history(stored);
     for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
+        prefetch(pose, i + least(k + ahead, turn.last - lanes));
+        prefetch(motion, i + least(k + ahead, turn.last - lanes));
         const Vector3<Lanes> apart = branch(gather(pose, i + k), gather(pose, j + k), period);
         const Motion<Lanes> a(gather(motion, i + k)), b(gather(motion, j + k));
         const StoredShape<Lanes> shape = stored_shape<Lanes>(beams, k);

@@ -5,20 +5,16 @@
 // stresses do not change.
 #include "non_local_bonds.hpp"
 
+#include "../../select.hpp"
 #include "../record/columns.hpp"
-#include "pairs.hpp"
+#include "bond_columns.hpp"
 
 namespace bondem {
 namespace {
 
-// First columns of what a bond stores, and of what it does.
-enum Stored : Index { gap_column, extra_column = 3, taken_column = 6 };
-enum Output : Index { force_column, on_i_column = 3, on_j_column = 6 };
+// Bonds ahead of the loop whose first elements are asked for.
+constexpr Index ahead = 32;
 
-BONDEM_INLINE Vector3<Lanes> where_positive(Lanes s, Vector3<Lanes> a, Vector3<Lanes> b) {
-    const Lanes zero = {};
-    return {s > zero ? a.x : b.x, s > zero ? a.y : b.y, s > zero ? a.z : b.z};
-}
 BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
     const Lanes zero = {};
     return {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}};
@@ -35,11 +31,12 @@ BONDEM_INLINE void keep(const NonLocalBonds &bonds, Group group, Lanes s, const 
                         const PairStore<Lanes> &before) {
     double *const data = bonds.history.data;
     const Index m = bonds.history.shape[1];
-    keep_vector(data, m, gap_column, group, where_positive(s, now.gap, before.gap));
-    keep_vector(data, m, extra_column, group, where_positive(s, now.extra, before.extra));
+    const Mask<Lanes> unbroken = s > Lanes{};
+    keep_vector(data, m, gap_column, group, select(unbroken, now.gap, before.gap));
+    keep_vector(data, m, extra_column, group, select(unbroken, now.extra, before.extra));
     store_behind(data + taken_column * m + group.first, now.taken, group.known);
 }
-BONDEM_INLINE void put_output(const NonLocalBonds &bonds, Group group, Lanes s, const PairLoads<Lanes> &loads) {
+BONDEM_INLINE void put_output(const NonLocalBonds &bonds, Group group, Lanes s, const NonLocalLoads<Lanes> &loads) {
     double *const data = bonds.output.data;
     const Index m = bonds.output.shape[1];
     keep_vector(data, m, force_column, group, s * loads.force);
@@ -54,19 +51,20 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
     const PairLaw law = pair_law(bonds);
     for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
+        prefetch(pose, i + least(k + ahead, turn.last - lanes));
         const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), beams.period.data);
         const Lanes s = load(beams.integrity.data + k);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
         const PairStiffness<Lanes> stiffness = pair_stiffness<Lanes>(bonds, k);
         const PairStore<Lanes> before = stored_at(bonds, k);
-        PairStore<Lanes> after = {rotate(inverse(ends.i), now.gap), before.extra, before.taken};
+        PairStore<Lanes> after = {turned_by(inverse(ends.i), now.gap), before.extra, before.taken};
         if constexpr (steps) {
             const double *const space = stresses.space.data;
             const Stress<Lanes> mean = mean_of(stress_of(gather(space, i + k)), stress_of(gather(space, j + k)));
             after = after_step(before, mean, now, ends.i, s, stiffness, law);
         }
         keep(bonds, group, s, after, before);
-        const PairLoads<Lanes> loads = pair_loads(now, rotate(ends.i, after.extra), stiffness);
+        const NonLocalLoads<Lanes> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
         const Vector3<Lanes> force = s * loads.force;
         add_rows(stresses.moment.data, stresses.to_i.data + k, j + k, moment_row(symmetric_product(now.lever_i, force)),
                  moment_row(symmetric_product(-now.lever_j, force)), group.known);
@@ -109,8 +107,8 @@ void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &be
     for (Index k = turn.first; k < turn.last; k++) {
         const double s = beams.integrity(k);
         if (s > 0.0) {
-            const PairEnergy<double> energy =
-                pair_energy(pair_pose(all.pose.data, beams, bonds, k), pair_stiffness<double>(bonds, k));
+            const SpringEnergy<double> energy =
+                spring_energy(pair_pose(all.pose.data, beams, bonds, k), pair_stiffness<double>(bonds, k));
             normal += s * energy.normal;
             shear += s * energy.shear;
         }
@@ -137,8 +135,8 @@ Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const No
         const Ends<Lanes> ends = ends_of(gather(all.pose.data, beams.i.data + k), gather(all.pose.data, beams.j.data + k),
                                          beams.period.data);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
-        const Vector3<Lanes> extra = rotate(ends.i, stored_at(bonds, k).extra);
-        put_output(bonds, group, load(beams.integrity.data + k), pair_loads(now, extra, pair_stiffness<Lanes>(bonds, k)));
+        const Vector3<Lanes> extra = turned_by(ends.i, stored_at(bonds, k).extra);
+        put_output(bonds, group, load(beams.integrity.data + k), non_local_loads(now, extra, pair_stiffness<Lanes>(bonds, k)));
     });
     return 0;
 }

@@ -1,0 +1,47 @@
+// What contacts do to the stresses of elements of the non-local law: their force, at the lever from the centre of the
+// element to where it touches another one, or a wall.
+#include "touch_moments.hpp"
+
+#include "../contacts/pairs.hpp"
+#include "../contacts/wall_shapes.hpp"
+#include "bond_columns.hpp"
+
+namespace bondem {
+namespace {
+
+void add_moment(const LaggedStresses &stresses, Short p, Vector lever, Vector force) {
+    const Stress<double> s = symmetric_product(lever, force);
+    const double all[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
+    for (Index c = 0; c < 6; c++) stresses.moment(p, c) += all[c];
+}
+
+}  // namespace
+
+void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                      const NearPairs &near, const LaggedStresses &stresses) {
+    const auto mine = [&](Index p) { return turn.first <= p && p < turn.last; };
+    for (Index q = turn.first / elements_of_portion; q < near.count.size(); q++) {
+        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.count(q, 1);
+        for (Index e = begin; e < end; e++) {
+            const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
+            if (!(mine(a) || mine(b))) continue;
+            const Vector d = branch_of(all.pose.data, pairs, k), force = near.output.row<const Vector>(e);  // on b
+            const double ra = c.radius(a), rb = c.radius(b);
+            if (mine(a)) add_moment(stresses, a, (ra / (ra + rb)) * d, -force);
+            if (mine(b)) add_moment(stresses, b, (-rb / (ra + rb)) * d, force);
+        }
+    }
+}
+
+void add_wall_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+                      const Walls &walls, const LaggedStresses &stresses) {
+    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++)
+        if (contacts.touch(e) == touching) {
+            const Short p = contacts.element(e);
+            const double radius = c.radius(p);
+            const WallSurface at = WallPlace(walls, contacts.wall(e)).surface(centre(all.pose.data, p), radius);
+            add_moment(stresses, p, (radius + at.gap) * at.normal, contacts.output.row<const Vector>(e));
+        }
+}
+
+}  // namespace bondem
