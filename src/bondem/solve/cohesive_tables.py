@@ -154,6 +154,7 @@ class CrackLists(NamedTuple):
     treated_j: np.ndarray
     resting_i: np.ndarray
     resting_j: np.ndarray
+    parted: Ints
     cell: np.ndarray
     head: np.ndarray
     node: np.ndarray
@@ -174,11 +175,18 @@ class CrackLists(NamedTuple):
         portions, halves = places // _PORTION + 1, 2 * places + 2
         numbers, shorts, flags = (np.zeros(places, kind) for kind in (np.int64, np.uint32, np.uint8))
         return cls(
-            np.zeros(3, np.int64), numbers, numbers.copy(), shorts, shorts.copy(), shorts.copy(), shorts.copy(),
+            np.zeros(4, np.int64), numbers, numbers.copy(), shorts, shorts.copy(), shorts.copy(), shorts.copy(),
+            numbers.copy(),
             np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
             flags.copy(), np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8),
             np.zeros(n), lines(halves), lines(halves), np.zeros((portions, 2)),
         )  # fmt: skip
+
+
+class PartedReach(NamedTuple):
+    """Distances at which elements touch that facets do not join any more."""
+
+    apart: Floats  #: by facet [m]
 
 
 class CrackEnergies(NamedTuple):

@@ -248,6 +248,7 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
             if (one.s == 0.0 && turned_away(one.now, one.area)) {
                 treat(facets, cracks, k, crack::parted);
                 shape_of(cracks, k).top = infinity;
+                lists.parted(lists.size(3)++) = k;
                 continue;
             }
             wake(one, facets, cracks, lists, k);
@@ -286,6 +287,7 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
             if (flag == crack::parts) {
                 lists.lost(q, 1) += energy_of_parting(one, all, cells, facets, cracks, lists, e);
                 leave(facets, cracks, lists, e, crack::parted);
+                lists.parted(lists.size(3)++) = k;
             } else {
                 leave(facets, cracks, lists, e, crack::resting);
             }
