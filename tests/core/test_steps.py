@@ -11,7 +11,6 @@ from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate
 from bondem.solve.loop_core import CoreLoop, core_has
-from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.loop_on_cpu import loop_on_cpu
 from bondem.solve.plan import Plan
 from bondem.solve.step_tables import Moving, Portions
