@@ -9,6 +9,7 @@ from bondem.model.contacts import ContactModel
 from bondem.model.model import Model
 from bondem.model.non_local_tables import LaggedStresses
 from bondem.model.state import State
+from bondem.solve.cohesive_tables import CohesiveCracks, CrackLists, PartedReach
 from bondem.solve.contact_check import ContactCheck, ListedContacts
 from bondem.solve.contact_tables import (
     ContactConstants,
@@ -43,6 +44,9 @@ _write_contact_energy = StepPass("write_contact_energy", ContactEnergies, Histor
 _count_wall_work = StepPass("count_wall_work", Walls, Portions)
 _begin_contacts = StepPass(
     "begin_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
+)
+_touch_parted_faces = StepPass(
+    "touch_parted_faces", Moving, ContactPairs, NearPairs, CohesiveCracks, CrackLists, PartedReach
 )
 _write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
 _add_pair_moments = StepPass("add_pair_moments", Moving, ContactConstants, ContactPairs, NearPairs, LaggedStresses)
@@ -138,7 +142,12 @@ class ContactTables:
             hand_over.append(
                 (_begin_contacts, s.moving, law, self._pairs, self._near, damage.log, damage.postponed)
             )
-        stages = {"hand_over": hand_over, "travel": travel, "contacts": contacts, "add": add, "guard": guard}
+        parted: Passes = []
+        if self._joints.cracks is not None:
+            cracks, lists = self._joints.cracks
+            reach = PartedReach(self._joints.apart)
+            parted.append((_touch_parted_faces, s.moving, self._pairs, self._near, cracks, lists, reach))
+        stages = {"hand_over": hand_over, "constrain": parted, "travel": travel, "contacts": contacts, "add": add, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
 
     def moments(self, stresses: LaggedStresses) -> Part:

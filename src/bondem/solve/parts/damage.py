@@ -12,6 +12,7 @@ from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model
 from bondem.model.non_local_tables import LaggedStresses
 from bondem.model.state import State
+from bondem.solve.cohesive_tables import CohesiveCracks, CrackLists
 from bondem.solve.cracks import joints
 from bondem.solve.damage_tables import Candidates, EventLog, FailureBounds, Postponed
 from bondem.solve.parts.part import Part, Passes
@@ -111,11 +112,13 @@ class Joints:
         integrity: above 0 of bonds that join their elements, (m,) or longer; the passes write it.
         apart: distance of the centres at which the elements of a bond touch without it [m], (m,).
         damage: tables of the damage pipeline, or None if bonds do not fail.
+        cracks: cracked facets whose faces may part, and their lists, or None.
     """
 
     integrity: PerBond
     apart: PerBond
     damage: DamageTables | None
+    cracks: tuple[CohesiveCracks, CrackLists] | None = None
 
     @classmethod
     def of(cls, model: Model, state: State, integrity: PerBond, damage: DamageTables | None) -> "Joints":
