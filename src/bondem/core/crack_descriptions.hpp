@@ -7,6 +7,7 @@
 #include "passes/cracks/crack_states.hpp"
 #include "passes/cracks/onset.hpp"
 #include "passes/cracks/opening.hpp"
+#include "passes/cracks/crack_strains.hpp"
 #include "passes/cracks/stress_state.hpp"
 
 namespace bondem {
@@ -25,15 +26,16 @@ BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(brittleness, "m")
              F(friction, "m"), F(plane, "m"), F(cohesion, "m"), F(slip_brittleness, "m"), F(planes, "*"), F(kink, ""),
              F(steep, ""), F(hot, ""))
 BONDEM_TABLE(CrackOnset, F(cracked, "n"), F(judged, "n"), F(marked, "m"), F(listed, "m"), F(found, "bond_portions+1"))
-BONDEM_TABLE(CohesiveCracks, F(row, "room 16"), F(constant, "room 40"), F(pull, "room 4"), F(facet, "room"), F(i, "room"),
-             F(j, "room"), F(listed, "m"), F(integrity, "*"), F(size, "2"))
+BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state, "facets 8"), F(softening, "facets 8"),
+             F(history, "facets 8"), F(pull, "facets 4"), F(pitch, "3"), F(order, "facets"), F(listed, "m"),
+             F(integrity, "facets"), F(size, "2"))
 BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(slack_i, "m"), F(slack_j, "m"),
              F(weight, "n"))
 BONDEM_TABLE(CrackLists, F(size, "3"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"),
              F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(cell, "*"), F(head, "n"),
-             F(after, "halves"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"),
-             F(woken, "crack_portions"), F(stale, "n"), F(base, "n"), F(measured, "21 places"), F(half, "halves 8"),
-             F(output, "halves 8"), F(lost, "crack_portions 2"))
+             F(node, "halves 4"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"),
+             F(woken, "crack_portions"), F(stale, "n"), F(base, "n"), F(half, "halves 8"), F(output, "halves 8"),
+             F(lost, "crack_portions 2"))
 BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_portions"), F(cracked, "3"))
 
 #undef F
@@ -48,6 +50,7 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
 #define BONDEM_CRACK_STEP_PASSES                                                                              \
     S(of_elements, find_cell_stresses), S(serial, add_surface_stresses), S(of_elements, find_still_stresses), \
         S(serial, add_still_surface_stresses), S(serial, follow_levers), S(of_elements, judge_cells),         \
+        S(serial, stretch_anew), S(serial, sum_crack_powers), S(serial, begin_crack_powers), \
         S(of_elements, yield_cells), S(of_elements, stretch_cells), S(serial, stretch_walls_and_cracks),      \
         S(of_elements, stretch_all_cells), S(serial, add_yielding_work), S(of_bonds, mark_cracking_facets),   \
         S(serial, mark_cracking_planes), S(serial, begin_cracks), S(serial, link_cracks),                     \

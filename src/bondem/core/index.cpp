@@ -15,6 +15,7 @@
 #include "passes/tessellation/laguerre.hpp"
 #include "passes/tessellation/measures.hpp"
 #include "passes/tessellation/ownership.hpp"
+#include "quasistatic_descriptions.hpp"
 #include "statics_descriptions.hpp"
 #include "step_descriptions.hpp"
 
@@ -88,6 +89,7 @@ const TableDescription tables[] = {
     BONDEM_STATICS_TABLES,
     BONDEM_DAMAGE_TABLES,
     BONDEM_CELL_TABLES,
+    BONDEM_QUASISTATIC_TABLES,
     BONDEM_CONTACT_TABLES,
     BONDEM_CRACK_TABLES,
 };
@@ -116,7 +118,8 @@ const PassDescription passes[] = {
     BONDEM_STATICS_PASSES,
     BONDEM_DAMAGE_INDICES,
     BONDEM_CELL_PASSES,
-    BONDEM_CONTACT_SEARCHES,
+    BONDEM_QUASISTATIC_PASSES,
+    BONDEM_CONTACT_SEARCH,
     BONDEM_CRACK_PASSES,
     P(take_steps, "sound not_finite runaway out_of_date"),
 };

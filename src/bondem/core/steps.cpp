@@ -164,7 +164,7 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
                  const Portions &portions) {
     const Walk walk(threads, cut, span);
     const List present(passes.present), opening(passes.opening), travel(passes.travel), forces(passes.forces),
-        guard(passes.guard), record(passes.record), resume(passes.resume), reopening(passes.reopening);
+        resume(passes.resume), reopening(passes.reopening), guard(passes.guard), record(passes.record);
     for (Index k = 0; k < 4; k++) span.done(k) = 0;
     Clock clock = clock_at(scheme, span.step);
     clock.first = 1;

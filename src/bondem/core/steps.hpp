@@ -61,9 +61,9 @@ enum PassKind : Index {
     parts_of_shared,
     of_elements,
     of_bonds,
-    of_ranges,
     divides_elements,
-    postponed_of_blocks
+    postponed_of_blocks,
+    of_ranges
 };
 
 // Elements and bonds of a portion.

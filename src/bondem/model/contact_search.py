@@ -97,7 +97,10 @@ def found_pairs(sources: PairSources) -> FoundPairs:
     )  # fmt: skip
     _list_pairs(sources, found)
     count = found.start[-1]
-    return FoundPairs(*(values if values is found.start else values[:count] for values in found))
+    return FoundPairs(
+        found.first[:count], found.second[:count], found.bond[:count], found.start, found.gap[:count],
+        found.memory[:count], found.touch[:count],
+    )  # fmt: skip
 
 
 def found_walls(pose: Floats, walls: Walls, sources: WallSources) -> FoundWalls:
@@ -105,8 +108,8 @@ def found_walls(pose: Floats, walls: Walls, sources: WallSources) -> FoundWalls:
     _count_wall_contacts(Poses(pose), walls, sources)
     count = sources.start[-1]
     found = FoundWalls(
-        np.empty(count, np.uint32), np.empty(count, np.uint32), np.empty(count), np.empty(count), np.empty((count, 6)),
-        np.empty(count, np.uint8),
+        np.empty(count, np.uint32), np.empty(count, np.uint32), np.empty(count), np.empty(count),
+        np.empty((count, 6)), np.empty(count, np.uint8),
     )  # fmt: skip
     _list_wall_contacts(Poses(pose), walls, sources, found)
     return found

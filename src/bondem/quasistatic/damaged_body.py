@@ -17,12 +17,13 @@ from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.facet_loads import loads_on_facets
 from bondem.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
-from bondem.quasistatic.facet_tractions import FacetConstants, FacetTractions, accumulate_moments
+from bondem.quasistatic.facet_passes import OpenedFacets, WeakenedFacets
 from bondem.quasistatic.tensors import full_tensor
 from bondem.solve.linear import System
 
 # Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
 _NONE = 1e-7
+_XX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,9 +86,11 @@ class DamagedBody:
         self.integrity = np.ones(len(self.i))
         self.closed = np.zeros((len(self.i), 2), dtype=bool)
         c = self.constants
-        self._facets = FacetConstants(
-            self.i, self.j, c.k, self.area, self._part, c.lever_i, c.lever_j, c.share_i, c.share_j, c.normal, c.H
-        )
+        weakened = WeakenedFacets(
+            self.i, self.j, c.k, self.area, self._part, c.lever_i, c.lever_j, c.share_i, c.share_j, c.normal,
+            np.ascontiguousarray(c.H), self.integrity, self.closed.view(np.uint8),
+        )  # fmt: skip
+        self._facets = OpenedFacets(weakened, len(order))
         self.matrix = FacetMatrix(system.matrix, layout, root)
         self.system = replace(system, matrix=self.matrix.plain)
         self._slack = np.zeros(len(order))
@@ -106,7 +109,7 @@ class DamagedBody:
         self._pressed = np.zeros((len(order), 6))
         loaded = np.flatnonzero(np.abs(force).sum(axis=1))
         arm = free.centroid[loaded] - cells.centroid[free.cell[loaded]]
-        accumulate_moments(self._pressed, layout.rank[free.cell[loaded]], arm, force[loaded])
+        _add_moments(self._pressed, layout.rank[free.cell[loaded]], arm, force[loaded])
 
     @property
     def left(self) -> Floats:
@@ -191,23 +194,21 @@ class DamagedBody:
         """Return the loads of facets and cells under displacements and rotations (6 n,)."""
         c, grips = self.constants, self.model.cell_constants.grips
         u, phi = (np.ascontiguousarray(part) for part in np.hsplit(motion.reshape(-1, 6), 2))
-        n, rank, facets = len(u), self.model.layout.rank, self._facets
-        gap, swelling = facets.gaps(u, phi), self.given.copy()
-        facets.add_swelling(gap, self.integrity, self.closed, swelling)
+        n, rank = len(u), self.model.layout.rank
+        swelling = self._facets.swelling(u, phi, self.given)
         moved = grips.gap(u[rank], phi[rank])  # what walls do is in `given`
         swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
         stress = self.system.matrix.weight * swelling
-        found = FacetTractions.of(facets, gap, stress, self.integrity, self.closed)
-        tensor = self._pressed.copy()
-        accumulate_moments(tensor, self.i, c.lever_i, found.force)
-        accumulate_moments(tensor, self.j, -c.lever_j, found.force)
+        loading = self._facets.load(stress, self._pressed)
         held = grips.gap(u[rank], phi[rank], grips.motion)
         wall = grips.k[:, None] * held + stress[self._held, None] * grips.share
-        accumulate_moments(tensor, self._held, grips.lever, wall)
+        tensor = loading.moment
+        _add_moments(tensor, self._held, grips.lever, wall)
         tensor /= c.volume[:, None]
+        cracked = np.flatnonzero(self.integrity < 1.0)
         return Loaded(
-            found.force / self.area[:, None], facets.bending(phi), tensor, found.cracked, found.opening, found.opened,
-            found.turned, wall,
+            loading.traction, loading.bending, tensor, cracked, loading.opening[cracked], loading.opened[cracked],
+            loading.turned[cracked].astype(bool), wall,
         )  # fmt: skip
 
     def mean(self, tensor: Floats, facets: Ints) -> Floats:
@@ -218,3 +219,10 @@ class DamagedBody:
         """Return T_b (m,) of some facets less the largest pressure of the mean stress of their cells, or 0, (c,)."""
         pressure = -np.linalg.eigvalsh(full_tensor(self.mean(tensor, facets)))[:, 0]
         return np.maximum(bending[facets] - np.maximum(pressure, 0.0), 0.0)
+
+
+def _add_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats) -> None:
+    """Add sym b⊗f to V σ of the owners, (n, 6)."""
+    for column, (a, b) in enumerate(_XX):
+        part = arm[:, a] * force[:, b] if a == b else 0.5 * (arm[:, a] * force[:, b] + arm[:, b] * force[:, a])
+        moment[:, column] += np.bincount(owner, part, len(moment))

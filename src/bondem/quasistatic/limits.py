@@ -9,13 +9,12 @@ from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
 from bondem.observe.opened_facets import Opened
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
+from bondem.quasistatic.facet_passes import LoadedFacets, factors_by_stress
 from bondem.quasistatic.teeth import SofteningLine, Teeth
-from bondem.quasistatic.tensors import agreed, full_tensor, largest, on_normals
+from bondem.quasistatic.tensors import agreed, full_tensor, largest
 
-# Share by which rounding may change a factor.
+# By what share factors of the closed form may be off.
 _NEAR = 1e-5
-# Facets evaluated at once.
-_AT_ONCE = 256
 
 
 class FacetOnset(Protocol):
@@ -80,33 +79,17 @@ class StressOnset:
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
         """See `FacetOnset`."""
-        planes = whole[self._table.plane[whole]]
+        body, planes = self._body, whole[self._table.plane[whole]]
         inner = whole if not len(planes) else whole[~self._table.plane[whole]]
         own = self._opened(found, planes, found.traction[planes]).reached(np.ones(len(planes)))
-        below, spread = min(below, float(own.min(initial=np.inf)) * (1.0 + close)), (1.0 + close) * (1.0 + _NEAR)
-        earliest = self._earliest(found, inner)
-        order = np.argsort(earliest)
-        inner, earliest = inner[order], earliest[order]
-        some, reached = np.zeros(0, dtype=np.int64), np.zeros(0)
-        while len(some) < len(inner) and earliest[len(some)] <= spread * below:
-            more = inner[len(some) : len(some) + _AT_ONCE]
-            some, reached = np.append(some, more), np.append(reached, self._reached(found, more))
-            below = min(below, float(reached.min()))
-        near = np.flatnonzero(reached <= spread * below)
-        near = near[np.argsort(some[near])]
-        return np.concatenate([some[near], planes]), np.concatenate([reached[near], own])
-
-    def _earliest(self, found: Loaded, facets: Ints) -> Floats:
-        """Return load factors below which facets of the material do not begin [-], (c,).
-
-        σ1 of σ* is at most |σ| + √2 |t - σ n|, with bending added to t.
-        """
-        mean, n = self._body.mean(found.tensor, facets).T, self._body.constants.normal[facets].T
-        lacks = found.traction[facets].T - on_normals(mean, n)
-        size = np.sqrt((mean[:3] ** 2).sum(axis=0) + 2.0 * (mean[3:] ** 2).sum(axis=0))
-        most = size + np.sqrt(2.0) * (np.sqrt((lacks**2).sum(axis=0)) + found.bending[facets])
-        f = self._strength[facets]
-        return np.divide(f, most, out=np.full(len(f), np.inf), where=most > 0.0)
+        below = min(below, float(own.min(initial=np.inf)) * (1.0 + close))
+        loaded = LoadedFacets(
+            body.i, body.j, body.constants.normal, found.traction, found.bending, found.tensor, self._strength
+        )
+        about = factors_by_stress(loaded, inner, below, (1.0 + close) * (1.0 + _NEAR))
+        least = min(below, float(about.min(initial=np.inf)) * (1.0 + close))
+        some = inner[about <= least * (1.0 + _NEAR)]
+        return np.concatenate([some, planes]), np.concatenate([self._reached(found, some), own])
 
     def _opened(self, found: Loaded, facets: Ints, traction: Floats) -> Opened:
         body = self._body

@@ -25,19 +25,13 @@ def agreed(mean: Floats, n: Floats, t: Floats) -> Floats:
         t: tractions [Pa], (3, c).
     """
     x, y, z = n
-    a, b, c = t - on_normals(mean, n)
+    a = t[0] - (mean[0] * x + mean[3] * y + mean[4] * z)
+    b = t[1] - (mean[3] * x + mean[1] * y + mean[5] * z)
+    c = t[2] - (mean[4] * x + mean[5] * y + mean[2] * z)
     half = 0.5 * (a * x + b * y + c * z)
     a, b, c = a - half * x, b - half * y, c - half * z
     more = 2.0 * a * x, 2.0 * b * y, 2.0 * c * z, a * y + b * x, a * z + c * x, b * z + c * y
     return mean + np.stack(more)
-
-
-def on_normals(s: Floats, n: Floats) -> Floats:
-    """Return σ n of tensors (6, c) and normals (3, c) [Pa], (3, c)."""
-    x, y, z = n
-    return np.stack([
-        s[0] * x + s[3] * y + s[4] * z, s[3] * x + s[1] * y + s[5] * z, s[4] * x + s[5] * y + s[2] * z
-    ])  # fmt: skip
 
 
 def largest(s: Floats) -> Floats:

@@ -27,7 +27,7 @@ from bondem.kernels.tables import BROKEN_COLUMNS
 from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.forces_cuda import BeamForces, DeviceRun, DeviceFacetForces
+from bondem.solve.forces_cuda import BeamForces, DeviceFacetForces, DeviceRun
 
 
 def device_breaks(

@@ -17,8 +17,8 @@ from bondem.model.cell_tables import (
     ElasticFacets,
     WallConstraints,
     cell_tables,
-    load_body,
     load_all_facets,
+    load_body,
     wall_constraints,
 )
 from bondem.model.local_origin import local_rest

@@ -6,7 +6,19 @@ import numpy as np
 
 from bondem._core import core_lanes
 from bondem._types import Floats, Ints
-from bondem.kernels.crack_tables import ACTIVE, CRACK_COLUMNS, FACET, STATUS
+from bondem.kernels.crack_tables import (
+    ACTIVE,
+    BEFORE,
+    CRACK_COLUMNS,
+    FACET,
+    ONSET,
+    RATE,
+    RUB,
+    SLIP,
+    SPENT,
+    STATUS,
+    TOP,
+)
 from bondem.kernels.tables import lines
 from bondem.model.bond_table import with_zeros
 from bondem.model.cell_constants import CellConstants
@@ -15,8 +27,8 @@ from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 
-# Places of a portion of a list, and columns of a row and of the constants of a crack, as in the core.
-_PORTION, _ROW, _CONSTANTS = 256, 16, 40
+# Places of a portion of a list, as in the core.
+_PORTION = 256
 
 
 class StressesOfCells(NamedTuple):
@@ -72,17 +84,54 @@ class CrackOnset(NamedTuple):
 
 
 class CohesiveCracks(NamedTuple):
-    """Cracked facets in the order in which they began, with room for all facets."""
+    """Cracked facets, by the number of their facet; rows as in `core/passes/cracks/crack_rows.hpp`."""
 
-    row: Floats  #: the columns of a state, and integrity, (room, 16)
-    constant: Floats  #: (room, 40)
-    pull: Floats  #: force on cell i [N], (room, 4)
-    facet: Ints
-    i: np.ndarray  #: uint32
-    j: np.ndarray
+    shape: Floats  #: (m, 8), and so on
+    face: Floats
+    state: Floats
+    softening: Floats
+    history: Floats
+    pull: Floats  #: force on cell i [N], (m, 4)
+    pitch: Floats  #: unit of levers [m], (3,)
+    order: Ints  #: cracked facets in the order in which they began
     listed: np.ndarray  #: 0 for whole facets, else 1 and the status of the crack, uint8, (m,)
     integrity: Floats  #: that of a state, (m,)
     size: Ints  #: number of cracks, and 1 where lists are out of date, (2,)
+
+    @classmethod
+    def of(cls, state: State, listed: np.ndarray) -> "CohesiveCracks":
+        """Return the cracks of a state; memory is taken as facets crack."""
+        m, count = len(state.integrity), len(state.cracks)
+        cracks = cls(
+            lines(m), lines(m), lines(m), lines(m), lines(m), np.zeros((m, 4)), np.zeros(3), np.zeros(m, np.int64),
+            listed, state.integrity, np.array([count, 1], dtype=np.int64),
+        )  # fmt: skip
+        facet = state.cracks[:, FACET].astype(np.int64)
+        cracks.order[:count] = facet
+        for column, table, of_row in cracks._columns():
+            table[facet, of_row] = state.cracks[:, column]
+        cracks.pull[facet, :3] = state.facet_force[:, facet].T
+        return cracks
+
+    def _columns(self) -> list[tuple[int | slice, Floats, int | slice]]:
+        """Return columns of the cracks of a state, with the table and the columns that have them here."""
+        three = slice(0, 3)
+        return [
+            (ONSET, self.softening, 7), (slice(SLIP, SLIP + 3), self.state, three), (RATE, self.state, 7),
+            (STATUS, self.history, 0), (BEFORE, self.state, 6), (slice(RUB, RUB + 3), self.state, slice(3, 6)),
+            (SPENT, self.history, 1), (TOP, self.shape, 7),
+        ]  # fmt: skip
+
+    def keep(self, kept: FacetForces, state: State) -> None:
+        """Write the cracks and the forces of facets into a state."""
+        facet = self.order[: self.size[0]]
+        state.cracks = np.empty((len(facet), CRACK_COLUMNS))
+        state.cracks[:, FACET] = facet
+        for column, table, of_row in self._columns():
+            state.cracks[:, column] = table[facet, of_row]
+        state.facet_force[:] = kept.force[:, : state.facet_force.shape[1]]
+        active = facet[state.cracks[:, STATUS] == ACTIVE]
+        state.facet_force[:, active] = self.pull[active, :3].T
 
 
 class CellSlack(NamedTuple):
@@ -108,14 +157,13 @@ class CrackLists(NamedTuple):
     resting_j: np.ndarray
     cell: np.ndarray
     head: np.ndarray
-    after: np.ndarray
+    node: np.ndarray
     flag: np.ndarray
     waking: np.ndarray
     flagged: Ints
     woken: Ints
     stale: np.ndarray
     base: Floats
-    measured: Floats
     half: Floats
     output: Floats
     lost: Floats
@@ -128,9 +176,9 @@ class CrackLists(NamedTuple):
         numbers, shorts, flags = (np.zeros(places, kind) for kind in (np.int64, np.uint32, np.uint8))
         return cls(
             np.zeros(3, np.int64), numbers, numbers.copy(), shorts, shorts.copy(), shorts.copy(), shorts.copy(),
-            np.zeros(n + 2 * core_lanes(), np.uint32), np.zeros(n, np.int32), np.zeros(halves, np.int32), flags,
+            np.zeros(n + 2 * core_lanes(), np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
             flags.copy(), np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8),
-            np.zeros(n), np.zeros((21, places)), lines(halves), lines(halves), np.zeros((portions, 2)),
+            np.zeros(n), lines(halves), lines(halves), np.zeros((portions, 2)),
         )  # fmt: skip
 
 
@@ -154,27 +202,6 @@ def strengths_of(table: SofteningTable, fastest: Floats) -> FacetStrengths:
         *map(np.ascontiguousarray, map(with_zeros, columns)), np.flatnonzero(table.plane).astype(np.int64),
         table.kink, table.steep, table.hot,
     )  # fmt: skip
-
-
-def cracks_of(state: State, listed: np.ndarray) -> CohesiveCracks:
-    """Return the cracks of a state, with room for those to come."""
-    m, count = len(state.integrity), len(state.cracks)
-    row, pull = np.zeros((m, _ROW)), np.zeros((m, 4))
-    row[:count, :CRACK_COLUMNS] = state.cracks
-    pull[:count, :3] = state.facet_force[:, state.cracks[:, FACET].astype(np.int64)].T
-    return CohesiveCracks(
-        row, np.zeros((m, _CONSTANTS)), pull, np.zeros(m, np.int64), np.zeros(m, np.uint32), np.zeros(m, np.uint32),
-        listed, state.integrity, np.array([count, 1], dtype=np.int64),
-    )  # fmt: skip
-
-
-def keep_cohesive(cracks: CohesiveCracks, kept: FacetForces, state: State) -> None:
-    """Write the cracks and the forces of facets into a state."""
-    count = int(cracks.size[0])
-    state.cracks = cracks.row[:count, :CRACK_COLUMNS].copy()
-    state.facet_force[:] = kept.force[:, : state.facet_force.shape[1]]
-    one_by_one = np.flatnonzero(state.cracks[:, STATUS] == ACTIVE)
-    state.facet_force[:, state.cracks[one_by_one, FACET].astype(np.int64)] = cracks.pull[one_by_one, :3].T
 
 
 def facet_forces(state: State, facets: ElasticFacets, area: Floats, rows: int) -> FacetForces:

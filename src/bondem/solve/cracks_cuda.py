@@ -41,7 +41,7 @@ from bondem.kernels.tables import BROKEN_COLUMNS, GripTable
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.cracks import crack_table, with_forces
-from bondem.solve.forces_cuda import DeviceRun, DeviceFacetForces, starts
+from bondem.solve.forces_cuda import DeviceFacetForces, DeviceRun, starts
 
 # Parts in which what cracks dissipate in a step is added up: a number of its own, so that no bit depends on a device.
 _PARTS = 256

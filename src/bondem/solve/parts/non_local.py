@@ -16,8 +16,7 @@ from bondem.model.non_local_tables import (
 )
 from bondem.model.state import State
 from bondem.solve.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
-from bondem.solve.parts.contacts import ContactTables
-from bondem.solve.parts.damage import DamageTables, damage_of
+from bondem.solve.parts.damage import BondParts, DamageTables, Joints, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, HistoryRows, Moving, Portions
@@ -38,9 +37,7 @@ _relieve_pairs = StepPass("relieve_pairs", Moving, Beams, NonLocalBonds, LaggedS
 _write_non_local_work = StepPass("write_non_local_work", NonLocalWork, HistoryRows)
 
 
-def non_local(
-    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, contacts: ContactTables | None
-) -> list[Part]:
+def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
     """Return the parts of bonds of the non-local law, with dashpots beside them or without."""
     moving, cut, portions = shared.moving, shared.cut, shared.portions
     beams, bonds = non_local_tables(model, state)
@@ -51,9 +48,6 @@ def non_local(
         (_find_non_local_forces, moving, beams, bonds, stresses),
         (_collect_moments, cut, stresses),
     ]
-    parts = [Part({"prepare": prepare})]
-    if contacts is not None:
-        parts.append(contacts.moments(stresses))
     loads: Passes = [(_add_non_local_loads, bonds, cut)]
     if dashpots is not None:
         loads.append((_add_dashpot_loads, moving, beams, dashpots, cut))
@@ -69,11 +63,11 @@ def non_local(
 
     guard: Passes = [(_check_beams, moving, beams, portions)]
     find: Passes = [(_find_stresses, moving, stresses)]
-    parts.append(Part({"prepare": find, "loads": loads, "guard": guard}, record, keep))
+    parts = [Part({"prepare": prepare, "stress": find, "loads": loads, "guard": guard}, record, keep)]
     damage = damage_of(model, state, cut, len(beams.i))
     if damage is not None:
         parts.append(_breakage(damage, state, shared, beams, bonds, stresses, dashpots))
-    return parts
+    return BondParts(parts, Joints.of(model, state, beams.integrity, damage), stresses)
 
 
 def _breakage(

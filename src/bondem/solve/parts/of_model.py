@@ -5,12 +5,12 @@ from bondem.laws.damping import DampingTerms
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added
-from bondem.solve.cracks import joints
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
 from bondem.solve.parts.cohesive_cracks import CrackingBody
 from bondem.solve.parts.contacts import ContactTables
+from bondem.solve.parts.damage import BondParts, Joints
 from bondem.solve.parts.facet_breakage import body_of_cells
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
@@ -28,37 +28,36 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
-    touching: ContactTables | None = None
+    bonds = _bonds(model, state, shared, dashpots, dt)
+    contacts, moments = [], []
     if model.contacts is not None:
-        joined = joints(model, state, state.integrity)
-        touching = ContactTables(model, model.contacts, state, shared, gauges, joined, dt)
-    contacts = [] if touching is None else touching.parts()
+        touching = ContactTables(model, model.contacts, state, shared, gauges, bonds.joints, dt)
+        contacts = [touching.part()]
+        moments = [] if bonds.stresses is None else [touching.moments(bonds.stresses)]
     parts = [
         boundary(shared),
-        *contacts[:1],
-        *_bonds(model, state, shared, dashpots, touching, dt),
+        *contacts,
+        *bonds.parts,
+        *moments,
         motion(shared, dashpots, resistance_of(terms, more)),
     ]
     if more is not None and len(more.group):
         parts.append(body_forces(shared, more))  # their work is that at the velocities after the kick
-    return shared, [*parts, history(shared, gauges), *contacts[1:]]
+    return shared, [*parts, history(shared, gauges)]
 
 
 def _bonds(
-    model: Model,
-    state: State,
-    shared: SharedTables,
-    dashpots: Dashpots | None,
-    contacts: ContactTables | None,
-    dt: float,
-) -> list[Part]:
+    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
+) -> BondParts:
     """Return the parts of the bonds."""
     if model.softening is not None:
-        return CrackingBody(model, state, shared, dt).parts(model, dashpots)
+        parts = CrackingBody(model, state, shared, dt).parts(model, dashpots)
+        return BondParts(parts, Joints.of(model, state, state.integrity, None))
     if model.cells is not None:
         return body_of_cells(model, state, shared, dashpots)
     if model.non_local is not None:
-        return non_local(model, state, shared, dashpots, contacts)
+        return non_local(model, state, shared, dashpots)
     if model.formulation == "incremental":
-        return [stored_beams(model, state, shared, dashpots)]
+        parts = [stored_beams(model, state, shared, dashpots)]
+        return BondParts(parts, Joints.of(model, state, state.integrity, None))
     return beams(model, state, shared, dashpots)

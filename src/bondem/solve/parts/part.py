@@ -17,6 +17,7 @@ Passes = list[tuple[Any, ...]]
 FORCES = (
     "contacts",  # forces of contacts and walls
     "prepare",  # quantities of elements that bonds need
+    "stress",  # stresses of elements, from all that "prepare" has added
     "constrain",  # walls and conditions that depend on these
     "loads",  # forces of bonds; marks bonds near to failure
     "judge",  # finds which marked bonds fail
@@ -26,6 +27,7 @@ FORCES = (
     "move",  # closes the step of elements, and opens the next one
     "settle",  # works and losses of the motion
     "apply",  # failure of bonds, after the motion
+    "hand_over",  # contact where bonds have failed
 )
 #: Stages of elements that a failure has delayed: they find their acceleration, and open the next step.
 RESUME = ("resume", "reopening")

@@ -9,24 +9,13 @@
 #include "cell_strains.hpp"
 
 #include "../boundary/timeline.hpp"
+#include "strain_growth.hpp"
 #include "walls.hpp"
 
 namespace bondem {
 namespace {
 
-// Rows of the factors.
-enum Factor : Index { now, came, before, after };
-
-double growth(const CellStrains &strains, Index k) {
-    double sum = strains.still(k);
-    for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(now, g) * strains.part(g, k);
-    return sum;
-}
-double wall_growth(const CellStrains &strains, Index w) {
-    double sum = strains.wall_still(w);
-    for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(now, g) * strains.wall_part(g, w);
-    return sum;
-}
+using namespace strain_factor;
 
 void stretch(const CellStrains &strains, const ElasticFacets &facets, const WallConstraints &walls) {
     for (Index k = 0; k < strains.still.size(); k++) {
@@ -64,7 +53,7 @@ void sum_powers(Index first, Index last, const double *pose, const CellStrains &
 // Adds up the portions, and what walls add to them.
 void sum_all_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
     for (Index g = 0; g < strains.schedule.size(); g++) {
-        double sum = 0.0;
+        double sum = strains.cracked(g);
         for (Index q = 0; q < strains.power.size(); q++) sum += strains.power(q, g);
         strains.factor(after, g) = sum;
     }
@@ -93,6 +82,7 @@ void follow_cell_strains(const Turn &turn, const Timeline &timeline, const CellS
     }
     if (changed) stretch(strains, facets, walls);
     strains.due(0) = changed || needed;
+    strains.due(1) = changed;
 }
 
 void sum_strain_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets) {

@@ -1,30 +1,13 @@
-// CohesiveCracks as passes read them: as many as there are lanes, from rows by number and from columns by place.
+// Cracks as passes read them: as many as there are lanes.
 #pragma once
-#include "../../laws/crack.hpp"
-#include "../../laws/softening.hpp"
-#include "../../tables/crack_tables.hpp"
 #include "../../threads.hpp"
 #include "../cells/facets.hpp"
+#include "crack_rows.hpp"
 
 namespace bondem {
 
-// Columns of a row: facet, strength [Pa] (0 where a cell had no cohesion), slip in the frame of cell i [m], -∂U/∂s [J],
-// how the crack is treated, integrity a step ago; friction force a step ago [N], energy dissipated [J], force below which
-// it does not soften [N] (once faces have parted, the distance of centres at which cells touch [m]), integrity.
-namespace crack {
-enum Column : int { facet, strength, slip, rate = 5, status, before, rub, spent = 11, top, integrity };
-constexpr int row_width = 16, constant_width = 40;
-// How a crack is treated: one by one; as a facet of less stiffness; not at all, as its faces have parted.
-enum Status : int { active, resting, parted };
-// What becomes of a crack in a step, besides nothing.
-enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
-// Stands for the integrity a step ago of a crack that begins.
-constexpr double fresh = 2.0;
-// Places of a portion of a list.
-constexpr Index of_portion = 256;
-}  // namespace crack
+// ---- rows of a table, a lane each
 
-// Rows of a table, a lane each.
 BONDEM_INLINE Row<Lanes> gather_rows(const double *const *row) {
     Row<Lanes> all;
 #if defined(__AVX512F__)
@@ -50,7 +33,34 @@ BONDEM_INLINE void scatter_rows(double *const *row, Row<Lanes> all) {
 #endif
 }
 
-// CohesiveCracks of a list from place e on.
+// Four columns of rows.
+struct FourColumns {
+    Lanes column[4];
+};
+// Of numbers of four bytes that `widen` makes numbers of eight of.
+template <class Widen> BONDEM_INLINE FourColumns gather_four(const char *const *row, Widen widen) {
+    FourColumns all;
+    for (int half = 0; half < lanes; half += 4) {
+        Four r[4];
+        for (int n = 0; n < 4; n++) r[n] = widen(row[half + n]);
+        transpose_four(r);
+        for (int c = 0; c < 4; c++)
+            for (int n = 0; n < 4; n++) all.column[c][half + n] = r[c][n];
+    }
+    return all;
+}
+typedef int32_t FourWhole __attribute__((vector_size(16), aligned(4)));
+typedef float FourSingle __attribute__((vector_size(16), aligned(4)));
+BONDEM_INLINE Four widened_whole(const char *from) {
+    return __builtin_convertvector(*reinterpret_cast<const FourWhole *>(from), Four);
+}
+BONDEM_INLINE Four widened_single(const char *from) {
+    return __builtin_convertvector(*reinterpret_cast<const FourSingle *>(from), Four);
+}
+
+// ---- a group of cracks
+
+// Cracks of a list from place e on.
 struct CrackGroup {
     Index e;
     int known;  // how many there are; lanes behind repeat one, and are not written
@@ -60,64 +70,90 @@ struct CrackGroup {
     CrackGroup(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j, Index e, Index count)
         : e(e), known(int(least(count - e, Index(lanes)))), crack(list.data + e), i(at_i.data + e), j(at_j.data + e) {}
 
-    // Eight columns of the rows of a table of so many columns.
-    BONDEM_INLINE Row<Lanes> columns(const Array<double, 2> &table, int width, int first) const {
+    // Lines of a table.
+    BONDEM_INLINE Row<Lanes> lines(const Array<double, 2> &table) const {
         const double *row[lanes];
-        for (int n = 0; n < lanes; n++) row[n] = table.data + width * crack[n] + first;
+        for (int n = 0; n < lanes; n++) row[n] = table.data + 8 * crack[n];
         return gather_rows(row);
     }
-    BONDEM_INLINE void put(const Array<double, 2> &table, int width, int first, const Row<Lanes> &all) const {
+    BONDEM_INLINE void put(const Array<double, 2> &table, const Row<Lanes> &all) const {
         double *row[lanes], unused[8];
-        for (int n = 0; n < lanes; n++) row[n] = n < known ? table.data + width * crack[n] + first : unused;
+        for (int n = 0; n < lanes; n++) row[n] = n < known ? table.data + 8 * crack[n] : unused;
         scatter_rows(row, all);
     }
-    BONDEM_INLINE Lanes number(const Array<double, 2> &table, int width, int column) const {
+    // A number of each.
+    BONDEM_INLINE Lanes number(const Array<double, 2> &table, int column) const {
         Lanes all;
-        for (int n = 0; n < lanes; n++) all[n] = table.data[width * crack[n] + column];
+        for (int n = 0; n < lanes; n++) all[n] = table.data[8 * crack[n] + column];
         return all;
     }
-    BONDEM_INLINE void put(const Array<double, 2> &table, int width, int column, Lanes all) const {
-        for (int n = 0; n < known; n++) table.data[width * crack[n] + column] = all[n];
+    BONDEM_INLINE void put(const Array<double, 2> &table, int column, Lanes all) const {
+        for (int n = 0; n < known; n++) table.data[8 * crack[n] + column] = all[n];
     }
-    BONDEM_INLINE Row<Lanes> state(const CohesiveCracks &cracks, int first) const {
-        return columns(cracks.row, crack::row_width, first);
+    // Asks for lines that are to come.
+    BONDEM_INLINE void prefetch(const Array<double, 2> &table) const {
+        for (int n = 0; n < lanes; n++) __builtin_prefetch(table.data + 8 * crack[n]);
     }
 };
 
-// ---- constants of a crack: five groups of eight columns
+// The shape of the facets of a group.
+BONDEM_INLINE FacetShape<Lanes> shapes_of(const CrackGroup &group, const CohesiveCracks &cracks) {
+    const char *row[lanes];
+    for (int n = 0; n < lanes; n++) row[n] = reinterpret_cast<const char *>(cracks.shape.data + 8 * group.crack[n]);
+    const FourColumns first = gather_four(row, widened_whole);
+    const FourColumns middle = gather_four(row, [](const char *from) {
+        return __builtin_shufflevector(widened_whole(from + 16), widened_single(from + 16), 0, 1, 6, 7);
+    });
+    const FourColumns last = gather_four(row, [](const char *from) { return widened_single(from + 32); });
+    const double *const pitch = cracks.pitch.data;
+    const Lanes *const a = first.column, *const b = middle.column, *const c = last.column;
+    return {{pitch[0] * a[0], pitch[1] * a[1], pitch[2] * a[2]}, {pitch[0] * a[3], pitch[1] * b[0], pitch[2] * b[1]},
+            {b[2], b[3], c[0]}, {c[1], c[2], c[3]}};
+}
 
-struct CrackConstants {
-    FacetShape<Lanes> shape;
+// The faces of the cracks of a group, and what belongs to them.
+struct CrackPlace {
+    Ends<Lanes> ends;
+    OfCells<Lanes> stress;  // of both cells [Pa]
+    FacedFaces<Lanes> now;
     FacetCompliance<Lanes> facet;
-    Lanes area, friction;
+    Lanes area, s, friction;
 };
-BONDEM_INLINE CrackConstants constants_of(const CrackGroup &group, const CohesiveCracks &cracks) {
-    const Row<Lanes> on_i = group.columns(cracks.constant, crack::constant_width, 0);
-    const Row<Lanes> on_j = group.columns(cracks.constant, crack::constant_width, 8);
-    const Lanes *const a = on_i.column, *const b = on_j.column;
-    return {{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {a[3], a[4], a[5]}, {b[3], b[4], b[5]}}, {a[6], a[7]}, b[6], b[7]};
+BONDEM_INLINE CrackPlace place_of(const CrackGroup &group, const Array<double, 2> &pose, const double *period,
+                                  const CohesiveCracks &cracks) {
+    const Row<Lanes> a = gather(pose.data, group.i), b = gather(pose.data, group.j);
+    const Ends<Lanes> ends = ends_of(a, b, period);
+    const Row<Lanes> face = group.lines(cracks.face);
+    const Lanes *const f = face.column;
+    return {ends, {a.column[stress_column], b.column[stress_column]},
+            crack_faces(ends, shapes_of(group, cracks), {f[0], f[1], f[2]}), {f[7], f[3]}, f[4], f[5], f[6]};
 }
+
+// How the cracks of a group soften.
 struct CrackJudgement {
-    Vector3<Lanes> normal;
-    Lanes bends, k, area, brittleness, fastest;
     Symmetric3<Lanes> H;
-    Lanes plane;
+    Lanes bends, fastest;
+    CrackStrength<Lanes> by;
 };
-BONDEM_INLINE CrackJudgement judgement_of(const CrackGroup &group, const CohesiveCracks &cracks) {
-    const Row<Lanes> a = group.columns(cracks.constant, crack::constant_width, 16);
-    const Row<Lanes> b = group.columns(cracks.constant, crack::constant_width, 24);
-    const Lanes *const p = a.column, *const q = b.column;
-    return {{p[0], p[1], p[2]}, p[3], p[4], p[5], p[6], p[7], {q[0], q[1], q[2], q[3], q[4], q[5]}, q[6]};
+BONDEM_INLINE Symmetric3<Lanes> resistances_of(const CrackGroup &group, const CohesiveCracks &cracks, Lanes *plane) {
+    const char *row[lanes];
+    for (int n = 0; n < lanes; n++) row[n] = reinterpret_cast<const char *>(cracks.softening.data + 8 * group.crack[n]);
+    const FourColumns h = gather_four(row, widened_single);
+    const FourColumns k = gather_four(row, [](const char *from) { return widened_single(from + 16); });
+    *plane = k.column[2];
+    return {h.column[0], h.column[1], h.column[2], h.column[3], k.column[0], k.column[1]};
 }
-BONDEM_INLINE CrackStrength<Lanes> strength_of(const CrackGroup &group, const CohesiveCracks &cracks, const CrackJudgement &of,
-                                               Lanes strength) {
-    const Mask<Lanes> on_plane = of.plane > all<Lanes>(0.5);
-    PlaneStrength<Lanes> plane = {all<Lanes>(infinity), Lanes{}, Lanes{}};
+BONDEM_INLINE CrackJudgement judgement_of(const CrackGroup &group, const CohesiveCracks &cracks) {
+    Lanes plane;
+    const Symmetric3<Lanes> H = resistances_of(group, cracks, &plane);
+    const auto column = [&](int c) { return group.number(cracks.softening, c); };
+    const Mask<Lanes> on_plane = plane > all<Lanes>(0.5);
+    PlaneStrength<Lanes> more = {all<Lanes>(infinity), Lanes{}, Lanes{}};
     if (any(on_plane)) {
-        const Row<Lanes> more = group.columns(cracks.constant, crack::constant_width, 32);
-        plane = {more.column[0], more.column[1], more.column[2]};
+        const Row<Lanes> rows = group.lines(cracks.history);
+        more = {rows.column[2], rows.column[3], rows.column[4]};
     }
-    return {{strength, of.brittleness}, plane, on_plane};
+    return {H, column(4), column(6), {{column(7), column(5)}, more, on_plane}};
 }
 
 // The mean stress of two cells.
@@ -131,27 +167,6 @@ template <class T> BONDEM_INLINE T opened_at_most(T bent, const Symmetric3<T> &m
     return positive(T(bent + least(least(least(mean.xx, mean.yy), mean.zz), T{})));
 }
 
-// ---- what is known of a crack in a step, by place
-
-BONDEM_INLINE void put_measured(const CrackLists &lists, Index e, const CrackFaces<Lanes> &at) {
-    double *const to = lists.measured.data + e;
-    const Index pitch = lists.measured.shape[1];
-    const Vector3<Lanes> rows[7] = {at.gap, at.normal, at.share_i, at.share_j, at.arm_i, at.arm_j, at.normal_i};
-    for (int r = 0; r < 7; r++) {
-        store(to + (3 * r) * pitch, rows[r].x);
-        store(to + (3 * r + 1) * pitch, rows[r].y);
-        store(to + (3 * r + 2) * pitch, rows[r].z);
-    }
-}
-BONDEM_INLINE Vector3<Lanes> measured_row(const CrackLists &lists, Index e, int r) {
-    const double *const from = lists.measured.data + e;
-    const Index pitch = lists.measured.shape[1];
-    return {load(from + 3 * r * pitch), load(from + (3 * r + 1) * pitch), load(from + (3 * r + 2) * pitch)};
-}
-BONDEM_INLINE CrackFaces<Lanes> measured_faces(const CrackLists &lists, Index e) {
-    return {measured_row(lists, e, 0), measured_row(lists, e, 1), measured_row(lists, e, 2), measured_row(lists, e, 3),
-            measured_row(lists, e, 4), measured_row(lists, e, 5), measured_row(lists, e, 6)};
-}
 template <class T> BONDEM_INLINE Row<T> row_of(const SwellingHalf<T> &half) {
     return {{half.swollen, half.pulled, half.square, half.along, half.pressed, half.closed, half.loose, half.turns}};
 }
@@ -160,21 +175,26 @@ BONDEM_INLINE SwellingHalf<Lanes> half_of(const Row<Lanes> &row) {
     return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
 }
 // Writes rows of both halves of the cracks of a group.
-BONDEM_INLINE void put_halves(double *table, Index e, const Row<Lanes> &on_i, const Row<Lanes> &on_j) {
+BONDEM_INLINE void put_halves(double *table, const CrackGroup &group, const Row<Lanes> &on_i, const Row<Lanes> &on_j) {
     double *i[lanes], *j[lanes];
     for (int n = 0; n < lanes; n++) {
-        i[n] = table + 8 * (2 * (e + n) + 1);
+        i[n] = table + 8 * (2 * (group.e + n) + 1);
         j[n] = i[n] + 8;
     }
     scatter_rows(i, on_i);
     scatter_rows(j, on_j);
 }
-
-BONDEM_INLINE Lanes stress_at(const Array<double, 2> &pose, const Short *cell) {
-    Lanes all;
-    for (int n = 0; n < lanes; n++) all[n] = pose.data[8 * uint64_t(cell[n]) + stress_column];
-    return all;
+template <class T> struct SwellingHalves {
+    SwellingHalf<T> i, j;
+};
+template <class T>
+BONDEM_INLINE SwellingHalves<T> swelling_halves(const FacetCompliance<T> &facet, T s, const CrackFaces<T> &at) {
+    return {swelling_half(facet.k, facet.part, s, at.gap, at.share_i, at.normal),
+            swelling_half(facet.k, T(1.0 - facet.part), s, at.gap, at.share_j, at.normal)};
 }
+
+// ---- lists
+
 // Calls on(first, last, portion) for portions of a list of so many places, on the threads of a turn.
 template <class On> inline void over_places(const Turn &turn, Index count, On on) {
     for_each_task(turn.threads, portions(count, crack::of_portion), [&](Index task) {
@@ -182,11 +202,29 @@ template <class On> inline void over_places(const Turn &turn, Index count, On on
         on(first, least(first + crack::of_portion, count), task);
     });
 }
+// Calls on(group, portion) for the groups of a list of so many cracks; `before(first, last, portion)` comes before.
+template <class Before, class On>
+inline void over_treated(const Turn &turn, const CrackLists &lists, Before before, On on) {
+    const Index count = lists.size(0);
+    over_places(turn, count, [&](Index first, Index last, Index portion) {
+        before(first, last, portion);
+        for (Index e = first; e < last; e += lanes)
+            on(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count}, portion);
+    });
+}
 // Whether each lane has a flag.
 BONDEM_INLINE Mask<Lanes> flagged(const Byte *flag) {
     Lanes all;
     for (int n = 0; n < lanes; n++) all[n] = flag[n];
     return all > Lanes{};
+}
+// Writes flags of the known places of a group.
+inline void put_flags(const Array<Byte, 1> &flag, const Array<Index, 1> &flagged_portion, const CrackGroup &group,
+                      Index portion, Mask<Lanes> where, Byte value) {
+    if (!any(where)) return;
+    for (int n = 0; n < group.known; n++)
+        if (where[n] != 0) flag(group.e + n) = value;
+    flagged_portion(portion) = 1;
 }
 
 }  // namespace bondem

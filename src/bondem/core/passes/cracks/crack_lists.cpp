@@ -1,10 +1,10 @@
-// Lists of cracks in the order in which they began, and the halves of each cell, from the last crack to the first.
+// Lists of cracks in the order of their facets, and the halves of each cell, from the last facet to the first.
 //
-// What is added to a cell is added in that order, whatever place a crack has in a list, so that a pause changes no bit.
+// What is added to a cell is added in that order, whatever place a crack has in a list, so that a pause changes no bit. Facets
+// that follow each other are near each other, and so is what cracks of a list read and write.
 #include "crack_lists.hpp"
 
 #include "carried.hpp"
-#include "constants.hpp"
 
 namespace bondem {
 namespace {
@@ -21,66 +21,77 @@ void fill(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<
 
 }  // namespace
 
-void fill_treated(const CohesiveCracks &, const CrackLists &lists) {
+void fill_treated(const CrackLists &lists) {
     fill(lists.treated, lists.treated_i, lists.treated_j, lists.size(0));
     const Index cells = lists.size(2);
     if (cells > 0)
         for (Index q = cells; q < cells + lanes; q++) lists.cell(q) = lists.cell(cells - 1);
 }
 
-void list_cracks(const Turn &, const CohesiveCracks &cracks, const CrackLists &lists) {
+void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (cracks.size(1) == 0) return;
     cracks.size(1) = 0;
     for (Index q = 0; q < lists.size(2); q++) lists.head(lists.cell(q)) = 0;
-    Index treated = 0, resting = 0, cells = 0;
-    const auto push = [&](Short p, Index number) {
+    const Index m = cracks.integrity.size();
+    // broken cracks stand behind the others, so that groups of lanes have one or the other
+    Index treated[2] = {}, resting[2] = {}, cells = 0;
+    for (Index k = 0; k < m; k++) {
+        const Byte listed = cracks.listed(k);
+        if (listed == 0) continue;
+        const bool whole = cracks.integrity(k) != 0.0;
+        treated[1] += whole & (listed == 1 + crack::active);
+        resting[1] += whole & (listed == 1 + crack::resting);
+    }
+    const auto push = [&](Short p, Index number, const int32_t *lever) {
         if (lists.head(p) == 0) lists.cell(cells++) = p;
-        lists.after(number) = lists.head(p);
+        put_node(lists, number, lists.head(p), lever);
         lists.head(p) = int32_t(number);
     };
-    for (Index c = 0; c < cracks.size(0); c++) {
-        const Byte status = cracks.listed(cracks.facet(c));
-        if (status == 1 + crack::active) {
-            lists.treated(treated) = c;
-            lists.treated_i(treated) = cracks.i(c);
-            lists.treated_j(treated) = cracks.j(c);
-            push(cracks.i(c), 2 * treated + 1);
-            push(cracks.j(c), 2 * treated + 2);
-            treated++;
-        } else if (status == 1 + crack::resting) {
-            lists.resting(resting) = c;
-            lists.resting_i(resting) = cracks.i(c);
-            lists.resting_j(resting) = cracks.j(c);
-            resting++;
+    const auto put = [&](const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j, Index e,
+                         Index k) {
+        list(e) = k;
+        at_i(e) = facets.i(k);
+        at_j(e) = facets.j(k);
+    };
+    for (Index k = 0; k < m; k++) {
+        const Byte listed = cracks.listed(k);
+        if (listed == 0) continue;
+        const bool broken = cracks.integrity(k) == 0.0;
+        if (listed == 1 + crack::active) {
+            const Index e = treated[broken]++;
+            put(lists.treated, lists.treated_i, lists.treated_j, e, k);
+            push(facets.i(k), 2 * e + 1, shape_of(cracks, k).lever_i);
+            push(facets.j(k), 2 * e + 2, shape_of(cracks, k).lever_j);
+        } else if (listed == 1 + crack::resting) {
+            put(lists.resting, lists.resting_i, lists.resting_j, resting[broken]++, k);
         }
     }
-    lists.size(0) = treated, lists.size(1) = resting, lists.size(2) = cells;
-    fill_treated(cracks, lists);
-    fill(lists.resting, lists.resting_i, lists.resting_j, resting);
+    lists.size(0) = treated[1], lists.size(1) = resting[1], lists.size(2) = cells;
+    fill_treated(lists);
+    fill(lists.resting, lists.resting_i, lists.resting_j, resting[1]);
 }
 
 void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
                  const CohesiveCracks &cracks, const CrackLists &lists) {
+    for (Index d = 0; d < 3; d++) cracks.pitch(d) = facets.pitch(d);
     for (Index c = 0; c < cracks.size(0); c++) {
-        const Index k = Index(cracks.row(c, crack::facet));
-        cracks.facet(c) = k;
-        cracks.row(c, crack::integrity) = cracks.integrity(k);
-        write_constants(facets, kept, strengths, cracks, c);
-        treat(facets, cracks, c, int(cracks.row(c, crack::status)));
+        const Index k = cracks.order(c);
+        write_constants(facets, kept, strengths, cracks, k);
+        treat(facets, cracks, k, int(history_of(cracks, k).status));
     }
     clear_half(lists, 0);
     cracks.size(1) = 1;
-    list_cracks(turn, cracks, lists);
+    list_cracks(turn, facets, cracks, lists);
 }
 
 void follow_levers(const Turn &, const ElasticFacets &facets, const CohesiveCracks &cracks) {
-    for (Index c = 0; c < cracks.size(0); c++) write_levers(facets, cracks, c);
+    for (Index c = 0; c < cracks.size(0); c++) write_levers(facets, cracks, cracks.order(c));
 }
 
-void weigh_cracked_cells(const Turn &, const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks) {
+void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks) {
     for (Index c = 0; c < cracks.size(0); c++) {
-        weigh_cracked(cells, slack, cracks, cracks.i(c));
-        weigh_cracked(cells, slack, cracks, cracks.j(c));
+        weigh_cracked(cells, slack, cracks, facets.i(cracks.order(c)));
+        weigh_cracked(cells, slack, cracks, facets.j(cracks.order(c)));
     }
 }
 
@@ -88,13 +99,13 @@ void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveC
     for (Index q = 0; q < lists.size(2); q++) {
         const Index p = lists.cell(q);
         Carried sum = {};
-        for (Index h = lists.head(p); h > 0; h = lists.after(h)) {
-            const Index c = lists.treated((h - 1) >> 1);
+        for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
+            const double *const pull = &cracks.pull(lists.treated((h - 1) >> 1), 0);
             double f[4];
-            for (int d = 0; d < 4; d++) f[d] = h & 1 ? cracks.pull(c, d) : -cracks.pull(c, d);
-            sum.add(constants_of(cracks, c) + (h & 1 ? 0 : 8), f);
+            for (int d = 0; d < 4; d++) f[d] = h & 1 ? pull[d] : -pull[d];
+            sum.add(&lists.node(h, 1), f);
         }
-        sum.put(stresses, p);
+        sum.put(stresses, cracks.pitch.data, p);
     }
 }
 

@@ -12,49 +12,42 @@ namespace {
 
 constexpr Index rubbed_loss = 2;  // column of the losses of an element
 
-// Energy dissipated by the cracks of a group, the places of the list alone.
-double load_group(const CrackGroup &group, const Moving &all, const CohesiveCracks &cracks, const CrackLists &lists,
-                  Index portion, bool changes) {
-    const Index e = group.e;
-    const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
-    const Ends<Lanes> ends = {{}, orientation(a), orientation(b)};
-    Row<Lanes> first = group.state(cracks, 0), second = group.state(cracks, 8);
-    const Lanes zero = {}, s = second.column[crack::integrity - 8], s_before = first.column[crack::before];
-    const CrackFaces<Lanes> at = measured_faces(lists, e);
-    const auto constant = [&](int column) { return group.number(cracks.constant, crack::constant_width, column); };
-    const FacetCompliance<Lanes> facet = {constant(6), constant(7)};
-    const Lanes friction = constant(15);
-    const Vector3<Lanes> slip = turned_by(ends.i, Vector3<Lanes>{first.column[2], first.column[3], first.column[4]});
-    CrackLoads<Lanes> loads = crack_loads(facet, at, s, {a.column[stress_column], b.column[stress_column]}, slip, friction);
+// Energy dissipated by the cracks of a group.
+double load_group(const CrackGroup &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
+                  const CrackLists &lists, Index portion, bool changes) {
+    const Lanes zero = {};
+    const CrackPlace at = place_of(group, all.pose, period, cracks);
+    Row<Lanes> row = group.lines(cracks.state);
+    Lanes *const state = row.column;
+    const Lanes s = at.s, s_before = state[6];
+    const Vector3<Lanes> slip = turned_by(at.ends.i, Vector3<Lanes>{state[0], state[1], state[2]});
+    CrackLoads<Lanes> loads = crack_loads(at.facet, at.now.faces, s, at.stress, slip, at.friction);
     Lanes rate = loads.rate;
     if (any((s > zero) | (s_before > zero))) {
-        const Row<Lanes> h = group.columns(cracks.constant, crack::constant_width, 24);
-        const FacetBending<Lanes> bending =
-            facet_bending(ends, {h.column[0], h.column[1], h.column[2], h.column[3], h.column[4], h.column[5]});
+        Lanes plane;
+        const FacetBending<Lanes> bending = facet_bending(at.ends, resistances_of(group, cracks, &plane));
         loads.on_i = plus(loads.on_i, s, bending.torque);
         loads.on_j = minus(loads.on_j, s, bending.torque);
         rate = rate + bending.energy;
     }
-    const Mask<Lanes> treated = opposite(flagged(lists.flag.data + e));
+    const Mask<Lanes> treated = opposite(flagged(lists.flag.data + group.e));
     const auto kept = [&](Lanes x) { return select(treated, x, zero); };
     const Vector3<Lanes> f = loads.force, rub = loads.friction.force, now = loads.friction.slip, came = now - slip;
     CrackLosses<Lanes> lost = {zero, zero};
     if (changes) {
-        const Vector3<Lanes> rub_before = {second.column[0], second.column[1], second.column[2]};
-        lost = crack_losses(facet.k, CrackStep<Lanes>{s_before, s, first.column[crack::rate], rate, rub_before, rub, came});
+        const CrackStep<Lanes> step = {s_before, s, state[7], rate, {state[3], state[4], state[5]}, rub, came};
+        lost = crack_losses(at.facet.k, step);
         lost = {kept(lost.cracked), kept(lost.rubbed)};
-        const Quaternion<Lanes> back = {ends.i.w, -ends.i.x, -ends.i.y, -ends.i.z};
-        const Vector3<Lanes> own = turned_by(back, now);
-        first.column[2] = kept(own.x), first.column[3] = kept(own.y), first.column[4] = kept(own.z);
-        first.column[crack::rate] = rate;
-        second.column[0] = kept(rub.x), second.column[1] = kept(rub.y), second.column[2] = kept(rub.z);
-        second.column[crack::spent - 8] = second.column[crack::spent - 8] + lost.cracked;
+        const Vector3<Lanes> own = turned_by(inverse(at.ends.i), now);
+        const Vector3<Lanes> none = {};
+        const Vector3<Lanes> own_kept = select<Lanes>(treated, own, none), rub_kept = select<Lanes>(treated, rub, none);
+        group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, s_before, rate}});
+        if (any(lost.cracked != zero))
+            group.put(cracks.history, 1, group.number(cracks.history, 1) + lost.cracked);
         const Mask<Lanes> breaks = treated & (s == zero) & (s_before > zero);
-        group.put(cracks.row, crack::row_width, 0, first);
-        group.put(cracks.row, crack::row_width, 8, second);
         if (any(breaks)) {
             for (int n = 0; n < group.known; n++)
-                if (breaks[n] != 0) lists.flag(e + n) = crack::fell;
+                if (breaks[n] != 0) lists.flag(group.e + n) = crack::fell;
             lists.flagged(portion) = 2;
         }
     }
@@ -63,7 +56,7 @@ double load_group(const CrackGroup &group, const Moving &all, const CohesiveCrac
         if (treated[n] != 0) pull[0] = f.x[n], pull[1] = f.y[n], pull[2] = f.z[n];
     }
     const Vector3<Lanes> p = loads.on_i, q = loads.on_j;
-    put_halves(lists.output.data, e, {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), zero}},
+    put_halves(lists.output.data, group, {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), zero}},
                {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), zero}});
     double sum = 0.0;
     for (int n = 0; n < group.known; n++) sum += lost.cracked[n];
@@ -72,19 +65,17 @@ double load_group(const CrackGroup &group, const Moving &all, const CohesiveCrac
 
 }  // namespace
 
-void load_cracks(const Turn &turn, const Moving &all, const FacetStrengths &, const CohesiveCracks &cracks, const CrackLists &lists) {
-    const Index count = lists.size(0);
+void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                 const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
-    over_places(turn, count, [&](Index first, Index last, Index portion) {
-        double lost = 0.0;
-        for (Index e = first; e < last; e += lanes)
-            lost += load_group({lists.treated, lists.treated_i, lists.treated_j, e, count}, all, cracks, lists, portion,
-                               changes);
-        lists.lost(portion, 0) = lost;
-    });
+    over_treated(turn, lists, [&](Index, Index, Index portion) { lists.lost(portion, 0) = 0.0; },
+                 [&](const CrackGroup &group, Index portion) {
+                     lists.lost(portion, 0) += load_group(group, all, facets.period.data, cracks, lists, portion, changes);
+                 });
 }
 
-void log_cracks(const Turn &turn, const Moving &all, const CohesiveCracks &cracks, const CrackLists &lists, const EventLog &log) {
+void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                const CrackLists &lists, const EventLog &log) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(0);
     double lost = 0.0;
@@ -94,12 +85,13 @@ void log_cracks(const Turn &turn, const Moving &all, const CohesiveCracks &crack
         if (lists.flagged(q) != 2) continue;
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
             if (lists.flag(e) != crack::fell) continue;
-            const Index c = lists.treated(e);
-            const auto measured = [&](Index r) { return lists.measured(r, e); };
-            const double gap = measured(0) * measured(3) + measured(1) * measured(4) + measured(2) * measured(5);
-            const Vector place = {all.pose(cracks.i(c), 0) + measured(12), all.pose(cracks.i(c), 1) + measured(13),
-                                  all.pose(cracks.i(c), 2) + measured(14)};
-            log_event(turn.clock, log, cracks.facet(c), gap > 0.0 ? tension_mode : shear_mode, {cracks.row(c, crack::spent), gap, place});
+            const Index k = lists.treated(e);
+            const SingleCrack one(all.pose, facets, cracks, k);
+            const CrackFaces<double> &at = one.now.faces;
+            const Vector centre = {all.pose(facets.i(k), 0), all.pose(facets.i(k), 1), all.pose(facets.i(k), 2)};
+            const double gap = dot(at.gap, at.normal);
+            const Removal removal = {history_of(cracks, k).spent, gap, centre + at.arm_i};
+            log_event(turn.clock, log, k, gap > 0.0 ? tension_mode : shear_mode, removal);
         }
     }
     log.released(0) += lost;
@@ -112,15 +104,18 @@ void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells 
         if (lists.head(p) == 0) continue;
         double sum[8] = {};
         Carried carried = {};
-        for (Index h = lists.head(p); h > 0; h = lists.after(h)) {
+        for (Index h = lists.head(p); h > 0;) {
             const double *const of = &lists.output(h, 0);
+            const int32_t *const node = &lists.node(h, 0);
+            h = node[0];
+            __builtin_prefetch(lists.output.data + 8 * h);
             for (int d = 0; d < 8; d++) sum[d] += of[d];
-            carried.add(constants_of(cracks, lists.treated((h - 1) >> 1)) + (h & 1 ? 0 : 8), of);
+            carried.add(node + 1, of);
         }
         all.loss(p, rubbed_loss) += sum[3];
         double *const to = &cut.sums(turn.row[at], 0);
         for (int d = 0; d < 3; d++) to[d] += sum[d], to[4 + d] += sum[4 + d];
-        carried.put(stresses, p);
+        carried.put(stresses, cracks.pitch.data, p);
     }
 }
 
@@ -148,15 +143,16 @@ void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &fa
                         const CrackEnergies &found) {
     double normal = 0.0, along = 0.0, bend = 0.0;
     for (Index c = 0; c < cracks.size(0); c++) {
-        if (cracks.row(c, crack::status) != crack::active) continue;
-        const SingleCrack one(all.pose, facets.period.data, cracks, c);
-        const double s = cracks.row(c, crack::integrity);
-        const CrackHalves<double> half = crack_halves(one.stiffness, one.now.faces, one.stress(all.pose, cracks, c));
-        const CrackEnergy<double> energy = crack_energy(one.stiffness, one.now.faces, s, half, row_vector(cracks, c, crack::rub));
-        const double *h = constants_of(cracks, c) + 24;
+        const Index k = cracks.order(c);
+        if (history_of(cracks, k).status != crack::active) continue;
+        const SingleCrack one(all.pose, facets, cracks, k);
+        const double *const q = state_of(cracks, k).rub;
+        const float *const h = softening_of(cracks, k).H;
+        const CrackHalves<double> half = crack_halves(one.stiffness, one.now.faces, one.stress);
+        const CrackEnergy<double> energy = crack_energy(one.stiffness, one.now.faces, one.s, half, Vector{q[0], q[1], q[2]});
         normal += energy.across;
         along += energy.along;
-        bend += s * facet_bending(one.ends, Symmetric3<double>{h[0], h[1], h[2], h[3], h[4], h[5]}).energy;
+        bend += one.s * facet_bending(one.ends, Symmetric3<double>{h[0], h[1], h[2], h[3], h[4], h[5]}).energy;
     }
     found.cracked(0) = normal, found.cracked(1) = along, found.cracked(2) = bend;
 }

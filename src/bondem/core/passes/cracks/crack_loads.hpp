@@ -7,10 +7,11 @@
 namespace bondem {
 
 // Finds forces and torques of the cracks that are treated one by one, and what they dissipate.
-void load_cracks(const Turn &turn, const Moving &all, const FacetStrengths &strengths, const CohesiveCracks &cracks,
+void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                  const CrackLists &lists);
 // Adds up what they have dissipated, and writes down those of which nothing is left.
-void log_cracks(const Turn &turn, const Moving &all, const CohesiveCracks &cracks, const CrackLists &lists, const EventLog &log);
+void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                const CrackLists &lists, const EventLog &log);
 // Adds their forces to the sums of their cells.
 void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                      const CrackLists &lists, const StepCut &cut);

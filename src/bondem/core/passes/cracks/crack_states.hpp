@@ -11,8 +11,8 @@ void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFace
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists);
 // Lets integrities fall, and finds the cracks that go to rest.
-void soften_cracks(const Turn &turn, const Moving &all, const FacetStrengths &strengths, const StressesOfCells &stresses,
-                   const CohesiveCracks &cracks, const CrackLists &lists);
+void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
+                   const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);
 // Lets the cracks rest or part that are to.
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                   const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists);

@@ -8,7 +8,7 @@
 // Most facets bear far less: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b).
 #include "onset.hpp"
 
-#include "constants.hpp"
+#include "single_cracks.hpp"
 
 namespace bondem {
 namespace {
@@ -132,16 +132,15 @@ void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForc
     if (!(turn.clock.dt > 0.0)) return;
     const Index portions = onset.found.size() - 1;
     const auto begin = [&](Index k) {
-        const Index c = cracks.size(0)++;
-        for (Index d = 0; d < crack::row_width; d++) cracks.row(c, d) = 0.0;
-        cracks.row(c, crack::facet) = double(k);
-        cracks.row(c, crack::strength) = onset.marked(k) == 1 ? strengths.strength(k) : 0.0;
-        cracks.row(c, crack::before) = crack::fresh;
-        cracks.row(c, crack::integrity) = cracks.integrity(k);
-        cracks.facet(c) = k;
-        write_constants(facets, kept, strengths, cracks, c);
-        for (Index d = 0; d < 3; d++) cracks.pull(c, d) = kept.force(d, k);
-        treat(facets, cracks, c, crack::active);
+        cracks.order(cracks.size(0)++) = k;
+        state_of(cracks, k) = {};
+        state_of(cracks, k).before = crack::fresh;
+        history_of(cracks, k) = {};
+        softening_of(cracks, k).strength = onset.marked(k) == 1 ? strengths.strength(k) : 0.0;
+        shape_of(cracks, k).top = 0.0;
+        write_constants(facets, kept, strengths, cracks, k);
+        for (Index d = 0; d < 3; d++) cracks.pull(k, d) = kept.force(d, k);
+        treat(facets, cracks, k, crack::active);
         onset.cracked(facets.i(k)) = onset.cracked(facets.j(k)) = 1;
         onset.marked(k) = 0;
     };

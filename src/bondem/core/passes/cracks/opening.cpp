@@ -14,23 +14,12 @@ constexpr double rounding_of_stress = 1e-14;
 
 void measure(const CrackGroup &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
              const CrackLists &lists, Index portion, bool changes) {
-    const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
-    const CrackConstants of = constants_of(group, cracks);
-    const Row<Lanes> more = group.columns(cracks.constant, crack::constant_width, 16);
-    const Vector3<Lanes> normal = {more.column[0], more.column[1], more.column[2]};
-    const FacedFaces<Lanes> now = crack_faces(ends_of(a, b, period), of.shape, normal);
-    const Lanes s = group.number(cracks.row, crack::row_width, crack::integrity), w = of.facet.part;
-    put_measured(lists, group.e, now.faces);
-    put_halves(lists.half.data, group.e,
-               row_of(swelling_half(of.facet.k, w, s, now.faces.gap, now.faces.share_i, now.faces.normal)),
-               row_of(swelling_half(of.facet.k, Lanes(1.0 - w), s, now.faces.gap, now.faces.share_j, now.faces.normal)));
+    const CrackPlace at = place_of(group, all.pose, period, cracks);
+    const SwellingHalves<Lanes> half = swelling_halves(at.facet, at.s, at.now.faces);
+    put_halves(lists.half.data, group, row_of(half.i), row_of(half.j));
     if (!changes) return;
-    const Mask<Lanes> away = (s == Lanes{}) & turned_away(now, of.area);
-    if (__builtin_expect(any(away), 0)) {
-        for (int n = 0; n < group.known; n++)
-            if (away[n] != 0) lists.flag(group.e + n) = crack::parts;
-        lists.flagged(portion) = 1;
-    }
+    const Mask<Lanes> away = (at.s == Lanes{}) & turned_away(at.now, at.area);
+    put_flags(lists.flag, lists.flagged, group, portion, away, crack::parts);
 }
 
 // The stresses of the cells of a list from place q on.
@@ -58,7 +47,8 @@ void relax(Index q, const Moving &all, const CellDilatation &cells, const CrackL
             for (int n = 0; n < lanes; n++) {
                 row[n] = lists.half.data + 8 * half[n];
                 more |= half[n];
-                half[n] = half[n] == 0 ? 0 : lists.after(half[n]);
+                half[n] = half[n] == 0 ? 0 : lists.node(half[n], 0);
+                __builtin_prefetch(lists.half.data + 8 * half[n]);
             }
             if (more == 0) break;
             const SwellingHalf<Lanes> of = half_of(gather_rows(row));
@@ -97,14 +87,15 @@ void begin_bases(const Turn &turn, const Moving &all, const CellDilatation &cell
 
 void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                     const CrackLists &lists) {
-    const Index count = lists.size(0);
-    over_places(turn, count, [&](Index first, Index last, Index portion) {
-        lists.flagged(portion) = 0;
-        for (Index e = first; e < last; e++) lists.flag(e) = crack::unchanged;
-        for (Index e = first; e < last; e += lanes)
-            measure({lists.treated, lists.treated_i, lists.treated_j, e, count}, all, facets.period.data, cracks, lists,
-                    portion, turn.clock.dt > 0.0);
-    });
+    const bool changes = turn.clock.dt > 0.0;
+    over_treated(turn, lists,
+                 [&](Index first, Index last, Index portion) {
+                     lists.flagged(portion) = 0;
+                     for (Index e = first; e < last; e++) lists.flag(e) = crack::unchanged;
+                 },
+                 [&](const CrackGroup &group, Index portion) {
+                     measure(group, all, facets.period.data, cracks, lists, portion, changes);
+                 });
 }
 
 void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {

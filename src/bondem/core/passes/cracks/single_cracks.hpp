@@ -4,35 +4,37 @@
 
 namespace bondem {
 
-inline double *constants_of(const CohesiveCracks &cracks, Index c) { return &cracks.constant(c, 0); }
-
-// A crack in space, from the poses of its cells.
+// The crack of facet k in space, from the poses of its cells.
 struct SingleCrack {
-    Index facet;
     Ends<double> ends;
+    OfCells<double> stress;
     FacetCompliance<double> stiffness;
-    double area;
+    double area, s;
     FacedFaces<double> now;
 
-    SingleCrack(const Array<double, 2> &pose, const double *period, const CohesiveCracks &cracks, Index c)
-        : facet(cracks.facet(c)), ends(ends_of(gather(pose.data, cracks.i(c)), gather(pose.data, cracks.j(c)), period)) {
-        const double *a = constants_of(cracks, c), *b = a + 8, *n = a + 16;
-        stiffness = {a[6], a[7]};
-        area = b[6];
-        const FacetShape<double> shape = {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {a[3], a[4], a[5]}, {b[3], b[4], b[5]}};
-        now = crack_faces(ends, shape, {n[0], n[1], n[2]});
-    }
-    OfCells<double> stress(const Array<double, 2> &pose, const CohesiveCracks &cracks, Index c) const {
-        return {pose(cracks.i(c), stress_column), pose(cracks.j(c), stress_column)};
+    SingleCrack(const Array<double, 2> &pose, const ElasticFacets &facets, const CohesiveCracks &cracks, Index k)
+        : ends(ends_of(pose.data, facets, k)),
+          stress{pose(facets.i(k), stress_column), pose(facets.j(k), stress_column)} {
+        const CrackShapeRow &of = shape_of(cracks, k);
+        const CrackFaceRow &face = face_of(cracks, k);
+        const double *const pitch = cracks.pitch.data;
+        stiffness = {face.k, face.part};
+        area = face.area;
+        s = face.integrity;
+        const auto lever = [&](const int32_t *b) {
+            return Vector{pitch[0] * double(b[0]), pitch[1] * double(b[1]), pitch[2] * double(b[2])};
+        };
+        const auto share = [](const float *g) { return Vector{double(g[0]), double(g[1]), double(g[2])}; };
+        const FacetShape<double> shape = {lever(of.lever_i), lever(of.lever_j), share(of.share_i), share(of.share_j)};
+        now = crack_faces(ends, shape, {face.normal[0], face.normal[1], face.normal[2]});
     }
 };
-inline Vector row_vector(const CohesiveCracks &cracks, Index c, int column) {
-    return {cracks.row(c, column), cracks.row(c, column + 1), cracks.row(c, column + 2)};
-}
-inline void put_vector(const CohesiveCracks &cracks, Index c, int column, Vector a) {
-    for (int d = 0; d < 3; d++) cracks.row(c, column + d) = a[d];
-}
 
+inline void put_node(const CrackLists &lists, Index number, Index next, const int32_t *lever) {
+    int32_t *const node = &lists.node(number, 0);
+    node[0] = int32_t(next);
+    for (int d = 0; d < 3; d++) node[1 + d] = lever[d];
+}
 // A half that adds nothing.
 inline void clear_half(const CrackLists &lists, Index number) {
     for (Index c = 0; c < 7; c++) lists.half(number, c) = 0.0;
@@ -40,10 +42,9 @@ inline void clear_half(const CrackLists &lists, Index number) {
     for (Index c = 0; c < 8; c++) lists.output(number, c) = 0.0;
 }
 
-// Treats a crack one by one from now on, or as a facet of its integrity among the others, or not at all.
-inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Index c, int status) {
-    const Index k = cracks.facet(c);
-    cracks.row(c, crack::status) = status;
+// Treats the crack of facet k one by one from now on, or as a facet of its integrity among the others, or not at all.
+inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k, int status) {
+    history_of(cracks, k).status = status;
     cracks.listed(k) = Byte(1 + status);
     facets.integrity(k) = status == crack::active ? 0.0 : cracks.integrity(k);
     cracks.size(1) = 1;
@@ -59,6 +60,43 @@ inline void weigh_cracked(const CellDilatation &cells, const CellSlack &of, cons
     for (Index e = of.out_start(p); e < of.out_start(p + 1); e++)
         add(of.in_start(0) + Index(of.out_bond(e)), of.slack_i);
     cells.weight(p) = of.weight(p) / (1.0 + of.weight(p) * slack);
+}
+
+inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k) {
+    CrackShapeRow &of = shape_of(cracks, k);
+    for (Index d = 0; d < 3; d++) {
+        of.lever_i[d] = facets.lever_i(d, k);
+        of.lever_j[d] = facets.lever_j(d, k);
+    }
+    cracks.size(1) = 1;  // lists have levers too
+}
+
+// Writes down what is constant of a facet as it becomes a crack.
+inline void write_constants(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+                            const CohesiveCracks &cracks, Index k) {
+    write_levers(facets, cracks, k);
+    CrackShapeRow &shape = shape_of(cracks, k);
+    CrackFaceRow &face = face_of(cracks, k);
+    CrackSofteningRow &softening = softening_of(cracks, k);
+    for (Index d = 0; d < 3; d++) {
+        shape.share_i[d] = facets.share_i(d, k);
+        shape.share_j[d] = facets.share_j(d, k);
+        face.normal[d] = facets.normal(d, k);
+    }
+    shape.k = face.k = facets.k(k);
+    face.part = strengths.part(k);
+    face.area = strengths.area(k);
+    face.integrity = cracks.integrity(k);
+    face.friction = strengths.friction(k);
+    for (Index d = 0; d < 6; d++) softening.H[d] = facets.H(d, k);
+    softening.plane = float(strengths.plane(k));
+    softening.bends = kept.bends(k);
+    softening.brittleness = strengths.brittleness(k);
+    softening.fastest = strengths.fastest(k);
+    CrackHistoryRow &history = history_of(cracks, k);
+    history.cohesion = strengths.cohesion(k);
+    history.slip_brittleness = strengths.slip_brittleness(k);
+    history.friction = strengths.friction(k);
 }
 
 }  // namespace bondem

@@ -1,6 +1,7 @@
 // Cells that yield under their mean stress, and levers that their plastic deformation stretches.
 #include "../../laws/plasticity.hpp"
-#include "constants.hpp"
+#include "../../laws/stress.hpp"
+#include "single_cracks.hpp"
 #include "stress_state.hpp"
 
 namespace bondem {
@@ -29,20 +30,11 @@ double close_increment(const StressesOfCells &stresses, const YieldingCells &cel
     return positive(1.0 - cells.fade(p) * cells.plastic(p, gamma));
 }
 
-// A symmetric tensor in space, seen from a cell of orientation q.
-Symmetric3<double> in_frame(Quaternion<double> q, const Symmetric3<double> &s) {
-    const Quaternion<double> back = {q.w, -q.x, -q.y, -q.z};
-    const Vector x = turned_by(back, Vector{s.xx, s.xy, s.xz}), y = turned_by(back, Vector{s.xy, s.yy, s.yz}),
-                 z = turned_by(back, Vector{s.xz, s.yz, s.zz});
-    const Vector a = turned_by(back, Vector{x.x, y.x, z.x}), b = turned_by(back, Vector{x.y, y.y, z.y}),
-                 c = turned_by(back, Vector{x.z, y.z, z.z});
-    return {a.x, b.y, c.z, a.y, a.z, b.z};
-}
 void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Index p, double g,
           const Symmetric3<double> &strain) {
     double *const row = &cells.plastic(p, 0);
     auto &P = *reinterpret_cast<PlasticDeformation<double> *>(row + deformation);
-    P = deformed(P, in_frame(orientation(gather(all.pose.data, Short(p))), strain));
+    P = deformed(P, turned_by(inverse(orientation(gather(all.pose.data, Short(p)))), strain));
     const double parts[6] = {strain.xx, strain.yy, strain.zz, strain.xy, strain.xz, strain.yz};
     for (Index d = 0; d < 6; d++) row[increment + d] += parts[d];
     row[gamma] += g;
@@ -139,8 +131,25 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
         const Vector b = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<const Vector>(g));
         for (Index d = 0; d < 3; d++) walls.arm(g, d) = b[d];
     }
-    for (Index c = 0; c < cracks.size(0); c++)
-        if (cells.plastic(cracks.i(c), gamma) + cells.plastic(cracks.j(c), gamma) > 0.0) write_levers(facets, cracks, c);
+    for (Index c = 0; c < cracks.size(0); c++) {
+        const Index k = cracks.order(c);
+        if (grows(cells, facets.i(k)) || grows(cells, facets.j(k))) write_levers(facets, cracks, k);
+    }
+}
+
+void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+                  const WallConstraints &walls, const YieldingCells &cells) {
+    if (!strains.due(1)) return;
+    for (Index e = 0; e < cells.base_i.all(); e++) {
+        cells.base_i.data[e] = facets.lever_i.data[e];
+        cells.base_j.data[e] = facets.lever_j.data[e];
+    }
+    for (Index p = 0; p < cells.plastic.size(); p++)
+        if (cells.plastic(p, gamma) != 0.0) stretch_cell(facets, of_cells, cells, p);
+    for (Index g = 0; g < walls.cell.size(); g++) {
+        cells.base_wall.row<Vector>(g) = walls.arm.row<Vector>(g);
+        walls.arm.row<Vector>(g) = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<Vector>(g));
+    }
 }
 
 void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
