@@ -13,10 +13,10 @@ void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFace
     const FacetColumns columns(facets);
     for (Index g = 0; g < count; g++) strains.cracked(g) = 0.0;
     for (Index c = 0; c < cracks.size(0); c++) {
-        if (history_of(cracks, c).status != crack::active) continue;
-        const Index k = cracks.facet(c);
+        const Index k = cracks.order(c);
+        if (history_of(cracks, k).status != crack::active) continue;
         const OpenFacet<double> open = opened(ends_of(all.pose.data, facets, k), columns.shape<double>(k));
-        const Vector f = {cracks.pull(c, 0), cracks.pull(c, 1), cracks.pull(c, 2)};
+        const Vector f = {cracks.pull(k, 0), cracks.pull(k, 1), cracks.pull(k, 2)};
         const double each = dot(f, open.arm_j - open.arm_i) / growth(strains, k);
         for (Index g = 0; g < count; g++) strains.cracked(g) += each * strains.part(g, k);
     }
