@@ -39,4 +39,4 @@ BONDEM_TABLE(ExtraForces, F(force, "m 3"))
         S(bonds_of_blocks, find_non_local_forces), S(parts_of_shared, collect_moments), S(of_elements, find_stresses), \
         S(bonds_of_blocks, add_non_local_loads), S(of_bonds, sum_non_local_energies), S(serial, write_non_local_work), \
         S(bonds_of_blocks, mark_pairs), S(bonds_of_blocks, judge_pairs), S(serial, break_pairs), S(serial, relieve_pairs), \
-        S(of_ranges, add_pair_moments), S(of_elements, add_wall_moments)
+        S(of_ranges, add_pair_moments), S(of_elements, add_wall_moments), S(serial, add_begun_contacts)
