@@ -56,8 +56,8 @@ void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants 
 void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                       const NearPairs &near, const LaggedStresses &stresses) {
     const auto mine = [&](Index p) { return turn.first <= p && p < turn.last; };
-    for (Index q = turn.first / elements_of_portion; q < near.count.size(); q++) {
-        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.count(q, 1);
+    for (Index q = turn.first / elements_of_portion; q < near.counts.size(); q++) {
+        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.counts(q, 1);
         for (Index e = begin; e < end; e++) {
             const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
             if (!(mine(a) || mine(b))) continue;
