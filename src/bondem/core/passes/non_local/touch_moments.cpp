@@ -28,7 +28,8 @@ void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, 
 Vector present_force(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
     const Short a = pairs.first(k), b = pairs.second(k);
     const Motion<double> of_a(gather(all.motion.data, a)), of_b(gather(all.motion.data, b));
-    const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), branch_of(all.pose.data, pairs, k), of_a, of_b);
+    const Vector d = branch_of(all.pose.data, pairs, k);
+    const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), d, of_a, of_b);
     const Vector *const kept = &pairs.memory.row<Vector>(k);
     Vector force;
     with_law(c, [&](auto law) {
