@@ -51,6 +51,9 @@ _touch_parted_faces = StepPass(
 _write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
 _add_pair_moments = StepPass("add_pair_moments", Moving, ContactConstants, ContactPairs, NearPairs, LaggedStresses)
 _add_wall_moments = StepPass("add_wall_moments", Moving, ContactConstants, WallContacts, Walls, LaggedStresses)
+_add_begun_contacts = StepPass(
+    "add_begun_contacts", Moving, ContactConstants, ContactPairs, LaggedStresses, EventLog
+)
 
 # Distances of all pairs are measured again when an element has moved this share of the reach of the list.
 _FRESH = 0.1
@@ -156,7 +159,10 @@ class ContactTables:
         passes: Passes = [(_add_pair_moments, s.moving, law, self._pairs, self._near, stresses)]
         if len(walls.body):
             passes.append((_add_wall_moments, s.moving, law, self._at_walls, walls, stresses))
-        return Part({"prepare": passes}, renewed=lambda: self.moments(stresses))
+        begun: Passes = []
+        if self._joints.damage is not None:
+            begun.append((_add_begun_contacts, s.moving, law, self._pairs, stresses, self._joints.damage.log))
+        return Part({"prepare": passes, "hand_over": begun}, renewed=lambda: self.moments(stresses))
 
     def _record(self, history: HistoryRows) -> Passes:
         moving, law, energies = self._shared.moving, self._law, self._energies
