@@ -29,12 +29,12 @@ def core_has(model: Model) -> bool:
 
     It has those of beams of both formulations, which may break or soften, and of the non-local law without
     breakage; of bodies of cells whose facets break or soften by the largest principal stress, and whose cells yield;
-    and of contacts and walls where nothing softens, except with the non-local law.
+    and of contacts and walls, except with the non-local law and where facets soften.
     """
     return (
         (model.softening is None or model.softening.judge is None)
         and (model.non_local is None or model.breaking is None)
-        and (model.contacts is None or model.non_local is model.beam_softening is model.softening is None)
+        and (model.contacts is None or model.non_local is model.softening is None)
     )
 
 

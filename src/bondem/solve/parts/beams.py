@@ -52,7 +52,7 @@ def beams(
     damage = damage_of(model, state, cut, len(table.i))
     soft, failure = None, []
     if damage is not None and model.beam_softening is not None:
-        soft = SofteningTables.of(model.beam_softening, damage, state, table, alike)
+        soft = SofteningTables.of(model.beam_softening, damage, state, table, alike, handed=model.hands_over)
         failure = [softening(soft, damage, state, shared, table)]
     elif damage is not None:
         failure = [breakage(damage, state, shared, table, alike, dashpots)]
@@ -64,7 +64,9 @@ def beams(
         {"present": present, "loads": loads, "guard": [(_check_beams, moving, table, portions)]},
         record=lambda _: [(_sum_beam_energies, moving, table, portions)],
     )
-    return [forces, *failure], Joints.of(model, state, table.integrity, damage)
+    return [forces, *failure], Joints.of(
+        model, state, table.integrity, damage, None if soft is None else soft.bounds
+    )
 
 
 def _loads(

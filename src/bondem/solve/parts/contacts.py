@@ -19,7 +19,7 @@ from bondem.solve.contact_tables import (
     WallContacts,
     WallMotions,
 )
-from bondem.solve.damage_tables import EventLog, Postponed
+from bondem.solve.damage_tables import EventLog, Postponed, SofteningBounds
 from bondem.solve.neighbour_list import ContactSearch, FoundContacts
 from bondem.solve.parts.damage import Joints
 from bondem.solve.parts.part import Part, Passes
@@ -42,6 +42,10 @@ _write_contact_energy = StepPass("write_contact_energy", ContactEnergies, Histor
 _count_wall_work = StepPass("count_wall_work", Walls, Portions)
 _begin_contacts = StepPass(
     "begin_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
+)
+_release_pressure = StepPass("release_pressure", EventLog, SofteningBounds)
+_begin_softened_contacts = StepPass(
+    "begin_softened_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, ContactSums
 )
 _write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
 
@@ -129,14 +133,23 @@ class ContactTables:
             guard.append((_count_wall_work, walls, s.portions))
         contacts.append((_keep_measures, self._near, self._travel))
         add: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
-        hand_over: Passes = []
-        if self._joints.damage is not None:
-            damage = self._joints.damage
-            hand_over.append(
-                (_begin_contacts, s.moving, law, self._pairs, self._near, damage.log, damage.postponed)
-            )
-        stages = {"hand_over": hand_over, "travel": travel, "contacts": contacts, "add": add, "guard": guard}
+        stages = {**self._after_failure(), "travel": travel, "contacts": contacts, "add": add, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
+
+    def _after_failure(self) -> dict[str, Passes]:
+        """Return the passes that begin contact where bonds have failed."""
+        moving, law, pairs, near, joints = self._shared.moving, self._law, self._pairs, self._near, self._joints
+        if joints.damage is None:
+            return {}
+        log = joints.damage.log
+        if joints.pressed is None:
+            return {"hand_over": [(_begin_contacts, moving, law, pairs, near, log, joints.damage.postponed)]}
+        return {
+            "loads": [
+                (_release_pressure, log, joints.pressed),
+                (_begin_softened_contacts, moving, law, pairs, near, log, self._sums),
+            ]
+        }
 
     def _record(self, history: HistoryRows) -> Passes:
         moving, law, energies = self._shared.moving, self._law, self._energies
