@@ -9,7 +9,7 @@ import pytest
 
 import bondem as bd
 from bondem.model.contact_search import PairSources, Walls, WallSources, found_pairs, found_walls
-from bondem.model.contacts import near
+from bondem.model.contacts import grid_of
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve import neighbour_list as lists
@@ -204,8 +204,8 @@ def test_the_list_has_all_pairs_that_no_bond_joins_and_their_memory():
 
     rest = gap[later, earlier] < 0.0
     memory = rng.random((touching.sum(), 6))
-    found = found_pairs(PairSources(
-        *near(position, radius, None, skin), starts(bonded), first(bonded), wanted.astype(np.uint8), starts(rest),
+    found = found_pairs(grid_of(position, radius, None, skin), PairSources(
+        starts(bonded), first(bonded), wanted.astype(np.uint8), starts(rest),
         first(rest), gap[later, earlier][rest], starts(touching), first(touching), memory,
     ))  # fmt: skip
     listed = ~bonded

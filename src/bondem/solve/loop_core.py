@@ -29,11 +29,9 @@ def core_has(model: Model) -> bool:
 
     It has those of beams of both formulations, which may break or soften, and of the non-local law, which may break;
     of bodies of cells whose facets break or soften by the largest principal stress, and whose cells yield; and of
-    contacts and walls where no beams soften.
+    contacts and walls.
     """
-    return (model.softening is None or model.softening.judge is None) and (
-        model.contacts is None or model.beam_softening is None
-    )
+    return model.softening is None or model.softening.judge is None
 
 
 class CoreLoop:
