@@ -9,7 +9,7 @@ import bondem as bd
 from bondem._compile import threads
 from bondem.kernels.crack_tables import ACTIVE, RESTING, STATUS
 from bondem.model.state import State
-from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
@@ -105,12 +105,3 @@ def test_energy_is_stored_or_released_and_momentum_kept(kind):
     _, first, _ = moving(kind, body(), 0.125)
     momentum, at_first = ((one.motion[:, :3] * mass).sum(axis=0) for one in (state, first))
     np.testing.assert_allclose(momentum, at_first, atol=1e-12 * np.abs(first.motion[:, :3] * mass).sum())
-
-
-def test_what_the_core_takes():
-    lattice, law = body(), bd.CellBond(E=40e9, nu=0.2)
-    cone = bd.DruckerPrager(tension=4e6, compression=40e6, fracture_energy=50.0)
-    contact = bd.LinearContact(E=70e9, friction=0.4)
-    assert core_has(bd.Model(lattice, law, 2500.0, failure=COULOMB))
-    assert not core_has(bd.Model(lattice, law, 2500.0, failure=cone))
-    assert not core_has(bd.Model(lattice, law, 2500.0, failure=COULOMB, contact=contact))
