@@ -60,9 +60,6 @@ def displaced(model: bd.Model, size: float = 1e-3) -> State:
 # ---- against the loops of Numba
 
 
-def test_elastic_bodies_run_by_the_core():
-
-
 @pytest.mark.parametrize("conditions", CONDITIONS)
 def test_results_are_those_of_the_loops_of_numba(conditions):
     model, damping = model_of(conditions), None if conditions == "free" else bd.BondDamping(eta=0.01)

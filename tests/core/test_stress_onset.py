@@ -49,7 +49,9 @@ def test_cracks_are_those_of_the_loops_of_numba(name):
     for x, y in ((new.state.position, old.state.position), (new.state.released, old.state.released)):
         np.testing.assert_allclose(x, y, rtol=0.0, atol=1e-10 * np.abs(y).max())
     energies = np.abs(old.history.records[:, 1:14]).max()
-    np.testing.assert_allclose(new.history.records[:, 1:], old.history.records[:, 1:], rtol=0.0, atol=1e-10 * energies)
+    np.testing.assert_allclose(
+        new.history.records[:, 1:], old.history.records[:, 1:], rtol=0.0, atol=1e-10 * energies
+    )
 
 
 @pytest.mark.parametrize("name", ["cone", "function"])
