@@ -1,5 +1,6 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
 #include "described.hpp"
+#include "device_descriptions.hpp"
 #include "instructions.hpp"
 #include "lanes.hpp"
 #include "passes/assembly/stiffness.hpp"
@@ -80,6 +81,7 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    BONDEM_DEVICE_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -139,6 +141,10 @@ const StepPassDescription step_passes[] = {
 };
 #undef S
 
+#define X(pass) IndexPass<pass>::described(#pass),
+const PassDescription index_passes[] = {BONDEM_INDEX_PASSES(X)};
+#undef X
+
 }  // namespace
 }  // namespace bondem
 
@@ -159,6 +165,10 @@ BONDEM_EXPORT const bondem::PassDescription *bondem_passes(bondem::Index *count)
 BONDEM_EXPORT const bondem::StepPassDescription *bondem_step_passes(bondem::Index *count) {
     *count = sizeof(bondem::step_passes) / sizeof(bondem::step_passes[0]);
     return bondem::step_passes;
+}
+BONDEM_EXPORT const bondem::PassDescription *bondem_index_passes(bondem::Index *count) {
+    *count = sizeof(bondem::index_passes) / sizeof(bondem::index_passes[0]);
+    return bondem::index_passes;
 }
 // The highest level of instructions that this CPU and its system offer: 2, 3 or 4 of x86-64, else 0.
 BONDEM_EXPORT bondem::Index bondem_level() { return bondem::instruction_level(); }

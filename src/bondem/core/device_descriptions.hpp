@@ -1,0 +1,36 @@
+// How the tables and the passes of a device describe themselves to Python.
+#pragma once
+#include "gpu/for_each.hpp"
+#include "gpu/index_passes.hpp"
+#include "step_descriptions.hpp"
+
+namespace bondem {
+
+#define F BONDEM_FIELD
+
+BONDEM_TABLE(DeviceSpan, F(clock, "9"), F(n, ""), F(m, ""))
+BONDEM_TABLE(Tick, F(ahead, ""), F(goes_on, ""), F(still, ""), F(first, ""))
+BONDEM_TABLE(BondLoads, F(load, "9 *"))
+BONDEM_TABLE(BondsOfElements, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
+BONDEM_TABLE(RowOrder, F(start, "rows+1"), F(load, "loads"))
+BONDEM_TABLE(WorkPortions, F(works, "work_portions 2"))
+BONDEM_TABLE(FoldedPortions, F(sums, "groups 13"))
+BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
+
+#undef F
+
+#define BONDEM_DEVICE_TABLES                                                                                          \
+    described<DeviceSpan>(), described<Tick>(), described<BondLoads>(), described<BondsOfElements>(), described<RowOrder>(), \
+        described<WorkPortions>(), described<FoldedPortions>(), described<GaugeParts>()
+
+// The loop of a pass over all its indices.
+template <auto pass> struct IndexPass;
+template <class... Tables, void (*pass)(Index, const Tables &...)> struct IndexPass<pass> {
+    static PassDescription described(const char *name) {
+        static_assert(sizeof...(Tables) <= tables_of_index_pass);
+        return {name, "", reinterpret_cast<void *>(&ForEach<pass>::on_host), TableNames<Tables...>::names,
+                Index(sizeof...(Tables))};
+    }
+};
+
+}  // namespace bondem

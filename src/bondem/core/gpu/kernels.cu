@@ -1,0 +1,19 @@
+// The program of a device: each pass over an index, a thread each. NVRTC compiles it, with the sources of the passes that
+// a thread calls for one element or one portion.
+#include "../passes/beams/beam_report.cpp"
+#include "../passes/boundary/couples.cpp"
+#include "../passes/motion/body_forces.cpp"
+#include "../passes/record/record.cpp"
+#include "for_each.hpp"
+#include "index_passes.hpp"
+
+using bondem::Index;
+
+#define BONDEM_KERNEL(pass)                                                                                              \
+    extern "C" __global__ void pass(Index count, const void *a, const void *b, const void *c, const void *d,             \
+                                    const void *e, const void *f, const void *g, const void *h) {                        \
+        const Index k = Index(blockIdx.x) * blockDim.x + threadIdx.x;                                                    \
+        const void *const tables[bondem::tables_of_index_pass] = {a, b, c, d, e, f, g, h};                               \
+        if (k < count) bondem::ForEach<bondem::pass>::at(k, tables);                                                     \
+    }
+BONDEM_INDEX_PASSES(BONDEM_KERNEL)

@@ -1,0 +1,47 @@
+// What passes over an index take on a device beside the tables of a step. Named once more in
+// `bondem/solve/device_tables.py`.
+#pragma once
+#include "step_tables.hpp"
+
+namespace bondem {
+
+// The clock of a run on a device, and how many elements and bonds there are.
+struct DeviceSpan {
+    Array<Index, 1> clock;  // a `Clock`, word by word, (9,)
+    Index n, m;
+};
+// How the clock is set.
+struct Tick {
+    Index ahead;  // by how many steps
+    Index goes_on, still, first;  // as a `Clock` says; `still` leaves no time to a step
+};
+// What each bond does to its two ends.
+struct BondLoads {
+    Array<double, 2> load;  // force on j, torque on i, torque on j [N, N·m], (9, m)
+};
+// Bonds of each element, both lists ascending.
+struct BondsOfElements {
+    Array<const int32_t, 1> in_start;  // bonds in_start(p) … in_start(p + 1) have j = p, (n + 1,)
+    Array<const int32_t, 1> out_start;  // where the list of those with i = p begins, (n + 1,)
+    Array<const Short, 1> out_bond;  // (m,)
+};
+// Loads of each row, in the order of the loads.
+struct RowOrder {
+    Array<const Index, 1> start;  // where those of each row begin, (r + 1,)
+    Array<const Index, 1> load;
+};
+// Sums over portions of the works, work and its absolute value [J].
+struct WorkPortions {
+    Array<double, 2> works;  // (portions, 2)
+};
+// Sums over groups of portions, see `gpu/record.hpp`.
+struct FoldedPortions {
+    Array<double, 2> sums;  // (groups, 13)
+};
+// Parts of the sums or largest values of gauges, as many for each.
+struct GaugeParts {
+    Index each;
+    Array<double, 2> parts;  // (gauges × each, 3)
+};
+
+}  // namespace bondem
