@@ -1,0 +1,206 @@
+"""Explicit dynamics on a device, where the whole step stays.
+
+The parts of a step compose its lists of passes as for the CPU, and `bondem.solve.device_passes` translates them. Records
+are formed on the device and copied once a call, together with the state. All launches between two pauses are the same
+for every step, because the number of the step is on the device: they are recorded once, as graphs of 1, 2, 4 … 64 steps.
+"""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from bondem._device import Device, DeviceTables, Enqueue, Launch
+from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUNAWAY
+from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, StepScheme
+from bondem.laws.damping import DampingTerms
+from bondem.model.blocks import Blocks
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.solve.device_passes import DevicePasses, count_record, lacking, set_clock
+from bondem.solve.device_tables import SUM_COLUMNS, Tick
+from bondem.solve.loop_core import core_has
+from bondem.solve.loop_cpu import gauge_tables, noticeable
+from bondem.solve.parts.of_model import parts_of
+from bondem.solve.parts.part import FORCES, Part, Passes, composed
+from bondem.solve.parts.shared_tables import SharedTables
+from bondem.solve.plan import Plan
+from bondem.solve.step_tables import HistoryRows
+
+# Steps of a graph at most.
+_RECORDED = 64
+# Columns of a record of the columns of sums.
+_COLUMNS = {1: 0, 2: 1, 3: 4, 4: 5, 5: 6, 6: 7, 8: 11, 9: 2, 10: 3}
+_WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "lost", "not_finite", "supplied"))
+# Words of the clock that are numbers of a step, and of a record.
+_STEP, _RECORD = 5, 8
+
+
+def device_has(model: Model, plan: Plan) -> bool:
+    """Return whether all passes of a run have counterparts on a device."""
+    if not core_has(model):
+        return False
+    _, parts = _composed(model, plan, State(model))
+    return not lacking(_all_passes(parts))
+
+
+def _composed(model: Model, plan: Plan, state: State) -> tuple[SharedTables, list[Part]]:
+    """Return the tables and the parts of a step that is one block."""
+    block = max(len(state.pose), 1)
+    cut = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table()
+    return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan))
+
+
+def _all_passes(parts: Sequence[Part]) -> Passes:
+    """Return the passes of all stages, and those of a record."""
+    rows = HistoryRows(np.zeros((0, 0)))
+    return [
+        *composed(parts, "present", "opening", *FORCES, "guard"), *(one for part in parts for one in part.record(rows))
+    ]  # fmt: skip
+
+
+class DeviceLoop:
+    """The steps of one run on a device; `integrate` uses it like the loop of the CPU."""
+
+    def __init__(self, model: Model, plan: Plan, state: State, dt: float, device: Device) -> None:
+        self.state = state
+        self._every = int(plan.every)
+        terms = DampingTerms.of(plan.damping)
+        self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
+        self._shared, self._parts = _composed(model, plan, state)
+        names = [one.name for one, *_ in composed(self._parts, *FORCES)]
+        self._passes = DevicePasses(model.layout, self._shared.cut, len(state.work), names)
+        self._tables = DeviceTables(device)
+        self._tables.work_space(*self._passes.work_spaces)
+        self._width = len(SUM_COLUMNS) + 3 * len(plan.gauges)
+        self._gauges = len(plan.gauges)
+        self._budget, self._still = np.zeros(2), noticeable(model, dt)
+        self._graphs: dict[int, Callable[[], None]] = {}
+        passes, parts = self._passes, self._parts
+        present, forces = passes(composed(parts, "present")), passes(composed(parts, *FORCES))
+        self._begin = self._list([self._tick(first=True), *present])
+        self._look = self._list([self._tick(first=True, still=True), *forces])
+        self._open = self._list(passes(composed(parts, "opening")))
+        self._pause = self._list([self._tick(ahead=1), *present, *forces])
+        self._go_on = self._list([self._tick(ahead=1, goes_on=True), *present, *forces])
+        self._guarding = self._list(passes(composed(parts, "guard")))
+
+    def _tick(self, *, ahead: int = 0, goes_on: bool = False, still: bool = False, first: bool = False) -> Launch:
+        return set_clock, 1, (self._passes.span, self._scheme, Tick(ahead, goes_on, still, first))
+
+    def _list(self, launches: Sequence[Launch]) -> list[Enqueue]:
+        return self._tables.prepared(launches)
+
+    def look(self) -> np.ndarray:
+        """Bring the acceleration up to date and record the present state."""
+        state, budget = self.state, self._budget
+        begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
+        self._set_clock()
+        _run(self._begin)
+        if state.stale:
+            _run(self._look)
+            self._set_clock()
+            _run(self._begin)
+            state.stale = False
+            self._fetch()
+        records = self._records(1)
+        _run(records.row)
+        found = records.finished([state.step])
+        if begins:
+            budget[0] = max(budget[0], self._still + found[0, TRANSLATION : CONTACT + 1].sum())
+        return found
+
+    def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
+        """Take steps; see `Loop`."""
+        if self.state.stale:
+            self.look()
+        state, every = self.state, self._every
+        first, last = state.step, state.step + steps
+        records = self._records(last // every - first // every if every else 0)
+        self._set_clock()
+        _run(self._begin)
+        taken: list[int] = []
+        now, wide, lost, sick = first, 0, 0, FINE
+        while now < last and not lost and sick == FINE:
+            _run(self._open)
+            goal = min(last, (now // GUARD_INTERVAL + 1) * GUARD_INTERVAL)
+            if every:
+                goal = min(goal, (now // every + 1) * every)
+            self._take(goal - now - 1)
+            _run(self._pause)
+            now = goal
+            if now % GUARD_INTERVAL == 0 or now == last:
+                turned, lost, sick = self._guard()
+                wide = max(wide, turned)
+            if every and now % every == 0 and not lost and sick == FINE:
+                _run(records.row)
+                taken.append(now)
+        state.step = now
+        state.time = self._scheme.origin + now * self._scheme.dt
+        self._fetch()
+        return records.finished(taken), wide, lost, sick
+
+    def _take(self, steps: int) -> None:
+        """Take the steps between two pauses, in graphs of powers of two."""
+        while steps > 0:
+            size = min(_RECORDED, 1 << (steps.bit_length() - 1))
+            if size not in self._graphs:
+                self._graphs[size] = self._tables.device.recorded(self._go_on * size)
+            self._graphs[size]()
+            steps -= size
+
+    def _guard(self) -> tuple[int, int, int]:
+        """Return bonds turned wide, bonds lost, and whether the run is sound, as `judge_energy` finds them."""
+        _run(self._guarding)
+        folded = self._passes.folded.sums
+        self._tables.fetch(folded)
+        sums = folded.sum(axis=0)
+        wide, lost, kinetic, supplied = int(sums[_WIDE]), int(sums[_LOST]), sums[0] + sums[1], sums[_SUPPLIED]
+        if sums[_SICK] > 0.0 or not (kinetic < np.inf and supplied < np.inf):
+            return wide, lost, NOT_FINITE
+        self._budget[1] = max(self._budget[1], supplied)
+        return wide, lost, RUNAWAY if kinetic > BEYOND * self._budget.sum() else FINE
+
+    def _set_clock(self) -> None:
+        """Set the clock of the device to the step of the state, and records to the first row."""
+        clock = self._passes.span.clock
+        clock[:] = 0
+        clock[_STEP] = self.state.step
+        self._tables.send(clock)
+
+    def _records(self, rows: int) -> "_Records":
+        return _Records(self, HistoryRows(np.zeros((max(rows, 1), self._width))))
+
+    def _fetch(self) -> None:
+        """Copy the state from the device."""
+        state = self.state
+        self._tables.fetch(state.pose, state.motion, state.acceleration, state.loss, state.work, state.reaction)
+        for part in self._parts:
+            part.keep()
+
+
+class _Records:
+    """Records of one call, and the launches that write one of them."""
+
+    def __init__(self, loop: DeviceLoop, rows: HistoryRows) -> None:
+        self._loop, self._rows = loop, rows
+        passes = [one for part in loop._parts for one in part.record(rows)]
+        launches = [*loop._passes(passes), (count_record, 1, (loop._passes.span,))]
+        self.row = loop._tables.prepared(launches)
+
+    def finished(self, steps: Sequence[int]) -> np.ndarray:
+        """Return the records of some steps in the form of the history, and free their memory."""
+        loop, found = self._loop, self._rows.record
+        whole = np.zeros((len(steps), FIXED_COLUMNS + 3 * loop._gauges))
+        if len(steps):
+            loop._tables.fetch(found)
+            whole[:, 0] = [loop._scheme.origin + step * loop._scheme.dt for step in steps]
+            for column, of_sums in _COLUMNS.items():
+                whole[:, column] = found[: len(steps), of_sums]
+            whole[:, FIXED_COLUMNS:] = found[: len(steps), len(SUM_COLUMNS) :]
+        loop._tables.forget(self._rows)
+        return whole
+
+
+def _run(enqueued: Sequence[Enqueue]) -> None:
+    for enqueue in enqueued:
+        enqueue(None)
