@@ -10,7 +10,7 @@ namespace bondem {
 
 BONDEM_TABLE(DeviceSpan, F(clock, "9"), F(n, ""), F(m, ""))
 BONDEM_TABLE(Tick, F(ahead, ""), F(goes_on, ""), F(still, ""), F(first, ""))
-BONDEM_TABLE(BondLoads, F(load, "9 *"))
+BONDEM_TABLE(LoadsOfBonds, F(load, "9 *"))
 BONDEM_TABLE(BondsOfElements, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
 BONDEM_TABLE(RowOrder, F(start, "rows+1"), F(load, "loads"))
 BONDEM_TABLE(WorkPortions, F(works, "work_portions 2"))
@@ -20,7 +20,7 @@ BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
 #undef F
 
 #define BONDEM_DEVICE_TABLES                                                                                          \
-    described<DeviceSpan>(), described<Tick>(), described<BondLoads>(), described<BondsOfElements>(), described<RowOrder>(), \
+    described<DeviceSpan>(), described<Tick>(), described<LoadsOfBonds>(), described<BondsOfElements>(), described<RowOrder>(), \
         described<WorkPortions>(), described<FoldedPortions>(), described<GaugeParts>()
 
 // The loop of a pass over all its indices.

@@ -18,7 +18,7 @@ from bondem.solve.device_tables import (
     GROUP,
     SUM_COLUMNS,
     WORKS,
-    BondLoads,
+    LoadsOfBonds,
     BondsOfElements,
     DeviceSpan,
     FoldedPortions,
@@ -55,14 +55,14 @@ _follow_body_group = IndexPass("follow_body_group", DeviceSpan, Timeline, BodyFo
 _open_element = IndexPass("open_element", DeviceSpan, Moving)
 _open_element_or_row = IndexPass("open_element_or_row", DeviceSpan, Moving, Rows)
 _open_work_of_body = IndexPass("open_work_of_body", DeviceSpan, Moving, BodyForces)
-_load_beam = IndexPass("load_beam", Moving, Beams, BondLoads)
-_load_alike_beam = IndexPass("load_alike_beam", Moving, Beams, AlikeBeams, BondLoads)
-_load_dashpot = IndexPass("load_dashpot", Moving, Beams, Dashpots, BondLoads)
-_gather_loads = IndexPass("gather_loads", StepCut, BondsOfElements, BondLoads)
-_gather_dashpots = IndexPass("gather_dashpots", StepCut, BondsOfElements, BondLoads, Dashpots)
+_load_beam = IndexPass("load_beam", Moving, Beams, LoadsOfBonds)
+_load_alike_beam = IndexPass("load_alike_beam", Moving, Beams, AlikeBeams, LoadsOfBonds)
+_load_dashpot = IndexPass("load_dashpot", Moving, Beams, Dashpots, LoadsOfBonds)
+_gather_loads = IndexPass("gather_loads", StepCut, BondsOfElements, LoadsOfBonds)
+_gather_dashpots = IndexPass("gather_dashpots", StepCut, BondsOfElements, LoadsOfBonds, Dashpots)
 _add_body_force = IndexPass("add_body_force", DeviceSpan, Moving, StepCut, BodyForces)
 _add_work_of_body = IndexPass("add_work_of_body", DeviceSpan, Moving, StepCut, BodyForces)
-_BY_BONDS = BondsOfElements, BondLoads
+_BY_BONDS = BondsOfElements, LoadsOfBonds
 _move_gathered = IndexPass("move_gathered", DeviceSpan, Moving, StepCut, *_BY_BONDS)
 _move_gathered_resisted = IndexPass("move_gathered_resisted", DeviceSpan, Moving, StepCut, *_BY_BONDS, Resistance)
 _move_gathered_row = IndexPass("move_gathered_row", DeviceSpan, Moving, StepCut, Rows, *_BY_BONDS)
@@ -100,7 +100,7 @@ class DevicePasses:
         self.bonds = BondsOfElements(
             layout.in_start.astype(np.int32), layout.out_start.astype(np.int32), np.ascontiguousarray(layout.out_bond)
         )
-        self.loads, self.dashed = BondLoads(np.zeros((9, m))), BondLoads(np.zeros((9, m)))
+        self.loads, self.dashed = LoadsOfBonds(np.zeros((9, m))), LoadsOfBonds(np.zeros((9, m)))
         self.work_portions = WorkPortions(np.zeros((-(-works // WORKS), 2)))
         most = max(-(-n // 1024), -(-m // 2048), len(self.work_portions.works), 1)
         self.folded = FoldedPortions(np.zeros((-(-most // GROUP), len(SUM_COLUMNS))))

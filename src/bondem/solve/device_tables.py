@@ -24,7 +24,7 @@ class Tick(NamedTuple):
     first: bool  #: whether the time was not reached by a step
 
 
-class BondLoads(NamedTuple):
+class LoadsOfBonds(NamedTuple):
     """What each bond does to its two ends."""
 
     load: Floats  #: force on j, torque on i, torque on j [N, N·m], (9, m)

@@ -7,24 +7,24 @@
 
 namespace bondem {
 
-BONDEM_INLINE void put(const BondLoads &to, Index k, const BeamLoads<double> &loads) {
+BONDEM_INLINE void put(const LoadsOfBonds &to, Index k, const BeamLoads<double> &loads) {
     const Index m = to.load.shape[1];
     const double all[9] = {loads.force.x, loads.force.y, loads.force.z, loads.on_i.x, loads.on_i.y,
                            loads.on_i.z,  loads.on_j.x,  loads.on_j.y,  loads.on_j.z};
     for (Index c = 0; c < 9; c++) to.load.data[c * m + k] = all[c];
 }
 
-inline void load_beam(Index k, const Moving &all, const Beams &beams, const BondLoads &to) {
+inline void load_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to) {
     const BeamStiffness<double> stiffness = stiffness_of(beams, k, beams.integrity(k));
     put(to, k, beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness));
 }
 // One of those that differ in length only.
-inline void load_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike, const BondLoads &to) {
+inline void load_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike, const LoadsOfBonds &to) {
     const double h = alike.hold(k);
     const BeamStiffness<double> stiffness = {alike.knL * h, alike.AL * h, alike.BL * h, alike.AL * h, alike.ktL * h};
     put(to, k, beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness));
 }
-inline void load_dashpot(Index k, const Moving &all, const Beams &beams, const Dashpots &dashpots, const BondLoads &to) {
+inline void load_dashpot(Index k, const Moving &all, const Beams &beams, const Dashpots &dashpots, const LoadsOfBonds &to) {
     const Short i = beams.i(k), j = beams.j(k);
     const Motion<double> a(gather(all.motion.data, i)), b(gather(all.motion.data, j));
     const double s = beams.integrity(k);

@@ -8,7 +8,7 @@
 namespace bondem {
 
 // A row of sums, and what bonds do to element p.
-BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElements &bonds, const BondLoads &from) {
+BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElements &bonds, const LoadsOfBonds &from) {
     const Index m = from.load.shape[1];
     const auto load = [&](Index c, Index k) { return from.load.data[c * m + k]; };
     for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++)
@@ -26,11 +26,11 @@ BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElemen
     return sum;
 }
 // Where further loads act on elements, sums are in memory.
-inline void gather_loads(Index e, const StepCut &cut, const BondsOfElements &bonds, const BondLoads &from) {
+inline void gather_loads(Index e, const StepCut &cut, const BondsOfElements &bonds, const LoadsOfBonds &from) {
     const Short row = cut.ready_row(e);
     scatter(cut.sums.data, row, gathered(gather(cut.sums.data, row), cut.ready(e), bonds, from));
 }
-inline void gather_dashpots(Index e, const StepCut &cut, const BondsOfElements &bonds, const BondLoads &from,
+inline void gather_dashpots(Index e, const StepCut &cut, const BondsOfElements &bonds, const LoadsOfBonds &from,
                             const Dashpots &dashpots) {
     const Short row = cut.ready_row(e);
     const Row<double> sum = gathered({}, cut.ready(e), bonds, from);
@@ -41,7 +41,7 @@ inline void gather_dashpots(Index e, const StepCut &cut, const BondsOfElements &
 // The load of an element: what its bonds do to it, or the sum in memory, which is left at zero.
 struct Gathered {
     const BondsOfElements &bonds;
-    const BondLoads &from;
+    const LoadsOfBonds &from;
     BONDEM_INLINE Wrench<double> on(const One &one) const { return Wrench<double>(gathered({}, one.element, bonds, from)); }
 };
 struct Summed {
@@ -70,11 +70,11 @@ BONDEM_INLINE void move_held_one(Index h, const DeviceSpan &span, const Moving &
 }
 
 inline void move_gathered(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
-                          const BondsOfElements &bonds, const BondLoads &from) {
+                          const BondsOfElements &bonds, const LoadsOfBonds &from) {
     move_free_one(e, span, all, cut, Gathered{bonds, from}, NoRow{});
 }
 inline void move_gathered_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
-                                   const BondsOfElements &bonds, const BondLoads &from, const Resistance &resistance) {
+                                   const BondsOfElements &bonds, const LoadsOfBonds &from, const Resistance &resistance) {
     move_free_one(e, span, all, cut, Gathered{bonds, from}, resistance);
 }
 inline void move_summed(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut) {
@@ -85,11 +85,11 @@ inline void move_summed_resisted(Index e, const DeviceSpan &span, const Moving &
     move_free_one(e, span, all, cut, Summed{cut}, resistance);
 }
 inline void move_gathered_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows,
-                              const BondsOfElements &bonds, const BondLoads &from) {
+                              const BondsOfElements &bonds, const LoadsOfBonds &from) {
     move_held_one(h, span, all, cut, rows, Gathered{bonds, from}, NoRow{});
 }
 inline void move_gathered_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut,
-                                       const Rows &rows, const BondsOfElements &bonds, const BondLoads &from,
+                                       const Rows &rows, const BondsOfElements &bonds, const LoadsOfBonds &from,
                                        const Resistance &resistance) {
     move_held_one(h, span, all, cut, rows, Gathered{bonds, from}, resistance);
 }

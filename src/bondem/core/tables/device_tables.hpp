@@ -16,7 +16,7 @@ struct Tick {
     Index goes_on, still, first;  // as a `Clock` says; `still` leaves no time to a step
 };
 // What each bond does to its two ends.
-struct BondLoads {
+struct LoadsOfBonds {
     Array<double, 2> load;  // force on j, torque on i, torque on j [N, N·m], (9, m)
 };
 // Bonds of each element, both lists ascending.
